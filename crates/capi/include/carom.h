@@ -16,45 +16,48 @@
 // null. All structures are plain data and may be copied as bytes. Nothing is kept between calls and
 // no function needs another thread's permission: different data may be used by different threads.
 
-// The law of an impact: the cheapest in which the coupling of dissimilar bodies counts. For spheres and planes it is
-// CAROM_IMPACT_RINGS where coupling matters; for other shapes coupling is neglected, and CAROM_WARNING_COUPLING
-// says so.
+// Chooses the cheapest law that accounts for the coupling of dissimilar materials. For spheres and planes
+// that is CAROM_IMPACT_RINGS where coupling matters. For other shapes coupling is neglected, and
+// CAROM_WARNING_COUPLING reports it.
 #define CAROM_IMPACT_AUTO 0
 
-// `coulomb`, whichever the materials: coupling is neglected.
+// The law `coulomb` for any materials: coupling is neglected.
 #define CAROM_IMPACT_COULOMB 1
 
-// `fixed-direction`, whichever the materials: coupling is neglected.
+// The law `fixed-direction` for any materials: coupling is neglected.
 #define CAROM_IMPACT_FIXED_DIRECTION 2
 
-// `rings`, of spheres and planes: coupling and the spin about the normal count.
+// The law `rings`, for spheres and planes only: it includes coupling and the spin about the normal.
 #define CAROM_IMPACT_RINGS 3
 
-// With CAROM_IMPACT_AUTO friction acts on the spin about the normal where that matters; other laws leave it alone.
+// With CAROM_IMPACT_AUTO friction changes the spin about the normal where that matters; with other laws it
+// does not.
 #define CAROM_TORSION_AUTO 0
 
-// The spin is changed by a torsional impact of its own, as if there were no tangential impact.
+// The spin about the normal is changed by a torsional impact that is computed as if there were no tangential
+// one.
 #define CAROM_TORSION_INCLUDED 1
 
-// The spin is left alone.
+// The spin about the normal is not changed.
 #define CAROM_TORSION_LEFT_OUT 2
 
-// Nothing is lost in the bodies' material.
+// No energy is dissipated in the material of the bodies.
 #define CAROM_LOSS_NONE 0
 
-// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
+// The normal velocity after the impact is `normal_restitution`, in [0, 1], times that of an elastic impact.
 #define CAROM_LOSS_GIVEN 1
 
-// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
+// The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
+// ignored.
 #define CAROM_LOSS_BY_WAVES 2
 
-// The words of 8 bytes in a `carom_contact`, beside its mark.
+// Number of 8-byte words in a `carom_contact`, without its mark.
 #define CAROM_CONTACT_WORDS 144
 
 // A sphere: `sizes[0]` is its radius.
 #define CAROM_SHAPE_SPHERE 0
 
-// A plane with the half-space behind it, held fast; its axis c looks out of the body.
+// A fixed plane bounding a half-space; its axis c is the outward normal.
 #define CAROM_SHAPE_PLANE 1
 
 // An ellipsoid: `sizes` are its semi-axes.
@@ -66,40 +69,41 @@
 // A cylinder between two half spheres, about its axis c: radius, and length of the straight part.
 #define CAROM_SHAPE_CAPSULE 4
 
-// A torus about its axis c: radius of the circle, radius of the tube.
+// A torus about its axis c: radius of the centre circle, radius of the tube.
 #define CAROM_SHAPE_TORUS 5
 
-// A box: `sizes` are its edges. Its edges and corners cannot touch.
+// A box: `sizes` are its edge lengths. Contact at its edges and corners is not computed.
 #define CAROM_SHAPE_BOX 6
 
-// The materials couple normal and tangential displacements, which the theory leaves out.
+// Normal and tangential displacements are coupled by the materials; the result neglects this.
 #define CAROM_WARNING_COUPLING 1
 
-// The contact is not small against the bodies.
+// The contact is not small compared with the bodies.
 #define CAROM_WARNING_LARGE_CONTACT 2
 
 // Elastic waves would carry away more than 1 % of the normal energy.
 #define CAROM_WARNING_WAVE_LOSS 4
 
-// The spin about the normal is left alone, and torsion would take more than 1 % of it.
+// Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it.
 #define CAROM_WARNING_SPIN_LEFT_ALONE 8
 
-// The outcome did not settle to its tolerance.
+// The outcome did not converge to its tolerance.
 #define CAROM_WARNING_NOT_SETTLED 16
 
-// The contact point was found by sampling; the bodies may touch elsewhere too.
+// The contact point was found by sampling the surfaces; the bodies may touch elsewhere too.
 #define CAROM_WARNING_POINT_SAMPLED 32
 
-// `coulomb`: each ring of the contact slips by itself, to a tolerance.
+// `coulomb`: exact return mapping at each depth of the contact, to a tolerance, for paths that turn.
 #define CAROM_LAW_COULOMB 0
 
-// `fixed-direction`: one direction of traction in a slip ring (chapter 7 of the thesis). Exact on straight
-// paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
+// `fixed-direction`: one direction of traction in a slip annulus (chapter 7 of the thesis). Exact on
+// straight paths; where the direction turns, the mean error is 5 % of the friction limit. Faster.
 #define CAROM_LAW_FIXED_DIRECTION 1
 
-// `rings`: approach, shift, twist and the coupling of dissimilar materials act together, on rings of the contact. For
-// grains (`carom_ring_touch_grains`), whose contacts are circles. With 100 steps in an impact R_x is off by .01 at
-// most, unless the tangential velocity is below f/2 times that of approach.
+// `rings`: approach, shift, twist and the coupling of dissimilar materials act together; the contact, a
+// circle, is divided into concentric rings. For grains (`carom_ring_touch_grains`) only. With 100 steps in
+// an impact the error of R_x is at most .01, unless the tangential velocity is below f/2 times the normal
+// one.
 #define CAROM_LAW_RINGS 2
 
 // R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
@@ -108,52 +112,52 @@
 // R_x by the exact impact, in microseconds.
 #define CAROM_EXACT 1
 
-// The words of 8 bytes in a `carom_ring_touch`, beside its mark.
+// Number of 8-byte words in a `carom_ring_touch`, without its mark.
 #define CAROM_RING_TOUCH_WORDS 420
 
-// The numbers in which a `carom_ring_touch` is kept elsewhere.
+// Number of numbers into which a `carom_ring_touch` packs.
 #define CAROM_RING_TOUCH_NUMBERS 309
 
-// The first of these numbers, unless the grains are apart.
+// The first packed number of grains in contact; it names the format.
 #define CAROM_RING_TOUCH_MARK 30001.0
 
-// The numbers in a `carom_state`.
+// Number of numbers in a `carom_state`.
 #define CAROM_STATE_NUMBERS 66
 
-// The words of 8 bytes in a `carom_touch`, beside its mark.
+// Number of 8-byte words in a `carom_touch`, without its mark.
 #define CAROM_TOUCH_WORDS 158
 
-// The numbers in which a `carom_touch` is kept elsewhere.
+// Number of numbers into which a `carom_touch` packs.
 #define CAROM_TOUCH_NUMBERS 79
 
-// The numbers in a `carom_twist`.
+// Number of numbers in a `carom_twist`.
 #define CAROM_TWIST_NUMBERS 83
 
-// Changes whenever a structure or a function of this header does; compare it with
-// `carom_abi_version()` of the library that is loaded.
+// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
+// the loaded library.
 #define CAROM_ABI_VERSION 5
 
-// How a call ended.
+// Result of a call.
 enum carom_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  // All is done.
+  // Success.
   CAROM_STATUS_OK = 0,
-  // A pointer that must not be null is.
+  // A required pointer is null.
   CAROM_STATUS_NULL_POINTER = 1,
-  // A pointer or a stride is not aligned to what it points to.
+  // A pointer or a stride is not aligned to its type.
   CAROM_STATUS_MISALIGNED = 2,
-  // A value is out of range: `carom_error` names its field.
+  // A value is out of range; `carom_error` names the field.
   CAROM_STATUS_OUT_OF_RANGE = 3,
-  // A state is neither zero nor one that this library wrote.
+  // A state is not zero and was not written by this library.
   CAROM_STATUS_BAD_STATE = 4,
-  // The bodies make no contact that can be computed.
+  // The bodies have no contact that this library can compute.
   CAROM_STATUS_NO_CONTACT = 5,
-  // The impact could not be followed to its end.
+  // The impact could not be computed to separation.
   CAROM_STATUS_NOT_FOLLOWED = 6,
-  // A fault in this library; nothing can be said about the results.
+  // Internal error of this library; the results are not valid.
   CAROM_STATUS_INTERNAL = 7,
 };
 #ifndef __cplusplus
@@ -164,23 +168,23 @@ typedef int32_t carom_status;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// What the last step of a contact did.
+// The regime of the last step of a contact.
 enum carom_regime
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  // The bodies are apart.
+  // The bodies are separated.
   CAROM_REGIME_SEPARATED = 0,
-  // Complete adhesion: the area grew faster than the shift.
+  // The whole contact sticks: its edge grew faster than the slip would.
   CAROM_REGIME_ADHESION = 1,
-  // The edge receded, and what is left did not slip.
+  // The edge receded, and the rest of the contact did not slip.
   CAROM_REGIME_RELEASE = 2,
-  // A ring slipped.
+  // An annulus at the edge slipped.
   CAROM_REGIME_SLIP = 3,
-  // Slip began anew at the edge, the other way.
+  // Slip began anew at the edge, in the opposite direction.
   CAROM_REGIME_REVERSAL = 4,
-  // A slip ring wiped out older ones.
+  // The slip annulus grew past older ones and erased them.
   CAROM_REGIME_OVERLAY = 5,
   // The whole contact slid.
   CAROM_REGIME_SLIDING = 6,
@@ -193,57 +197,59 @@ typedef uint32_t carom_regime;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
-// The matrices of CAROM_LAW_RINGS for two materials with friction, some 60 kilobytes. They serve contacts of any
-// radius, never change, and may be used by several threads at once.
+// The matrices of CAROM_LAW_RINGS for two materials and a coefficient of friction, some 60 kilobytes. They
+// serve contacts of any radius, do not change, and may be used by several threads at once.
 typedef struct carom_rings carom_rings;
 
-// The constants of a contact: plain data, made by `carom_pair_of_spheres` and its like and not to
-// be changed but by them. Units are SI, or any consistent set.
+// The constants of a contact: plain data, made by the functions `carom_pair_of_...` and not to be changed
+// otherwise. Units are SI, or any consistent set.
 typedef struct carom_pair {
-  // Tangential stiffness along x: in full adhesion dF_x = c_x sqrt(zeta) dxi. N/m^1.5.
+  // Tangential stiffness along x, N/m^1.5: in full adhesion dF_x = c_x sqrt(zeta) dxi.
   double c_x;
-  // The same along y.
+  // Tangential stiffness along y, N/m^1.5.
   double c_y;
-  // Normal stiffness: F_z = (2/3) c_z zeta^1.5. N/m^1.5.
+  // Normal stiffness, N/m^1.5: F_z = (2/3) c_z zeta^1.5.
   double c_z;
   // The coefficient of friction, from 0 to infinity (no slip).
   double friction;
-  // How far the friction force may be off over its limit, of CAROM_LAW_COULOMB; how closely tractions keep their
-  // limits, of CAROM_LAW_RINGS.
+  // Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
+  // accuracy with which tractions satisfy the friction limit.
   double tolerance;
-  // a^2/zeta of the contact ellipse, m; 0 if it is not known.
+  // a^2/zeta of the contact ellipse, m; 0 if unknown.
   double a_squared;
-  // b^2/zeta of the contact ellipse, m; 0 if it is not known.
+  // b^2/zeta of the contact ellipse, m; 0 if unknown.
   double b_squared;
-  // Torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if it is not known.
+  // Torsional stiffness: torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if unknown.
   double torsion_stiffness;
-  // The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
+  // Arm of the sliding torque: torque over f F_z, over zeta^0.5, m^0.5; 0 if unknown.
   double torsion_arm;
-  // The coupling of normal and tangential displacements (15.2); 0 for like bodies, or if it is not known.
+  // Gamma, the coupling of normal and tangential displacements (15.2); 0 for like materials, or if
+  // unknown.
   double gamma;
-  // A bound of how much coupling changes R_x, the tangential velocity after an impact of spheres over that before.
-  // The laws but CAROM_LAW_RINGS neglect it.
+  // Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
+  // neglect coupling.
   double coupling_bound;
   // CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS.
   uint32_t law;
-  // CAROM_ABI_VERSION of the library that made it.
+  // CAROM_ABI_VERSION of the library that made the pair.
   uint32_t version;
 } carom_pair;
 
-// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
-// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
-// step reads and writes only what it needs; it is understood only by the build that wrote it:
-// `carom_contact_pack` makes a `carom_state` of it.
+// The state of a contact in memory of the caller: 1160 bytes, aligned to 8, that may be copied as bytes.
+// Zero bytes stand for two bodies that just touch, without shift.
 //
-// The constants are those of the pair with which it was first advanced; to change them, make it zero.
+// It stores the law with its constants, so that a step reads and writes only what it needs. Only the build
+// that wrote it can read it; `carom_contact_pack` converts it to a `carom_state`.
+//
+// The constants are those of the pair of the first advance. To change them, set the contact to zero.
 typedef struct carom_contact {
-  // Not to be changed but by the functions of this library.
+  // Identifies the build that wrote the contact. Written by this library only.
   uint64_t mark;
-  // The law.
+  // The bytes of the law.
   uint64_t words[CAROM_CONTACT_WORDS];
 } carom_contact;
 
-// The rigid shift of body 2 against body 1 in contact axes, z into body 1.
+// Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1.
 typedef struct carom_shift {
   // The approach, positive in contact, m.
   double zeta;
@@ -263,58 +269,59 @@ typedef struct carom_load {
   double f_z;
 } carom_load;
 
-// What was wrong: filled in by a call that does not return `CAROM_STATUS_OK`, else left alone.
+// Describes an error. Filled in by a call that does not return `CAROM_STATUS_OK`, otherwise not changed.
 typedef struct carom_error {
-  // The entry of an array, counted from 0; -1 where there is no array.
+  // Index of the array entry, from 0; -1 if no array is concerned.
   int64_t index;
-  // The value of the field; 0 where there is none.
+  // The value of the field; 0 if it has none.
   double value;
-  // The name of the field or argument; empty where there is none. Ends with a zero.
+  // The name of the field or argument, or an empty string. Zero-terminated.
   char field[40];
-  // A sentence for a person. Ends with a zero.
+  // The message, a sentence. Zero-terminated.
   char text[200];
 } carom_error;
 
-// What a contact can tell beside its load.
+// The state of a contact beside its load.
 typedef struct carom_report {
   // The share of the contact area that sticks.
   double sticking;
-  // What the last step did.
+  // The regime of the last step.
   carom_regime regime;
 } carom_report;
 
-// What a contact remembers, in 66 numbers, the caller's: zeros are two bodies that just touch, unshifted.
-// The numbers mean the same on any machine and in any build of this `carom_state_version()`, so
-// that they can be kept in files and sent to other processes. `carom_contact_pack` writes them,
-// `carom_contact_unpack` makes a contact of them, whose further way is the same to the bit. The friction of the
+// The state of a contact as 66 numbers, in memory of the caller; zeros stand for two bodies that just touch,
+// without shift. The numbers mean the same on any machine and in any build of this `carom_state_version()`,
+// so that they can be stored in files and sent to other processes. `carom_contact_pack` writes them;
+// `carom_contact_unpack` makes a contact from them, which continues with the same bits. The friction of the
 // pair must be finite.
 typedef struct carom_state {
-  // Not to be changed but by the functions of this library.
+  // Written by this library only.
   double numbers[CAROM_STATE_NUMBERS];
 } carom_state;
 
-// The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
-// changed but by it.
+// The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
+// changed otherwise.
 typedef struct carom_grains {
-  // The contact of a relative radius of 1.
+  // The constants of a contact of relative radius 1.
   struct carom_pair unit;
   // The viscous relaxation time of the materials, s.
   double relaxation;
-  // The share of the approach by which body 1 gives way.
+  // The displacement of body 1 at the contact over the approach.
   double share_1;
-  // The share of the approach by which body 2 gives way.
+  // The displacement of body 2 at the contact over the approach.
   double share_2;
 } carom_grains;
 
-// The memory of the contact of two grains, the caller's: 1280 bytes, aligned to 8, that may be copied as
-// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
-// `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+// The state of the contact of two grains, in memory of the caller: 1280 bytes, aligned to 8, that may be
+// copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
+// `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
 //
+// The constants are those of the step in which contact began. To change them, set the touch to zero.
 // The constants are those of the step in which it began; to change them, make it zero.
 typedef struct carom_touch {
-  // Not to be changed but by the functions of this library.
+  // Identifies the build that wrote the contact. Written by this library only.
   uint64_t mark;
-  // The contact.
+  // The bytes of the contact.
   uint64_t words[CAROM_TOUCH_WORDS];
 } carom_touch;
 
@@ -330,27 +337,27 @@ typedef struct carom_grain {
   double radius;
 } carom_grain;
 
-// What body 2 exerts on body 1.
+// The load that body 2 exerts on body 1.
 typedef struct carom_grain_load {
-  // The force on body 1, N; that on body 2 is the opposite one.
+  // The force on body 1, N; the force on body 2 is opposite.
   double force[3];
   // The torque on body 1 about its centre, N m.
   double torque_1[3];
-  // The torque on body 2 about its centre, N m; that on a wall is zero.
+  // The torque on body 2 about its centre, N m; zero for a wall.
   double torque_2[3];
 } carom_grain_load;
 
-// Two grains and their contact, of many that make their step in one call.
+// Two grains and their contact, for a call that advances many.
 typedef struct carom_encounter {
-  // The constants of their materials.
+  // The constants of the two materials.
   const struct carom_grains *grains;
-  // Their contact: of each pair its own.
+  // The state of their contact; no two encounters may share one.
   struct carom_touch *touch;
   // Body 1.
   struct carom_grain one;
   // Body 2.
   struct carom_grain two;
-  // What body 2 exerts on body 1 at the end of the step: to be written.
+  // Output: the load that body 2 exerts on body 1 at the end of the step.
   struct carom_grain_load load;
 } carom_encounter;
 
@@ -366,7 +373,7 @@ typedef struct carom_heats {
 typedef struct carom_material {
   // Young's modulus, Pa; infinite for a rigid body.
   double young_modulus;
-  // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
+  // Poisson's ratio, in (-1, 0.5]; ignored for a rigid body.
   double poisson;
 } carom_material;
 
@@ -380,25 +387,25 @@ typedef struct carom_wall {
   double velocity[3];
 } carom_wall;
 
-// A body about to collide. All that is zero is what is usual: a solid, its axes along those of space,
-// at the origin, at rest.
+// A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
+// those of space.
 typedef struct carom_body {
-  // A CAROM_SHAPE.
+  // The shape, a CAROM_SHAPE constant.
   uint32_t shape;
   // 1 for a thin shell, 0 for a solid.
   uint32_t hollow;
-  // What the shape needs, m.
+  // The dimensions of the shape, m; see the CAROM_SHAPE constants.
   double sizes[3];
-  // The mass, kg; infinite if it is held fast. Of no meaning for a plane.
+  // The mass, kg; infinite for a fixed body. Ignored for a plane.
   double mass;
-  // The principal moments of inertia, kg m^2; zeros are those of the homogeneous shape.
+  // The principal moments of inertia, kg m^2; zeros for those of a homogeneous body.
   double moments[3];
   // The material.
   struct carom_material material;
-  // The centre of mass; for a plane any of its points, m.
+  // The centre of mass, m; for a plane any of its points.
   double centre[3];
-  // The unit quaternion (w, i, j, k) that turns the body's components into those of space; zeros for
-  // none.
+  // The unit quaternion (w, i, j, k) that transforms components in body axes to space axes; zeros for no
+  // rotation.
   double attitude[4];
   // The velocity of the centre of mass, m/s.
   double velocity[3];
@@ -406,104 +413,109 @@ typedef struct carom_body {
   double spin[3];
 } carom_body;
 
-// How an impact is computed. Zeros are what is usual in all but `size`.
+// Options of an impact. Zero in any field but `size` selects the default.
 typedef struct carom_collide_options {
-  // `sizeof(carom_collide_options)`: later versions add fields at the end, which are zero for a caller of this one.
+  // `sizeof(carom_collide_options)`. Later versions add fields at the end; a smaller `size` leaves these
+  // at zero.
   size_t size;
-  // A CAROM_IMPACT.
+  // The contact law, a CAROM_IMPACT constant.
   uint32_t law;
-  // A CAROM_LOSS: what the bodies' material takes, beyond the elastic theory. Impulse and heat of friction shrink with
-  // the normal pulse; duration, force and approach are those of the elastic impact.
+  // The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. Impulse and heat of
+  // friction shrink with the normal impulse; duration, force and approach are those of the elastic impact.
   uint32_t loss;
-  // The part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic, at 0 the bodies do not part.
+  // The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
+  // elastic, 0 leaves the bodies together.
   double normal_restitution;
-  // To which the outcome is settled; 0 for the usual one.
+  // Relative tolerance of the outcome; 0 for the default.
   double tolerance;
-  // A CAROM_TORSION: what becomes of the spin about the normal where the law is not CAROM_IMPACT_RINGS.
+  // How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
+  // it.
   uint32_t torsion;
 } carom_collide_options;
 
-// How two bodies part. Velocities of the contact are of body 2 against body 1. The command's columns and
-// Python's record have the same names.
+// The result of an impact. Relative velocities at the contact are of body 2 against body 1. Columns of the
+// command `carom` and fields of Python's `Rebound` have the same names.
 typedef struct carom_rebound {
-  // 1 if they collide; 0 if they do not approach each other, where nothing happens and only
-  // place, normal and motions are given.
+  // 1 if the bodies collide. 0 if they do not approach each other: then only point, normal and motions are
+  // given.
   uint32_t collides;
-  // The CAROM_WARNING bits that hold.
+  // The CAROM_WARNING bits that apply.
   uint32_t warnings;
-  // The velocity of the centre of mass of body 1 afterwards, m/s.
+  // The velocity of the centre of mass of body 1 after the impact, m/s.
   double body_1_velocity[3];
-  // The angular velocity of body 1 afterwards, rad/s.
+  // The angular velocity of body 1 after the impact, rad/s.
   double body_1_spin[3];
-  // The velocity of the centre of mass of body 2 afterwards, m/s.
+  // The velocity of the centre of mass of body 2 after the impact, m/s.
   double body_2_velocity[3];
-  // The angular velocity of body 2 afterwards, rad/s.
+  // The angular velocity of body 2 after the impact, rad/s.
   double body_2_spin[3];
-  // The impulse that body 2 gave body 1, N s.
+  // The impulse that body 2 exerts on body 1, N s.
   double impulse[3];
-  // The place where they touch, m.
+  // The contact point, m.
   double point[3];
-  // The normal there, from body 2 into body 1.
+  // The unit normal at the contact point, from body 2 into body 1.
   double normal[3];
-  // The relative velocity of the contact points before, m/s.
+  // The relative velocity of the contact points before the impact, m/s.
   double contact_velocity_before[3];
-  // The relative velocity of the contact points after, m/s.
+  // The relative velocity of the contact points after the impact, m/s.
   double contact_velocity_after[3];
-  // The tangential velocity after over that before, reversed in sign, if `has_R_x`.
+  // Minus the tangential velocity of the contact after the impact over that before; valid if `has_R_x` is
+  // 1.
   double R_x;
-  // 1 if there is an R_x.
+  // 1 if R_x is defined.
   uint32_t has_R_x;
-  // How often the approach grew.
+  // Number of compression phases, each a maximum of the approach.
   uint32_t compressions;
-  // The time from touch to separation, s.
+  // The time from first contact to separation, s.
   double duration;
-  // The greatest normal force, N.
+  // The maximum normal force, N.
   double maximal_force;
-  // The greatest approach, m.
+  // The maximum approach, m.
   double maximal_approach;
-  // The semi-axis of the greatest contact ellipse along the contact's x, the smaller one, m.
+  // The semi-axis of the largest contact ellipse along x of the contact, the smaller one, m.
   double maximal_semi_axis_a;
-  // The semi-axis of the greatest contact ellipse along the contact's y, m.
+  // The semi-axis of the largest contact ellipse along y of the contact, m.
   double maximal_semi_axis_b;
-  // The kinetic energy before, J.
+  // The kinetic energy before the impact, J.
   double energy_before;
-  // The kinetic energy after, J.
+  // The kinetic energy after the impact, J.
   double energy_after;
-  // What friction took, J.
+  // The energy dissipated by friction, J.
   double energy_dissipated;
-  // What the bodies' material took, J: 0 of elastic ones.
+  // The energy dissipated in the material of the bodies, J; 0 for elastic bodies.
   double energy_lost;
-  // How far the velocity after may be off over that before; 0 where the solution is exact.
+  // Estimated error of the velocity after the impact over that before; 0 for an exact solution.
   double error_estimate;
-  // The relative spin about the normal after over that before, if `has_torsion`.
+  // The relative spin about the normal after the impact over that before; valid if `has_torsion` is 1.
   double spin_ratio;
-  // The impulse of the torque on body 1 about the normal, N m s, if `has_torsion`.
+  // The angular impulse on body 1 about the normal, N m s; valid if `has_torsion` is 1.
   double torque_impulse;
-  // 1 if the spin about the normal was changed.
+  // 1 if friction was applied to the spin about the normal.
   uint32_t has_torsion;
 } carom_rebound;
 
-// The memory of the contact of two grains with CAROM_LAW_RINGS, the caller's: 3368 bytes, aligned to 8, that may be
-// copied as bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
-// `carom_ring_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3368 bytes, aligned
+// to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
+// can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
+// can read.
 //
-// Shift, twist and the coupling of dissimilar materials act together: no `carom_twist` stands beside it.
+// Shift, twist and the coupling of dissimilar materials act together, so that no `carom_twist` is needed.
 typedef struct carom_ring_touch {
-  // Not to be changed but by the functions of this library.
+  // Identifies the build that wrote the contact. Written by this library only.
   uint64_t mark;
-  // The contact.
+  // The bytes of the contact.
   uint64_t words[CAROM_RING_TOUCH_WORDS];
 } carom_ring_touch;
 
-// The memory of a contact that twists about its normal, in 83 numbers, the caller's: zeros are two bodies
-// that just touch, untwisted. It stands beside the memory of the shift, each as if the other were absent.
-// As a `carom_state` the numbers may be kept in files and sent to other processes.
+// The state of a contact that twists about its normal, as 83 numbers in memory of the caller; zeros stand
+// for two bodies that just touch, without twist. Twist and shift are independent: each law neglects the
+// other. As with a `carom_state`, the numbers may be stored in files and sent to other processes.
 //
-// 12 pieces of the history, one or two for a turn of the twist, are remembered to the bit; beyond, those
-// that matter least are joined: over random histories the torque was then off by less than 3e-4 of that
-// of sliding in the mean, .02 at worst.
+// The law stores up to 12 pieces of the history exactly, one or two for each reversal of the twist. Beyond
+// that it joins the pieces that matter least. Over random histories the error of the torque was then below
+// 3e-4 of the sliding torque in the mean, and .02 at most.
 typedef struct carom_twist {
-  // Not to be changed but by the functions of this library.
+  // Written by this library only.
   double numbers[CAROM_TWIST_NUMBERS];
 } carom_twist;
 
@@ -511,16 +523,16 @@ typedef struct carom_twist {
 extern "C" {
 #endif // __cplusplus
 
-// Advances many contacts of one pair, contact i by its own shift. The strides are the bytes from one
-// entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
+// Advances many contacts of one pair, contact i by shift i. A stride is the number of bytes from one entry
+// to the next, so that the arrays may be columns of larger structures. `loads` may be null.
 //
-// All shifts are checked before anything moves: if one is out of range nothing is changed, and
-// `error->index` names it. A contact that is none ends the call at its index: those before it have
-// been advanced.
+// All shifts are checked before any contact is advanced: if one is out of range, nothing is changed and
+// `error->index` names it. An invalid contact ends the call at its index; those before it have been
+// advanced.
 //
 // # Safety
-// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count`
-// entries may be read and, but for the shifts, written; none overlaps another. Each contact is as in
+// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count` entries
+// may be read and, except for the shifts, written; no two entries overlap. Each contact is as in
 // `carom_contact_advance`. `error` is null or may be written.
 carom_status carom_contact_advance_many(const struct carom_pair *pair,
                                         size_t count,
@@ -532,14 +544,14 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
                                         size_t load_stride,
                                         struct carom_error *error);
 
-// Goes straight from the present shift to a new one; `load` may be null.
+// Moves the contact straight from the present shift to a new one. `load` may be null.
 //
-// A `zeta` that is not positive separates the bodies: the memory is lost.
+// A `zeta` that is not positive separates the bodies, and the history is lost.
 //
 // # Safety
 // `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
-// contact is zero, or was written by this build of the library; other bytes end in a status, or in
-// numbers that mean nothing.
+// contact is zero or was written by this build of the library; other bytes give an error status or
+// meaningless numbers.
 carom_status carom_contact_advance(const struct carom_pair *pair,
                                    struct carom_contact *contact,
                                    struct carom_shift shift,
@@ -565,8 +577,8 @@ carom_status carom_contact_energy(const struct carom_pair *pair,
                                   double *energy,
                                   struct carom_error *error);
 
-// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
-// J. Nothing moves.
+// The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
+// contact is not advanced.
 //
 // # Safety
 // As `carom_contact_load`.
@@ -576,7 +588,7 @@ carom_status carom_contact_heat(const struct carom_pair *pair,
                                 double *heat,
                                 struct carom_error *error);
 
-// What the last step did, and how much of the contact sticks.
+// The regime of the last step, and the share of the contact that sticks.
 //
 // # Safety
 // As `carom_contact_load`.
@@ -585,8 +597,8 @@ carom_status carom_contact_report(const struct carom_pair *pair,
                                   struct carom_report *report,
                                   struct carom_error *error);
 
-// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
-// new ones, and stays the same in space.
+// Rotates the contact axes by an angle (radians, from x to y). The state is transformed to the new axes and
+// stays the same in space.
 //
 // # Safety
 // `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
@@ -596,7 +608,7 @@ carom_status carom_contact_turn_frame(const struct carom_pair *pair,
                                       double angle,
                                       struct carom_error *error);
 
-// Writes what a contact remembers into a state, for a file or another process.
+// Writes the state of a contact as plain numbers, for a file or another process.
 //
 // # Safety
 // `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
@@ -606,8 +618,8 @@ carom_status carom_contact_pack(const struct carom_pair *pair,
                                 struct carom_state *state,
                                 struct carom_error *error);
 
-// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
-// faster: one contact may take up many states of a pair, one after the other.
+// Makes a contact from a stored state. A contact that is not zero keeps its constants, which is faster: one
+// contact may read many states of a pair in turn.
 //
 // # Safety
 // `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
@@ -616,11 +628,11 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
                                   struct carom_contact *contact,
                                   struct carom_error *error);
 
-// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
-// in less time, since some go through the processor together.
+// One step of duration `dt` for many pairs of grains. Gives the same bits as `carom_touch_grains` for each,
+// in less time, since several pairs share vector instructions.
 //
-// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
-// `heats` may be null; it costs several times the force.
+// An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
+// `heats` may be null; computing them costs several times the force.
 //
 // # Safety
 // `encounters` is null or `count` of them may be read and written, and what each points to is as in
@@ -631,15 +643,15 @@ carom_status carom_touch_many(struct carom_encounter *encounters,
                               struct carom_heats *heats,
                               struct carom_error *error);
 
-// A few words for each status; never null, and not to be freed.
+// A short text for each status. Never null, and not to be freed.
 const char *carom_status_text(int32_t status);
 
-// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
-// a wall of material 2.
+// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
+// wall of material 2.
 //
-// `relaxation` is the viscous relaxation time A of the pair, s, which adds
-// (2/3) c_z (3/2) A sqrt(zeta) dzeta/dt to Hertz's force; 0 for none. `law` and `tolerance` are as in
-// `carom_pair_of_spheres`; friction is finite.
+// `relaxation` is the viscous relaxation time A of the pair, s. It adds (2/3) c_z (3/2) A sqrt(zeta)
+// dzeta/dt to the force of Hertz; 0 for none. `law` and `tolerance` are as in `carom_pair_of_spheres`;
+// friction must be finite.
 //
 // # Safety
 // The materials are null or may be read, `grains` and `error` null or may be written.
@@ -652,17 +664,17 @@ carom_status carom_grains_of(const struct carom_material *material_1,
                              struct carom_grains *grains,
                              struct carom_error *error);
 
-// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the
-// velocities are those that brought them there (of a leapfrog: those between). `heats` may be null; it
-// costs several times the force.
+// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
+// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
+// null; computing them costs several times the force.
 //
-// Where the two come apart the memory is lost; a step of accounted heat sees what is released then. A
-// touch need not be told of grains that are apart and stay so.
+// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
+// Grains that are separated and stay so need no call.
 //
 // # Safety
-// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
-// be written. The touch is zero, or was written by this build of the library; other bytes end in a status, or
-// in numbers that mean nothing.
+// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
+// written. The touch is zero or was written by this build of the library; other bytes give an error status
+// or meaningless numbers.
 carom_status carom_touch_grains(const struct carom_grains *grains,
                                 struct carom_touch *touch,
                                 const struct carom_grain *one,
@@ -672,7 +684,7 @@ carom_status carom_touch_grains(const struct carom_grains *grains,
                                 struct carom_heats *heats,
                                 struct carom_error *error);
 
-// The same of a grain, body 1, and a wall.
+// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
 //
 // # Safety
 // As `carom_touch_grains`.
@@ -685,8 +697,8 @@ carom_status carom_touch_wall(const struct carom_grains *grains,
                               struct carom_heats *heats,
                               struct carom_error *error);
 
-// The load of two grains as the last step left them, without a step: the same bits that it told, if the
-// places are the same. A touch that is zero carries Hertz's force alone.
+// The load of two grains after the last step, without a new one: the same bits if the positions are the
+// same. A touch that is zero carries only the force of Hertz.
 //
 // # Safety
 // `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
@@ -698,7 +710,7 @@ carom_status carom_touch_grains_load(const struct carom_grains *grains,
                                      struct carom_grain_load *load,
                                      struct carom_error *error);
 
-// The same of a grain, body 1, and a wall.
+// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
 //
 // # Safety
 // As `carom_touch_grains_load`.
@@ -709,15 +721,16 @@ carom_status carom_touch_wall_load(const struct carom_grains *grains,
                                    struct carom_grain_load *load,
                                    struct carom_error *error);
 
-// The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
-// 2 with that common normal, from body 2 into body 1.
+// Computes the impact of two bodies that touch at their given positions. If `normal` is not null, body 1 is
+// first moved into contact with body 2 such that this is the common normal, from body 2 into body 1.
 //
-// `options` is null for what is usual: elastic bodies, and the coupling of normal and tangential displacements of
-// dissimilar ones counts for spheres and planes, with it the spin about the normal.
+// `options` may be null for the defaults: elastic bodies; for spheres and planes the coupling of normal and
+// tangential displacements of dissimilar materials counts where it matters, and with it the spin about the
+// normal.
 //
 // # Safety
-// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null, or as many bytes
-// as its `size` says may be read; `rebound` and `error` are null or may be written.
+// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null or may be
+// read for the number of bytes in its `size`; `rebound` and `error` are null or may be written.
 carom_status carom_collide(const struct carom_body *body_1,
                            const struct carom_body *body_2,
                            double friction,
@@ -726,9 +739,8 @@ carom_status carom_collide(const struct carom_body *body_1,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
 
-// The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
-// (a negative radius). A tolerance of 0 is that of particles: 1e-2, of CAROM_LAW_RINGS
-// 3e-3.
+// The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
+// radius negative). A `tolerance` of 0 selects the default for particles: 1e-2, for CAROM_LAW_RINGS 3e-3.
 //
 // # Safety
 // The materials are null or may be read, `pair` and `error` null or may be written.
@@ -742,7 +754,7 @@ carom_status carom_pair_of_spheres(const struct carom_material *material_1,
                                    struct carom_pair *pair,
                                    struct carom_error *error);
 
-// The constants of two bodies whose gap is A x^2 + B y^2 (1/m).
+// The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
 //
 // # Safety
 // As `carom_pair_of_spheres`.
@@ -756,7 +768,7 @@ carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
                                       struct carom_pair *pair,
                                       struct carom_error *error);
 
-// The constants of a contact of known stiffness, dF_x = c_x sqrt(zeta) dxi and so on.
+// The constants of a contact of known stiffnesses: dF_x = c_x sqrt(zeta) dxi, F_z = (2/3) c_z zeta^1.5.
 //
 // # Safety
 // `pair` and `error` are null or may be written.
@@ -800,15 +812,16 @@ carom_status carom_restitution_many(size_t count,
                                     size_t restitution_stride,
                                     struct carom_error *error);
 
-// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques contain that
-// about the normal. `rings` are those of `grains->unit`. `heats` may be null; it costs nothing here.
+// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
+// the torque about the normal. `rings` are those of `grains->unit`. `heats` may be null; here it costs
+// nothing.
 //
-// A step costs 2 to 5 microseconds.
+// A step takes 2 to 5 microseconds.
 //
 // # Safety
-// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`; `touch`, `load`,
-// `heats` and `error` are null or may be written. The touch is zero, or was written by this build of the library;
-// other bytes end in a status, or in numbers that mean nothing.
+// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`;
+// `touch`, `load`, `heats` and `error` are null or may be written. The touch is zero or was written by this
+// build of the library; other bytes give an error status or meaningless numbers.
 carom_status carom_ring_touch_grains(const struct carom_grains *grains,
                                      const struct carom_rings *rings,
                                      struct carom_ring_touch *touch,
@@ -819,7 +832,8 @@ carom_status carom_ring_touch_grains(const struct carom_grains *grains,
                                      struct carom_heats *heats,
                                      struct carom_error *error);
 
-// The same of a grain, body 1, and a wall, which takes no torque.
+// One step of the contact of a grain, body 1, and a wall, whose torque is zero, as
+// `carom_ring_touch_grains`.
 //
 // # Safety
 // As `carom_ring_touch_grains`.
@@ -833,7 +847,7 @@ carom_status carom_ring_touch_wall(const struct carom_grains *grains,
                                    struct carom_heats *heats,
                                    struct carom_error *error);
 
-// The load of two grains as the last step left them, without a step, as `carom_touch_grains_load`.
+// The load of two grains after the last step, without a new one, as `carom_touch_grains_load`.
 //
 // # Safety
 // `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
@@ -846,7 +860,7 @@ carom_status carom_ring_touch_grains_load(const struct carom_grains *grains,
                                           struct carom_grain_load *load,
                                           struct carom_error *error);
 
-// The same of a grain, body 1, and a wall.
+// The load of a grain, body 1, and a wall after the last step, as `carom_ring_touch_grains_load`.
 //
 // # Safety
 // As `carom_ring_touch_grains_load`.
@@ -858,7 +872,7 @@ carom_status carom_ring_touch_wall_load(const struct carom_grains *grains,
                                         struct carom_grain_load *load,
                                         struct carom_error *error);
 
-// The elastic energy of a contact, compression and twist included, J; the radius of a wall is infinite.
+// The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite.
 //
 // # Safety
 // As `carom_ring_touch_grains_load`.
@@ -870,7 +884,8 @@ carom_status carom_ring_touch_energy(const struct carom_grains *grains,
                                      double *energy,
                                      struct carom_error *error);
 
-// The share of the contact that sticks, and what the last step did: separated, adhesion, slip or sliding.
+// The share of the contact that sticks, and the regime of the last step: separated, adhesion, slip or
+// sliding.
 //
 // # Safety
 // `touch` is null or may be read; `rings` is as in `carom_ring_touch_grains`; `report` and `error` are null or may be
@@ -880,22 +895,22 @@ carom_status carom_ring_touch_report(const struct carom_rings *rings,
                                      struct carom_report *report,
                                      struct carom_error *error);
 
-// Writes a contact into CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-// apart, the first of others is positive.
+// Writes a contact as CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process. All are zero for
+// separated grains; otherwise the first is positive.
 //
 // # Safety
-// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-// written. The touch is as in `carom_ring_touch_grains`.
+// `touch` is null or may be read; `numbers` is null or has room for CAROM_RING_TOUCH_NUMBERS entries;
+// `error` is null or may be written. The touch is as in `carom_ring_touch_grains`.
 carom_status carom_ring_touch_pack(const struct carom_ring_touch *touch,
                                    double *numbers,
                                    struct carom_error *error);
 
-// Makes a contact of what `carom_ring_touch_pack` wrote, of the same constants and radii; that of a wall is
-// infinite. Its load is the same to the bit, and so is the way on from there.
+// Makes a contact from the numbers of `carom_ring_touch_pack`. Constants and radii must be the same as then;
+// the radius of a wall is infinite. The contact continues with the same bits as the packed one.
 //
 // # Safety
-// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-// may be written; `rings` is as in `carom_ring_touch_grains`.
+// `grains` is null or may be read, `numbers` null or may be read for CAROM_RING_TOUCH_NUMBERS entries;
+// `touch` and `error` are null or may be written; `rings` is as in `carom_ring_touch_grains`.
 carom_status carom_ring_touch_unpack(const struct carom_grains *grains,
                                      const struct carom_rings *rings,
                                      double radius_1,
@@ -904,8 +919,8 @@ carom_status carom_ring_touch_unpack(const struct carom_grains *grains,
                                      struct carom_ring_touch *touch,
                                      struct carom_error *error);
 
-// Makes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (the first takes 10 ms);
-// `carom_rings_free` gives them back. Those of `grains->unit` serve all contacts of the two materials.
+// Computes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (10 ms for the first).
+// `carom_rings_free` releases them. The matrices of `grains->unit` serve all contacts of the two materials.
 //
 // # Safety
 // `pair` is null or may be read; `rings` and `error` are null or may be written.
@@ -913,7 +928,7 @@ carom_status carom_rings_of(const struct carom_pair *pair,
                             struct carom_rings **rings,
                             struct carom_error *error);
 
-// Gives back what `carom_rings_of` made; null is allowed.
+// Releases the matrices that `carom_rings_of` made; null is allowed.
 //
 // # Safety
 // `rings` is null, or was made by `carom_rings_of` and is not used again.
@@ -928,7 +943,7 @@ carom_status carom_touch_energy(const struct carom_touch *touch,
                                 double *energy,
                                 struct carom_error *error);
 
-// What the last step did, and how much of the contact sticks.
+// The regime of the last step, and the share of the contact that sticks.
 //
 // # Safety
 // As `carom_touch_energy`.
@@ -936,22 +951,22 @@ carom_status carom_touch_report(const struct carom_touch *touch,
                                 struct carom_report *report,
                                 struct carom_error *error);
 
-// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-// apart, the first of others is positive.
+// Writes a contact as CAROM_TOUCH_NUMBERS numbers, for a file or another process. All are zero for separated
+// grains; otherwise the first is positive.
 //
 // # Safety
-// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-// written. The touch is as in `carom_touch_grains`.
+// `touch` is null or may be read; `numbers` is null or has room for CAROM_TOUCH_NUMBERS entries; `error` is
+// null or may be written. The touch is as in `carom_touch_grains`.
 carom_status carom_touch_pack(const struct carom_touch *touch,
                               double *numbers,
                               struct carom_error *error);
 
-// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
-// infinite. Its load is the same to the bit, and so is the way on from there.
+// Makes a contact from the numbers of `carom_touch_pack`. Constants and radii must be the same as then; the
+// radius of a wall is infinite. The contact continues with the same bits as the packed one.
 //
 // # Safety
-// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-// may be written.
+// `grains` is null or may be read, `numbers` null or may be read for CAROM_TOUCH_NUMBERS entries; `touch`
+// and `error` are null or may be written.
 carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 double radius_1,
                                 double radius_2,
@@ -959,12 +974,13 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
 
-// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
-// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+// One step of the twist of two grains about their normal, for use after `carom_touch_grains` in the same
+// step. It neglects the shift of the contact. Its torque is added to those of `load`, its heat to `heats`,
+// which may be null.
 //
-// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
-// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
-// touch.
+// The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
+// except for a new contact. Where the grains separate, the history is lost. It costs tens of times as much
+// as a touch.
 //
 // # Safety
 // `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
@@ -978,7 +994,7 @@ carom_status carom_touch_twist_grains(const struct carom_grains *grains,
                                       struct carom_heats *heats,
                                       struct carom_error *error);
 
-// The same of a grain, body 1, and a wall, which takes no torque.
+// One step of the twist of a grain, body 1, and a wall, whose torque is zero, as `carom_touch_twist_grains`.
 //
 // # Safety
 // As `carom_touch_twist_grains`.
@@ -991,7 +1007,7 @@ carom_status carom_touch_twist_wall(const struct carom_grains *grains,
                                     struct carom_heats *heats,
                                     struct carom_error *error);
 
-// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+// The elastic energy of the twist of two grains, J. The radius of a wall is infinite.
 //
 // # Safety
 // `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
@@ -1002,10 +1018,10 @@ carom_status carom_touch_twist_energy(const struct carom_grains *grains,
                                       double *energy,
                                       struct carom_error *error);
 
-// Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
-// `torque`, that on body 1 in N m, may be null.
+// Moves the contact straight to a new approach (m) and twist of body 2 against body 1 about the normal
+// (radians). `torque`, the torque on body 1 in N m, may be null.
 //
-// A `zeta` that is not positive separates the bodies: the memory is lost.
+// A `zeta` that is not positive separates the bodies, and the history is lost.
 //
 // # Safety
 // `pair` is null or may be read; `twist`, `torque` and `error` are null or may be written.
@@ -1025,7 +1041,7 @@ carom_status carom_twist_torque(const struct carom_pair *pair,
                                 double *torque,
                                 struct carom_error *error);
 
-// The elastic energy of the twist alone, J.
+// The elastic energy of the twist, without that of compression, J.
 //
 // # Safety
 // As `carom_twist_torque`.
@@ -1034,7 +1050,8 @@ carom_status carom_twist_energy(const struct carom_pair *pair,
                                 double *energy,
                                 struct carom_error *error);
 
-// The energy that the straight step to an approach and a twist would turn into heat, J. Nothing moves.
+// The energy that a straight step to an approach and a twist would turn into heat, J. The contact is not
+// advanced.
 //
 // # Safety
 // As `carom_twist_torque`.
@@ -1051,7 +1068,7 @@ const char *carom_version(void);
 // The version of the structures and functions of this library.
 uint32_t carom_abi_version(void);
 
-// The version of the numbers in a `carom_state`: a file of another version cannot be read.
+// The version of the numbers in a `carom_state`; files of another version cannot be read.
 uint32_t carom_state_version(void);
 
 #ifdef __cplusplus

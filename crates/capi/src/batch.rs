@@ -1,4 +1,4 @@
-//! Many contacts of one pair in one call.
+//! Advances many contacts of one pair in one call.
 
 use crate::contact::CaromContact;
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -8,16 +8,16 @@ use crate::pointers::{Strided, read};
 
 use carom_laws::law::{Checked as _, Shift};
 
-/// Advances many contacts of one pair, contact i by its own shift. The strides are the bytes from one
-/// entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
+/// Advances many contacts of one pair, contact i by shift i. A stride is the number of bytes from one entry
+/// to the next, so that the arrays may be columns of larger structures. `loads` may be null.
 ///
-/// All shifts are checked before anything moves: if one is out of range nothing is changed, and
-/// `error->index` names it. A contact that is none ends the call at its index: those before it have
-/// been advanced.
+/// All shifts are checked before any contact is advanced: if one is out of range, nothing is changed and
+/// `error->index` names it. An invalid contact ends the call at its index; those before it have been
+/// advanced.
 ///
 /// # Safety
-/// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count`
-/// entries may be read and, but for the shifts, written; none overlaps another. Each contact is as in
+/// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count` entries
+/// may be read and, except for the shifts, written; no two entries overlap. Each contact is as in
 /// `carom_contact_advance`. `error` is null or may be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_advance_many(
@@ -44,7 +44,7 @@ pub unsafe extern "C" fn carom_contact_advance_many(
     unsafe { border(error, call) }
 }
 
-/// What goes into many contacts and comes out.
+/// Input shifts and output loads of a call on many contacts.
 struct Arrays {
     count: usize,
     shifts: Strided<CaromShift>,

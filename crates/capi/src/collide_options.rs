@@ -1,4 +1,4 @@
-//! How an impact is computed: options in one struct that may grow.
+//! Options of an impact, in one struct that later versions may extend.
 
 use carom_impact::coupled::TurningLaw;
 use carom_impact::{Collision, NeededLaw, NormalRestitution, Outcome, RingImpact, TorsionMode};
@@ -7,55 +7,61 @@ use carom_special::RangeError;
 use crate::error::{CaromStatus, Failure};
 use crate::pointers::read;
 
-/// The law of an impact: the cheapest in which the coupling of dissimilar bodies counts. For spheres and planes it is
-/// CAROM_IMPACT_RINGS where coupling matters; for other shapes coupling is neglected, and CAROM_WARNING_COUPLING
-/// says so.
+/// Chooses the cheapest law that accounts for the coupling of dissimilar materials. For spheres and planes
+/// that is CAROM_IMPACT_RINGS where coupling matters. For other shapes coupling is neglected, and
+/// CAROM_WARNING_COUPLING reports it.
 pub const CAROM_IMPACT_AUTO: u32 = 0;
-/// `coulomb`, whichever the materials: coupling is neglected.
+/// The law `coulomb` for any materials: coupling is neglected.
 pub const CAROM_IMPACT_COULOMB: u32 = 1;
-/// `fixed-direction`, whichever the materials: coupling is neglected.
+/// The law `fixed-direction` for any materials: coupling is neglected.
 pub const CAROM_IMPACT_FIXED_DIRECTION: u32 = 2;
-/// `rings`, of spheres and planes: coupling and the spin about the normal count.
+/// The law `rings`, for spheres and planes only: it includes coupling and the spin about the normal.
 pub const CAROM_IMPACT_RINGS: u32 = 3;
 
-/// With CAROM_IMPACT_AUTO friction acts on the spin about the normal where that matters; other laws leave it alone.
+/// With CAROM_IMPACT_AUTO friction changes the spin about the normal where that matters; with other laws it
+/// does not.
 pub const CAROM_TORSION_AUTO: u32 = 0;
-/// The spin is changed by a torsional impact of its own, as if there were no tangential impact.
+/// The spin about the normal is changed by a torsional impact that is computed as if there were no tangential
+/// one.
 pub const CAROM_TORSION_INCLUDED: u32 = 1;
-/// The spin is left alone.
+/// The spin about the normal is not changed.
 pub const CAROM_TORSION_LEFT_OUT: u32 = 2;
 
-/// Nothing is lost in the bodies' material.
+/// No energy is dissipated in the material of the bodies.
 pub const CAROM_LOSS_NONE: u32 = 0;
-/// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
+/// The normal velocity after the impact is `normal_restitution`, in [0, 1], times that of an elastic impact.
 pub const CAROM_LOSS_GIVEN: u32 = 1;
-/// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
+/// The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
+/// ignored.
 pub const CAROM_LOSS_BY_WAVES: u32 = 2;
 
-/// How an impact is computed. Zeros are what is usual in all but `size`.
+/// Options of an impact. Zero in any field but `size` selects the default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct CaromCollideOptions {
-    /// `sizeof(carom_collide_options)`: later versions add fields at the end, which are zero for a caller of this one.
+    /// `sizeof(carom_collide_options)`. Later versions add fields at the end; a smaller `size` leaves these
+    /// at zero.
     pub size: usize,
-    /// A CAROM_IMPACT.
+    /// The contact law, a CAROM_IMPACT constant.
     pub law: u32,
-    /// A CAROM_LOSS: what the bodies' material takes, beyond the elastic theory. Impulse and heat of friction shrink with
-    /// the normal pulse; duration, force and approach are those of the elastic impact.
+    /// The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. Impulse and heat of
+    /// friction shrink with the normal impulse; duration, force and approach are those of the elastic impact.
     pub loss: u32,
-    /// The part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic, at 0 the bodies do not part.
+    /// The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
+    /// elastic, 0 leaves the bodies together.
     pub normal_restitution: f64,
-    /// To which the outcome is settled; 0 for the usual one.
+    /// Relative tolerance of the outcome; 0 for the default.
     pub tolerance: f64,
-    /// A CAROM_TORSION: what becomes of the spin about the normal where the law is not CAROM_IMPACT_RINGS.
+    /// How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
+    /// it.
     pub torsion: u32,
 }
 
 impl CaromCollideOptions {
-    /// As many bytes as the caller has; null for what is usual.
+    /// Copies as many bytes as the caller's struct has; null gives the defaults.
     ///
     /// # Safety
-    /// `options` is null, or as many bytes as its first field says may be read.
+    /// `options` is null, or may be read for the number of bytes in its first field.
     pub(crate) unsafe fn of(options: *const Self) -> Result<Self, Failure> {
         let mut known = Self::default();
         if options.is_null() {
@@ -70,12 +76,12 @@ impl CaromCollideOptions {
             return Err(Failure::new(CaromStatus::OutOfRange, "size", text));
         }
         let to = (&raw mut known).cast::<u8>();
-        // SAFETY: so many bytes may be read, and there is room for them; any are a value.
+        // SAFETY: `size` bytes may be read and fit; every bit pattern is a valid value.
         unsafe { options.cast::<u8>().copy_to_nonoverlapping(to, size) };
         Ok(known)
     }
 
-    /// Follows a collision to separation.
+    /// Follows a collision from first contact to separation.
     pub(crate) fn solve(&self, collision: Collision) -> Result<Outcome, Failure> {
         let mut collision = collision.with_normal_restitution(self.left()?);
         if self.tolerance != 0.0 {
@@ -93,7 +99,8 @@ impl CaromCollideOptions {
             CAROM_IMPACT_AUTO => match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
                 NeededLaw::Analytic => collision.solve_with_coupling_bound()?,
                 NeededLaw::Rings => self.rings(&collision)?,
-                // No grid stands behind this border: CAROM_WARNING_COUPLING tells what is neglected.
+                // There is no grid solver behind this interface: CAROM_WARNING_COUPLING reports the neglected
+                // coupling.
                 NeededLaw::Grid => collision.solve()?,
             },
             CAROM_IMPACT_COULOMB => collision.with_law(TurningLaw::Coulomb).solve()?,
@@ -113,7 +120,7 @@ impl CaromCollideOptions {
         Ok(impact.solve()?)
     }
 
-    /// What the material leaves of the normal velocity.
+    /// The coefficient of normal restitution that the options describe.
     fn left(&self) -> Result<NormalRestitution, Failure> {
         match self.loss {
             CAROM_LOSS_NONE => Ok(NormalRestitution::ELASTIC),

@@ -1,4 +1,4 @@
-//! The memory of a contact as the law itself, in the caller's memory.
+//! The state of a contact, kept as the law itself in the caller's memory.
 
 use std::mem::MaybeUninit;
 
@@ -12,21 +12,22 @@ use crate::pointers::{read, write};
 use crate::state::CaromState;
 use crate::stored::{present, present_mut, store};
 
-/// The words of 8 bytes in a `carom_contact`, beside its mark.
+/// Number of 8-byte words in a `carom_contact`, without its mark.
 pub const CAROM_CONTACT_WORDS: usize = 144;
 
-/// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
-/// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
-/// step reads and writes only what it needs; it is understood only by the build that wrote it:
-/// `carom_contact_pack` makes a `carom_state` of it.
+/// The state of a contact in memory of the caller: 1160 bytes, aligned to 8, that may be copied as bytes.
+/// Zero bytes stand for two bodies that just touch, without shift.
 ///
-/// The constants are those of the pair with which it was first advanced; to change them, make it zero.
+/// It stores the law with its constants, so that a step reads and writes only what it needs. Only the build
+/// that wrote it can read it; `carom_contact_pack` converts it to a `carom_state`.
+///
+/// The constants are those of the pair of the first advance. To change them, set the contact to zero.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromContact {
-    /// Not to be changed but by the functions of this library.
+    /// Identifies the build that wrote the contact. Written by this library only.
     pub mark: u64,
-    /// The law.
+    /// The bytes of the law.
     pub words: [MaybeUninit<u64>; CAROM_CONTACT_WORDS],
 }
 
@@ -50,7 +51,7 @@ impl CaromContact {
         Ok(load.into())
     }
 
-    /// The law as it stands.
+    /// A copy of the law in its present state.
     fn law(&self, pair: &CaromPair) -> Result<Law, Failure> {
         match self.present()? {
             Some(law) => Ok(*law),
@@ -75,14 +76,14 @@ impl CaromContact {
     }
 }
 
-/// Goes straight from the present shift to a new one; `load` may be null.
+/// Moves the contact straight from the present shift to a new one. `load` may be null.
 ///
-/// A `zeta` that is not positive separates the bodies: the memory is lost.
+/// A `zeta` that is not positive separates the bodies, and the history is lost.
 ///
 /// # Safety
 /// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
-/// contact is zero, or was written by this build of the library; other bytes end in a status, or in
-/// numbers that mean nothing.
+/// contact is zero or was written by this build of the library; other bytes give an error status or
+/// meaningless numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_advance(
     pair: *const CaromPair,
@@ -94,7 +95,7 @@ pub unsafe extern "C" fn carom_contact_advance(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let (pair, contact) = (read(pair, "pair")?, write(contact, "contact")?);
-        // Checked before anything moves.
+        // Checked before the contact is advanced.
         let place = if load.is_null() { None } else { Some(write(load, "load")?) };
         let load = contact.advance(pair, shift)?;
         if let Some(place) = place {
@@ -137,8 +138,8 @@ pub unsafe extern "C" fn carom_contact_energy(
     unsafe { ask(pair, contact, energy, "energy", error, |law| Ok(law.stored_energy())) }
 }
 
-/// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
-/// J. Nothing moves.
+/// The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
+/// contact is not advanced.
 ///
 /// # Safety
 /// As `carom_contact_load`.
@@ -159,7 +160,7 @@ pub unsafe extern "C" fn carom_contact_heat(
     unsafe { ask(pair, contact, heat, "heat", error, made) }
 }
 
-/// What the last step did, and how much of the contact sticks.
+/// The regime of the last step, and the share of the contact that sticks.
 ///
 /// # Safety
 /// As `carom_contact_load`.
@@ -176,8 +177,8 @@ pub unsafe extern "C" fn carom_contact_report(
     unsafe { ask(pair, contact, report, "report", error, told) }
 }
 
-/// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
-/// new ones, and stays the same in space.
+/// Rotates the contact axes by an angle (radians, from x to y). The state is transformed to the new axes and
+/// stays the same in space.
 ///
 /// # Safety
 /// `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
@@ -202,7 +203,7 @@ pub unsafe extern "C" fn carom_contact_turn_frame(
     unsafe { border(error, call) }
 }
 
-/// Writes what a contact remembers into a state, for a file or another process.
+/// Writes the state of a contact as plain numbers, for a file or another process.
 ///
 /// # Safety
 /// `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
@@ -223,8 +224,8 @@ pub unsafe extern "C" fn carom_contact_pack(
     unsafe { ask(pair, contact, state, "state", error, pack) }
 }
 
-/// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
-/// faster: one contact may take up many states of a pair, one after the other.
+/// Makes a contact from a stored state. A contact that is not zero keeps its constants, which is faster: one
+/// contact may read many states of a pair in turn.
 ///
 /// # Safety
 /// `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
@@ -254,7 +255,7 @@ pub unsafe extern "C" fn carom_contact_unpack(
     unsafe { border(error, call) }
 }
 
-/// A question to the law of a contact.
+/// Evaluates a function of the law of a contact.
 ///
 /// # Safety
 /// As `carom_contact_load`.

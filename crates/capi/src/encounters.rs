@@ -1,4 +1,4 @@
-//! Many pairs of grains in one call.
+//! Advances many pairs of grains in one call.
 
 use std::array::from_fn;
 
@@ -9,29 +9,29 @@ use crate::grains::{CaromGrainLoad, CaromGrains, advance};
 use crate::pointers::{Strided, is_place};
 use crate::touch::CaromTouch;
 
-/// Two grains and their contact, of many that make their step in one call.
+/// Two grains and their contact, for a call that advances many.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromEncounter {
-    /// The constants of their materials.
+    /// The constants of the two materials.
     pub grains: *const CaromGrains,
-    /// Their contact: of each pair its own.
+    /// The state of their contact; no two encounters may share one.
     pub touch: *mut CaromTouch,
     /// Body 1.
     pub one: Grain,
     /// Body 2.
     pub two: Grain,
-    /// What body 2 exerts on body 1 at the end of the step: to be written.
+    /// Output: the load that body 2 exerts on body 1 at the end of the step.
     pub load: CaromGrainLoad,
 }
 
 const _: () = assert!(size_of::<CaromGrainLoad>() == size_of::<GrainLoad>());
 
-/// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
-/// in less time, since some go through the processor together.
+/// One step of duration `dt` for many pairs of grains. Gives the same bits as `carom_touch_grains` for each,
+/// in less time, since several pairs share vector instructions.
 ///
-/// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
-/// `heats` may be null; it costs several times the force.
+/// An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
+/// `heats` may be null; computing them costs several times the force.
 ///
 /// # Safety
 /// `encounters` is null or `count` of them may be read and written, and what each points to is as in
@@ -69,8 +69,8 @@ pub unsafe extern "C" fn carom_touch_many(
     unsafe { border(error, call) }
 }
 
-/// Some encounters from one on, together; nothing, and nothing is changed, if one of them has no contact yet
-/// or cannot make the step.
+/// Advances several encounters together, starting with one. Returns nothing and changes nothing if one of
+/// them is not yet in contact or fails.
 ///
 /// # Safety
 /// As `carom_touch_many`.
@@ -89,7 +89,7 @@ unsafe fn step_together(
     if !(from..from + TOGETHER).all(is_ready) {
         return None;
     }
-    // SAFETY: looked at just now; the touches are apart, and the cast keeps fields and their order.
+    // SAFETY: checked above; the touches are distinct, and the cast keeps the fields and their order.
     let mut pairs = from_fn(|i| unsafe {
         let at = &mut *all.at(from + i);
         let shares = [(*at.grains).share_1, (*at.grains).share_2];
@@ -107,7 +107,7 @@ unsafe fn step_together(
     advance_together(&mut pairs, dt, send_for_next).ok()
 }
 
-/// Asks for what a place holds, to be there when it is read; of no effect otherwise, wherever it is.
+/// Prefetches the cache line of an address. It has no other effect, and any address is allowed.
 #[inline(always)]
 fn send_for<T>(place: *const T) {
     #[cfg(target_arch = "x86_64")]

@@ -1,64 +1,64 @@
-//! Status codes, and what is wrong in words, in the caller's own memory.
+//! Status codes, and error messages in the caller's memory.
 
 use std::ffi::c_char;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use carom_special::RangeError;
 
-/// How a call ended.
+/// Result of a call.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(i32)]
 pub enum CaromStatus {
-    /// All is done.
+    /// Success.
     Ok = 0,
-    /// A pointer that must not be null is.
+    /// A required pointer is null.
     NullPointer = 1,
-    /// A pointer or a stride is not aligned to what it points to.
+    /// A pointer or a stride is not aligned to its type.
     Misaligned = 2,
-    /// A value is out of range: `carom_error` names its field.
+    /// A value is out of range; `carom_error` names the field.
     OutOfRange = 3,
-    /// A state is neither zero nor one that this library wrote.
+    /// A state is not zero and was not written by this library.
     BadState = 4,
-    /// The bodies make no contact that can be computed.
+    /// The bodies have no contact that this library can compute.
     NoContact = 5,
-    /// The impact could not be followed to its end.
+    /// The impact could not be computed to separation.
     NotFollowed = 6,
-    /// A fault in this library; nothing can be said about the results.
+    /// Internal error of this library; the results are not valid.
     Internal = 7,
 }
 
-/// What was wrong: filled in by a call that does not return `CAROM_STATUS_OK`, else left alone.
+/// Describes an error. Filled in by a call that does not return `CAROM_STATUS_OK`, otherwise not changed.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromError {
-    /// The entry of an array, counted from 0; -1 where there is no array.
+    /// Index of the array entry, from 0; -1 if no array is concerned.
     pub index: i64,
-    /// The value of the field; 0 where there is none.
+    /// The value of the field; 0 if it has none.
     pub value: f64,
-    /// The name of the field or argument; empty where there is none. Ends with a zero.
+    /// The name of the field or argument, or an empty string. Zero-terminated.
     pub field: [c_char; 40],
-    /// A sentence for a person. Ends with a zero.
+    /// The message, a sentence. Zero-terminated.
     pub text: [c_char; 200],
 }
 
-/// A few words for each status; never null, and not to be freed.
+/// A short text for each status. Never null, and not to be freed.
 #[unsafe(no_mangle)]
 pub extern "C" fn carom_status_text(status: i32) -> *const c_char {
     let text = match status {
-        0 => c"all is done",
-        1 => c"a pointer that must not be null is",
+        0 => c"success",
+        1 => c"a required pointer is null",
         2 => c"a pointer or a stride is not aligned",
         3 => c"a value is out of range",
-        4 => c"a state is neither zero nor one that this library wrote",
-        5 => c"the bodies make no contact that can be computed",
-        6 => c"the impact could not be followed to its end",
-        7 => c"a fault in the library",
-        _ => c"no status of this library",
+        4 => c"a state is not zero and was not written by this library",
+        5 => c"the bodies have no contact that can be computed",
+        6 => c"the impact could not be computed to separation",
+        7 => c"an internal error of the library",
+        _ => c"not a status of this library",
     };
     text.as_ptr()
 }
 
-/// What went wrong inside.
+/// An error before it is written for the caller.
 #[derive(Debug)]
 pub(crate) struct Failure {
     pub(crate) status: CaromStatus,
@@ -69,7 +69,7 @@ pub(crate) struct Failure {
 }
 
 impl Failure {
-    /// A failure in words.
+    /// An error with a message.
     #[cold]
     pub(crate) fn new(
         status: CaromStatus,
@@ -79,12 +79,12 @@ impl Failure {
         Self { status, index: None, field, value: 0.0, text: text.to_string() }
     }
 
-    /// The same in an entry of an array.
+    /// The same error at an entry of an array.
     pub(crate) fn at(self, index: usize) -> Self {
         Self { index: Some(index), ..self }
     }
 
-    /// The same as what is wrong with a state.
+    /// The same error, reported as an invalid state.
     pub(crate) fn in_state(self) -> Self {
         Self { status: CaromStatus::BadState, ..self }
     }
@@ -97,7 +97,7 @@ impl Failure {
     }
 }
 
-/// As much of a text as there is room for, and zeros.
+/// Copies as much of a text as fits, and fills up with zeros.
 fn copy(text: &str, to: &mut [c_char]) {
     let fits = |len: &usize| text.is_char_boundary(*len);
     let len = (0..to.len()).rev().find(fits).unwrap_or(0);
@@ -115,7 +115,7 @@ impl From<RangeError> for Failure {
     }
 }
 
-/// Runs a call behind the border: failures and panics become a status, and words if these are wanted.
+/// Runs a call at the C border: errors and panics become a status, with a message if `error` is not null.
 ///
 /// # Safety
 /// `error` is null or points to a `CaromError` that may be written.
@@ -123,11 +123,15 @@ pub(crate) unsafe fn border(
     error: *mut CaromError,
     call: impl FnOnce() -> Result<(), Failure>,
 ) -> CaromStatus {
-    // What a call has not finished it has not written, so that nothing broken is seen afterwards.
+    // A call writes its results only at the end, so that a panic leaves no partial result.
     let failure = match catch_unwind(AssertUnwindSafe(call)) {
         Ok(Ok(())) => return CaromStatus::Ok,
         Ok(Err(failure)) => failure,
-        Err(_) => Failure::new(CaromStatus::Internal, "", "a fault in the library: please report"),
+        Err(_) => Failure::new(
+            CaromStatus::Internal,
+            "",
+            "an internal error of the library: please report it",
+        ),
     };
     if !error.is_null() && error.is_aligned() {
         // SAFETY: the caller's promise.

@@ -1,4 +1,4 @@
-//! The contact of two grains, or of a grain and a wall, as a particle code has it.
+//! The contact of two grains, or of a grain and a wall, for particle codes.
 
 use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
@@ -12,30 +12,30 @@ use crate::pointers::{read, write};
 use crate::state::finite;
 use crate::touch::{CaromTouch, Contact};
 
-/// The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
-/// changed but by it.
+/// The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
+/// changed otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct CaromGrains {
-    /// The contact of a relative radius of 1.
+    /// The constants of a contact of relative radius 1.
     pub unit: CaromPair,
     /// The viscous relaxation time of the materials, s.
     pub relaxation: f64,
-    /// The share of the approach by which body 1 gives way.
+    /// The displacement of body 1 at the contact over the approach.
     pub share_1: f64,
-    /// The share of the approach by which body 2 gives way.
+    /// The displacement of body 2 at the contact over the approach.
     pub share_2: f64,
 }
 
-/// What body 2 exerts on body 1.
+/// The load that body 2 exerts on body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct CaromGrainLoad {
-    /// The force on body 1, N; that on body 2 is the opposite one.
+    /// The force on body 1, N; the force on body 2 is opposite.
     pub force: [f64; 3],
     /// The torque on body 1 about its centre, N m.
     pub torque_1: [f64; 3],
-    /// The torque on body 2 about its centre, N m; that on a wall is zero.
+    /// The torque on body 2 about its centre, N m; zero for a wall.
     pub torque_2: [f64; 3],
 }
 
@@ -47,12 +47,12 @@ impl From<GrainLoad> for CaromGrainLoad {
 }
 
 impl CaromGrains {
-    /// A contact to be, of a relative radius.
+    /// A new contact of a given relative radius, not yet loaded.
     pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
         Ok(GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?)
     }
 
-    /// The constants of a contact of a relative radius: a^2/zeta is that radius.
+    /// The constants of a contact of a given relative radius, which is a^2/zeta.
     pub(crate) fn pair(&self, relative_radius: f64) -> CaromPair {
         let by = relative_radius.sqrt();
         let unit = self.unit;
@@ -69,7 +69,7 @@ impl CaromGrains {
     }
 }
 
-/// Of two spheres; a wall has an infinite radius.
+/// The relative radius of two spheres, of a sphere and a wall if one radius is infinite.
 #[inline]
 pub(crate) fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
     RangeError::positive("radius_1", one)?;
@@ -79,12 +79,12 @@ pub(crate) fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
 
 /// Two bodies that may touch.
 pub(crate) trait Bodies: Copy {
-    /// Where they meet.
+    /// Their relative position and motion at the contact.
     fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure>;
 
     fn radii(self) -> [f64; 2];
 
-    /// Their contact to be.
+    /// Their contact, not yet loaded.
     #[inline(never)]
     fn fresh(self, grains: &CaromGrains) -> Result<Contact, Failure> {
         let [one, two] = self.radii();
@@ -155,12 +155,12 @@ unsafe fn load_of(
     Ok(())
 }
 
-/// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
-/// a wall of material 2.
+/// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
+/// wall of material 2.
 ///
-/// `relaxation` is the viscous relaxation time A of the pair, s, which adds
-/// (2/3) c_z (3/2) A sqrt(zeta) dzeta/dt to Hertz's force; 0 for none. `law` and `tolerance` are as in
-/// `carom_pair_of_spheres`; friction is finite.
+/// `relaxation` is the viscous relaxation time A of the pair, s. It adds (2/3) c_z (3/2) A sqrt(zeta)
+/// dzeta/dt to the force of Hertz; 0 for none. `law` and `tolerance` are as in `carom_pair_of_spheres`;
+/// friction must be finite.
 ///
 /// # Safety
 /// The materials are null or may be read, `grains` and `error` null or may be written.
@@ -204,17 +204,17 @@ fn constants(
     Ok(grains)
 }
 
-/// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the
-/// velocities are those that brought them there (of a leapfrog: those between). `heats` may be null; it
-/// costs several times the force.
+/// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
+/// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
+/// null; computing them costs several times the force.
 ///
-/// Where the two come apart the memory is lost; a step of accounted heat sees what is released then. A
-/// touch need not be told of grains that are apart and stay so.
+/// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
+/// Grains that are separated and stay so need no call.
 ///
 /// # Safety
-/// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
-/// be written. The touch is zero, or was written by this build of the library; other bytes end in a status, or
-/// in numbers that mean nothing.
+/// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
+/// written. The touch is zero or was written by this build of the library; other bytes give an error status
+/// or meaningless numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_grains(
     grains: *const CaromGrains,
@@ -235,7 +235,7 @@ pub unsafe extern "C" fn carom_touch_grains(
     unsafe { border(error, call) }
 }
 
-/// The same of a grain, body 1, and a wall.
+/// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
 ///
 /// # Safety
 /// As `carom_touch_grains`.
@@ -259,8 +259,8 @@ pub unsafe extern "C" fn carom_touch_wall(
     unsafe { border(error, call) }
 }
 
-/// The load of two grains as the last step left them, without a step: the same bits that it told, if the
-/// places are the same. A touch that is zero carries Hertz's force alone.
+/// The load of two grains after the last step, without a new one: the same bits if the positions are the
+/// same. A touch that is zero carries only the force of Hertz.
 ///
 /// # Safety
 /// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
@@ -280,7 +280,7 @@ pub unsafe extern "C" fn carom_touch_grains_load(
     unsafe { border(error, call) }
 }
 
-/// The same of a grain, body 1, and a wall.
+/// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
 ///
 /// # Safety
 /// As `carom_touch_grains_load`.

@@ -13,7 +13,7 @@ use crate::pointers::{read, write};
 
 /// A sphere: `sizes[0]` is its radius.
 pub const CAROM_SHAPE_SPHERE: u32 = 0;
-/// A plane with the half-space behind it, held fast; its axis c looks out of the body.
+/// A fixed plane bounding a half-space; its axis c is the outward normal.
 pub const CAROM_SHAPE_PLANE: u32 = 1;
 /// An ellipsoid: `sizes` are its semi-axes.
 pub const CAROM_SHAPE_ELLIPSOID: u32 = 2;
@@ -21,45 +21,45 @@ pub const CAROM_SHAPE_ELLIPSOID: u32 = 2;
 pub const CAROM_SHAPE_CYLINDER: u32 = 3;
 /// A cylinder between two half spheres, about its axis c: radius, and length of the straight part.
 pub const CAROM_SHAPE_CAPSULE: u32 = 4;
-/// A torus about its axis c: radius of the circle, radius of the tube.
+/// A torus about its axis c: radius of the centre circle, radius of the tube.
 pub const CAROM_SHAPE_TORUS: u32 = 5;
-/// A box: `sizes` are its edges. Its edges and corners cannot touch.
+/// A box: `sizes` are its edge lengths. Contact at its edges and corners is not computed.
 pub const CAROM_SHAPE_BOX: u32 = 6;
 
-/// The materials couple normal and tangential displacements, which the theory leaves out.
+/// Normal and tangential displacements are coupled by the materials; the result neglects this.
 pub const CAROM_WARNING_COUPLING: u32 = 1;
-/// The contact is not small against the bodies.
+/// The contact is not small compared with the bodies.
 pub const CAROM_WARNING_LARGE_CONTACT: u32 = 2;
 /// Elastic waves would carry away more than 1 % of the normal energy.
 pub const CAROM_WARNING_WAVE_LOSS: u32 = 4;
-/// The spin about the normal is left alone, and torsion would take more than 1 % of it.
+/// Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it.
 pub const CAROM_WARNING_SPIN_LEFT_ALONE: u32 = 8;
-/// The outcome did not settle to its tolerance.
+/// The outcome did not converge to its tolerance.
 pub const CAROM_WARNING_NOT_SETTLED: u32 = 16;
-/// The contact point was found by sampling; the bodies may touch elsewhere too.
+/// The contact point was found by sampling the surfaces; the bodies may touch elsewhere too.
 pub const CAROM_WARNING_POINT_SAMPLED: u32 = 32;
 
-/// A body about to collide. All that is zero is what is usual: a solid, its axes along those of space,
-/// at the origin, at rest.
+/// A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
+/// those of space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct CaromBody {
-    /// A CAROM_SHAPE.
+    /// The shape, a CAROM_SHAPE constant.
     pub shape: u32,
     /// 1 for a thin shell, 0 for a solid.
     pub hollow: u32,
-    /// What the shape needs, m.
+    /// The dimensions of the shape, m; see the CAROM_SHAPE constants.
     pub sizes: [f64; 3],
-    /// The mass, kg; infinite if it is held fast. Of no meaning for a plane.
+    /// The mass, kg; infinite for a fixed body. Ignored for a plane.
     pub mass: f64,
-    /// The principal moments of inertia, kg m^2; zeros are those of the homogeneous shape.
+    /// The principal moments of inertia, kg m^2; zeros for those of a homogeneous body.
     pub moments: [f64; 3],
     /// The material.
     pub material: CaromMaterial,
-    /// The centre of mass; for a plane any of its points, m.
+    /// The centre of mass, m; for a plane any of its points.
     pub centre: [f64; 3],
-    /// The unit quaternion (w, i, j, k) that turns the body's components into those of space; zeros for
-    /// none.
+    /// The unit quaternion (w, i, j, k) that transforms components in body axes to space axes; zeros for no
+    /// rotation.
     pub attitude: [f64; 4],
     /// The velocity of the centre of mass, m/s.
     pub velocity: [f64; 3],
@@ -67,78 +67,80 @@ pub struct CaromBody {
     pub spin: [f64; 3],
 }
 
-/// How two bodies part. Velocities of the contact are of body 2 against body 1. The command's columns and
-/// Python's record have the same names.
+/// The result of an impact. Relative velocities at the contact are of body 2 against body 1. Columns of the
+/// command `carom` and fields of Python's `Rebound` have the same names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 #[allow(non_snake_case)] // R_x, as everywhere
 pub struct CaromRebound {
-    /// 1 if they collide; 0 if they do not approach each other, where nothing happens and only
-    /// place, normal and motions are given.
+    /// 1 if the bodies collide. 0 if they do not approach each other: then only point, normal and motions are
+    /// given.
     pub collides: u32,
-    /// The CAROM_WARNING bits that hold.
+    /// The CAROM_WARNING bits that apply.
     pub warnings: u32,
-    /// The velocity of the centre of mass of body 1 afterwards, m/s.
+    /// The velocity of the centre of mass of body 1 after the impact, m/s.
     pub body_1_velocity: [f64; 3],
-    /// The angular velocity of body 1 afterwards, rad/s.
+    /// The angular velocity of body 1 after the impact, rad/s.
     pub body_1_spin: [f64; 3],
-    /// The velocity of the centre of mass of body 2 afterwards, m/s.
+    /// The velocity of the centre of mass of body 2 after the impact, m/s.
     pub body_2_velocity: [f64; 3],
-    /// The angular velocity of body 2 afterwards, rad/s.
+    /// The angular velocity of body 2 after the impact, rad/s.
     pub body_2_spin: [f64; 3],
-    /// The impulse that body 2 gave body 1, N s.
+    /// The impulse that body 2 exerts on body 1, N s.
     pub impulse: [f64; 3],
-    /// The place where they touch, m.
+    /// The contact point, m.
     pub point: [f64; 3],
-    /// The normal there, from body 2 into body 1.
+    /// The unit normal at the contact point, from body 2 into body 1.
     pub normal: [f64; 3],
-    /// The relative velocity of the contact points before, m/s.
+    /// The relative velocity of the contact points before the impact, m/s.
     pub contact_velocity_before: [f64; 3],
-    /// The relative velocity of the contact points after, m/s.
+    /// The relative velocity of the contact points after the impact, m/s.
     pub contact_velocity_after: [f64; 3],
-    /// The tangential velocity after over that before, reversed in sign, if `has_R_x`.
+    /// Minus the tangential velocity of the contact after the impact over that before; valid if `has_R_x` is
+    /// 1.
     pub R_x: f64,
-    /// 1 if there is an R_x.
+    /// 1 if R_x is defined.
     pub has_R_x: u32,
-    /// How often the approach grew.
+    /// Number of compression phases, each a maximum of the approach.
     pub compressions: u32,
-    /// The time from touch to separation, s.
+    /// The time from first contact to separation, s.
     pub duration: f64,
-    /// The greatest normal force, N.
+    /// The maximum normal force, N.
     pub maximal_force: f64,
-    /// The greatest approach, m.
+    /// The maximum approach, m.
     pub maximal_approach: f64,
-    /// The semi-axis of the greatest contact ellipse along the contact's x, the smaller one, m.
+    /// The semi-axis of the largest contact ellipse along x of the contact, the smaller one, m.
     pub maximal_semi_axis_a: f64,
-    /// The semi-axis of the greatest contact ellipse along the contact's y, m.
+    /// The semi-axis of the largest contact ellipse along y of the contact, m.
     pub maximal_semi_axis_b: f64,
-    /// The kinetic energy before, J.
+    /// The kinetic energy before the impact, J.
     pub energy_before: f64,
-    /// The kinetic energy after, J.
+    /// The kinetic energy after the impact, J.
     pub energy_after: f64,
-    /// What friction took, J.
+    /// The energy dissipated by friction, J.
     pub energy_dissipated: f64,
-    /// What the bodies' material took, J: 0 of elastic ones.
+    /// The energy dissipated in the material of the bodies, J; 0 for elastic bodies.
     pub energy_lost: f64,
-    /// How far the velocity after may be off over that before; 0 where the solution is exact.
+    /// Estimated error of the velocity after the impact over that before; 0 for an exact solution.
     pub error_estimate: f64,
-    /// The relative spin about the normal after over that before, if `has_torsion`.
+    /// The relative spin about the normal after the impact over that before; valid if `has_torsion` is 1.
     pub spin_ratio: f64,
-    /// The impulse of the torque on body 1 about the normal, N m s, if `has_torsion`.
+    /// The angular impulse on body 1 about the normal, N m s; valid if `has_torsion` is 1.
     pub torque_impulse: f64,
-    /// 1 if the spin about the normal was changed.
+    /// 1 if friction was applied to the spin about the normal.
     pub has_torsion: u32,
 }
 
-/// The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
-/// 2 with that common normal, from body 2 into body 1.
+/// Computes the impact of two bodies that touch at their given positions. If `normal` is not null, body 1 is
+/// first moved into contact with body 2 such that this is the common normal, from body 2 into body 1.
 ///
-/// `options` is null for what is usual: elastic bodies, and the coupling of normal and tangential displacements of
-/// dissimilar ones counts for spheres and planes, with it the spin about the normal.
+/// `options` may be null for the defaults: elastic bodies; for spheres and planes the coupling of normal and
+/// tangential displacements of dissimilar materials counts where it matters, and with it the spin about the
+/// normal.
 ///
 /// # Safety
-/// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null, or as many bytes
-/// as its `size` says may be read; `rebound` and `error` are null or may be written.
+/// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null or may be
+/// read for the number of bytes in its `size`; `rebound` and `error` are null or may be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_collide(
     body_1: *const CaromBody,
@@ -204,7 +206,7 @@ impl CaromBody {
             CAROM_SHAPE_TORUS => Surface::torus(a, b)?,
             CAROM_SHAPE_BOX => Surface::cuboid(self.sizes)?,
             shape => {
-                let text = format_args!("shape = {shape} is no CAROM_SHAPE: must be 0 to 6");
+                let text = format_args!("shape = {shape} is not a CAROM_SHAPE: must be 0 to 6");
                 return Err(Failure::new(CaromStatus::OutOfRange, "shape", text));
             }
         })

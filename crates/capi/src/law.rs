@@ -1,4 +1,4 @@
-//! What goes into a contact law and what comes out.
+//! Input and output of a contact law: shift, load, report.
 
 use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::MemoryRegime;
@@ -6,7 +6,7 @@ use carom_laws::shift_law::ShiftLaw;
 
 use crate::stored::Stack;
 
-/// The rigid shift of body 2 against body 1 in contact axes, z into body 1.
+/// Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct CaromShift {
@@ -30,42 +30,42 @@ pub struct CaromLoad {
     pub f_z: f64,
 }
 
-/// What the last step of a contact did.
+/// The regime of the last step of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u32)]
 pub enum CaromRegime {
-    /// The bodies are apart.
+    /// The bodies are separated.
     Separated = 0,
-    /// Complete adhesion: the area grew faster than the shift.
+    /// The whole contact sticks: its edge grew faster than the slip would.
     Adhesion = 1,
-    /// The edge receded, and what is left did not slip.
+    /// The edge receded, and the rest of the contact did not slip.
     Release = 2,
-    /// A ring slipped.
+    /// An annulus at the edge slipped.
     Slip = 3,
-    /// Slip began anew at the edge, the other way.
+    /// Slip began anew at the edge, in the opposite direction.
     Reversal = 4,
-    /// A slip ring wiped out older ones.
+    /// The slip annulus grew past older ones and erased them.
     Overlay = 5,
     /// The whole contact slid.
     Sliding = 6,
 }
 
-/// What a contact can tell beside its load.
+/// The state of a contact beside its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct CaromReport {
     /// The share of the contact area that sticks.
     pub sticking: f64,
-    /// What the last step did.
+    /// The regime of the last step.
     pub regime: CaromRegime,
 }
 
 impl CaromReport {
-    /// Of bodies apart.
+    /// The report of separated bodies.
     pub(crate) const APART: Self = Self { sticking: 0.0, regime: CaromRegime::Separated };
 }
 
-/// The law of a contact, on a stack of fixed capacity.
+/// The law of a contact, with a history of fixed capacity.
 pub(crate) type Law = ShiftLaw<[f64; 2], Stack>;
 
 impl From<CaromShift> for Shift {

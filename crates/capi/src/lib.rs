@@ -1,21 +1,21 @@
-//! The front end for C, C++ and Fortran: contact laws with memory, impact and restitution behind plain
-//! data and functions.
+//! The interface for C, C++ and Fortran: contact laws with memory, impact and restitution as plain data and
+//! functions.
 //!
-//! - A [`CaromPair`] holds the constants of a contact; it is made once for two materials, their curvatures
-//!   and a coefficient of friction, and is plain data.
-//! - The memory of a contact is the caller's: [`CaromContact`] is advanced, and is understood by the build that
-//!   wrote it alone; zero bytes are two bodies that just touch. It packs into a [`CaromState`], 66 numbers that mean
-//!   the same to any build of this version of the format, to be kept in files and sent to other processes.
-//!   [`CaromTwist`] is the memory of a twist, 83 numbers.
-//! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, as a particle code moves them:
-//!   places, velocities and spins in, force and torques out. [`CaromRingTouch`] is the same with the law of rings, for
-//!   dissimilar materials and spin about the normal; its matrices, [`CaromRings`], are the one thing that the library
-//!   allocates for a caller.
-//! - Every function returns a [`CaromStatus`]; what is wrong it writes into the caller's [`CaromError`],
-//!   which may be null. Nothing is kept between calls, no panic crosses the border, and a failed
-//!   call leaves the caller's data as they were.
+//! - A [`CaromPair`] holds the constants of a contact. It is made once for two materials, their curvatures
+//!   and a coefficient of friction.
+//! - The state of a contact lies in memory of the caller. [`CaromContact`] is the form that is advanced; only
+//!   the build that wrote it can read it, and zero bytes stand for two bodies that just touch. It packs into
+//!   a [`CaromState`] of 66 numbers, which any build of this format version can read, for files and other
+//!   processes. [`CaromTwist`] is the state of a twist, 83 numbers.
+//! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, for particle codes: positions,
+//!   velocities and spins in, force and torques out. [`CaromRingTouch`] is the same with the law of rings,
+//!   for dissimilar materials and spin about the normal. Its matrices, [`CaromRings`], are the only memory
+//!   that the library allocates for a caller.
+//! - Every function returns a [`CaromStatus`] and describes an error in the caller's [`CaromError`], which
+//!   may be null. The library keeps nothing between calls, no panic crosses the border, and a failed call
+//!   leaves the caller's data as they were.
 //!
-//! The header is `include/carom.h`, made from this crate.
+//! The header `include/carom.h` is generated from this crate.
 
 mod batch;
 mod collide_options;

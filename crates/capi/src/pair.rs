@@ -1,4 +1,4 @@
-//! The constants of a contact, made once.
+//! The constants of a contact, computed once.
 
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::coulomb::Tolerance;
@@ -16,15 +16,16 @@ use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pointers::{read, write};
 use crate::stored::Stack;
 
-/// `coulomb`: each ring of the contact slips by itself, to a tolerance.
+/// `coulomb`: exact return mapping at each depth of the contact, to a tolerance, for paths that turn.
 pub const CAROM_LAW_COULOMB: u32 = 0;
-/// `fixed-direction`: one direction of traction in a slip ring (chapter 7 of the thesis). Exact on straight
-/// paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
+/// `fixed-direction`: one direction of traction in a slip annulus (chapter 7 of the thesis). Exact on
+/// straight paths; where the direction turns, the mean error is 5 % of the friction limit. Faster.
 pub const CAROM_LAW_FIXED_DIRECTION: u32 = 1;
 
-/// `rings`: approach, shift, twist and the coupling of dissimilar materials act together, on rings of the contact. For
-/// grains (`carom_ring_touch_grains`), whose contacts are circles. With 100 steps in an impact R_x is off by .01 at
-/// most, unless the tangential velocity is below f/2 times that of approach.
+/// `rings`: approach, shift, twist and the coupling of dissimilar materials act together; the contact, a
+/// circle, is divided into concentric rings. For grains (`carom_ring_touch_grains`) only. With 100 steps in
+/// an impact the error of R_x is at most .01, unless the tangential velocity is below f/2 times the normal
+/// one.
 pub const CAROM_LAW_RINGS: u32 = 2;
 
 /// An elastic material, or a rigid one.
@@ -33,7 +34,7 @@ pub const CAROM_LAW_RINGS: u32 = 2;
 pub struct CaromMaterial {
     /// Young's modulus, Pa; infinite for a rigid body.
     pub young_modulus: f64,
-    /// Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
+    /// Poisson's ratio, in (-1, 0.5]; ignored for a rigid body.
     pub poisson: f64,
 }
 
@@ -46,38 +47,39 @@ impl CaromMaterial {
     }
 }
 
-/// The constants of a contact: plain data, made by `carom_pair_of_spheres` and its like and not to
-/// be changed but by them. Units are SI, or any consistent set.
+/// The constants of a contact: plain data, made by the functions `carom_pair_of_...` and not to be changed
+/// otherwise. Units are SI, or any consistent set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct CaromPair {
-    /// Tangential stiffness along x: in full adhesion dF_x = c_x sqrt(zeta) dxi. N/m^1.5.
+    /// Tangential stiffness along x, N/m^1.5: in full adhesion dF_x = c_x sqrt(zeta) dxi.
     pub c_x: f64,
-    /// The same along y.
+    /// Tangential stiffness along y, N/m^1.5.
     pub c_y: f64,
-    /// Normal stiffness: F_z = (2/3) c_z zeta^1.5. N/m^1.5.
+    /// Normal stiffness, N/m^1.5: F_z = (2/3) c_z zeta^1.5.
     pub c_z: f64,
     /// The coefficient of friction, from 0 to infinity (no slip).
     pub friction: f64,
-    /// How far the friction force may be off over its limit, of CAROM_LAW_COULOMB; how closely tractions keep their
-    /// limits, of CAROM_LAW_RINGS.
+    /// Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
+    /// accuracy with which tractions satisfy the friction limit.
     pub tolerance: f64,
-    /// a^2/zeta of the contact ellipse, m; 0 if it is not known.
+    /// a^2/zeta of the contact ellipse, m; 0 if unknown.
     pub a_squared: f64,
-    /// b^2/zeta of the contact ellipse, m; 0 if it is not known.
+    /// b^2/zeta of the contact ellipse, m; 0 if unknown.
     pub b_squared: f64,
-    /// Torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if it is not known.
+    /// Torsional stiffness: torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if unknown.
     pub torsion_stiffness: f64,
-    /// The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
+    /// Arm of the sliding torque: torque over f F_z, over zeta^0.5, m^0.5; 0 if unknown.
     pub torsion_arm: f64,
-    /// The coupling of normal and tangential displacements (15.2); 0 for like bodies, or if it is not known.
+    /// Gamma, the coupling of normal and tangential displacements (15.2); 0 for like materials, or if
+    /// unknown.
     pub gamma: f64,
-    /// A bound of how much coupling changes R_x, the tangential velocity after an impact of spheres over that before.
-    /// The laws but CAROM_LAW_RINGS neglect it.
+    /// Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
+    /// neglect coupling.
     pub coupling_bound: f64,
     /// CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS.
     pub law: u32,
-    /// CAROM_ABI_VERSION of the library that made it.
+    /// CAROM_ABI_VERSION of the library that made the pair.
     pub version: u32,
 }
 
@@ -113,7 +115,7 @@ impl CaromPair {
         }
     }
 
-    /// The pair, if its law can be made.
+    /// The pair, if its constants give a valid law.
     fn checked(self) -> Result<Self, Failure> {
         match self.law {
             CAROM_LAW_RINGS => self.check_rings()?,
@@ -142,16 +144,16 @@ impl CaromPair {
         .checked()
     }
 
-    /// Pairs of other versions have other fields.
+    /// Rejects a pair of another version, whose fields differ.
     pub(crate) fn check_version(&self) -> Result<(), Failure> {
         if self.version != crate::CAROM_ABI_VERSION {
-            let text = "the pair was not made by carom_pair_of_spheres or its like of this version";
+            let text = "the pair was not made by a function carom_pair_of_... of this version";
             return Err(Failure::new(CaromStatus::BadState, "pair", text));
         }
         Ok(())
     }
 
-    /// The law of a contact of these constants, the bodies apart.
+    /// The law with these constants, for separated bodies.
     #[inline]
     pub(crate) fn law<S: VertexStack<[f64; 2]>>(&self) -> Result<ShiftLaw<[f64; 2], S>, Failure> {
         self.check_version()?;
@@ -164,7 +166,7 @@ impl CaromPair {
             }
             CAROM_LAW_FIXED_DIRECTION => Ok(ShiftLaw::with_fixed_direction(stiffness, friction)),
             CAROM_LAW_RINGS => {
-                let text = "law = rings (2) is one of grains, for carom_ring_touch alone";
+                let text = "law = rings (2) is for grains only: use carom_ring_touch";
                 let failure = Failure::new(CaromStatus::OutOfRange, "law", text);
                 Err(Failure { value: f64::from(CAROM_LAW_RINGS), ..failure })
             }
@@ -188,9 +190,8 @@ impl From<CurvatureError> for Failure {
     }
 }
 
-/// The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
-/// (a negative radius). A tolerance of 0 is that of particles: 1e-2, of CAROM_LAW_RINGS
-/// 3e-3.
+/// The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
+/// radius negative). A `tolerance` of 0 selects the default for particles: 1e-2, for CAROM_LAW_RINGS 3e-3.
 ///
 /// # Safety
 /// The materials are null or may be read, `pair` and `error` null or may be written.
@@ -219,7 +220,7 @@ pub unsafe extern "C" fn carom_pair_of_spheres(
     unsafe { border(error, call) }
 }
 
-/// The constants of two bodies whose gap is A x^2 + B y^2 (1/m).
+/// The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
 ///
 /// # Safety
 /// As `carom_pair_of_spheres`.
@@ -247,7 +248,7 @@ pub unsafe extern "C" fn carom_pair_of_curvatures(
     unsafe { border(error, call) }
 }
 
-/// The constants of a contact of known stiffness, dF_x = c_x sqrt(zeta) dxi and so on.
+/// The constants of a contact of known stiffnesses: dF_x = c_x sqrt(zeta) dxi, F_z = (2/3) c_z zeta^1.5.
 ///
 /// # Safety
 /// `pair` and `error` are null or may be written.

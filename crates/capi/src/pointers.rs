@@ -1,11 +1,11 @@
-//! The caller's pointers as references, once they are checked.
+//! Checks the caller's pointers and turns them into references.
 
 use crate::error::{CaromStatus, Failure};
 
-/// A thing to be read.
+/// A reference to a value that is read.
 ///
 /// # Safety
-/// A pointer that is neither null nor misaligned points to a `T` that nobody writes for `'a`.
+/// A pointer that is neither null nor misaligned points to a `T` that nobody writes during `'a`.
 #[inline]
 pub(crate) unsafe fn read<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
     check(pointer, name)?;
@@ -13,10 +13,10 @@ pub(crate) unsafe fn read<'a, T>(pointer: *const T, name: &'static str) -> Resul
     Ok(unsafe { &*pointer })
 }
 
-/// A thing to be written.
+/// A reference to a value that is written.
 ///
 /// # Safety
-/// A pointer that is neither null nor misaligned points to a `T` that nobody else reads or writes for
+/// A pointer that is neither null nor misaligned points to a `T` that nobody else reads or writes during
 /// `'a`.
 #[inline]
 pub(crate) unsafe fn write<'a, T>(
@@ -51,7 +51,7 @@ fn check<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Entries of the caller's, so many bytes from one to the next.
+/// Entries of a caller's array, a given number of bytes from one to the next.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Strided<T> {
     first: *mut T,
@@ -59,7 +59,7 @@ pub(crate) struct Strided<T> {
 }
 
 impl<T> Strided<T> {
-    /// `count` entries; a stride of 0 is the same entry again and again.
+    /// An array of `count` entries; a stride of 0 repeats the first entry.
     pub(crate) fn new(
         first: *mut T,
         stride: usize,
@@ -76,7 +76,7 @@ impl<T> Strided<T> {
         Ok(Self { first, stride })
     }
 
-    /// The same, of entries that are written: each has a place of its own.
+    /// An array of entries that are written: none may overlap another.
     pub(crate) fn apart(
         first: *mut T,
         stride: usize,
@@ -90,7 +90,7 @@ impl<T> Strided<T> {
         Self::new(first, stride, count, name)
     }
 
-    /// The place of an entry.
+    /// The address of an entry.
     #[inline]
     pub(crate) fn at(&self, index: usize) -> *mut T {
         self.first.wrapping_byte_add(index * self.stride)

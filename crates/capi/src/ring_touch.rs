@@ -12,28 +12,29 @@ use crate::pointers::{read, write};
 use crate::rings::CaromRings;
 use crate::stored::{present, present_mut, store};
 
-/// The words of 8 bytes in a `carom_ring_touch`, beside its mark.
+/// Number of 8-byte words in a `carom_ring_touch`, without its mark.
 pub const CAROM_RING_TOUCH_WORDS: usize = 420;
-/// The numbers in which a `carom_ring_touch` is kept elsewhere.
+/// Number of numbers into which a `carom_ring_touch` packs.
 pub const CAROM_RING_TOUCH_NUMBERS: usize = 309;
 
-/// The first of these numbers, unless the grains are apart.
+/// The first packed number of grains in contact; it names the format.
 pub const CAROM_RING_TOUCH_MARK: f64 = 30001.0;
 
 const _: () = assert!(CAROM_RING_TOUCH_MARK == RING_GRAIN_MARK);
 const _: () = assert!(CAROM_RING_TOUCH_NUMBERS == ring_grain_numbers(6, 8));
 
-/// The memory of the contact of two grains with CAROM_LAW_RINGS, the caller's: 3368 bytes, aligned to 8, that may be
-/// copied as bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
-/// `carom_ring_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+/// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3368 bytes, aligned
+/// to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
+/// can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
+/// can read.
 ///
-/// Shift, twist and the coupling of dissimilar materials act together: no `carom_twist` stands beside it.
+/// Shift, twist and the coupling of dissimilar materials act together, so that no `carom_twist` is needed.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromRingTouch {
-    /// Not to be changed but by the functions of this library.
+    /// Identifies the build that wrote the contact. Written by this library only.
     pub mark: u64,
-    /// The contact.
+    /// The bytes of the contact.
     pub words: [MaybeUninit<u64>; CAROM_RING_TOUCH_WORDS],
 }
 
@@ -109,15 +110,16 @@ unsafe fn load_of(
     Ok(())
 }
 
-/// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques contain that
-/// about the normal. `rings` are those of `grains->unit`. `heats` may be null; it costs nothing here.
+/// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
+/// the torque about the normal. `rings` are those of `grains->unit`. `heats` may be null; here it costs
+/// nothing.
 ///
-/// A step costs 2 to 5 microseconds.
+/// A step takes 2 to 5 microseconds.
 ///
 /// # Safety
-/// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`; `touch`, `load`,
-/// `heats` and `error` are null or may be written. The touch is zero, or was written by this build of the library;
-/// other bytes end in a status, or in numbers that mean nothing.
+/// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`;
+/// `touch`, `load`, `heats` and `error` are null or may be written. The touch is zero or was written by this
+/// build of the library; other bytes give an error status or meaningless numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_grains(
     grains: *const CaromGrains,
@@ -139,7 +141,8 @@ pub unsafe extern "C" fn carom_ring_touch_grains(
     unsafe { border(error, call) }
 }
 
-/// The same of a grain, body 1, and a wall, which takes no torque.
+/// One step of the contact of a grain, body 1, and a wall, whose torque is zero, as
+/// `carom_ring_touch_grains`.
 ///
 /// # Safety
 /// As `carom_ring_touch_grains`.
@@ -164,7 +167,7 @@ pub unsafe extern "C" fn carom_ring_touch_wall(
     unsafe { border(error, call) }
 }
 
-/// The load of two grains as the last step left them, without a step, as `carom_touch_grains_load`.
+/// The load of two grains after the last step, without a new one, as `carom_touch_grains_load`.
 ///
 /// # Safety
 /// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
@@ -186,7 +189,7 @@ pub unsafe extern "C" fn carom_ring_touch_grains_load(
     unsafe { border(error, call) }
 }
 
-/// The same of a grain, body 1, and a wall.
+/// The load of a grain, body 1, and a wall after the last step, as `carom_ring_touch_grains_load`.
 ///
 /// # Safety
 /// As `carom_ring_touch_grains_load`.
@@ -208,7 +211,7 @@ pub unsafe extern "C" fn carom_ring_touch_wall_load(
     unsafe { border(error, call) }
 }
 
-/// The elastic energy of a contact, compression and twist included, J; the radius of a wall is infinite.
+/// The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite.
 ///
 /// # Safety
 /// As `carom_ring_touch_grains_load`.
@@ -235,7 +238,8 @@ pub unsafe extern "C" fn carom_ring_touch_energy(
     unsafe { border(error, call) }
 }
 
-/// The share of the contact that sticks, and what the last step did: separated, adhesion, slip or sliding.
+/// The share of the contact that sticks, and the regime of the last step: separated, adhesion, slip or
+/// sliding.
 ///
 /// # Safety
 /// `touch` is null or may be read; `rings` is as in `carom_ring_touch_grains`; `report` and `error` are null or may be
@@ -270,12 +274,12 @@ pub unsafe extern "C" fn carom_ring_touch_report(
     unsafe { border(error, call) }
 }
 
-/// Writes a contact into CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-/// apart, the first of others is positive.
+/// Writes a contact as CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process. All are zero for
+/// separated grains; otherwise the first is positive.
 ///
 /// # Safety
-/// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-/// written. The touch is as in `carom_ring_touch_grains`.
+/// `touch` is null or may be read; `numbers` is null or has room for CAROM_RING_TOUCH_NUMBERS entries;
+/// `error` is null or may be written. The touch is as in `carom_ring_touch_grains`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_pack(
     touch: *const CaromRingTouch,
@@ -296,12 +300,12 @@ pub unsafe extern "C" fn carom_ring_touch_pack(
     unsafe { border(error, call) }
 }
 
-/// Makes a contact of what `carom_ring_touch_pack` wrote, of the same constants and radii; that of a wall is
-/// infinite. Its load is the same to the bit, and so is the way on from there.
+/// Makes a contact from the numbers of `carom_ring_touch_pack`. Constants and radii must be the same as then;
+/// the radius of a wall is infinite. The contact continues with the same bits as the packed one.
 ///
 /// # Safety
-/// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-/// may be written; `rings` is as in `carom_ring_touch_grains`.
+/// `grains` is null or may be read, `numbers` null or may be read for CAROM_RING_TOUCH_NUMBERS entries;
+/// `touch` and `error` are null or may be written; `rings` is as in `carom_ring_touch_grains`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_unpack(
     grains: *const CaromGrains,

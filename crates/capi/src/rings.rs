@@ -1,4 +1,4 @@
-//! The matrices of the law of rings: the one thing of this border that the library keeps for the caller.
+//! The matrices of the law of rings, the only memory that the library allocates for a caller.
 
 use carom_laws::friction::Friction;
 use carom_laws::rings::{RingConstants, RingMatrices, RingMemory, Rings, Tolerance};
@@ -8,18 +8,18 @@ use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pair::{CAROM_LAW_RINGS, CaromPair};
 use crate::pointers::{read, write};
 
-/// How far kappa of a pair of any radius may be from that of its matrices.
+/// Allowed relative difference between kappa of a pair and that of its matrices: rounding at other radii.
 const ROUNDING: f64 = 1e-12;
 
-/// The matrices of CAROM_LAW_RINGS for two materials with friction, some 60 kilobytes. They serve contacts of any
-/// radius, never change, and may be used by several threads at once.
+/// The matrices of CAROM_LAW_RINGS for two materials and a coefficient of friction, some 60 kilobytes. They
+/// serve contacts of any radius, do not change, and may be used by several threads at once.
 #[derive(Debug)]
 pub struct CaromRings {
     matrices: RingMatrices,
 }
 
 impl CaromPair {
-    /// What the law of rings takes from the pair.
+    /// The constants of the pair that the law of rings needs.
     fn ring_constants(&self) -> Result<(RingConstants, Friction, Tolerance), Failure> {
         self.check_version()?;
         if self.law != CAROM_LAW_RINGS {
@@ -32,14 +32,14 @@ impl CaromPair {
             "b_squared",
             two,
             holds,
-            "that of a circular contact, of known materials",
+            "a_squared > 0: the contact must be a circle of known materials",
         )?;
         let (kappa, radius) = (self.c_z / self.c_x, one.sqrt());
         let constants = RingConstants { c_z: self.c_z, radius, kappa, gamma: self.gamma };
         Ok((constants, Friction::new(self.friction)?, Tolerance::new(self.tolerance)?))
     }
 
-    /// The constants with the matrices of the materials.
+    /// The constants of the pair, joined to the matrices of its materials.
     pub(crate) fn rings<'a>(&self, rings: &'a CaromRings) -> Result<Rings<'a>, Failure> {
         let (RingConstants { c_z, radius, kappa, gamma }, friction, tolerance) =
             self.ring_constants()?;
@@ -48,13 +48,13 @@ impl CaromPair {
             && gamma == of.gamma()
             && friction == of.friction();
         if !same {
-            let text = "the rings were made for other materials or another friction";
+            let text = "the rings were made for other materials or another coefficient of friction";
             return Err(Failure::new(CaromStatus::OutOfRange, "rings", text));
         }
         Ok(of.contact(c_z, radius, tolerance)?)
     }
 
-    /// Whether the pair is one of the law of rings.
+    /// Checks that the law of the pair is the law of rings.
     pub(crate) fn check_rings(&self) -> Result<(), Failure> {
         self.ring_constants()?.0.checked()?;
         Ok(())
@@ -62,14 +62,14 @@ impl CaromPair {
 }
 
 impl CaromRings {
-    /// The share of the contact area on which nothing slipped in the last step.
+    /// The share of the contact area that did not slip in the last step.
     pub(crate) fn sticking(&self, memory: &RingMemory) -> f64 {
         memory.sticking(&self.matrices)
     }
 }
 
-/// Makes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (the first takes 10 ms);
-/// `carom_rings_free` gives them back. Those of `grains->unit` serve all contacts of the two materials.
+/// Computes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (10 ms for the first).
+/// `carom_rings_free` releases them. The matrices of `grains->unit` serve all contacts of the two materials.
 ///
 /// # Safety
 /// `pair` is null or may be read; `rings` and `error` are null or may be written.
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn carom_rings_of(
     unsafe { border(error, call) }
 }
 
-/// Gives back what `carom_rings_of` made; null is allowed.
+/// Releases the matrices that `carom_rings_of` made; null is allowed.
 ///
 /// # Safety
 /// `rings` is null, or was made by `carom_rings_of` and is not used again.

@@ -1,5 +1,5 @@
-//! Values of this library in the caller's bytes: a mark says which build wrote them, and what may be wrong
-//! behind it is looked at before they are used.
+//! Values of this library in bytes of the caller. A mark names the build that wrote them; tags and counts are
+//! checked before the bytes are used.
 
 use std::mem::MaybeUninit;
 
@@ -9,27 +9,27 @@ use carom_laws::memory::Fixed;
 use crate::error::{CaromStatus, Failure};
 use crate::law::Law;
 
-/// As many vertices as in a `carom_state`, so that all go the same way.
+/// Capacity of the history of a contact, the same as that of a `carom_state`, so that stored and unstored
+/// contacts agree.
 pub(crate) const VERTICES: usize = 12;
-/// The storage of the vertices.
+/// The history of a contact, of fixed capacity.
 pub(crate) type Stack = Fixed<[f64; 2], VERTICES>;
 
-/// What may stand in the caller's bytes: numbers and tags, without pointers.
+/// A type that may be stored in bytes of the caller: numbers and tags, without pointers.
 ///
 /// # Safety
-/// Any bytes for which `is_in` holds are a value.
+/// Any bytes for which `is_in` returns true are a valid value.
 pub(crate) unsafe trait Stored: Copy + 'static {
-    /// What the caller calls it.
+    /// The name of the type in error messages.
     const NAME: &'static str;
 
-    /// Whether bytes are a value, given the byte at each place.
+    /// Whether bytes are a valid value; `byte` gives the byte at each offset.
     fn is_in(byte: impl Fn(usize) -> u8) -> bool;
 
     /// Whether its counts are within their bounds.
     fn fits(&self) -> bool;
 
-    /// Tells what this build wrote from other bytes: the compiler, since it lays the fields out, this
-    /// version, and the size.
+    /// Identifies the build that wrote the bytes: compiler, which decides on the layout, version and size.
     const MARK: u64 = {
         const { assert!(align_of::<Self>() <= 8 && !std::mem::needs_drop::<Self>()) };
         let build = hash(BASIS, concat!(env!("CAROM_COMPILER"), " ", env!("CARGO_PKG_VERSION")));
@@ -37,7 +37,7 @@ pub(crate) unsafe trait Stored: Copy + 'static {
     };
 }
 
-// SAFETY: beside the tags there are numbers alone.
+// SAFETY: apart from the tags it consists of numbers.
 unsafe impl Stored for Law {
     const NAME: &'static str = "contact";
 
@@ -67,7 +67,7 @@ unsafe impl Stored for GrainContact<Stack> {
     }
 }
 
-// SAFETY: numbers alone.
+// SAFETY: it consists of numbers.
 unsafe impl Stored for GrainRings {
     const NAME: &'static str = "ring touch";
 
@@ -82,7 +82,7 @@ unsafe impl Stored for GrainRings {
     }
 }
 
-/// The value behind a mark, if there is one yet.
+/// The stored value; none if the mark is zero.
 #[inline(always)]
 pub(crate) fn present<T: Stored, const WORDS: usize>(
     mark: u64,
@@ -95,20 +95,20 @@ pub(crate) fn present<T: Stored, const WORDS: usize>(
     }
 }
 
-/// The same, to be changed.
+/// The stored value, mutable; none if the mark is zero.
 #[inline(always)]
 pub(crate) fn present_mut<T: Stored, const WORDS: usize>(
     mark: u64,
     words: &mut [MaybeUninit<u64>; WORDS],
 ) -> Result<Option<&mut T>, Failure> {
     if find::<T, WORDS>(mark, words).is_some() {
-        // SAFETY: found just now; nobody else has the words.
+        // SAFETY: checked above; the words are borrowed exclusively.
         return Ok(Some(unsafe { &mut *words.as_mut_ptr().cast() }));
     }
     if mark == 0 { Ok(None) } else { Err(strange::<T>()) }
 }
 
-/// The value behind its mark, if all is well with both.
+/// The stored value, if mark, tags and counts are valid.
 #[inline(always)]
 pub(crate) fn find<T: Stored, const WORDS: usize>(
     mark: u64,
@@ -116,22 +116,22 @@ pub(crate) fn find<T: Stored, const WORDS: usize>(
 ) -> Option<&T> {
     const { assert!(size_of::<T>() <= 8 * WORDS) };
     let bytes = words.as_ptr().cast::<u8>();
-    // SAFETY: a tag lies within the size, and was written with the rest where the mark is right.
+    // SAFETY: the tags lie within the size, and are initialised if the mark matches.
     if mark != T::MARK || !T::is_in(|at| unsafe { bytes.add(at).read() }) {
         return None;
     }
-    // SAFETY: size and alignment fit, and the bytes are a value.
+    // SAFETY: size and alignment match, and the bytes are a valid value.
     let value = unsafe { &*words.as_ptr().cast::<T>() };
     value.fits().then_some(value)
 }
 
-/// Writes a value; its mark is to be kept beside it.
+/// Writes a value and returns its mark, which the caller stores beside it.
 pub(crate) fn store<T: Stored, const WORDS: usize>(
     value: &T,
     words: &mut [MaybeUninit<u64>; WORDS],
 ) -> u64 {
     const { assert!(size_of::<T>() <= 8 * WORDS) };
-    // SAFETY: size and alignment fit; what stood there needs no drop.
+    // SAFETY: size and alignment match; the old bytes need no drop.
     unsafe { words.as_mut_ptr().cast::<T>().write(*value) };
     T::MARK
 }
@@ -139,8 +139,9 @@ pub(crate) fn store<T: Stored, const WORDS: usize>(
 #[cold]
 fn strange<T: Stored>() -> Failure {
     let name = T::NAME;
-    let text =
-        format_args!("the {name} was written by another build of carom, was changed, or is none");
+    let text = format_args!(
+        "the {name} was written by another build of carom, or its bytes are not valid"
+    );
     Failure::new(CaromStatus::BadState, name, text)
 }
 

@@ -1,4 +1,4 @@
-//! What two grains remember of their contact.
+//! The state of the contact of two grains.
 
 use std::mem::MaybeUninit;
 
@@ -11,26 +11,27 @@ use crate::law::CaromReport;
 use crate::pointers::{read, write};
 use crate::stored::{Stack, VERTICES, find, present, present_mut, store};
 
-/// The words of 8 bytes in a `carom_touch`, beside its mark.
+/// Number of 8-byte words in a `carom_touch`, without its mark.
 pub const CAROM_TOUCH_WORDS: usize = 158;
-/// The numbers in which a `carom_touch` is kept elsewhere.
+/// Number of numbers into which a `carom_touch` packs.
 pub const CAROM_TOUCH_NUMBERS: usize = 79;
 
 pub(crate) type Contact = GrainContact<Stack>;
 
 const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
 
-/// The memory of the contact of two grains, the caller's: 1280 bytes, aligned to 8, that may be copied as
-/// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
-/// `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+/// The state of the contact of two grains, in memory of the caller: 1280 bytes, aligned to 8, that may be
+/// copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
+/// `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
 ///
+/// The constants are those of the step in which contact began. To change them, set the touch to zero.
 /// The constants are those of the step in which it began; to change them, make it zero.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromTouch {
-    /// Not to be changed but by the functions of this library.
+    /// Identifies the build that wrote the contact. Written by this library only.
     pub mark: u64,
-    /// The contact.
+    /// The bytes of the contact.
     pub words: [MaybeUninit<u64>; CAROM_TOUCH_WORDS],
 }
 
@@ -45,16 +46,16 @@ impl CaromTouch {
         present_mut(self.mark, &mut self.words)
     }
 
-    /// Whether it holds a contact, written by this build.
+    /// Whether it holds a contact written by this build.
     #[inline(always)]
     pub(crate) fn holds_one(&self) -> bool {
         find::<Contact, CAROM_TOUCH_WORDS>(self.mark, &self.words).is_some()
     }
 
-    /// The contact.
+    /// The contact, without a check.
     ///
     /// # Safety
-    /// [`CaromTouch::holds_one`].
+    /// [`CaromTouch::holds_one`] must be true.
     #[inline]
     pub(crate) unsafe fn present_unchecked(&mut self) -> &mut Contact {
         // SAFETY: the caller's promise.
@@ -132,7 +133,7 @@ pub unsafe extern "C" fn carom_touch_energy(
     unsafe { border(error, call) }
 }
 
-/// What the last step did, and how much of the contact sticks.
+/// The regime of the last step, and the share of the contact that sticks.
 ///
 /// # Safety
 /// As `carom_touch_energy`.
@@ -155,12 +156,12 @@ pub unsafe extern "C" fn carom_touch_report(
     unsafe { border(error, call) }
 }
 
-/// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-/// apart, the first of others is positive.
+/// Writes a contact as CAROM_TOUCH_NUMBERS numbers, for a file or another process. All are zero for separated
+/// grains; otherwise the first is positive.
 ///
 /// # Safety
-/// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-/// written. The touch is as in `carom_touch_grains`.
+/// `touch` is null or may be read; `numbers` is null or has room for CAROM_TOUCH_NUMBERS entries; `error` is
+/// null or may be written. The touch is as in `carom_touch_grains`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_pack(
     touch: *const CaromTouch,
@@ -181,12 +182,12 @@ pub unsafe extern "C" fn carom_touch_pack(
     unsafe { border(error, call) }
 }
 
-/// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
-/// infinite. Its load is the same to the bit, and so is the way on from there.
+/// Makes a contact from the numbers of `carom_touch_pack`. Constants and radii must be the same as then; the
+/// radius of a wall is infinite. The contact continues with the same bits as the packed one.
 ///
 /// # Safety
-/// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-/// may be written.
+/// `grains` is null or may be read, `numbers` null or may be read for CAROM_TOUCH_NUMBERS entries; `touch`
+/// and `error` are null or may be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_unpack(
     grains: *const CaromGrains,

@@ -1,4 +1,4 @@
-//! The twist of two grains, or of a grain and a wall, about their normal.
+//! The twist of two grains, or of a grain and a wall, about their common normal.
 
 use carom_laws::grains::{Grain, GrainTwist, Heats, Wall};
 use carom_laws::law::ContactLaw as _;
@@ -8,12 +8,13 @@ use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, relative_radius};
 use crate::pointers::{read, write};
 use crate::twist::CaromTwist;
 
-/// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
-/// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+/// One step of the twist of two grains about their normal, for use after `carom_touch_grains` in the same
+/// step. It neglects the shift of the contact. Its torque is added to those of `load`, its heat to `heats`,
+/// which may be null.
 ///
-/// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
-/// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
-/// touch.
+/// The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
+/// except for a new contact. Where the grains separate, the history is lost. It costs tens of times as much
+/// as a touch.
 ///
 /// # Safety
 /// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
@@ -42,7 +43,7 @@ pub unsafe extern "C" fn carom_touch_twist_grains(
     unsafe { border(error, call) }
 }
 
-/// The same of a grain, body 1, and a wall, which takes no torque.
+/// One step of the twist of a grain, body 1, and a wall, whose torque is zero, as `carom_touch_twist_grains`.
 ///
 /// # Safety
 /// As `carom_touch_twist_grains`.
@@ -68,7 +69,7 @@ pub unsafe extern "C" fn carom_touch_twist_wall(
     unsafe { border(error, call) }
 }
 
-/// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+/// The elastic energy of the twist of two grains, J. The radius of a wall is infinite.
 ///
 /// # Safety
 /// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.

@@ -1,4 +1,4 @@
-//! The memory of a twist as 83 numbers.
+//! The state of a twist as 83 numbers.
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw as _, Dissipative as _, Shift};
@@ -10,22 +10,22 @@ use crate::pair::CaromPair;
 use crate::pointers::{read, write};
 use crate::state::finite;
 
-/// The numbers in a `carom_twist`.
+/// Number of numbers in a `carom_twist`.
 pub const CAROM_TWIST_NUMBERS: usize = 83;
 const PIECES: usize = 12;
 const _: () = assert!(CAROM_TWIST_NUMBERS == packed_numbers(PIECES));
 
-/// The memory of a contact that twists about its normal, in 83 numbers, the caller's: zeros are two bodies
-/// that just touch, untwisted. It stands beside the memory of the shift, each as if the other were absent.
-/// As a `carom_state` the numbers may be kept in files and sent to other processes.
+/// The state of a contact that twists about its normal, as 83 numbers in memory of the caller; zeros stand
+/// for two bodies that just touch, without twist. Twist and shift are independent: each law neglects the
+/// other. As with a `carom_state`, the numbers may be stored in files and sent to other processes.
 ///
-/// 12 pieces of the history, one or two for a turn of the twist, are remembered to the bit; beyond, those
-/// that matter least are joined: over random histories the torque was then off by less than 3e-4 of that
-/// of sliding in the mean, .02 at worst.
+/// The law stores up to 12 pieces of the history exactly, one or two for each reversal of the twist. Beyond
+/// that it joins the pieces that matter least. Over random histories the error of the torque was then below
+/// 3e-4 of the sliding torque in the mean, and .02 at most.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct CaromTwist {
-    /// Not to be changed but by the functions of this library.
+    /// Written by this library only.
     pub numbers: [f64; CAROM_TWIST_NUMBERS],
 }
 
@@ -46,12 +46,13 @@ impl CaromTwist {
 }
 
 impl CaromPair {
-    /// The law of a twist of these constants, the bodies apart.
+    /// The law of twist with these constants, for separated bodies.
     fn torsion(&self) -> Result<TorsionLaw, Failure> {
         self.check_version()?;
         let Self { c_z, torsion_stiffness: stiffness, torsion_arm: arm, .. } = *self;
         if stiffness == 0.0 {
-            let text = "the pair knows no torsion: it was made by carom_pair_of_stiffness";
+            let text =
+                "the pair has no torsional stiffness: it was made by carom_pair_of_stiffness";
             return Err(Failure::new(CaromStatus::BadState, "pair", text));
         }
         let friction = Friction::new(self.friction)?;
@@ -59,10 +60,10 @@ impl CaromPair {
     }
 }
 
-/// Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
-/// `torque`, that on body 1 in N m, may be null.
+/// Moves the contact straight to a new approach (m) and twist of body 2 against body 1 about the normal
+/// (radians). `torque`, the torque on body 1 in N m, may be null.
 ///
-/// A `zeta` that is not positive separates the bodies: the memory is lost.
+/// A `zeta` that is not positive separates the bodies, and the history is lost.
 ///
 /// # Safety
 /// `pair` is null or may be read; `twist`, `torque` and `error` are null or may be written.
@@ -104,7 +105,7 @@ pub unsafe extern "C" fn carom_twist_torque(
     unsafe { ask(pair, twist, torque, "torque", error, |law| Ok(law.load().m_z)) }
 }
 
-/// The elastic energy of the twist alone, J.
+/// The elastic energy of the twist, without that of compression, J.
 ///
 /// # Safety
 /// As `carom_twist_torque`.
@@ -119,7 +120,8 @@ pub unsafe extern "C" fn carom_twist_energy(
     unsafe { ask(pair, twist, energy, "energy", error, |law| Ok(law.twist_energy())) }
 }
 
-/// The energy that the straight step to an approach and a twist would turn into heat, J. Nothing moves.
+/// The energy that a straight step to an approach and a twist would turn into heat, J. The contact is not
+/// advanced.
 ///
 /// # Safety
 /// As `carom_twist_torque`.
@@ -141,7 +143,7 @@ pub unsafe extern "C" fn carom_twist_heat(
     unsafe { ask(pair, twist, heat, "heat", error, question) }
 }
 
-/// A question to one memory.
+/// Evaluates a function of the law of twist.
 ///
 /// # Safety
 /// As `carom_twist_torque`.

@@ -2,8 +2,8 @@
 
 use std::ffi::c_char;
 
-/// Changes whenever a structure or a function of this header does; compare it with
-/// `carom_abi_version()` of the library that is loaded.
+/// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
+/// the loaded library.
 pub const CAROM_ABI_VERSION: u32 = 5;
 
 /// The version of the library, as "0.1.0"; not to be freed.
@@ -18,7 +18,7 @@ pub extern "C" fn carom_abi_version() -> u32 {
     CAROM_ABI_VERSION
 }
 
-/// The version of the numbers in a `carom_state`: a file of another version cannot be read.
+/// The version of the numbers in a `carom_state`; files of another version cannot be read.
 #[unsafe(no_mangle)]
 pub extern "C" fn carom_state_version() -> u32 {
     1

@@ -1,4 +1,4 @@
-//! Why a case cannot be read or followed.
+//! Errors of reading or computing a case.
 
 use crate::case::CaseError;
 use crate::history::StepsError;
@@ -10,18 +10,18 @@ use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
 
-/// Why a case cannot be read or followed.
+/// An error of reading or computing a case.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A case file says something that cannot be.
+    /// The case file has an error.
     #[error("{}: {source}", path.display())]
     Case {
         /// The case file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The error.
         source: CaseError,
     },
-    /// The collision of a case could not be followed.
+    /// The collision of a case could not be computed.
     #[error("{}: {source}", path.display())]
     Collision {
         /// The case file.
@@ -29,7 +29,7 @@ pub enum Error {
         /// Why.
         source: Box<CollisionError>,
     },
-    /// The collision of a case could not be followed with its contact law.
+    /// The collision of a case could not be computed with its contact law.
     #[error("{}: {source}", path.display())]
     CollisionLaw {
         /// The case file.
@@ -37,7 +37,7 @@ pub enum Error {
         /// Why.
         source: Box<CollisionLawError>,
     },
-    /// A law refuses a value of a case.
+    /// A law rejects a value of a case.
     #[error("{}: {source}", path.display())]
     Law {
         /// The case file.
@@ -55,7 +55,7 @@ pub enum Error {
         /// Why.
         source: Box<FrictionalError>,
     },
-    /// A step could not be solved by the method that the case asks for.
+    /// A step could not be solved by the requested method.
     #[error("{}: step {step}: {source}{}", path.display(), advice(source))]
     Classic {
         /// The case file.
@@ -65,7 +65,7 @@ pub enum Error {
         /// Why.
         source: Box<DirectError>,
     },
-    /// A contact does not fit on its grid.
+    /// The contact reaches the border of its grid.
     #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
     Border {
         /// The case file.
@@ -75,7 +75,7 @@ pub enum Error {
         /// Left, right, lower or upper.
         side: &'static str,
     },
-    /// No grid fits a contact.
+    /// No grid was found for the contact.
     #[error("{}: {source}; give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
     Fit {
         /// The case file.
@@ -91,20 +91,20 @@ pub enum Error {
         /// Why.
         source: Box<ProblemError>,
     },
-    /// A file of steps says something that cannot be.
+    /// A file of steps has an error.
     #[error("{}: {source}", path.display())]
     Steps {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The error.
         source: StepsError,
     },
-    /// An input is no text file of an allowed size, or is written to in the same run.
+    /// An input is not a text file of an allowed size, or the same run writes it.
     #[error("{}: {reason}", path.display())]
     Input {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The reason.
         reason: String,
     },
     /// A file could not be read or written.
@@ -117,17 +117,17 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// The guard of a case refuses an input.
+    /// The caller's guard does not allow an input.
     #[error(transparent)]
     Refused(Box<dyn std::error::Error + Send + Sync>),
-    /// A case with distributions has no single outcome.
-    #[error("{}: a case with [uncertainty] is for `carom impact` alone", path.display())]
+    /// A case with distributions has no single result.
+    #[error("{}: only `carom impact` computes a case with [uncertainty]", path.display())]
     Uncertainty {
         /// The case file.
         path: PathBuf,
     },
     /// A traction could not be integrated.
-    #[error("cannot work out a traction: {0}")]
+    #[error("cannot integrate a traction: {0}")]
     Quadrature(#[from] QuadratureError),
     /// An argument out of range.
     #[error(transparent)]
@@ -135,7 +135,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// Whether the input is to blame, and not the computation or the system.
+    /// Whether the input causes the error, not the computation or the system.
     #[must_use]
     pub fn is_bad_input(&self) -> bool {
         match self {
@@ -166,22 +166,22 @@ impl Error {
         }
     }
 
-    /// A refusal of the system while reading or writing `path`.
+    /// The error of the system in reading or writing `path`.
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Io { action, path: path.to_owned(), source }
     }
 }
 
-/// What applies where an older method does not.
+/// A hint for the case that an older method cannot solve it.
 const fn advice(error: &DirectError) -> &'static str {
     match error {
         DirectError::Range(_) | DirectError::Operator(_) => "",
-        _ => "; `contact.method` = \"newton\", the default, takes it",
+        _ => "; `contact.method` = \"newton\", the default, solves it",
     }
 }
 
-/// Whether a step asks for what cannot be.
+/// Whether the prescribed step itself is impossible.
 const fn is_beyond(error: &FrictionalError) -> bool {
     matches!(
         error,
@@ -192,7 +192,7 @@ const fn is_beyond(error: &FrictionalError) -> bool {
     )
 }
 
-/// Whether a collision asks for what cannot be: one that could not be followed does not.
+/// Whether the prescribed collision itself is impossible; a failed computation is not.
 #[must_use]
 const fn is_bad(error: &CollisionError) -> bool {
     !matches!(
@@ -201,7 +201,7 @@ const fn is_bad(error: &CollisionError) -> bool {
     )
 }
 
-/// The same of a collision with a law.
+/// Whether the prescribed collision with its law is impossible.
 #[must_use]
 pub const fn is_bad_collision(error: &CollisionLawError) -> bool {
     match error {

@@ -1,4 +1,4 @@
-//! The impact of a case, or all of its sweep.
+//! Computes the impact of a case, or all impacts of its sweep.
 
 use crate::Error;
 use crate::case::{CaseError, ImpactCase, ImpactFile, Input};
@@ -11,16 +11,16 @@ use std::path::Path;
 /// The impacts of a case.
 #[derive(Debug)]
 pub struct Followed {
-    /// Name, unit and values of the number that is swept over, if there is one.
+    /// Name, unit and values of the swept number, if there is a sweep.
     pub swept: Option<(&'static str, &'static str, Vec<f64>)>,
-    /// What came of each.
+    /// The outcome of each impact.
     pub outcomes: Vec<Outcome>,
 }
 
-/// The impact of a case, or all of its sweep, in parallel.
+/// Computes the impact of a case, or all impacts of its sweep in parallel.
 ///
 /// # Errors
-/// If the case is bad, has `[uncertainty]`, or an impact cannot be followed.
+/// If the case has an error or `[uncertainty]`, or an impact cannot be computed.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let (path, file) = (&file.path, file.parse(ImpactFile::parse)?);
     if file.uncertainty().is_some() {
@@ -34,30 +34,30 @@ pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     Ok(Followed { swept: Some((name(input), input.unit, values.to_vec())), outcomes })
 }
 
-/// The name of the number of a sweep: the angle of incidence has one of its own.
+/// The name of the swept number in the results; the angle of incidence has a short one.
 #[must_use]
 pub fn name(input: &Input) -> &'static str {
     if input.field == "approach.angle" { "angle" } else { input.field }
 }
 
-/// The case at a value of its sweep.
+/// The case at one value of its sweep.
 ///
 /// # Errors
-/// [`Error::Case`] if something in it cannot be.
+/// [`Error::Case`] if the value is not allowed.
 pub fn swept(path: &Path, file: &ImpactFile<'_>, value: f64) -> Result<ImpactCase, Error> {
     file.case(&[value]).map_err(|source| refused(path, source))
 }
 
-/// What comes of a case.
+/// Computes the outcome of a case.
 ///
 /// # Errors
-/// [`Error::Collision`], [`Error::CollisionLaw`] if it cannot be followed; [`Error::Case`] if its torsion cannot
-/// be given.
+/// [`Error::Collision`], [`Error::CollisionLaw`] if it cannot be computed; [`Error::Case`] if its torsion
+/// cannot be computed.
 pub fn outcome(path: &Path, case: &ImpactCase) -> Result<Outcome, Error> {
     case.contact.law.solve(&case.collision).map_err(|source| blamed(path, case, source))
 }
 
-/// The history of a case at so many instants.
+/// The history of an impact at `count` instants.
 ///
 /// # Errors
 /// As [`outcome`].
@@ -65,7 +65,7 @@ pub fn course(path: &Path, case: &ImpactCase, count: usize) -> Result<Vec<Histor
     case.contact.law.history(&case.collision, count).map_err(|source| blamed(path, case, source))
 }
 
-/// The case is to blame for torsion that cannot be given.
+/// Reports torsion that cannot be computed as an error of the case.
 fn blamed(path: &Path, case: &ImpactCase, source: CollisionLawError) -> Error {
     match (source, case.contact.torsion_line) {
         (CollisionLawError::Collision(CollisionError::NormalSpin(source)), line @ 1..) => {

@@ -1,4 +1,4 @@
-//! Reading what the user gives: text files of a bounded size.
+//! Reads input files of limited size.
 
 use crate::Error;
 use crate::case::CaseError;
@@ -8,15 +8,15 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Standard input, in the place of a file.
+/// The path that stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
-/// Bytes of a case file, at most.
+/// Largest case file, in bytes.
 const MOST_OF_CASE: u64 = 1 << 20;
-/// Bytes of a table, at most.
+/// Largest table, in bytes.
 const MOST_OF_TABLE: u64 = 64 << 20;
 const TEXT: &str = "a text file";
 
-/// Says whether a file may be read: not one that the same run writes, for instance.
+/// Decides whether a file may be read; a file that the same run writes may not.
 pub type Guard =
     Arc<dyn Fn(&Path) -> Result<(), Box<dyn std::error::Error + Send + Sync>> + Send + Sync>;
 
@@ -37,7 +37,7 @@ impl fmt::Debug for CaseFile {
 }
 
 impl CaseFile {
-    /// Reads the case file at `path`, once; `-` is standard input.
+    /// Reads the case file at `path`; `-` is standard input.
     ///
     /// # Errors
     /// As [`CaseFile::read_guarded`].
@@ -45,10 +45,11 @@ impl CaseFile {
         Self::read_unguarded(path, None)
     }
 
-    /// The same, if the guard lets it be read; files that the case names are held against it too.
+    /// Reads a case file if the guard allows it; files that the case names are checked by the guard too.
     ///
     /// # Errors
-    /// If the guard refuses it, it cannot be read, is a device or a pipe, larger than 1 MiB, or no UTF-8.
+    /// If the guard does not allow it, or it cannot be read, is a device or a pipe, is larger than 1 MiB, or
+    /// is not UTF-8.
     pub fn read_guarded(path: &Path, guard: Guard) -> Result<Self, Error> {
         guard(path).map_err(Error::Refused)?;
         Self::read_unguarded(path, Some(guard))
@@ -70,26 +71,28 @@ impl CaseFile {
         &self.text
     }
 
-    /// Where a file is that the case names: beside the case, or in the present folder.
+    /// The path of a file that the case names: relative to the case file, or to the present folder for
+    /// standard input.
     #[must_use]
     pub fn beside(&self, name: &Path) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(name)
     }
 
-    /// Reads the table that the case names.
+    /// Reads a table that the case names.
     ///
     /// # Errors
-    /// If the guard refuses it, it cannot be read, is a device or a pipe, larger than 64 MiB, or no UTF-8.
+    /// If the guard does not allow it, or it cannot be read, is a device or a pipe, is larger than 64 MiB, or
+    /// is not UTF-8.
     pub fn table(&self, name: &Path) -> Result<String, Error> {
         let path = self.beside(name);
         self.check(&path)?;
         read_text(&path, MOST_OF_TABLE)
     }
 
-    /// Reads the file that the case names, whatever it holds.
+    /// Reads a file that the case names, of any format.
     ///
     /// # Errors
-    /// As [`CaseFile::table`], but for UTF-8.
+    /// As [`CaseFile::table`], except for UTF-8.
     pub fn bytes(&self, name: &Path) -> Result<Vec<u8>, Error> {
         let path = self.beside(name);
         self.check(&path)?;
@@ -100,10 +103,10 @@ impl CaseFile {
         self.guard.as_ref().map_or(Ok(()), |guard| guard(path).map_err(Error::Refused))
     }
 
-    /// What the text says.
+    /// Parses the text.
     ///
     /// # Errors
-    /// [`Error::Case`] if it says something that cannot be.
+    /// [`Error::Case`] if the text has an error.
     pub fn parse<'a, T>(
         &'a self,
         parse: impl Fn(&'a str) -> Result<T, CaseError>,
@@ -124,12 +127,12 @@ fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, Error> {
     String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to() + 1;
         let allowed = allowed(most, TEXT);
-        let reason = format!("byte {place} is no UTF-8 text; it {allowed}, saved as UTF-8");
+        let reason = format!("byte {place} is not UTF-8 text; it {allowed}, saved as UTF-8");
         Error::Input { path: path.to_owned(), reason }
     })
 }
 
-/// Reads the file at `path`, of at most so many bytes.
+/// Reads the file at `path`, of at most `most` bytes.
 ///
 /// # Errors
 /// If it cannot be read, is a device or a pipe, or larger.
@@ -137,11 +140,11 @@ pub fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, Error> {
     bounded(open(path, &allowed(most, kind))?, path, most, kind)
 }
 
-/// Opens the file at `path`, which must be what is `allowed`.
+/// Opens the file at `path`; `allowed` describes in errors what it must be.
 ///
 /// # Errors
-/// If it cannot be opened, or is a device or a pipe: those are not opened, as a pipe waits for a writer
-/// and a device does what it likes.
+/// If it cannot be opened, or is a device or a pipe. Those are not opened: a pipe waits for a writer, and
+/// opening a device may have side effects.
 pub fn open(path: &Path, allowed: &str) -> Result<File, Error> {
     let failed = |error| Error::io("read", path, error);
     let check = |of: FileType| match special(of) {
@@ -157,7 +160,7 @@ pub fn open(path: &Path, allowed: &str) -> Result<File, Error> {
     Ok(file)
 }
 
-/// All that comes, if it is not too much.
+/// Reads everything, up to `most` bytes.
 fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     source
@@ -172,7 +175,7 @@ fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<
     Ok(bytes)
 }
 
-/// What the file is, if it is neither a file nor a folder, which cannot be read anyway.
+/// The name of a special file; none for regular files and folders, which fail on reading.
 fn special(of: FileType) -> Option<&'static str> {
     match () {
         () if of.is_file() || of.is_dir() => None,

@@ -1,9 +1,10 @@
 #![forbid(unsafe_code)]
-//! Case files of carom: what they may say, how they are read, and what comes of them.
+//! Case files of carom: their fields, their reader, and the computation of what they describe.
 //!
-//! A case is a TOML file that says what is to be computed: bodies, materials, friction, motions.
-//! [`case`] reads it strictly, in SI units or with units of its own; [`input`] reads files of a bounded size.
-//! [`impact::followed`], [`history::followed`] and [`solve::solved`] follow a case to its end. The command
+//! A case is a TOML file that describes a computation: bodies, materials, friction, motions. [`case`] reads
+//! it strictly, in SI units or with units of its own; [`input`] reads files of limited size.
+//! [`impact::followed`], [`history::followed`] and [`solve::solved`] compute a case. The command `carom` and
+//! the Python module are built on this crate.
 //! `carom` and the Python module stand on this crate.
 //!
 //! ```

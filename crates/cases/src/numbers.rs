@@ -1,29 +1,29 @@
-//! Tables of numbers in files of comma-separated values; semicolons and tabs separate too.
+//! Tables of numbers in text files, separated by commas, semicolons or tabs.
 
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
-/// What is wrong with a table of numbers.
+/// An error in a table of numbers.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum TableError {
-    /// It is no table.
+    /// The text is not a table.
     #[error("{0}")]
     Csv(String),
-    /// A value that is no finite number.
+    /// A value is not a finite number.
     #[error("line {line}: `{column}` = {found} is out of range: must be a finite number")]
     Value {
         /// Line, from 1.
         line: u64,
-        /// The head of its column, or its place in the row.
+        /// The header of its column, or its place in the row.
         column: String,
-        /// What stands there.
+        /// The value as written.
         found: String,
     },
 }
 
-/// Rows of numbers under heads, read one after the other.
+/// Rows of numbers below a header, read one by one.
 #[derive(Debug)]
 pub struct NumberTable<'a> {
-    /// The heads.
+    /// The names of the columns.
     pub heads: Vec<String>,
     reader: Reader<&'a [u8]>,
     record: StringRecord,
@@ -31,10 +31,10 @@ pub struct NumberTable<'a> {
 }
 
 impl<'a> NumberTable<'a> {
-    /// The table in a text.
+    /// Starts to read a table.
     ///
     /// # Errors
-    /// [`TableError`] if it has no heads.
+    /// [`TableError`] if it has no header.
     pub fn new(text: &'a str) -> Result<Self, TableError> {
         let mut reader = builder(text).from_reader(text.as_bytes());
         let heads = reader.headers().map_err(|error| TableError::Csv(error.to_string()))?;
@@ -42,10 +42,10 @@ impl<'a> NumberTable<'a> {
         Ok(Self { heads, reader, record: StringRecord::new(), row: Vec::new() })
     }
 
-    /// The next row, as long as the heads; none behind the last.
+    /// The next row, with one number for each column; none after the last.
     ///
     /// # Errors
-    /// [`TableError`] if the row is longer or shorter than the heads, or a value is no finite number.
+    /// [`TableError`] if the row is longer or shorter than the header, or a value is not a finite number.
     pub fn next_row(&mut self) -> Result<Option<&[f64]>, TableError> {
         let is_there = self.reader.read_record(&mut self.record);
         if !is_there.map_err(|error| TableError::Csv(error.to_string()))? {
@@ -59,10 +59,10 @@ impl<'a> NumberTable<'a> {
     }
 }
 
-/// Rows without heads, as long as they come.
+/// Rows without a header, of any lengths.
 ///
 /// # Errors
-/// [`TableError`] if a value is no finite number.
+/// [`TableError`] if a value is not a finite number.
 pub fn bare(text: &str) -> Result<Vec<Vec<f64>>, TableError> {
     let mut reader = builder(text).has_headers(false).flexible(true).from_reader(text.as_bytes());
     let row = |record: Result<StringRecord, csv::Error>| {
@@ -74,7 +74,7 @@ pub fn bare(text: &str) -> Result<Vec<Vec<f64>>, TableError> {
     reader.records().map(row).collect()
 }
 
-/// What separates the values of a table: the first comma, semicolon or tab of its first line.
+/// The separator of a table: the first comma, semicolon or tab of its first line.
 #[must_use]
 pub fn delimiter(text: &str) -> u8 {
     let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();

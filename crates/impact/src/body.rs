@@ -169,8 +169,8 @@ impl Body {
         surface.radius().or_else(|| surface.is_plane().then_some(0.0))
     }
 
-    /// Resistance to an impulse at the contact point, which lies `arm` from the centre, for the
-    /// body on this side (-1 or 1) of the contact normal.
+    /// The resistance of the body to an impulse at the contact point, which lies `arm` from the centre, for
+    /// the body on this side (-1 or 1) of the contact normal.
     pub(crate) fn lever(
         &self,
         arm: Vector3<f64>,

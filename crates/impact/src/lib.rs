@@ -1,19 +1,20 @@
-//! Floor 5 of carom: impact of elastic bodies with friction (chapters 8, 9, 10 and 15).
+//! Layer 5 of carom: impact of elastic bodies with friction (chapters 8, 9, 10 and 15).
 //!
-//! [`Collision`] takes two bodies of any smooth shape and gives an [`Outcome`]: how they part, in which
-//! regimes, and what friction took. z points into body 1; any consistent units.
+//! [`Collision`] takes two bodies of any smooth shape and gives an [`Outcome`]: their motions after the
+//! impact, the contact regimes, and the energy that friction dissipates. z points into body 1; any consistent
+//! units.
 //!
 //! | item | what |
 //! |---|---|
-//! | [`Body`], [`Motion`], [`Collision`] | what meets, how it moves, and the impact of both |
-//! | [`Rebound`], [`HistoryPoint`], [`Warning`] | motions afterwards, the course of the impact, what lies outside the theory |
-//! | [`coupled`] | the same by its matrices: mobility and stiffness |
+//! | [`Body`], [`Motion`], [`Collision`] | two bodies, their motions, and their impact |
+//! | [`Rebound`], [`HistoryPoint`], [`Warning`] | motions afterwards, history of the impact, limits of validity |
+//! | [`coupled`] | the impact from its matrices: mobility and stiffness |
 //! | [`oblique`] | the exact impact of spheres and planes, in two dimensionless groups |
 //! | [`restitution`], [`closed_form`] | R_x as one number, as a table and as a tensor; its limits |
 //! | [`torsional`] | the impact of a spin about the normal |
 //! | [`RingImpact`] | an impact of spheres of dissimilar materials, with spin about the normal |
-//! | [`CollisionSolver`], [`AnalyticOrRings`] | with which law scenes and studies follow their impacts |
-//! | [`scene`], [`uncertain`] | repeated bounces between walls; inputs that are not known exactly |
+//! | [`CollisionSolver`], [`AnalyticOrRings`] | the contact law of the impacts in scenes and studies |
+//! | [`scene`], [`uncertain`] | repeated bounces between walls; inputs with distributions |
 //!
 //! ```
 //! use carom_halfspace::Material;

@@ -118,8 +118,8 @@ impl NormalSpin<'_> {
         (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
     }
 
-    /// The part of the relative spin that torsion would take, from above: by the lesser of the closed forms of no slip
-    /// and of sliding. None without spin or friction.
+    /// An upper bound of the fraction of the relative spin that torsion would remove: the smaller of the
+    /// closed forms for no slip and for sliding. None without spin or friction.
     pub(crate) fn greatest_loss(&self) -> Option<f64> {
         if self.relative_spin() == 0.0 {
             return None;

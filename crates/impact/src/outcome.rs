@@ -127,7 +127,7 @@ impl Torsion {
 impl LogEntry {
     /// The columns of the log.
     pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("time", "s", "since touch", |entry| entry.time.into()),
+        Column::new("time", "s", "since first contact", |entry| entry.time.into()),
         Column::new("event", "", "what happened", |entry| {
             match entry.event {
                 Event::Touch => "touch",
@@ -161,14 +161,15 @@ pub struct EnergyBudget {
 /// Whether the torsional impact is computed: friction acts on the spin about the normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum TorsionMode {
-    /// Where it matters, of spheres and planes ([`crate::Collision::twist_bound`]), by those who choose the contact
-    /// law ([`crate::AnalyticOrRings`]) and by rings. [`crate::Collision::solve`] leaves the spin alone.
+    /// Where it matters, for spheres and planes ([`crate::Collision::twist_bound`]), by solvers that choose
+    /// the contact law ([`crate::AnalyticOrRings`]) and by rings. [`crate::Collision::solve`] does not change
+    /// the spin.
     #[default]
     Auto,
-    /// The spin about the normal is left alone.
+    /// The spin about the normal is not changed.
     LeftOut,
-    /// Always: by rings together with the shift, by the analytic laws as if there were no tangential impact (chapter
-    /// 10).
+    /// Always: by rings together with the shift, by the analytic laws as if there were no tangential impact
+    /// (chapter 10).
     Included,
 }
 
@@ -229,7 +230,7 @@ pub struct HistoryPoint {
 impl HistoryPoint {
     /// The columns of the history.
     pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("time", "s", "since touch", |point| point.time.into()),
+        Column::new("time", "s", "since first contact", |point| point.time.into()),
         Column::new("xi", "m", "shift of body 2 against body 1 along x", |p| p.shift.x.into()),
         Column::new("eta", "m", "the same along y", |point| point.shift.y.into()),
         Column::new("zeta", "m", "approach", |point| point.shift.z.into()),
@@ -237,9 +238,15 @@ impl HistoryPoint {
             <[f64; 3]>::from(p.velocity).into()
         }),
         Column::vector("F", "N", "force on body 1", |point| <[f64; 3]>::from(point.force).into()),
-        Column::new("semi_axis_a", "m", "of the contact along x", |p| p.semi_axes[0].into()),
-        Column::new("semi_axis_b", "m", "of the contact along y", |p| p.semi_axes[1].into()),
-        Column::new("stick_radius", "m", "of the stick area of spheres", |p| p.stick_radius.into()),
+        Column::new("semi_axis_a", "m", "semi-axis of the contact along x", |p| {
+            p.semi_axes[0].into()
+        }),
+        Column::new("semi_axis_b", "m", "semi-axis of the contact along y", |p| {
+            p.semi_axes[1].into()
+        }),
+        Column::new("stick_radius", "m", "radius of the stick area of spheres", |p| {
+            p.stick_radius.into()
+        }),
         Column::new("regime", "", "sign: traction on body 1 along the first slip", |point| {
             point.regime.name().into()
         }),

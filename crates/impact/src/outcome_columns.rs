@@ -48,27 +48,27 @@ impl<E: Ended + 'static> Columns<E> {
         Column::vector("contact_velocity_after", "m/s", "of body 2 against body 1", |ended| {
             of(ended, |rebound| <[f64; 3]>::from(rebound.contact_velocity_after))
         }),
-        Column::new("duration", "s", "from touch to separation", |e| of(e, |r| r.duration)),
+        Column::new("duration", "s", "from first contact to separation", |e| of(e, |r| r.duration)),
         Column::new("maximal_force", "N", "normal", |e| of(e, |r| r.maximal_force)),
         Column::new("maximal_approach", "m", "of distant points", |ended| {
             of(ended, |rebound| rebound.maximal_approach)
         }),
-        Column::new("maximal_semi_axis_a", "m", "of the contact along x", |ended| {
+        Column::new("maximal_semi_axis_a", "m", "semi-axis of the contact along x", |ended| {
             of(ended, |rebound| rebound.maximal_contact.semi_axis_a())
         }),
-        Column::new("maximal_semi_axis_b", "m", "of the contact along y", |ended| {
+        Column::new("maximal_semi_axis_b", "m", "semi-axis of the contact along y", |ended| {
             of(ended, |rebound| rebound.maximal_contact.semi_axis_b())
         }),
-        Column::new("energy_before", "J", "kinetic, without bodies held fast", |ended| {
+        Column::new("energy_before", "J", "kinetic, without fixed bodies", |ended| {
             of(ended, |rebound| rebound.energy.before)
         }),
-        Column::new("energy_after", "J", "kinetic, without bodies held fast", |ended| {
+        Column::new("energy_after", "J", "kinetic, without fixed bodies", |ended| {
             of(ended, |rebound| rebound.energy.after)
         }),
         Column::new("energy_dissipated", "J", "by friction", |ended| {
             of(ended, |rebound| rebound.energy.dissipated)
         }),
-        Column::new("energy_lost", "J", "in the bodies' material", |ended| {
+        Column::new("energy_lost", "J", "in the material of the bodies", |ended| {
             of(ended, |rebound| rebound.energy.lost)
         }),
         Column::new(
@@ -82,14 +82,14 @@ impl<E: Ended + 'static> Columns<E> {
                 of(ended, name)
             },
         ),
-        Column::new("method", "", "how it was solved", |e| of(e, |r| r.method.name())),
-        Column::new("compressions", "", "how often the approach grew", |ended| {
+        Column::new("method", "", "solution method", |e| of(e, |r| r.method.name())),
+        Column::new("compressions", "", "number of compression phases", |ended| {
             of(ended, |rebound| u64::from(rebound.compressions))
         }),
         Column::new("error_estimate", "", "of the contact velocity, over that before", |ended| {
             of(ended, |rebound| rebound.error_estimate)
         }),
-        Column::new("warnings", "", "what limits the validity", |ended| {
+        Column::new("warnings", "", "limits of validity that the impact exceeds", |ended| {
             of(ended, |rebound| -> Vec<String> {
                 rebound.warnings.iter().map(ToString::to_string).collect()
             })

@@ -10,19 +10,18 @@ use crate::error::Fault;
 use crate::room;
 use crate::threads::without_python;
 
-/// Entries that a thread takes at least, of functions that take a microsecond.
+/// Least number of entries for a thread, in functions of about a microsecond an entry.
 const SHARE: usize = 1024;
-/// Shares from which on all threads help.
+/// Number of shares from which on all threads are used.
 const MANY: usize = 8;
-/// Shares between two looks whether the program is interrupted.
+/// Number of shares between two checks for an interrupt.
 const BLOCK: usize = 128;
 
 pub(crate) type Numbers<'py> = PyReadonlyArray1<'py, f64>;
 pub(crate) type Rows<'py> = PyReadonlyArray2<'py, f64>;
 
-/// The value of `f` at each of `count` places, without the interpreter, on all threads if they are
-/// many; the fault is that of the first place that has one. Whoever interrupts the program need not wait for
-/// the end.
+/// Evaluates `f` at each of `count` indices, without the interpreter and, if there are many, on all threads.
+/// An error is that of the first index that has one. An interrupt ends the call early.
 pub(crate) fn map<T: Send>(
     py: Python<'_>,
     count: usize,
@@ -31,7 +30,7 @@ pub(crate) fn map<T: Send>(
     map_by(SHARE, py, count, f)
 }
 
-/// The same where a thread takes at least so many.
+/// Like `map`, with a given least number of entries for a thread.
 pub(crate) fn map_by<T: Send>(
     share: usize,
     py: Python<'_>,
@@ -62,7 +61,7 @@ fn over<T: Send>(
     all.map_err(|any| first().unwrap_or(any))
 }
 
-/// The same for numbers, as an array.
+/// Like `map`, for a function whose values are numbers, as an array.
 pub(crate) fn numbers<'py>(
     py: Python<'py>,
     count: usize,
@@ -71,7 +70,7 @@ pub(crate) fn numbers<'py>(
     Ok(PyArray1::from_vec(py, map(py, count, f)?))
 }
 
-/// The same for a function of one argument.
+/// Like `numbers`, for a function of one array.
 pub(crate) fn of_one<'py>(
     py: Python<'py>,
     x: &Numbers<'py>,
@@ -81,7 +80,7 @@ pub(crate) fn of_one<'py>(
     numbers(py, x.len(), |i| f(x[i]))
 }
 
-/// The same for a function of two.
+/// Like `numbers`, for a function of two arrays.
 pub(crate) fn of_two<'py>(
     py: Python<'py>,
     x: &Numbers<'py>,
@@ -93,7 +92,7 @@ pub(crate) fn of_two<'py>(
     numbers(py, x.len(), |i| f(x[i], y[i]))
 }
 
-/// An array must have so many entries.
+/// Checks the length of an array.
 pub(crate) fn same_length(name: &str, length: usize, expected: usize) -> PyResult<()> {
     if length == expected {
         return Ok(());

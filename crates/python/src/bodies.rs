@@ -1,4 +1,4 @@
-//! Bodies about to collide.
+//! Bodies of a collision.
 
 use carom::geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom::impact::{Body as Colliding, Motion};
@@ -10,37 +10,38 @@ use pyo3::types::PyDict;
 use crate::error::Fault;
 use crate::materials::Material;
 
-/// A body about to collide.
+/// A body before a collision.
 ///
-/// Body(shape, sizes, material, mass): 'sphere' (radius), 'plane' (no size, held fast), 'ellipsoid' (three
-/// semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' (radius of the circle, of the
-/// tube) or 'box' (three edges), m and kg. Without a mass it is held fast. Solid, at the origin, its axes along those of space and at
-/// rest, if hollow, moments, centre, attitude, velocity or spin do not say otherwise.
+/// Body(shape, sizes, material, mass): the shape is 'sphere' (radius), 'plane' (no size, fixed), 'ellipsoid'
+/// (three semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' (radius of the centre circle, of the
+/// tube) or 'box' (three edge lengths); sizes in m, mass in kg. Without a mass the body is fixed. By default
+/// it is solid, at the origin, at rest, its axes along those of space; see hollow, moments, centre, attitude,
+/// velocity and spin.
 #[pyclass(frozen, eq, from_py_object, module = "carom", subclass)]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Body {
     /// 'sphere', 'plane', 'ellipsoid', 'cylinder', 'capsule', 'torus' or 'box'.
     #[pyo3(get)]
     shape: String,
-    /// What the shape needs, m.
+    /// The dimensions of the shape, m.
     #[pyo3(get)]
     sizes: Vec<f64>,
     /// The material.
     #[pyo3(get)]
     material: Material,
-    /// The mass, kg.
+    /// The mass, kg; inf for a fixed body.
     #[pyo3(get)]
     mass: f64,
-    /// Whether it is a thin shell.
+    /// Whether the body is a thin shell.
     #[pyo3(get)]
     hollow: bool,
-    /// The principal moments of inertia, kg m^2, if they are not those of the shape.
+    /// The principal moments of inertia, kg m^2; None for those of the shape.
     #[pyo3(get)]
     moments: Option<[f64; 3]>,
     /// The centre of mass, m.
     #[pyo3(get)]
     centre: [f64; 3],
-    /// The unit quaternion (w, i, j, k) that turns the body's components into those of space.
+    /// The unit quaternion (w, i, j, k) that transforms components in body axes to space axes.
     #[pyo3(get)]
     attitude: [f64; 4],
     /// The velocity of the centre of mass, m/s.
@@ -87,7 +88,7 @@ impl Body {
         Ok(body)
     }
 
-    /// The same body in another motion.
+    /// A copy of the body with another motion.
     #[pyo3(signature = (velocity=[0.0; 3], spin=[0.0; 3]))]
     fn moving(&self, velocity: [f64; 3], spin: [f64; 3]) -> PyResult<Self> {
         motion(velocity, spin)?;
@@ -115,7 +116,7 @@ impl Body {
 }
 
 impl Body {
-    /// The body as carom has it.
+    /// The body as the Rust library takes it.
     pub(crate) fn colliding(&self) -> PyResult<Colliding> {
         let surface = self.surface()?;
         let inertia = self.inertia(&surface)?;
@@ -136,7 +137,7 @@ impl Body {
             ("box", [a, b, c]) => Surface::cuboid([*a, *b, *c]),
             (shape, sizes) => {
                 let text = format!(
-                    "no body '{shape}' of {} sizes: must be 'sphere' (radius), 'plane' (none), \
+                    "shape = '{shape}' with {} sizes: must be 'sphere' (radius), 'plane' (none), \
                      'ellipsoid' (3 semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' \
                      (2 radii) or 'box' (3 edges)",
                     sizes.len()
@@ -149,7 +150,7 @@ impl Body {
 
     fn inertia(&self, surface: &Surface) -> PyResult<Inertia> {
         if surface.is_plane() {
-            RangeError::check("mass", self.mass, self.mass == f64::INFINITY, "inf of a plane")
+            RangeError::check("mass", self.mass, self.mass == f64::INFINITY, "inf for a plane")
                 .map_err(Fault::from)?;
         }
         if self.mass == f64::INFINITY {
@@ -166,14 +167,14 @@ impl Body {
     fn held(&self) -> PyResult<Inertia> {
         match self.moments {
             Some(_) => {
-                Err(PyValueError::new_err("moments: not of a body held fast, without a mass"))
+                Err(PyValueError::new_err("moments: a fixed body, without a mass, has none"))
             }
             None => Ok(Inertia::FIXED),
         }
     }
 }
 
-/// A motion, if it is one.
+/// A motion, if its numbers are finite.
 pub(crate) fn motion(velocity: [f64; 3], spin: [f64; 3]) -> Result<Motion, Fault> {
     Ok(Motion::new(velocity, spin)?)
 }

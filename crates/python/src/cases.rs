@@ -1,4 +1,4 @@
-//! Cases from TOML files, as the command `carom` takes them.
+//! Cases from TOML files, the same as for the command `carom`.
 
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState};
@@ -19,10 +19,10 @@ use crate::error::{CaromError, Fault};
 use crate::records::arrays;
 use crate::threads::without_python;
 
-/// Name, unit and values of the number that a case sweeps over.
+/// Name, unit and values of the field that a case sweeps over.
 type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
 
-/// The impact of a case, or all of its sweep.
+/// The impact of a case, or all impacts of its sweep.
 #[pyfunction]
 pub(crate) fn case_impact<'py>(
     py: Python<'py>,
@@ -42,8 +42,8 @@ pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, 
     arrays(py, &all_columns(), &steps)
 }
 
-/// A contact on a grid: its steps, the middles of the cells along x and y, and the fields at the end as a
-/// solver's state has them.
+/// A contact on a grid: its steps, the cell centres along x and y, and the fields at the end in the format of
+/// a solver's state.
 #[pyfunction]
 #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
 pub(crate) fn case_solve<'py>(
@@ -68,14 +68,14 @@ pub(crate) fn case_solve<'py>(
     Ok((arrays(py, &carom::solver::StepSummary::columns(), &steps)?, axes, fields, cells))
 }
 
-/// A commented case of a kind, with every field that it may have: it runs as it stands.
+/// A commented case of the given kind with all its fields, ready to run.
 #[pyfunction]
 pub(crate) fn case_new(kind: &str) -> PyResult<String> {
     let kind: Result<CaseKind, WordError> = kind.parse();
     Ok(kind.map_err(|error| PyValueError::new_err(error.to_string()))?.begin())
 }
 
-/// Fields and cells of a state, one number after the other: pressure, tractions, displacements.
+/// Fields and cell states as flat arrays: pressure, tractions, displacements.
 #[allow(clippy::type_complexity)]
 pub(crate) fn lines<'py>(
     py: Python<'py>,
@@ -97,13 +97,13 @@ pub(crate) fn lines<'py>(
     (fields, PyArray1::from_vec(py, cells.collect()))
 }
 
-/// What the system says, without the code that Python adds.
+/// The text of a system error, without the error code.
 fn reason(error: &std::io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error").next().unwrap_or_default().to_owned()
 }
 
-/// What is wrong with a case is a `ValueError`, a file that cannot be read an `OSError`.
+/// Raises an error in a case as `ValueError`, a file that cannot be read as `OSError`.
 fn raised(error: Error) -> PyErr {
     match error {
         Error::Range(range) => Fault::from(range).into(),

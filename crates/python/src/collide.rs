@@ -1,4 +1,4 @@
-//! Collisions, one and many.
+//! Collisions, one or many.
 
 use carom::impact::{
     Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome, TorsionMode,
@@ -16,10 +16,10 @@ use crate::error::Fault;
 use crate::records::{self, arrays};
 use crate::room;
 
-/// Impacts that a thread takes at least: an exact one takes some microseconds, one in steps many more.
+/// Least number of impacts for a thread: an exact impact takes some microseconds, a stepped one much longer.
 const SHARE: usize = 8;
 
-/// How a collision is set up and followed.
+/// Options of a collision.
 #[derive(Clone, Copy)]
 struct Way {
     normal: Option<[f64; 3]>,
@@ -42,7 +42,8 @@ impl Way {
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 
-    /// Where the material takes a part: what leaves this of the normal velocity, or what waves carry away.
+    /// Adds the loss in the material: a given coefficient of normal restitution, or, with None, the loss by
+    /// waves.
     fn losing(self, normal_restitution: Option<f64>) -> Result<Self, Fault> {
         let loss = match normal_restitution {
             Some(left) => NormalRestitution::new(left)?,
@@ -65,7 +66,7 @@ impl Way {
     }
 }
 
-/// Two bodies collide.
+/// Computes the collision of two bodies.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn collide<'py>(
@@ -86,7 +87,7 @@ pub(crate) fn collide<'py>(
     arrays(py, Outcome::COLUMNS, &[py.detach(solve)?])
 }
 
-/// Two bodies collide in many motions.
+/// Computes the collisions of two bodies for many motions.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn collide_many<'py>(
@@ -118,7 +119,7 @@ pub(crate) fn collide_many<'py>(
     arrays(py, Outcome::COLUMNS, &outcomes)
 }
 
-/// The course of a collision at so many instants.
+/// The history of a collision at equally spaced instants.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn history<'py>(

@@ -13,14 +13,20 @@ use crate::walked::{Constants, VERTICES, Walked};
 /// A contact with memory: rigid shifts in, loads out.
 ///
 /// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, heat=True): `stiffness` is a Hertz contact or
-/// (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). `law` is 'coulomb', where each ring of
-/// the contact slips by itself, to a `tolerance` of the friction limit, or 'fixed-direction', one direction
-/// of traction in a slip ring. On straight paths both are exact. At most 64 vertices are remembered.
-/// Both neglect the coupling of normal and tangential displacements of dissimilar materials, which may change R_x of an
-/// impact by `coupling_bound`, and take no twist. 'rings' has both, for circular contacts: approach, shift and twist act
-/// together, on rings of the contact, to .01 of the friction limit in the mean; it needs a Hertz contact.
-/// The heat of a step costs up to a thousand times the step itself where the path turns: without `heat` there
-/// is no `dissipated`. Contacts copy, and pickle: one from a pickle sums its forces anew, which is round-off.
+/// (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip).
+///
+/// `law='coulomb'` applies the exact return mapping at each depth of the contact, to a `tolerance` of the
+/// friction limit. `law='fixed-direction'` gives a slip annulus one direction of traction. On straight paths
+/// both are exact. They remember at most 64 load reversals, neglect the coupling of normal and tangential
+/// displacements of dissimilar materials, which may change R_x of an impact by `coupling_bound`, and do not
+/// take a twist.
+///
+/// `law='rings'` includes coupling and twist for circular contacts: approach, shift and twist act together on
+/// concentric rings, with a mean error of .01 of the friction limit. It needs a Hertz contact.
+///
+/// Where the path turns, computing the heat of a step costs up to a thousand times as much as the step
+/// itself; `heat=False` skips it, and `dissipated` is None. Contacts can be copied and pickled; a contact
+/// from a pickle agrees to round-off.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct Contact {
@@ -44,21 +50,23 @@ impl Contact {
         Ok(Self { constants, law })
     }
 
-    /// Goes straight to a new shift (m) and returns the load (F_x, F_y, F_z), N.
+    /// Moves the contact straight to a new shift (m) and returns the load (F_x, F_y, F_z), N.
     ///
-    /// zeta is the approach, xi and eta are the shifts of body 2 against body 1 along x and y. A zeta
-    /// that is not positive separates the bodies: the memory is lost. A failed step leaves the
-    /// contact as it was. omega is the twist about the normal, radians, of law 'rings' alone: u = xi + y omega.
+    /// zeta is the approach, xi and eta are the shifts of body 2 against body 1 along x and y, omega is the
+    /// twist about the normal in radians, for law 'rings' only: u = xi + y omega. A zeta that is not positive
+    /// separates the bodies, and the history is lost. A failed step leaves the contact as it was.
     #[pyo3(signature = (zeta, xi=0.0, eta=0.0, omega=0.0))]
     fn advance(&mut self, zeta: f64, xi: f64, eta: f64, omega: f64) -> PyResult<(f64, f64, f64)> {
         let shift = Shift { zeta, xi, eta, omega };
         Ok(triple(self.law.advance(shift).map_err(Fault::from)?))
     }
 
-    /// Goes along a path and returns the loads (F_x, F_y, F_z) at each of its points, an array (n, 3).
+    /// Moves the contact along a path and returns the loads (F_x, F_y, F_z) at each of its points, an array
+    /// (n, 3).
     ///
-    /// xi and eta are arrays as long as zeta, or None for zeros. A path that cannot be gone to its end is
-    /// not gone at all. With omega, of law 'rings' alone, the loads are (F_x, F_y, F_z, M_z), an array (n, 4).
+    /// xi and eta are arrays as long as zeta, or None for zeros. If a step of the path fails, the contact
+    /// stays as it was before the path. With omega, for law 'rings' only, the loads are (F_x, F_y, F_z, M_z),
+    /// an array (n, 4).
     #[pyo3(signature = (zeta, xi=None, eta=None, omega=None))]
     fn follow<'py>(
         &mut self,
@@ -98,14 +106,15 @@ impl Contact {
         triple(self.law.load())
     }
 
-    /// The present torque about the normal M_z, the integral of y t_x - x t_y, N m; 0 but for law 'rings'.
+    /// The present torque about the normal M_z, the integral of y t_x - x t_y, N m; nonzero for law 'rings'
+    /// only.
     #[getter]
     fn torque(&self) -> f64 {
         self.law.load().m_z
     }
 
-    /// A bound of how much the coupling of dissimilar materials, which the law neglects, changes R_x of an impact; 0 of
-    /// like materials and for law 'rings', None if the materials are not known.
+    /// Upper bound of the change of R_x by the coupling of dissimilar materials, which the law neglects. 0
+    /// for like materials and for law 'rings', None for unknown materials.
     #[getter]
     fn coupling_bound(&self) -> PyResult<Option<f64>> {
         self.constants.coupling_bound()
@@ -124,14 +133,14 @@ impl Contact {
         self.law.stored_energy()
     }
 
-    /// The energy turned into heat, or released by a receding edge, since the beginning, J; None without
-    /// `heat`.
+    /// The energy turned into heat, or released by a receding edge, since the beginning, J; None with
+    /// `heat=False`.
     #[getter]
     fn dissipated(&self) -> Option<f64> {
         self.law.dissipated()
     }
 
-    /// What the last step did: 'separated', 'adhesion', 'release', 'slip', 'reversal', 'overlay' or
+    /// The regime of the last step: 'separated', 'adhesion', 'release', 'slip', 'reversal', 'overlay' or
     /// 'sliding'.
     #[getter]
     fn regime(&self) -> PyResult<String> {
@@ -144,20 +153,22 @@ impl Contact {
         self.law.sticking()
     }
 
-    /// The derivatives of (F_x, F_y, F_z), rows, by (xi, eta, zeta), columns, N/m. Not of law 'rings'.
+    /// The tangent stiffness: derivatives of (F_x, F_y, F_z), rows, by (xi, eta, zeta), columns, N/m. Not for
+    /// law 'rings'.
     #[getter]
     fn tangent(&self) -> PyResult<[[f64; 3]; 3]> {
         Ok(self.law.shift_law()?.tangent())
     }
 
-    /// The traction over the greatest friction, at the elliptical radius r = sqrt(x^2/a^2 + y^2/b^2);
-    /// None without friction or without slip. Not of law 'rings'.
+    /// The traction over the friction limit at the centre of the contact, as a function of the elliptical
+    /// radius r = sqrt(x^2/a^2 + y^2/b^2); None without friction or with infinite friction. Not for law
+    /// 'rings'.
     fn traction(&self, r: f64) -> PyResult<Option<(f64, f64)>> {
         Ok(self.law.shift_law()?.traction(r * r).map(|[x, y]| (x, y)))
     }
 
-    /// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
-    /// new ones. Not of law 'rings'.
+    /// Rotates the contact axes by an angle (radians, from x to y); the state is transformed to the new axes.
+    /// Not for law 'rings'.
     fn turn_frame(&mut self, angle: f64) -> PyResult<()> {
         RangeError::finite("angle", angle).map_err(Fault::from)?;
         self.law.turn_frame(angle)
@@ -193,7 +204,7 @@ impl Contact {
     }
 }
 
-/// Real numbers in a line, of any kind.
+/// A one-dimensional array of real numbers, from any Python object.
 fn line(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     let read = given.py().import("carom._arrays")?.call_method1("path", (name, given))?;
     let numbers: Numbers<'_> = read.extract()?;

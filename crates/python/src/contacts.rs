@@ -16,9 +16,9 @@ use crate::room;
 use crate::threads::without_python;
 use crate::walked::{Constants, Member, check};
 
-/// Vertices of each memory.
+/// Capacity of the history of each contact, in load reversals.
 const VERTICES: usize = 16;
-/// Contacts that a thread takes at least.
+/// Least number of contacts for a thread.
 const SHARE: usize = 256;
 
 type Law<V> = ShiftLaw<V, Fixed<V, VERTICES>>;
@@ -30,7 +30,7 @@ enum Laws {
     Rings(Vec<RingLaw>),
 }
 
-/// The same for the laws of any kind.
+/// Evaluates one expression for each kind of law.
 macro_rules! of_any {
     ($laws:expr, $member:ident => $what:expr) => {
         match $laws {
@@ -41,7 +41,7 @@ macro_rules! of_any {
     };
 }
 
-/// Many contacts of the same constants, advanced together.
+/// Many contacts with the same constants, advanced together.
 #[pyclass(module = "carom._carom")]
 #[derive(Debug)]
 pub(crate) struct Contacts {
@@ -82,8 +82,8 @@ impl Contacts {
         of_any!(&self.laws, laws => laws.len())
     }
 
-    /// Advances each contact along its path of `steps` shifts: arrays of contacts times steps, in one
-    /// line. Writes the loads, (F_x, F_y, F_z) of each, with M_z where omega is given.
+    /// Advances each contact along its path of `steps` shifts; arrays of contacts times steps, flattened.
+    /// Writes the loads, (F_x, F_y, F_z) of each, with M_z where omega is given.
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn follow<'py>(
         &mut self,
@@ -104,7 +104,7 @@ impl Contacts {
         let omega = omega.as_ref().map(Numbers::as_slice).transpose()?;
         same_length("omega", omega.map_or(count, <[f64]>::len), count)?;
         if omega.is_some() && !matches!(self.laws, Laws::Rings(_)) {
-            return Err(PyValueError::new_err("omega: only of law = 'rings'"));
+            return Err(PyValueError::new_err("omega: for law = 'rings' only"));
         }
         let path = Path { eta: eta.unwrap_or(&[]), omega: omega.unwrap_or(&[]), ..path };
         let loads = loads.as_slice_mut()?;
@@ -129,14 +129,14 @@ impl Contacts {
         Ok(PyArray1::from_vec(py, energies))
     }
 
-    /// The present torques about the normal M_z, N m; 0 but for law 'rings'.
+    /// The present torques about the normal M_z, N m; nonzero for law 'rings' only.
     #[getter]
     fn torques<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let torques = of_any!(&self.laws, laws => told(laws, |law| [law.load().m_z])?);
         Ok(PyArray1::from_vec(py, torques))
     }
 
-    /// A bound of how much the coupling, which the law neglects, changes R_x; None if it is not known.
+    /// Upper bound of the change of R_x by coupling, which the law neglects; None if unknown.
     #[getter]
     fn coupling_bound(&self) -> PyResult<Option<f64>> {
         self.constants.coupling_bound()
@@ -186,9 +186,9 @@ struct Path<'a> {
     steps: usize,
     zeta: &'a [f64],
     xi: &'a [f64],
-    /// Empty for none.
+    /// Empty if not given.
     eta: &'a [f64],
-    /// Empty for none.
+    /// Empty if not given.
     omega: &'a [f64],
 }
 
@@ -200,12 +200,12 @@ impl Path<'_> {
         Shift { zeta: self.zeta[i], xi: self.xi[i], eta, omega }
     }
 
-    /// The numbers of a load.
+    /// Number of components of a load.
     const fn width(&self) -> usize {
         if self.omega.is_empty() { 3 } else { 4 }
     }
 
-    /// All or none.
+    /// Advances all contacts along their paths; if a shift is out of range, none is advanced.
     fn follow<L: Member>(
         &self,
         laws: &mut [L],
@@ -222,7 +222,7 @@ impl Path<'_> {
         let walk = |(contact, (law, loads)): (usize, (&mut L, &mut [f64]))| {
             for (step, load) in loads.chunks_exact_mut(width).enumerate() {
                 if let Ok(got) = law.advance(self.at(contact * steps + step)) {
-                    load.copy_from_slice(&[got.f_x, got.f_y, got.f_z, got.m_z][..width]); // always: it was checked
+                    load.copy_from_slice(&[got.f_x, got.f_y, got.f_z, got.m_z][..width]); // cannot fail: checked above
                 }
             }
         };
@@ -242,7 +242,7 @@ impl Path<'_> {
     }
 }
 
-/// So many contacts in the state of one.
+/// `count` contacts in the same state.
 fn equal<L: Member>(law: &L, count: usize) -> Result<Vec<L>, Fault> {
     let mut laws = room::vector("count", count)?;
     laws.resize(count, law.clone());
@@ -255,7 +255,7 @@ fn copied<L: Member>(laws: &[L]) -> Result<Vec<L>, Fault> {
     Ok(others)
 }
 
-/// So many numbers of each contact, one contact after the other.
+/// `N` numbers of each contact, one contact after the other.
 fn told<L: Member, const N: usize>(
     laws: &[L],
     tell: impl Fn(&L) -> [f64; N],
@@ -281,7 +281,7 @@ fn packed<L: Member>(laws: &[L], each: usize) -> Result<Vec<f64>, Fault> {
     Ok(numbers)
 }
 
-/// All or none.
+/// Reads the states of all contacts; if one is not valid, none is changed.
 fn unpack<L: Member>(laws: &mut [L], numbers: &[f64], each: usize) -> Result<(), Fault> {
     if let Some(mut probe) = laws.first().cloned() {
         for (i, numbers) in numbers.chunks_exact(each).enumerate() {
@@ -289,7 +289,7 @@ fn unpack<L: Member>(laws: &mut [L], numbers: &[f64], each: usize) -> Result<(),
         }
     }
     for (law, numbers) in laws.iter_mut().zip(numbers.chunks_exact(each)) {
-        law.read(numbers)?; // always: it was tried
+        law.read(numbers)?; // cannot fail: tried above
     }
     Ok(())
 }

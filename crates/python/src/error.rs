@@ -1,4 +1,4 @@
-//! Errors as Python raises them.
+//! Errors as Python exceptions.
 
 use pyo3::exceptions::{PyException, PyValueError};
 use pyo3::prelude::*;
@@ -18,13 +18,13 @@ mod classes {
         carom,
         CaromError,
         PyException,
-        "Something that cannot be computed: bodies that do not touch, an impact that does not settle."
+        "Raised if something cannot be computed: bodies that do not touch, an impact that does not converge."
     );
 }
 
 pub(crate) use classes::{CaromError, RangeError};
 
-/// What went wrong, and at which entry of an array.
+/// An error, with the index of the array entry if there is one.
 #[derive(Debug)]
 pub(crate) struct Fault {
     index: Option<usize>,
@@ -38,12 +38,12 @@ enum Kind {
 }
 
 impl Fault {
-    /// Something that cannot be computed.
+    /// A computation that failed for another reason than a value out of range.
     pub(crate) fn other(error: impl std::fmt::Display) -> Self {
         Self { index: None, kind: Kind::Other(error.to_string()) }
     }
 
-    /// The same at an entry of an array.
+    /// The same error at an entry of an array.
     pub(crate) fn at(self, index: usize) -> Self {
         Self { index: Some(index), ..self }
     }
@@ -65,7 +65,7 @@ impl From<Fault> for PyErr {
         Python::attach(|py| {
             let error = RangeError::new_err(format!("{range}{at}"));
             let value = error.value(py);
-            // An exception has room for attributes; if not, its text says all.
+            // If the attributes cannot be set, the text of the exception still says everything.
             let _ = value.setattr("field", PyString::new(py, range.field));
             let _ = value.setattr("value", range.value);
             let _ = value.setattr("index", index);
@@ -80,7 +80,7 @@ impl From<carom::impact::oblique::ObliqueError> for Fault {
     }
 }
 
-/// Errors of carom that hold a range error or another.
+/// Conversions of error types that may hold a range error.
 macro_rules! fault_of {
     ($($error:ty: $range:pat => $inner:expr;)*) => {
         $(impl From<$error> for Fault {

@@ -12,15 +12,15 @@ use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
 
-/// A Hertz contact: two curvatures and two materials, all that does not depend on the load.
+/// A Hertz contact before it is loaded: two curvatures and two materials.
 ///
-/// Hertz(materials, curvature_a, curvature_b) is that of a gap A x^2 + B y^2, 1/m; Hertz.of_radii and
-/// hertz_of_spheres make it of radii, hertz() puts it under load.
+/// Hertz(materials, curvature_a, curvature_b) has the gap A x^2 + B y^2, A and B in 1/m. Hertz.of_radii and
+/// hertz_of_spheres make it from radii; hertz() computes it under load.
 #[pyclass(frozen, eq, from_py_object, module = "carom")]
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hertz(pub(crate) Contact);
 
-/// By what is told of it; from which radii it was made is forgotten.
+/// Contacts are equal if curvatures and materials are; the radii from which they were made do not count.
 impl PartialEq for Hertz {
     fn eq(&self, other: &Self) -> bool {
         self.curvature() == other.curvature() && self.0.materials() == other.0.materials()
@@ -29,7 +29,7 @@ impl PartialEq for Hertz {
 
 #[pymethods]
 impl Hertz {
-    /// The contact of a gap A x^2 + B y^2 (1/m).
+    /// The contact of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
     #[new]
     fn new(materials: MaterialPair, curvature_a: f64, curvature_b: f64) -> PyResult<Self> {
         let gap = RelativeCurvature::from_coefficients(curvature_a, curvature_b);
@@ -37,8 +37,8 @@ impl Hertz {
         Ok(Self(hertz.map_err(Fault::from)?))
     }
 
-    /// The contact of two bodies of principal radii (infinite: straight, negative: hollow), whose
-    /// first principal directions make an angle.
+    /// The contact of two bodies with given principal radii (infinite: straight, negative: concave) and angle
+    /// between their first principal directions.
     #[staticmethod]
     fn of_radii(
         materials: MaterialPair,
@@ -55,33 +55,34 @@ impl Hertz {
         Ok(Self(make()?))
     }
 
-    /// (c_x, c_y, c_z): full adhesion is dF = c sqrt(zeta) dshift. N/m^1.5.
+    /// The stiffnesses (c_x, c_y, c_z), N/m^1.5: in full adhesion dF = c sqrt(zeta) dshift, normally F_z =
+    /// (2/3) c_z zeta^1.5.
     #[getter]
     fn stiffness(&self) -> (f64, f64, f64) {
         let ContactStiffness { c_x, c_y, c_z } = self.0.stiffness();
         (c_x, c_y, c_z)
     }
 
-    /// The axis ratio a/b of the contact ellipse, the same under any load.
+    /// The axis ratio a/b of the contact ellipse; it does not depend on the load.
     #[getter]
     fn axis_ratio(&self) -> f64 {
         self.0.axis_ratio().get()
     }
 
-    /// The curvatures (A, B) of the gap, 1/m.
+    /// The coefficients (A, B) of the gap, 1/m.
     #[getter]
     fn curvature(&self) -> (f64, f64) {
         let gap = self.0.curvature();
         (gap.a(), gap.b())
     }
 
-    /// The materials.
+    /// The combined constants of the two materials.
     #[getter]
     fn materials(&self) -> MaterialPair {
         MaterialPair(self.0.materials())
     }
 
-    /// The loaded contact at what is given: "force", "approach", "semi_axis_a" or "semi_axis_b".
+    /// The loaded contact for given values of "force", "approach", "semi_axis_a" or "semi_axis_b".
     fn state<'py>(
         &self,
         py: Python<'py>,
@@ -93,7 +94,11 @@ impl Hertz {
             "approach" => Contact::at_approach,
             "semi_axis_a" => Contact::at_semi_axis_a,
             "semi_axis_b" => Contact::at_semi_axis_b,
-            _ => return Err(PyValueError::new_err(format!("a contact has no `{given}`"))),
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "unknown quantity `{given}` of a Hertz contact"
+                )));
+            }
         };
         let values = values.as_slice()?;
         let states = map(py, values.len(), |i| Ok(at(&self.0, values[i])?))?;
@@ -111,7 +116,7 @@ impl Hertz {
     }
 }
 
-/// What a contact is made of: a Hertz contact, or the three numbers of its stiffness.
+/// The stiffness of a contact as Python passes it: a Hertz contact or three numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Given {
     Hertz(Hertz),

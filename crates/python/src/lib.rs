@@ -1,5 +1,5 @@
-//! The native part of the Python module `carom`: arrays in, arrays out. What a user sees is in
-//! `python/carom`, which documents, broadcasts and wraps.
+//! The native part of the Python module `carom`: arrays in, arrays out. The package in `python/carom`
+//! documents, broadcasts and wraps it for users.
 
 mod arrays;
 mod bodies;

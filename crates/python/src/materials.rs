@@ -8,8 +8,8 @@ use crate::error::Fault;
 
 /// An isotropic elastic material.
 ///
-/// Material(young_modulus, poisson) or Material(shear_modulus=..., poisson=...), in Pa; an infinite
-/// modulus is a rigid body.
+/// Material(young_modulus, poisson) or Material(shear_modulus=..., poisson=...), moduli in Pa; an infinite
+/// modulus makes the body rigid.
 #[pyclass(frozen, eq, from_py_object, module = "carom")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Material(pub(crate) carom::halfspace::Material);
@@ -25,7 +25,7 @@ impl Material {
             (Some(modulus), None) => Material::from_young(modulus, poisson),
             (None, Some(modulus)) => Material::from_shear(modulus, poisson),
             _ => {
-                let text = "a material has either a young_modulus or a shear_modulus";
+                let text = "a material takes exactly one of young_modulus and shear_modulus";
                 return Err(PyTypeError::new_err(text));
             }
         };
@@ -102,19 +102,19 @@ impl MaterialPair {
         self.0.poisson()
     }
 
-    /// The coupling of normal and tangential displacements, 1/Pa.
+    /// Epsilon, the coupling of normal and tangential displacements, 1/Pa; 0 for like materials.
     #[getter]
     fn epsilon(&self) -> f64 {
         self.0.epsilon()
     }
 
-    /// The same without dimension.
+    /// Gamma, epsilon without dimension; 0 for like materials.
     #[getter]
     fn gamma(&self) -> f64 {
         self.0.gamma()
     }
 
-    /// The ratio of normal to tangential stiffness of spheres, (2 - nu)/(2 (1 - nu)).
+    /// Kappa, the ratio of normal to tangential stiffness of a circular contact, (2 - nu)/(2 (1 - nu)).
     #[getter]
     fn kappa(&self) -> f64 {
         self.0.kappa()

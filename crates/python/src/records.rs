@@ -1,4 +1,4 @@
-//! Results as columns: name, unit and meaning come from the tables that stand beside the results.
+//! Results as columns; their names, units and meanings come from the tables beside the Rust results.
 
 use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::hertz::HertzState;
@@ -9,10 +9,10 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Columns of words and texts, which are lists even where no record has one.
+/// Columns of texts. They are lists even if no record has a value.
 const TEXTS: [&str; 6] = ["outcome", "regimes", "method", "warnings", "regime", "twist_regime"];
 
-/// Name, unit, meaning and number of parts of each column of a result; of texts 0.
+/// Name, unit, meaning and number of components of each column of a result; 0 components for texts.
 #[pyfunction]
 pub(crate) fn columns(
     record: &str,
@@ -23,7 +23,7 @@ pub(crate) fn columns(
         "HistoryStep" => Ok(about(&history_columns())),
         "Rebound" => Ok(about(Outcome::COLUMNS)),
         "SolverStep" => Ok(about(&carom::solver::StepSummary::columns())),
-        _ => Err(PyValueError::new_err(format!("no result `{record}`"))),
+        _ => Err(PyValueError::new_err(format!("unknown result `{record}`"))),
     }
 }
 
@@ -35,16 +35,16 @@ fn about<R>(columns: &[Column<R>]) -> Vec<(&'static str, &'static str, &'static 
     columns.iter().map(one).collect()
 }
 
-/// Bytes that a record takes until its arrays are made: its own, those of its numbers and texts, and of a
-/// column on its way.
+/// Memory that one record takes until its arrays are made, in bytes: the record, its numbers and texts, and
+/// one column in conversion.
 pub(crate) fn bytes<R>(columns: &[Column<R>]) -> usize {
     let numbers: usize = columns.iter().map(|column| column.parts().len().max(1)).sum();
     let texts = columns.len() * size_of::<String>();
     size_of::<R>() + numbers * size_of::<f64>() + texts + size_of::<Value>()
 }
 
-/// Records as arrays, one for each column: numbers (n,), vectors (n, 3), texts as lists; what is absent
-/// is not a number, or empty.
+/// Converts records to one array for each column: numbers (n,), vectors (n, 3), texts as lists. A missing
+/// value is NaN or an empty text.
 pub(crate) fn arrays<'py, R>(
     py: Python<'py>,
     columns: &[Column<R>],

@@ -1,4 +1,4 @@
-//! Room in memory for what an argument asks for, and an error where there is none.
+//! Checks that there is enough memory for what an argument asks, and raises an error if not.
 
 use carom::halfspace::room;
 use carom::prelude::RangeError;
@@ -6,22 +6,22 @@ use pyo3::prelude::*;
 
 use crate::error::Fault;
 
-/// Bytes that are taken without asking the system, which takes some ten microseconds.
+/// Allocations up to this number of bytes are not checked: a check takes some ten microseconds.
 const FEW: u128 = 1 << 24;
-const ALLOWED: &str = "so many as the memory holds";
+const ALLOWED: &str = "few enough for the free memory";
 
-/// Ok if `count` things of `each` bytes, of the argument `field`, fit into the memory that is free.
+/// Checks that `count` items of `each` bytes, requested by the argument `field`, fit into the free memory.
 pub(crate) fn check(field: &'static str, count: usize, each: usize) -> Result<(), Fault> {
     let bytes = count as u128 * each as u128;
     RangeError::check(field, count as f64, bytes <= FEW || bytes <= room::available(), ALLOWED)?;
     Ok(())
 }
 
-/// An empty vector with room for `count` things of the argument `field`.
+/// An empty vector with room for `count` items, requested by the argument `field`.
 pub(crate) fn vector<T>(field: &'static str, count: usize) -> Result<Vec<T>, Fault> {
     check(field, count, size_of::<T>())?;
     let mut values = Vec::new();
-    // The room may have gone since it was asked for.
+    // The memory may have been taken since the check.
     RangeError::check(field, count as f64, values.try_reserve_exact(count).is_ok(), ALLOWED)?;
     Ok(values)
 }

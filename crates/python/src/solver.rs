@@ -1,4 +1,4 @@
-//! The numerical contact solver: heights and drives in, fields out.
+//! The numerical contact solver: gaps and drives in, fields out.
 
 use carom::halfspace::{Field, Point};
 use carom::prelude::{
@@ -18,16 +18,16 @@ use crate::materials::MaterialPair;
 use crate::records::arrays;
 use crate::threads::without_python;
 
-/// A motion: whether its load is given, not its shift, and the value.
+/// What drives one motion: true if its load is given, false if its shift is; and the value.
 type Given = (bool, f64);
 
-/// Two bodies on a grid, between two steps.
+/// Two bodies on a grid, with the state after the last step.
 #[pyclass(module = "carom")]
 pub(crate) struct Solver {
     problem: ContactProblem,
     method: Frictional,
     scratch: FrictionalScratch,
-    /// Whether the bodies end at the border, so that the contact may reach it.
+    /// Whether the bodies end at the border of the window, so that the contact may reach it.
     cut: bool,
     state: ContactState,
     next: ContactState,
@@ -68,7 +68,7 @@ impl Solver {
         })
     }
 
-    /// One step to what is given for approach, shift along x and y, and twist.
+    /// One step with given approach, shifts along x and y, and twist, or their loads.
     fn step<'py>(&mut self, py: Python<'py>, given: [Given; 4]) -> PyResult<Bound<'py, PyDict>> {
         let [normal, x, y, twist] = given.map(|(is_load, value)| match is_load {
             true => Driven::Load(value),
@@ -88,7 +88,8 @@ impl Solver {
         self.summary(py)
     }
 
-    /// The last step's numbers, then the state's fields: pressure, tractions, displacements, cells.
+    /// The numbers of the last step and the fields of the state: pressure, tractions, displacements, cell
+    /// states.
     #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
     fn state<'py>(
         &self,
@@ -98,7 +99,7 @@ impl Solver {
         (self.last.numbers().to_vec(), fields, cells)
     }
 
-    /// Goes on from a state that was read.
+    /// Restores a stored state.
     fn restore(
         &mut self,
         numbers: [f64; StepSummary::NUMBERS],
@@ -128,7 +129,7 @@ impl Solver {
             Some(displacement_y),
         ] = read
         else {
-            return Err(PyValueError::new_err("a field is missing"));
+            return Err(PyValueError::new_err("fields: one is missing"));
         };
         self.last = StepSummary::from_numbers(&numbers);
         self.state = ContactState {
@@ -143,12 +144,12 @@ impl Solver {
         Ok(())
     }
 
-    /// The last step in numbers.
+    /// Summary of the last step.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         arrays(py, &StepSummary::columns(), &[self.last])
     }
 
-    /// Stresses (xx, yy, zz, xy, yz, zx) at points of a body, 1 or 2, an array (n, 6).
+    /// Stresses (xx, yy, zz, xy, yz, zx) at points of body 1 or 2, an array (n, 6).
     fn stress<'py>(
         &self,
         py: Python<'py>,
@@ -183,7 +184,7 @@ fn reaches_border(state: &ContactState) -> bool {
         || (0..grid.ny()).any(|j| touches(0, j) || touches(right, j))
 }
 
-/// Friction of one number for all cells, or one for each.
+/// Friction with one coefficient for all cells, or one for each cell.
 fn surface(grid: Grid, friction: &[f64]) -> PyResult<SurfaceFriction> {
     let of = |value: &f64| Friction::new(*value).map_err(Fault::from);
     if let [value] = friction {

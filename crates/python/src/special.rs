@@ -12,7 +12,7 @@ use crate::error::Fault;
 
 type Array<'py> = PyResult<Bound<'py, PyArray1<f64>>>;
 
-/// A complete elliptic integral by its letter.
+/// The complete elliptic integral K, E, B, C or D, chosen by its letter.
 #[pyfunction]
 pub(crate) fn complete<'py>(py: Python<'py>, letter: &str, ratio: Numbers<'py>) -> Array<'py> {
     let function: fn(AxisRatio) -> f64 = match letter {
@@ -26,7 +26,7 @@ pub(crate) fn complete<'py>(py: Python<'py>, letter: &str, ratio: Numbers<'py>) 
     of_one(py, &ratio, |ratio| Ok(function(AxisRatio::new(ratio)?)))
 }
 
-/// An incomplete elliptic integral by its letter.
+/// The incomplete elliptic integral F, E or D, chosen by its letter.
 #[pyfunction]
 pub(crate) fn incomplete<'py>(
     py: Python<'py>,
@@ -46,7 +46,7 @@ pub(crate) fn incomplete<'py>(
 }
 
 fn unknown(letter: &str) -> PyErr {
-    PyValueError::new_err(format!("no elliptic integral `{letter}`"))
+    PyValueError::new_err(format!("unknown elliptic integral `{letter}`"))
 }
 
 /// The gamma function.

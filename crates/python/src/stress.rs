@@ -1,4 +1,4 @@
-//! Stresses in a body under a contact.
+//! Stresses in a body below a contact.
 
 use carom::halfspace::{Point, Traction};
 use carom::laws::field::partial_slip_stress;

@@ -1,4 +1,4 @@
-//! Contacts that twist.
+//! Contacts with a twist about the normal.
 
 use carom::laws::accounted::Accounted;
 use carom::laws::coulomb::packed_numbers;
@@ -15,8 +15,9 @@ use crate::arrays::{Numbers, of_one};
 use crate::error::Fault;
 use crate::hertz::Hertz;
 
-/// A contact that twists about its normal: Lubkin's law with memory, on an ellipse scaled to its initial
-/// stiffness and sliding torque. Copies and pickles.
+/// A contact that twists about its normal: Lubkin's solution with memory. An elliptical contact is
+/// approximated by a circular one with the same initial stiffness and sliding torque. Can be copied and
+/// pickled.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct Twist {
@@ -33,7 +34,8 @@ impl Twist {
         Ok(Self { hertz, friction, law })
     }
 
-    /// Goes straight to a new approach (m) and twist (radians) and returns (M_z, F_z), N m and N.
+    /// Moves the contact straight to a new approach (m) and twist (radians) and returns (M_z, F_z), N m and
+    /// N.
     #[pyo3(signature = (zeta, omega=0.0))]
     fn advance(&mut self, zeta: f64, omega: f64) -> PyResult<(f64, f64)> {
         let shift = Shift { zeta, omega, ..Shift::default() };
@@ -98,8 +100,8 @@ impl Twist {
     }
 }
 
-/// A contact that shifts and twists, each as if the other were absent: right as long as one is small.
-/// Copies and pickles.
+/// A contact with shift and twist, each computed as if the other were absent: accurate while one of them is
+/// small. Can be copied and pickled.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct ShiftTwist {
@@ -108,15 +110,15 @@ pub(crate) struct ShiftTwist {
     law: Accounted<ShiftTwistLaw>,
 }
 
-/// What a shift remembers, more than it ever grew to.
+/// Capacity of the history of the shift, more than was ever reached.
 const VERTICES: usize = 99;
 
-/// The law of a twist, at rest.
+/// The law of twist in its initial state.
 fn torsion(hertz: &Hertz, friction: f64) -> Result<TorsionLaw, Fault> {
     Ok(TorsionLaw::new(&hertz.0, Friction::new(friction)?)?)
 }
 
-/// The numbers of the law of a twist, all of them.
+/// All numbers of the packed law of twist.
 fn numbers_of(law: &TorsionLaw) -> Result<Vec<f64>, Fault> {
     let pieces = law.history().map_or(2 * VERTICES, |history| history.pieces().max(4));
     let mut numbers = vec![0.0; law::packed_numbers(pieces)];
@@ -133,7 +135,8 @@ impl ShiftTwist {
         Ok(Self { hertz, friction, law: Accounted::new(law) })
     }
 
-    /// Goes straight to a new shift (m) and twist (radians) and returns (F_x, F_y, F_z, M_z), N and N m.
+    /// Moves the contact straight to a new shift (m) and twist (radians) and returns (F_x, F_y, F_z, M_z), N
+    /// and N m.
     #[pyo3(signature = (zeta, xi=0.0, eta=0.0, omega=0.0))]
     fn advance(
         &mut self,
@@ -204,7 +207,7 @@ impl ShiftTwist {
     }
 }
 
-/// Lubkin's twist of a virgin contact: "torque" or "stick_radius" at a dimensionless twist.
+/// Lubkin's solution for the first twist of a contact: "torque" or "stick_radius" at a dimensionless twist.
 #[pyfunction]
 pub(crate) fn lubkin<'py>(
     py: Python<'py>,
@@ -214,7 +217,7 @@ pub(crate) fn lubkin<'py>(
     let of: fn(&Lubkin) -> f64 = match what {
         "torque" => Lubkin::torque,
         "stick_radius" => Lubkin::stick_radius,
-        _ => return Err(PyValueError::new_err(format!("no `{what}` of a twist"))),
+        _ => return Err(PyValueError::new_err(format!("unknown quantity `{what}` of a twist"))),
     };
     of_one(py, &twist, |twist| Ok(of(&Lubkin::at_twist(twist)?)))
 }

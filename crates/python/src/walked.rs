@@ -1,4 +1,4 @@
-//! The laws of a contact with memory, by one interface.
+//! One interface for the contact laws with memory.
 
 use carom::laws::accounted::Accounted;
 use carom::laws::coulomb::{Tolerance, packed_numbers};
@@ -16,19 +16,19 @@ use pyo3::prelude::*;
 use crate::error::Fault;
 use crate::hertz::Given;
 
-/// Vertices of the memory of one contact.
+/// Capacity of the history of one contact, in load reversals.
 pub(crate) const VERTICES: usize = 64;
-/// The word for the law of rings.
+/// The name of the law of rings.
 const RINGS: &str = "rings";
 
 pub(crate) type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], VERTICES>>;
 
-/// The law of a word.
+/// Parses the name of a law.
 fn turning_law(word: &str) -> PyResult<TurningLaw> {
     word.parse().map_err(|error: WordError| PyValueError::new_err(format!("{error}, or 'rings'")))
 }
 
-/// What a contact was made of.
+/// The arguments from which a contact was made.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Constants {
     pub(crate) given: Given,
@@ -54,7 +54,7 @@ impl Constants {
 
     pub(crate) fn rings(&self) -> PyResult<RingLaw> {
         let Given::Hertz(hertz) = &self.given else {
-            let text = "law = 'rings': stiffness must be a Hertz contact, whose materials it needs";
+            let text = "law = 'rings': stiffness must be a Hertz contact, since the law needs the materials";
             return Err(PyValueError::new_err(text));
         };
         let friction = Friction::new(self.friction).map_err(Fault::from)?;
@@ -62,8 +62,8 @@ impl Constants {
         Ok(RingLaw::new(&hertz.0, friction, tolerance).map_err(Fault::from)?)
     }
 
-    /// How much the coupling of dissimilar materials may change R_x where the law neglects it; None where the
-    /// materials are not known.
+    /// Upper bound of the change of R_x by the coupling of dissimilar materials where the law neglects it;
+    /// None for unknown materials.
     pub(crate) fn coupling_bound(&self) -> PyResult<Option<f64>> {
         let Given::Hertz(hertz) = &self.given else { return Ok(None) };
         if self.is_of_rings() {
@@ -73,7 +73,7 @@ impl Constants {
         Ok(Some(coupling_bound(hertz.0.materials().gamma(), friction)))
     }
 
-    /// Numbers that a state takes; that of a law with vertices has so many, and without slip each takes more.
+    /// Number of numbers of a packed state; without slip a stored load reversal takes more of them.
     pub(crate) fn numbers(&self, vertices: usize) -> usize {
         if self.is_of_rings() {
             return rings::packed_numbers(6, 8);
@@ -84,17 +84,17 @@ impl Constants {
         }
     }
 
-    /// As they are given to `__new__`.
+    /// The arguments of `__new__` that make the same contact, for pickling.
     pub(crate) fn arguments(&self) -> (Given, f64, String, f64) {
         (self.given, self.friction, self.law.clone(), self.tolerance)
     }
 }
 
-/// A law of one or many contacts.
+/// A law with memory that one or many contacts follow.
 pub(crate) trait Member: Checked<Error = RangeError> + Dissipative + Send + Sync {
     /// Writes the state as numbers.
     fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError>;
-    /// Takes up what was written.
+    /// Reads a state written by `write`.
     fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError>;
 }
 
@@ -118,7 +118,7 @@ impl Member for RingLaw {
     }
 }
 
-/// The law of one contact, with an account of the heat where it is asked for.
+/// The law of one contact, with an account of its heat if requested.
 #[derive(Debug, Clone)]
 pub(crate) enum Walked {
     Bare(Law),
@@ -128,7 +128,7 @@ pub(crate) enum Walked {
 }
 
 impl Walked {
-    /// In the state of a law that has dissipated so much.
+    /// A new law with the given heat so far.
     pub(crate) fn new(
         constants: &Constants,
         state: Option<&[f64]>,
@@ -148,16 +148,16 @@ impl Walked {
         })
     }
 
-    /// The law of shifts, if it is one.
+    /// The law of shifts; an error if the contact follows another law.
     pub(crate) fn shift_law(&self) -> PyResult<&Law> {
         match self {
             Self::Bare(law) => Ok(law),
             Self::Accounted(accounted) => Ok(accounted.law()),
-            _ => Err(PyValueError::new_err("law = 'rings' does not tell this")),
+            _ => Err(PyValueError::new_err("this quantity is not available for law = 'rings'")),
         }
     }
 
-    /// The law of rings, if it is one.
+    /// The law of rings, if the contact follows it.
     pub(crate) fn rings(&self) -> Option<&RingLaw> {
         match self {
             Self::Rings(law) => Some(law),
@@ -214,7 +214,7 @@ impl Walked {
         }
     }
 
-    /// What the last step did; of rings whether all, some or none of them stuck.
+    /// The regime of the last step; for the law of rings adhesion, slip or sliding by the share that stuck.
     pub(crate) fn regime(&self) -> PyResult<String> {
         let Some(law) = self.rings() else {
             return Ok(format!("{:?}", self.shift_law()?.regime()).to_lowercase());
@@ -260,7 +260,7 @@ fn restored<L: Member>(mut law: L, state: Option<&[f64]>) -> PyResult<L> {
     Ok(law)
 }
 
-/// The first shift where a law cannot go.
+/// Checks a shift; an error names its index.
 pub(crate) fn check<L: Member>(law: &L, shift: Shift, index: usize) -> Result<(), Fault> {
     law.check(shift).map_err(|error| Fault::from(error).at(index))
 }

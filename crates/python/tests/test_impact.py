@@ -82,7 +82,7 @@ def test_many_are_single_ones():
         assert many.warnings[i] == one.warnings
     given = carom.collide_many(BALL, PLATE, [0.1, 0.2])
     np.testing.assert_array_equal(given.body_1_velocity[1], carom.collide(BALL, PLATE, 0.2).body_1_velocity)
-    with pytest.raises(ValueError, match="one length"):
+    with pytest.raises(ValueError, match="same length"):
         carom.collide_many(BALL, PLATE, [0.1, 0.2], body_1_velocity=velocities)
     velocities[7, 1] = math.nan
     with pytest.raises(carom.RangeError) as caught:
@@ -178,7 +178,7 @@ def test_bodies_pickle_and_are_checked():
         carom.sphere(0.01, STEEL, -1.0)
     with pytest.raises(ValueError, match="radius"):
         carom.sphere(-0.01, STEEL, 1.0)
-    with pytest.raises(ValueError, match="no body 'cube'"):
+    with pytest.raises(ValueError, match="shape = 'cube'"):
         carom.Body("cube", [1.0], STEEL, 1.0)
     with pytest.raises(ValueError, match="quaternion"):
         carom.Body("sphere", [1.0], STEEL, 1.0, attitude=(2, 0, 0, 0))

@@ -1,18 +1,18 @@
-//! A new case: every field with what it means, those that a first case needs filled in.
+//! New cases: a commented file with every field, in which the necessary fields have values.
 
 use super::field::{Field, Form, Need, Word};
 use super::kind::CaseKind;
 
-/// Letters of a line, at most.
+/// Maximum number of characters of a line.
 const WIDTH: usize = 98;
 const HEAD: &str = "SI units; a number may also be a text with its unit, such as \"2.5 mm\". Fields \
-                    behind # may stand as well, or instead.";
+                    behind # are optional or alternatives.";
 const VARIED: &str = "Any number may be a sweep, as a list or { start, stop, count }, or uncertain, \
                       as { normal = { mean, sd } }, log_normal, { uniform = { low, high } } or \
                       { triangular = { low, mode, high } }; `carom schema impact` has them all.";
 
 impl CaseKind {
-    /// A commented case of this kind, with every field that it may have: it runs as it stands.
+    /// A commented case of this kind with all its fields, ready to run.
     #[must_use]
     pub fn begin(self) -> String {
         let mut text = String::new();
@@ -28,7 +28,7 @@ impl CaseKind {
     }
 }
 
-/// A table with its fields, then its tables; behind # if it is not `active`.
+/// Adds a table with its fields, then its tables; commented out unless `active`.
 fn add_table(text: &mut String, path: &str, table: &Field, is_active: bool) {
     text.push('\n');
     comment(text, &capital(&described(table)));
@@ -59,7 +59,7 @@ fn add_table(text: &mut String, path: &str, table: &Field, is_active: bool) {
     }
 }
 
-/// The value that a new case has, or shows.
+/// The value of a field in a new case.
 fn value(field: &Field, begun: Option<&str>) -> String {
     let example = match begun {
         Some(value) if !value.is_empty() => value,
@@ -71,7 +71,7 @@ fn value(field: &Field, begun: Option<&str>) -> String {
     }
 }
 
-/// Meaning, unit, range, shapes and default.
+/// Meaning, unit, range, shapes and default of a field.
 fn described(field: &Field) -> String {
     let mut parts = vec![field.meaning.to_owned()];
     let unit = field.measure().map_or("", |measure| measure.dimension.unit());
@@ -115,7 +115,7 @@ fn line(text: &mut String, line: &str, is_active: bool) {
     text.push_str(&format!("{sign}{line}\n"));
 }
 
-/// Words behind #, wrapped.
+/// Adds a wrapped comment.
 fn comment(text: &mut String, words: &str) {
     let mut line = String::from("#");
     for word in words.split_whitespace() {

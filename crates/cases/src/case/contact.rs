@@ -1,4 +1,4 @@
-//! What all impacts say in `[contact]`: friction, law, torsion.
+//! The fields of `[contact]` that all impacts share: friction, law, torsion, loss.
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Word};
@@ -10,10 +10,10 @@ use carom_numerical::CollisionLaw;
 
 pub(super) const COULOMB: &str = TurningLaw::Coulomb.name();
 const FIXED_DIRECTION: &str = TurningLaw::FixedDirection.name();
-const RINGS: Word = (COULOMB, "each ring slips by itself");
+const RINGS: Word = (COULOMB, "exact return mapping at each depth of the contact");
 const ONE_DIRECTION: Word =
-    (FIXED_DIRECTION, "one direction of traction in a slip ring, as in chapter 7");
-/// The laws of a history of shifts, where these turn.
+    (FIXED_DIRECTION, "one direction of traction in a slip annulus, as in chapter 7");
+/// The laws of a history of shifts, for paths that turn.
 pub(super) const LAWS_OF_SHIFTS: &[Word] = &[RINGS, ONE_DIRECTION];
 
 pub(super) const FRICTION: Field =
@@ -24,58 +24,58 @@ pub(super) const LAW: Field = Field::new(
     Form::Word(&[
         (
             CollisionLaw::Auto.name(),
-            "the cheapest law in which the coupling of unlike materials counts",
+            "the cheapest law that accounts for the coupling of dissimilar materials",
         ),
         RINGS,
         ONE_DIRECTION,
-        (CollisionLaw::Rings.name(), "rings that know coupling and spin, for spheres and planes"),
-        (CollisionLaw::Numerical.name(), "the contact on a grid, also of unlike materials"),
+        (
+            CollisionLaw::Rings.name(),
+            "concentric rings, with coupling and spin, for spheres and planes",
+        ),
+        (CollisionLaw::Numerical.name(), "the contact on a grid, with coupling"),
     ]),
-    "the contact law; coulomb and fixed-direction neglect the coupling of unlike materials",
+    "the contact law; coulomb and fixed-direction neglect the coupling of dissimilar materials",
 )
 .default(Default::Word(CollisionLaw::Auto.name()));
-/// The law of a scene: a ball and planes turn alike about all tangents, so that rings know all that a grid does.
+/// The law of a scene. A ball on planes has circular contacts, so that the law of rings replaces the grid.
 pub(super) const LAW_OF_SCENE: Field = Field::new(
     "law",
     Form::Word(&[
         (
             CollisionLaw::Auto.name(),
-            "the cheapest law in which the coupling of unlike materials counts",
+            "the cheapest law that accounts for the coupling of dissimilar materials",
         ),
-        (COULOMB, "the exact impact, which neglects the coupling of unlike materials"),
-        (CollisionLaw::Rings.name(), "rings that know coupling and spin"),
+        (COULOMB, "the exact impact, which neglects the coupling of dissimilar materials"),
+        (CollisionLaw::Rings.name(), "concentric rings, with coupling and spin"),
     ]),
     "the contact law of all bounces",
 )
 .default(Default::Word(CollisionLaw::Auto.name()));
-pub(super) const TORSION: Field = Field::new(
-    "torsion",
-    Form::Switch,
-    "whether friction acts on the spin about the normal too",
-)
-.may("friction acts on it where that matters: of spheres and planes, by the laws auto and rings")
-.such_as("true");
+pub(super) const TORSION: Field =
+    Field::new("torsion", Form::Switch, "whether friction acts on the spin about the normal")
+        .may("where that matters: for spheres and planes with the laws auto and rings")
+        .such_as("true");
 pub(super) const NORMAL_RESTITUTION: Field = Field::number(
     "normal_restitution",
     Range::Part.pure(),
-    "normal velocity after over that before; below 1 the material takes energy, beyond the elastic theory",
+    "normal velocity after the impact over that of an elastic one; below 1 the material dissipates energy",
 )
 .default(Default::Number(1.0));
 pub(super) const WAVE_LOSS: Field = Field::new(
     "wave_loss",
     Form::Switch,
-    "whether elastic waves take their share of the normal energy",
+    "whether the energy that elastic waves carry away is lost",
 )
 .default(Default::False);
 
-/// What the material takes, of an impact or a wall.
+/// Reads the coefficient of normal restitution of an impact or a wall.
 pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitution, CaseError> {
     if !section.switch(&WAVE_LOSS)? {
         let coefficient = section.number(&NORMAL_RESTITUTION)?;
         return NormalRestitution::new(coefficient).map_err(|error| section.refused(error));
     }
     if section.has(&NORMAL_RESTITUTION) {
-        let reason = "it is what waves leave";
+        let reason = "the loss by waves determines it";
         return Err(section.conflict(&NORMAL_RESTITUTION, &WAVE_LOSS, reason));
     }
     Ok(NormalRestitution::by_waves())
@@ -87,7 +87,7 @@ pub(super) fn torsion_mode(section: &Section<'_>) -> Result<TorsionMode, CaseErr
     Ok(told.into())
 }
 
-/// The law of a word.
+/// The law with a given name, which the reader has checked.
 pub(super) fn turning_law(word: &str) -> TurningLaw {
     word.parse().unwrap_or_default()
 }
@@ -103,7 +103,7 @@ pub struct Contact {
     pub torsion: TorsionMode,
     /// The line of `torsion`, or 0 if it is not there.
     pub torsion_line: usize,
-    /// What the material takes.
+    /// The loss in the material.
     pub normal_restitution: NormalRestitution,
 }
 
@@ -116,7 +116,7 @@ impl Contact {
         let is_numerical = law == CollisionLaw::Numerical;
         let (torsion, torsion_line) = (torsion_mode(contact)?, contact.line(&TORSION));
         if is_numerical && torsion == TorsionMode::Included {
-            let reason = "the numerical law leaves the spin about the normal alone";
+            let reason = "the numerical law does not apply friction to the spin about the normal";
             return Err(contact.conflict(&TORSION, &LAW, reason));
         }
         if is_numerical && friction.is_infinite() {

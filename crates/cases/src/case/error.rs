@@ -1,34 +1,34 @@
-//! What can be wrong with a case file. Each message names the field and what is allowed.
+//! Errors in case files. Each message names the field and what is allowed.
 
 use carom_impact::{CollisionError, NormalSpinError};
 use carom_laws::curvature::CurvatureError;
 
-/// What is wrong with a case file.
+/// An error in a case file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CaseError {
-    /// It is not TOML.
+    /// The text is not TOML.
     #[error("line {line}: {message}")]
     Syntax {
         /// Line, from 1.
         line: usize,
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
-    /// A name that means nothing there.
+    /// An unknown field.
     #[error("line {line}: unknown field `{field}`{}; {table} takes {valid}", nearest.as_ref().map_or_else(String::new, |name| format!(", did you mean `{name}`?")))]
     Unknown {
         /// The name with its path.
         field: String,
         /// Line, from 1.
         line: usize,
-        /// The table it stands in.
+        /// The table that contains it.
         table: String,
-        /// The valid name most like it, if one is.
+        /// The most similar valid name, if one is similar.
         nearest: Option<&'static str>,
         /// All valid names.
         valid: String,
     },
-    /// A field that must be there is not.
+    /// A necessary field is missing.
     #[error("`{field}` is missing: must be {allowed}")]
     Missing {
         /// The field with its path.
@@ -61,7 +61,7 @@ pub enum CaseError {
         allowed: String,
     },
     /// Two fields that exclude each other.
-    #[error("line {line}: `{field}` cannot stand beside `{other}`: {reason}")]
+    #[error("line {line}: `{field}` excludes `{other}`: {reason}")]
     Conflict {
         /// The field with its path.
         field: String,
@@ -72,22 +72,22 @@ pub enum CaseError {
         /// Why.
         reason: &'static str,
     },
-    /// The surfaces make no elliptical contact.
+    /// The surfaces have no elliptical contact.
     #[error("`body_1.radii`, `body_2.radii`: {0}")]
     Curvature(CurvatureError),
-    /// The bodies make no contact that can be computed.
+    /// The bodies have no contact that can be computed.
     #[error("line {line}: `{field}`: {source}{hint}")]
     Collision {
-        /// The field to blame with its path.
+        /// The field that causes it, with its path.
         field: String,
         /// Line, from 1.
         line: usize,
         /// Why.
         source: Box<CollisionError>,
-        /// What may help, or nothing.
+        /// A hint for the user, or an empty text.
         hint: &'static str,
     },
-    /// The torsional impact that was asked for cannot be given.
+    /// A torsional impact was requested but cannot be computed.
     #[error("line {line}: `contact.torsion`: {source}")]
     Torsion {
         /// Line, from 1.

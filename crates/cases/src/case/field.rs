@@ -1,5 +1,5 @@
-//! Fields of case files, each written once: name, kind, range, unit, default and meaning. What reads
-//! a case, what says what is wrong with it, `carom new`, `carom check` and `carom schema` look here.
+//! Fields of case files, each defined once: name, kind, range, unit, default and meaning. The reader, its
+//! error messages, `carom new`, `carom check` and `carom schema` all use these definitions.
 
 use super::range::End;
 use super::unit::Measure;
@@ -12,28 +12,28 @@ use std::sync::{Mutex, PoisonError};
 pub struct Field {
     /// Its name in the table that holds it.
     pub name: &'static str,
-    /// What stands there.
+    /// The kind of its value.
     pub form: Form,
-    /// Whether it must be there, and what holds if it is not.
+    /// Whether it is necessary, and its default if it is not.
     pub need: Need,
-    /// What it is, in a few words.
+    /// Its meaning in a few words.
     pub meaning: &'static str,
-    /// A good value, as TOML; the default if it is empty.
+    /// An example value as TOML; the default if it is empty.
     pub(super) example: &'static str,
-    /// The words of `shape` that it belongs to; all if there are none.
+    /// The shapes that have this field; empty for all.
     pub(super) shapes: &'static [&'static str],
-    /// What a new case sets in this table, beside what must be there: fields and their values,
-    /// those of the examples if these are empty.
+    /// Fields that a new case sets in this table, beside the necessary ones, with their values; an empty
+    /// value stands for the example.
     pub(super) begun: &'static [(&'static Field, &'static str)],
 }
 
 /// A word with its meaning.
 pub type Word = (&'static str, &'static str);
 
-/// What may stand in a field.
+/// The kind of value of a field.
 #[derive(Debug, Clone, Copy)]
 pub enum Form {
-    /// A number; in an impact also several, or a distribution.
+    /// A number; in an impact also a sweep or a distribution.
     Number(Measure),
     /// A number, a list, or a range with a count.
     Numbers(Measure),
@@ -41,17 +41,17 @@ pub enum Form {
     Pair(Measure),
     /// A list of numbers, at least one.
     List(Measure),
-    /// A list with a number for each part, and what this is in words.
+    /// A list with one number for each component, with a description.
     Vector(&'static [&'static str], Measure, &'static str),
-    /// One of these words, or a list with a number for each part.
+    /// One of these words, or a list with one number for each component.
     WordOrVector(&'static [Word], &'static [&'static str], Measure, &'static str),
-    /// A list of such lists.
+    /// A list of rows of numbers.
     Rows(Rows),
     /// One of these words.
     Word(&'static [Word]),
     /// Any text, and what it is.
     Text(&'static str),
-    /// True or false.
+    /// Any text, with a description.
     Switch,
     /// A table.
     Table(&'static [Field]),
@@ -62,47 +62,47 @@ pub enum Form {
 /// Rows of numbers.
 #[derive(Debug, Clone, Copy)]
 pub struct Rows {
-    /// The numbers of a row.
+    /// The columns of a row.
     pub parts: &'static [&'static str],
     /// Their ranges.
     pub measures: &'static [Measure],
-    /// Numbers at the end that a row may lack; they are 0 then.
+    /// Number of columns at the end that may be omitted; they are then 0.
     pub optional: usize,
-    /// Rows, at least.
+    /// Minimum number of rows.
     pub least: usize,
-    /// What they are.
+    /// A description of the rows.
     pub words: &'static str,
 }
 
-/// Whether a field must be there.
+/// Whether a field is necessary.
 #[derive(Debug, Clone, Copy)]
 pub enum Need {
-    /// It must.
+    /// It is necessary.
     Must,
-    /// It, or what these words name.
+    /// It, or the alternative that the text names.
     Or(&'static str),
-    /// If not, this holds.
+    /// Optional, with this default.
     Default(Default),
-    /// It need not, and this is what its absence means.
+    /// Optional; the text says what its absence means.
     May(&'static str),
 }
 
-/// What holds in the place of a field that is not there.
+/// The default of an optional field.
 #[derive(Debug, Clone, Copy)]
 pub enum Default {
-    /// A number, in the plain unit.
+    /// A number, in the base unit.
     Number(f64),
     /// Numbers.
     List(&'static [f64]),
     /// A word.
     Word(&'static str),
-    /// Not so.
+    /// False.
     False,
 }
 
 /// The axes of a vector.
 pub(super) const AXES: &[&str] = &["x", "y", "z"];
-/// The same in words.
+/// The same, described in words.
 pub(super) const XYZ: &str = "three numbers [x, y, z]";
 
 impl Field {
@@ -151,17 +151,17 @@ impl Field {
         Self { begun, ..self }
     }
 
-    /// The same with numbers in another range or unit.
+    /// The field with another range or unit.
     pub(super) const fn measured(self, measure: Measure) -> Self {
         Self { form: Form::Number(measure), ..self }
     }
 
-    /// Whether it belongs to this shape.
+    /// Whether this shape has the field.
     pub(super) fn is_of(&self, shape: Option<&str>) -> bool {
         self.shapes.is_empty() || shape.is_none_or(|shape| self.shapes.contains(&shape))
     }
 
-    /// The fields of a table; none otherwise.
+    /// The fields of a table; empty for other kinds.
     #[must_use]
     pub const fn fields(&self) -> &'static [Self] {
         match self.form {
@@ -184,7 +184,7 @@ impl Field {
         }
     }
 
-    /// What must stand there, in words.
+    /// The allowed values, in words.
     #[must_use]
     pub fn allowed(&self) -> String {
         match self.form {
@@ -206,7 +206,7 @@ impl Field {
         }
     }
 
-    /// The default as it would stand in a case; none if there is none.
+    /// The default as written in a case; none if there is none.
     #[must_use]
     pub fn default_text(&self) -> Option<String> {
         let Need::Default(default) = self.need else { return None };
@@ -219,7 +219,7 @@ impl Field {
     }
 }
 
-/// Words in quotation marks, `last` before the last.
+/// Words in quotation marks, with `last` before the last one.
 fn quoted(words: &[Word], last: &str) -> String {
     if let [(word, why)] = words {
         return format!("{word:?} ({why})");
@@ -234,13 +234,13 @@ fn quoted(words: &[Word], last: &str) -> String {
 /// A field with its path.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// The names of its tables and its own, with dots; tables that there may be many of end in `[]`.
+    /// The names of its tables and its own, joined by dots; `[]` marks arrays of tables.
     pub path: String,
     /// The field.
     pub field: Field,
 }
 
-/// The fields, each table followed by its own.
+/// All fields, each table followed by its own fields.
 #[must_use]
 pub fn entries(fields: &[Field]) -> Vec<Entry> {
     let mut found = Vec::new();
@@ -263,12 +263,14 @@ impl Entry {
     /// The columns of a schema.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("field", "", "name with its path", |entry| entry.path.clone().into()),
-        Column::new("kind", "", "what stands there", |entry| entry.kind().into()),
-        Column::new("allowed", "", "in words", |entry| match entry.field.measure() {
-            Some(measure) => measure.range.allowed().into(),
-            None => entry.field.allowed().into(),
+        Column::new("kind", "", "kind of the value", |entry| entry.kind().into()),
+        Column::new("allowed", "", "allowed values in words", |entry| {
+            match entry.field.measure() {
+                Some(measure) => measure.range.allowed().into(),
+                None => entry.field.allowed().into(),
+            }
         }),
-        Column::new("unit", "", "of a plain number", |entry| match entry.field.form {
+        Column::new("unit", "", "unit of a plain number", |entry| match entry.field.form {
             Form::Rows(rows) => rows
                 .measures
                 .iter()
@@ -282,25 +284,29 @@ impl Entry {
             Need::Or(_) => "or".into(),
             Need::Default(_) | Need::May(_) => "may".into(),
         }),
-        Column::new("default", "", "if it is not there", |entry| entry.field.default_text().into()),
-        Column::new("shapes", "", "that it belongs to", |entry| match entry.field.shapes {
-            [] => Value::Absent,
-            shapes => shapes.to_vec().into(),
+        Column::new("default", "", "value if the field is missing", |entry| {
+            entry.field.default_text().into()
         }),
-        Column::new("meaning", "", "what it is", |entry| entry.field.meaning.into()),
-        Column::new("words", "", "to choose from", |entry| match entry.field.form {
+        Column::new("shapes", "", "shapes that have this field", |entry| {
+            match entry.field.shapes {
+                [] => Value::Absent,
+                shapes => shapes.to_vec().into(),
+            }
+        }),
+        Column::new("meaning", "", "meaning of the field", |entry| entry.field.meaning.into()),
+        Column::new("words", "", "allowed words", |entry| match entry.field.form {
             Form::Word(words) | Form::WordOrVector(words, ..) => {
                 words.iter().map(|(word, _)| *word).collect::<Vec<_>>().into()
             }
             _ => Value::Absent,
         }),
         Column::new("low", "", "lower end", |entry| entry.end(0).map(End::number).into()),
-        Column::new("low_is_in", "", "whether that is allowed", |entry| entry.is_in(0)),
+        Column::new("low_is_in", "", "whether the lower end is allowed", |entry| entry.is_in(0)),
         Column::new("high", "", "upper end", |entry| entry.end(1).map(End::number).into()),
-        Column::new("high_is_in", "", "whether that is allowed", |entry| entry.is_in(1)),
+        Column::new("high_is_in", "", "whether the upper end is allowed", |entry| entry.is_in(1)),
     ];
 
-    /// Those of a table to read.
+    /// The columns of a schema that fit a printed table.
     #[must_use]
     pub fn readable() -> &'static [Column<Self>] {
         &Self::COLUMNS[..8]
@@ -334,8 +340,8 @@ impl Entry {
     }
 }
 
-/// The path of one of these fields, or of a part of one, as a text that lasts; a path that they do not have is
-/// "a number of the case".
+/// The path of a field, or of a component of one, as a static text; an unknown path gives "a number of the
+/// case".
 pub(super) fn interned(fields: &[Field], path: &str) -> &'static str {
     static PATHS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
     let is_known = entries(fields).into_iter().any(|Entry { path: own, field }| {

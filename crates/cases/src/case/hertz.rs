@@ -17,8 +17,7 @@ const SEMI_AXIS_A: Field =
     load("semi_axis_a", LENGTH, "semi-axis of the contact along x").such_as("1e-4");
 const SEMI_AXIS_B: Field =
     load("semi_axis_b", LENGTH, "semi-axis of the contact along y").such_as("1e-4");
-const CONTACT: Field =
-    Field::new("contact", Form::Table(&[ANGLE]), "how the bodies lie on each other");
+const CONTACT: Field = Field::new("contact", Form::Table(&[ANGLE]), "orientation of the bodies");
 const LOAD: Field = Field::new(
     "load",
     Form::Table(&[FORCE, APPROACH, SEMI_AXIS_A, SEMI_AXIS_B]),
@@ -38,13 +37,13 @@ const fn load(name: &'static str, measure: Measure, meaning: &'static str) -> Fi
 pub struct HertzCase {
     /// The contact.
     pub hertz: Hertz,
-    /// What the loads are given by.
+    /// Which quantity the values give.
     pub given: Given,
-    /// The loads.
+    /// The values, one for each contact.
     pub values: Numbers,
 }
 
-/// What a load is given by.
+/// The quantity that gives the load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Given {
     /// The normal force, N.

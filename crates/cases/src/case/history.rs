@@ -16,19 +16,19 @@ use std::path::PathBuf;
 const LAW: Field = Field::new(
     "law",
     Form::Word(LAWS_OF_SHIFTS),
-    "how friction follows a shift whose direction turns",
+    "law of friction where the direction of the shift turns",
 )
 .default(Default::Word(COULOMB));
 const TOLERANCE: Field = Field::number(
     "tolerance",
     Range::LawTolerance.pure(),
-    "tolerance of the law \"coulomb\", over the largest shift",
+    "tolerance of the law \"coulomb\", relative to the largest shift",
 )
 .default(Default::Number(1e-3));
 const CONTACT: Field = Field::new(
     "contact",
     Form::Table(&[ANGLE, FRICTION, LAW, TOLERANCE]),
-    "how the bodies lie on each other, and friction",
+    "orientation of the bodies, and friction",
 );
 const LENGTH: Measure = Range::Finite.of(Dimension::Length);
 const STEPS: Field = Field::new(
@@ -40,40 +40,39 @@ const STEPS: Field = Field::new(
         least: 1,
         words: "a list of rows [zeta, xi, eta] or [zeta, xi, eta, omega]",
     }),
-    "shifts of body 2 against body 1 after each step, and its twist",
+    "shifts of body 2 against body 1 after each step, and the twist",
 )
 .or("`file`")
 .such_as("[[1e-6, 0, 0], [1e-6, 2e-7, 0], [1e-6, 0, 0]]");
 const FILE: Field = Field::new(
     "file",
-    Form::Text("the name of a CSV file with the columns zeta, xi, eta and perhaps omega"),
-    "steps in plain units, relative to the case file",
+    Form::Text("the name of a CSV file with the columns zeta, xi, eta and optionally omega"),
+    "CSV file of the steps, in plain units; its path is relative to the case file",
 )
 .or("`steps`")
 .such_as("\"steps.csv\"");
-const HISTORY: Field =
-    Field::new("history", Form::Table(&[STEPS, FILE]), "the shifts that the contact goes through")
-        .begun(&[(&STEPS, "")]);
+const HISTORY: Field = Field::new("history", Form::Table(&[STEPS, FILE]), "the history of shifts")
+    .begun(&[(&STEPS, "")]);
 
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, HISTORY];
 
-/// A contact and the shifts it goes through.
+/// A contact and its history of shifts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistoryCase {
     /// The contact.
     pub hertz: Hertz,
     /// Coefficient of friction; infinite for no slip.
     pub friction: f64,
-    /// What is done where the direction of the shift turns.
+    /// The law of friction where the direction of the shift turns.
     pub law: TurningLaw,
-    /// How far Coulomb's law may be off.
+    /// Tolerance of the law `coulomb`.
     pub tolerance: Tolerance,
     /// The shifts.
     pub steps: Steps,
 }
 
-/// Where the shifts are given.
+/// The source of the shifts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Steps {
     /// In the case file.
@@ -111,7 +110,11 @@ impl HistoryCase {
 fn law(contact: &Section<'_>) -> Result<(TurningLaw, Tolerance), CaseError> {
     let law = turning_law(contact.word(&LAW)?);
     if law == TurningLaw::FixedDirection && contact.has(&TOLERANCE) {
-        return Err(contact.conflict(&TOLERANCE, &LAW, "a fixed direction needs none"));
+        return Err(contact.conflict(
+            &TOLERANCE,
+            &LAW,
+            "the law \"fixed-direction\" has no tolerance",
+        ));
     }
     let tolerance = Tolerance::new(contact.number(&TOLERANCE)?)
         .map_err(|error| contact.out_of_range(&TOLERANCE, error.value, error.allowed))?;

@@ -1,8 +1,8 @@
-//! The case file of `carom impact`: two bodies of any smooth shape and where they touch.
+//! The case file of `carom impact`: two bodies of any smooth shape and their contact point.
 //!
-//! SI units. z points into body 1. Without places body 1 lies on top of body 2 along z; with them
-//! the bodies touch where `[contact]` says so, or where a search finds it. A number may stand for
-//! several, a sweep, or be a distribution.
+//! SI units. z points into body 1. Without positions body 1 lies on top of body 2 along z. With positions the
+//! bodies touch where `[contact]` says so, or where a search finds the contact point. A number may be
+//! replaced by several values, a sweep, or by a distribution.
 
 use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, Velocity};
 use super::contact::{Contact, FRICTION, LAW, NORMAL_RESTITUTION, TORSION, WAVE_LOSS};
@@ -25,13 +25,13 @@ use toml::de::DeTable;
 const SPEED: Field = Field::number(
     "speed",
     Range::NonNegativeSpeed.of(Dimension::Speed),
-    "how fast body 1 moves in space",
+    "speed of body 1 in space",
 )
 .such_as("1");
 const ANGLE: Field = Field::number(
     "angle",
     Range::Incidence.of(Dimension::Degrees),
-    "between the velocity and the normal; the tangential part of the velocity is along +x, as far as that is tangential",
+    "angle of incidence, from the normal; the tangential velocity is along the projection of +x on the tangent plane",
 )
 .such_as("45");
 const APPROACH: Field = Field::new(
@@ -53,7 +53,7 @@ pub(super) const CONTACT: Field = Field::new(
         POINT_2,
         SEARCH,
     ]),
-    "friction, and where the bodies touch",
+    "friction and contact point",
 );
 
 /// All fields.
@@ -62,7 +62,7 @@ pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, UNCERTA
 /// An impact of two bodies.
 #[derive(Debug, Clone)]
 pub struct ImpactCase {
-    /// The bodies, touching, with their motions before.
+    /// The bodies in contact, with their motions before the impact.
     pub collision: Collision,
     /// Friction, law and torsion.
     pub contact: Contact,
@@ -70,7 +70,7 @@ pub struct ImpactCase {
     pub angle: Option<f64>,
 }
 
-/// The file of an impact, or of as many as its varied numbers make, read once.
+/// The case file of one or more impacts, parsed once.
 #[derive(Debug)]
 pub struct ImpactFile<'a> {
     source: &'a str,
@@ -84,9 +84,9 @@ impl<'a> ImpactFile<'a> {
     /// Reads the text of the file.
     ///
     /// # Errors
-    /// If the text is not TOML, a field is missing, unknown, out of range (the mean of a
-    /// distribution and every value of a sweep included) or in conflict with another, or the
-    /// bodies make no contact that can be computed.
+    /// If the text is not TOML, a field is missing, unknown, out of range (the mean of a distribution and
+    /// every value of a sweep included) or in conflict with another, or the bodies have no contact that can
+    /// be computed.
     pub fn parse(source: &'a str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let varied = Varied::new(FIELDS, Vec::new());
@@ -106,31 +106,31 @@ impl<'a> ImpactFile<'a> {
         Ok(Self { source, table, inputs, uncertainty, nominal })
     }
 
-    /// The impact with every distribution at its mean and a sweep at its first value.
+    /// The impact with the mean of every distribution and the first value of a sweep.
     #[must_use]
     pub const fn nominal(&self) -> &ImpactCase {
         &self.nominal
     }
 
-    /// The varied numbers, in the order of the file.
+    /// The numbers that vary, in the order of the file.
     #[must_use]
     pub fn inputs(&self) -> &[Input] {
         &self.inputs
     }
 
-    /// How its distributions are sampled, if it has any.
+    /// The sampling of its distributions, if it has any.
     #[must_use]
     pub const fn uncertainty(&self) -> Option<&Uncertainty> {
         self.uncertainty.as_ref()
     }
 
-    /// The field of its sweep and the values, if it has one.
+    /// The number that a sweep varies and its values, if there is a sweep.
     #[must_use]
     pub fn sweep(&self) -> Option<(&Input, &[f64])> {
         self.inputs.iter().find_map(|input| Some((input, input.sweep()?)))
     }
 
-    /// The impact with these values in the place of the varied numbers.
+    /// The impact with these values of the varied numbers.
     ///
     /// # Errors
     /// As [`ImpactFile::parse`].
@@ -169,11 +169,11 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }
 
-/// What two bodies cannot both be.
+/// Rejects combinations of bodies that have no impact.
 fn check_pair(case: &Section<'_>, bodies: &[BodyCase; 2]) -> Result<(), CaseError> {
     let [one, two] = bodies;
     if one.is_plane && two.is_plane {
-        let reason = "two planes do not meet in a point";
+        let reason = "two planes do not touch at a point";
         return Err(case.conflict([&BODY_2, &SHAPE], [&BODY_1, &SHAPE], reason));
     }
     if one.is_heavy() && two.is_heavy() {
@@ -186,12 +186,13 @@ fn check_pair(case: &Section<'_>, bodies: &[BodyCase; 2]) -> Result<(), CaseErro
         .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))
 }
 
-/// Body 1 coming at a speed under an angle.
+/// Speed and angle of incidence of body 1.
 #[derive(Debug, Clone, Copy)]
 struct Approach {
-    /// m/s.
+    /// Speed, m/s.
     speed: f64,
-    /// From the normal, degrees; the tangential velocity is along +x, as far as that is tangential.
+    /// Angle from the normal, degrees; the tangential velocity is along the projection of +x on the tangent
+    /// plane.
     angle: f64,
 }
 
@@ -202,7 +203,7 @@ impl Approach {
     }
 
     fn velocity(&self, normal: &Vector3<f64>) -> Vector3<f64> {
-        // The ends are exact: straight down, and grazing.
+        // Exact at both ends: normal and grazing incidence.
         let (sin, cos) = match self.angle {
             90.0 => (1.0, 0.0),
             angle => (libm::sin(angle.to_radians()), libm::cos(angle.to_radians())),
@@ -212,7 +213,8 @@ impl Approach {
         (along * sin - normal * cos) * self.speed
     }
 
-    /// The normal is known once the bodies touch, unless they approach each other: then it is z.
+    /// Brings the bodies into contact. The normal is that at the contact point; if a search needs the
+    /// velocity first, the angle of incidence is measured from z.
     fn meet(
         &self,
         one: &Body,

@@ -1,4 +1,4 @@
-//! The kinds of cases, what each takes, and what a file of one says.
+//! The kinds of cases, their fields, and what a file of each kind sets.
 
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
@@ -10,16 +10,16 @@ use carom_table::Column;
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 
-/// A kind of case, named as the command that takes it.
+/// A kind of case, named like the command that takes it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseKind {
-    /// An impact of two bodies, a sweep of impacts, or a scatter.
+    /// An impact of two bodies, a sweep of impacts, or a distribution of impacts.
     Impact,
     /// A contact under normal load.
     Hertz,
-    /// A contact that goes through a history of shifts.
+    /// A contact under a history of shifts.
     History,
-    /// A ball between walls.
+    /// A ball that bounces between walls.
     Scene,
     /// A contact on a grid.
     Solve,
@@ -33,7 +33,7 @@ impl FromStr for CaseKind {
     type Err = WordError;
 
     /// # Errors
-    /// [`WordError`] with the kinds that there are.
+    /// [`WordError`] with the names of all kinds.
     fn from_str(word: &str) -> Result<Self, WordError> {
         let kind = Self::ALL.into_iter().find(|kind| kind.name() == word);
         kind.ok_or_else(|| WordError::new("kind", word, &Self::NAMES))
@@ -41,7 +41,7 @@ impl FromStr for CaseKind {
 }
 
 impl CaseKind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 7] = [
         Self::Impact,
         Self::Hertz,
@@ -76,7 +76,7 @@ impl CaseKind {
         }
     }
 
-    /// What it is, in a sentence.
+    /// Its description, a sentence.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
@@ -86,7 +86,7 @@ impl CaseKind {
             Self::Scene => "A ball that flies under gravity and bounces between walls.",
             Self::Solve => "A contact with friction on a grid, step by step.",
             Self::Roll => "A rolling contact under creepage and spin.",
-            Self::Stress => "Stresses below a contact that is pressed and pushed.",
+            Self::Stress => "Stresses below a contact under normal and tangential load.",
         }
     }
 
@@ -104,7 +104,7 @@ impl CaseKind {
         }
     }
 
-    /// What may stand in the place of any of its numbers but those of `[uncertainty]`.
+    /// The forms that may replace any of its numbers, except those of `[uncertainty]`.
     #[must_use]
     pub const fn varied(self) -> &'static [Field] {
         match self {
@@ -113,7 +113,7 @@ impl CaseKind {
         }
     }
 
-    /// Its fields with their paths; what may stand in the place of a number at the end, under `*`.
+    /// Its fields with their paths. The forms that may replace a number come last, under `*`.
     #[must_use]
     pub fn entries(self) -> Vec<Entry> {
         let mut all = entries(self.fields());
@@ -125,7 +125,7 @@ impl CaseKind {
         all
     }
 
-    /// The kind of a file: that whose tables it has, as far as it has any, mistyped ones too.
+    /// The kind of a file, guessed from its tables; misspelt names count as well.
     ///
     /// # Errors
     /// If the text is not TOML.
@@ -148,12 +148,12 @@ impl CaseKind {
             2 * (there.len() as i32 - missed.count() as i32)
                 + like.iter().map(of_unknown).sum::<i32>()
         };
-        // The first of the best.
+        // The first of those that fit best.
         let best = Self::ALL.into_iter().rev().max_by_key(|kind| fit(*kind));
         Ok(best.unwrap_or(Self::Impact))
     }
 
-    /// Whether the file is such a case, all its values in their ranges.
+    /// Checks that the file is a valid case of this kind, with all values in their ranges.
     ///
     /// # Errors
     /// As the reader of the kind.
@@ -169,7 +169,7 @@ impl CaseKind {
         }
     }
 
-    /// What a file of this kind says, field by field, and what holds where it says nothing.
+    /// The value of each field of a file of this kind, with the default where the file does not set it.
     ///
     /// # Errors
     /// If the text is not TOML.
@@ -182,28 +182,32 @@ impl CaseKind {
     }
 }
 
-/// A field of a file.
+/// The value of one field of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Understood {
     /// Its path.
     pub field: String,
-    /// Its value, plain numbers in the plain unit; what holds without it.
+    /// Its value with numbers in the base unit, or its default.
     pub value: String,
     /// The unit.
     pub unit: &'static str,
-    /// Whether the file says it.
+    /// Whether the file sets it.
     pub is_given: bool,
 }
 
 impl Understood {
-    /// What is told of each.
+    /// The columns of the table of fields.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("field", "", "name with its path", |told| told.field.clone().into()),
-        Column::new("value", "", "numbers in the plain unit", |told| told.value.clone().into()),
-        Column::new("unit", "", "the plain unit", |told| told.unit.into()),
-        Column::new("from", "", "the file, or what holds without", |told| match told.is_given {
-            true => "file".into(),
-            false => "default".into(),
+        Column::new("value", "", "value, with numbers in the base unit", |told| {
+            told.value.clone().into()
+        }),
+        Column::new("unit", "", "base unit", |told| told.unit.into()),
+        Column::new("from", "", "whether the file or the default sets it", |told| {
+            match told.is_given {
+                true => "file".into(),
+                false => "default".into(),
+            }
         }),
     ];
 }

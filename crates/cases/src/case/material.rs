@@ -19,14 +19,14 @@ const POISSON: Field = Field::number("poisson", Range::Poisson.pure(), "Poisson'
     .or("`rigid = true`")
     .such_as("0.3");
 const RIGID: Field =
-    Field::new("rigid", Form::Switch, "whether it does not give way; of one body only")
+    Field::new("rigid", Form::Switch, "whether the body is rigid; only one of the two may be")
         .default(Default::False);
 
-/// The field of a body.
+/// The field `material` of a body.
 pub(super) const MATERIAL: Field = Field::new(
     "material",
     Form::Table(&[YOUNG, SHEAR, POISSON, RIGID]),
-    "what the body is made of: two elastic constants, or rigid",
+    "material: two elastic constants, or rigid",
 )
 .begun(&[(&YOUNG, ""), (&POISSON, "")]);
 

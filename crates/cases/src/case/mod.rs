@@ -1,5 +1,5 @@
-//! Case files: TOML, read strictly, in SI units or with units of their own. An unknown, missing or
-//! impossible field is an error that names it. Each kind of case has one table of its fields.
+//! Case files: TOML, in SI units or with units of their own. An unknown, missing or out-of-range field is an
+//! error that names it. Each kind of case has one table of its fields.
 
 mod begin;
 mod body;

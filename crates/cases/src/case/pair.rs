@@ -13,7 +13,7 @@ use carom_laws::hertz::Hertz;
 const RADII: Field = Field::new(
     "radii",
     Form::Pair(Range::Radius.of(Dimension::Length)),
-    "principal radii [r, r_across] (inf: straight, negative: hollow); one number: a sphere, or a plane",
+    "principal radii [r, r_across] (inf: straight, negative: concave); one number: both radii, a sphere or a plane",
 )
 .such_as("0.01");
 const SURFACE: &[Field] = &[RADII, MATERIAL];
@@ -32,7 +32,7 @@ pub(super) const ANGLE: Field = Field::number(
 /// direction of body 1 to that of body 2.
 ///
 /// # Errors
-/// If a field is missing, unknown or out of range, or the surfaces make no elliptical contact.
+/// If a field is missing, unknown or out of range, or the surfaces have no elliptical contact.
 pub(super) fn read(case: &Section<'_>, contact: &Section<'_>) -> Result<Hertz, CaseError> {
     let (radii_1, material_1) = read_surface(case, &BODY_1)?;
     let (radii_2, material_2) = read_surface(case, &BODY_2)?;

@@ -2,14 +2,14 @@
 
 use carom_laws::friction::Friction;
 
-/// The range of a number, with its words.
+/// The range of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
     /// Finite.
     Finite,
     /// A component of a velocity or spin.
     Speed,
-    /// A speed.
+    /// A speed, finite and >= 0.
     NonNegativeSpeed,
     /// Finite and > 0.
     Positive,
@@ -17,15 +17,15 @@ pub enum Range {
     PositiveOrInfinite,
     /// Finite and >= 0.
     NonNegative,
-    /// A coefficient of friction: 0, of a size that displacements over it do not overflow, or infinite.
+    /// A coefficient of friction: 0, infinite, or of a size at which displacements over it do not overflow.
     Friction,
     /// A Poisson's ratio.
     Poisson,
     /// A principal radius.
     Radius,
-    /// Degrees from the normal.
+    /// An angle of incidence, degrees from the normal.
     Incidence,
-    /// A part of a whole.
+    /// A fraction from 0 to 1.
     Part,
     /// The tolerance of a law.
     LawTolerance,
@@ -33,9 +33,9 @@ pub enum Range {
     SolveTolerance,
     /// The accuracy of a solution.
     Accuracy,
-    /// A number of values.
+    /// A number of values of a sweep, at least two.
     Count,
-    /// A number of things, at least one.
+    /// A number of items, at least one.
     Whole,
     /// A number of cells along an axis.
     Cells,
@@ -45,19 +45,19 @@ pub enum Range {
     Seed,
 }
 
-/// Values that a sweep may have at most.
+/// Largest number of values of a sweep.
 const MOST: f64 = 1e6;
-/// The largest whole number that a floating-point number holds with all before it.
+/// 2^53: up to it a floating-point number holds every whole number.
 const MOST_SEED: f64 = 9_007_199_254_740_992.0;
 /// The largest speed: its square is still finite.
 const MOST_SPEED: f64 = 1e100;
 
-/// The ends of a range.
+/// An end of a range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
-    /// It belongs to the range.
+    /// The number belongs to the range.
     In(f64),
-    /// It does not.
+    /// The number does not belong to it.
     Out(f64),
 }
 
@@ -100,7 +100,7 @@ impl Range {
         }
     }
 
-    /// Whether only whole numbers lie in it.
+    /// Whether the range holds whole numbers only.
     #[must_use]
     pub const fn is_whole(self) -> bool {
         matches!(self, Self::Count | Self::Whole | Self::Cells | Self::Elements | Self::Seed)
@@ -127,7 +127,7 @@ impl Range {
         is_above && is_below && is_fit && is_between
     }
 
-    /// What is allowed, in words.
+    /// The allowed values, in words.
     #[must_use]
     pub const fn allowed(self) -> &'static str {
         match self {
@@ -139,7 +139,7 @@ impl Range {
             Self::NonNegative => "finite and >= 0",
             Self::Friction => ">= 0 (0, 1e-30 to 1e30, or inf: no slip)",
             Self::Poisson => "in (-1, 0.5]",
-            Self::Radius => "nonzero (inf: straight, negative: hollow)",
+            Self::Radius => "nonzero (inf: straight, negative: concave)",
             Self::Incidence => "in [0, 90], degrees from the normal",
             Self::Part => "in [0, 1]",
             Self::LawTolerance => "> 0 and <= 0.1",

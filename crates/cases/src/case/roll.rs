@@ -40,35 +40,32 @@ const CONTACT: Field = Field::new(
 )
 .begun(&[(&SEMI_AXES, "")]);
 
-const SPEED: Field = Field::number(
-    "speed",
-    Range::Positive.of(Dimension::Speed),
-    "speed at which the contact rolls along x",
-)
-.such_as("20");
+const SPEED: Field =
+    Field::number("speed", Range::Positive.of(Dimension::Speed), "rolling speed, along x")
+        .such_as("20");
 const ALONG: Field = creepage(
     "creepage",
     Range::Finite.pure(),
-    "sliding of body 2 against body 1 along x over the speed",
+    "creepage along x: sliding velocity of body 2 against body 1 over the rolling speed",
 )
 .such_as("[0.0005, 0.001, 0.002, 0.004]");
-const ACROSS: Field = creepage("creepage_across", Range::Finite.pure(), "the same along y");
+const ACROSS: Field = creepage("creepage_across", Range::Finite.pure(), "creepage along y");
 const SPIN: Field = creepage(
     "spin",
     Range::Finite.of(Dimension::PerLength),
-    "turning of body 2 against body 1 about the normal for each length rolled",
+    "spin creepage: rotation of body 2 against body 1 about the normal per length rolled",
 );
 const DISTANCE: Field = Field::number(
     "distance",
     LENGTH,
-    "to roll from rest, step by step, under one creepage; at most 100 lengths of the contact",
+    "distance to roll from rest, step by step, with one creepage; at most 100 lengths of the contact",
 )
-.may("the steady state at once")
+.may("the steady state is computed directly")
 .such_as("0.03");
 const ROLLING: Field = Field::new(
     "rolling",
     Form::Table(&[SPEED, ALONG, ACROSS, SPIN, DISTANCE]),
-    "how the bodies roll; the creepages one value or several: a list, or { start, stop, count }",
+    "speed and creepages; a creepage is one value or several: a list, or { start, stop, count }",
 )
 .begun(&[(&SPEED, ""), (&ALONG, "")]);
 
@@ -76,12 +73,12 @@ const ELEMENTS_ACROSS: f64 = 20.0;
 const ELEMENTS: Field =
     Field::number("elements", Range::Elements.pure(), "cells across the contact, along both axes")
         .default(Default::Number(ELEMENTS_ACROSS));
-const GRID: Field = Field::new("grid", Form::Table(&[ELEMENTS]), "the cells").may("its defaults");
+const GRID: Field = Field::new("grid", Form::Table(&[ELEMENTS]), "the grid").may("its defaults");
 
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, ROLLING, GRID];
 
-/// Lengths of the contact that it may roll, at most.
+/// Longest rolling distance, in lengths of the contact.
 const MOST_LENGTHS: f64 = 100.0;
 
 const fn creepage(name: &'static str, measure: Measure, meaning: &'static str) -> Field {
@@ -93,13 +90,13 @@ const fn creepage(name: &'static str, measure: Measure, meaning: &'static str) -
 pub struct RollCase {
     /// The contact; x is the direction of rolling.
     pub hertz: Hertz,
-    /// The same under its load.
+    /// The contact under its load.
     pub loaded: HertzState,
     /// Coefficient of friction.
     pub friction: f64,
     /// Rolling speed, m/s.
     pub speed: f64,
-    /// The creepages, one after the other.
+    /// The creepages, each computed separately.
     pub creepages: Vec<Creepage>,
     /// How far it rolls from rest, m; none for the steady state.
     pub distance: Option<f64>,
@@ -160,7 +157,8 @@ fn read_contact(
     Ok((hertz, loaded))
 }
 
-/// Several of one creepage are combined with the one of the others, or one by one with as many.
+/// Reads the creepages. Several values of one are combined with the single value of another, or pairwise with
+/// as many.
 fn read_creepages(rolling: &Section<'_>) -> Result<Vec<Creepage>, CaseError> {
     let fields = [&ALONG, &ACROSS, &SPIN];
     let read = |field| match rolling.has(field) {
@@ -172,7 +170,7 @@ fn read_creepages(rolling: &Section<'_>) -> Result<Vec<Creepage>, CaseError> {
     let longest = (0..3).max_by_key(|i| all[*i].len()).unwrap_or(0);
     let count = all[longest].len();
     if let Some(i) = (0..3).find(|i| all[*i].len() > 1 && all[*i].len() != count) {
-        let reason = "several values of both must be equally many";
+        let reason = "both must have the same number of values";
         return Err(rolling.conflict(fields[i], fields[longest], reason));
     }
     let at = |values: &[f64], i: usize| values[i.min(values.len() - 1)];
@@ -188,7 +186,7 @@ fn read_distance(
     let Some(distance) = rolling.maybe(&DISTANCE)? else { return Ok(None) };
     if creepages > 1 {
         let several = [&ALONG, &ACROSS, &SPIN].into_iter().find(|field| rolling.has(*field));
-        let reason = "from rest a contact rolls under one creepage";
+        let reason = "rolling from rest takes a single creepage";
         return Err(rolling.conflict(&DISTANCE, several.unwrap_or(&ALONG), reason));
     }
     if distance > 2.0 * MOST_LENGTHS * semi_axis {

@@ -17,7 +17,7 @@ use carom_numerical::CollisionLaw;
 use carom_special::RangeError;
 
 const LENGTH_ABOVE_0: Measure = Range::Positive.of(Dimension::Length);
-const NAME: Field = Field::new("name", Form::Text("a text"), "how the results call the wall")
+const NAME: Field = Field::new("name", Form::Text("a text"), "name of the wall in the results")
     .may("its number")
     .such_as("\"floor\"");
 const POINT: Field = Field::vector(
@@ -29,11 +29,11 @@ const POINT: Field = Field::vector(
 const NORMAL: Field = Field::vector(
     "normal",
     Range::Finite.pure(),
-    "normal of the wall into the free side, of any length; a rectangle is hit from both sides",
+    "outward normal of the wall (need not be of unit length); a rectangle can be hit from both sides",
 )
 .such_as("[0, 0, 1]");
 const WHOLE_PLANE: &str =
-    "the wall is a plane without end; a rectangle has `along`, `length`, `width`";
+    "the wall is an infinite plane; a rectangle has `along`, `length`, `width`";
 const ALONG: Field = Field::vector("along", Range::Finite.pure(), "direction of the length")
     .may(WHOLE_PLANE)
     .such_as("[1, 0, 0]");
@@ -58,7 +58,7 @@ const WALL: Field = Field::new(
         NORMAL_RESTITUTION,
         WAVE_LOSS,
     ]),
-    "a plane held fast that the ball bounces off",
+    "a fixed wall, plane or rectangular",
 );
 const START: Field =
     Field::vector("start", Range::Finite.of(Dimension::Length), "centre of the ball at the start")
@@ -71,15 +71,14 @@ const GRAVITY: Field = Field::vector(
 )
 .such_as("[0, 0, -9.81]");
 const TIME: Field =
-    Field::number("time", Range::Positive.of(Dimension::Time), "time after which to stop")
-        .such_as("2");
+    Field::number("time", Range::Positive.of(Dimension::Time), "stops at this time").such_as("2");
 const BOUNCES: Field =
-    Field::number("bounces", Range::Whole.pure(), "after how many bounces to stop")
+    Field::number("bounces", Range::Whole.pure(), "stops after this number of bounces")
         .default(Default::Number(1000.0));
 const REBOUND_HEIGHT: Field = Field::number(
     "rebound_height",
     Range::NonNegative.of(Dimension::Length),
-    "a rebound that is lower counts as rest",
+    "rebounds below this height count as rest",
 )
 .default(Default::Number(0.0));
 const SETTING: Field = Field::new(
@@ -101,7 +100,7 @@ pub struct SceneCase {
     pub names: Vec<String>,
     /// The ball at its start.
     pub ball: Ball,
-    /// When to stop.
+    /// When the computation stops.
     pub limits: Limits,
     /// The contact law of all impacts.
     pub law: CollisionLaw,
@@ -155,7 +154,11 @@ fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseErro
     let BodyCase { body, has_position, .. } = BodyCase::read(case, &BALL, Velocity::Own)?;
     let mass = body.inertia().mass();
     if mass.is_infinite() {
-        return Err(case.out_of_range([&BALL, &MASS], mass, "finite: the walls turn it back"));
+        return Err(case.out_of_range(
+            [&BALL, &MASS],
+            mass,
+            "finite: a wall cannot reflect an infinite mass",
+        ));
     }
     let body = match has_position {
         true => body,
@@ -181,12 +184,12 @@ fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
     if wall.given([&ALONG, &LENGTH, &WIDTH]).is_empty() {
         return Ok(plane);
     }
-    // A rectangle has all three.
+    // A rectangle has length, width and direction.
     let half = [0.5 * wall.number(&LENGTH)?, 0.5 * wall.number(&WIDTH)?];
     plane.rectangle(wall.vector(&ALONG)?, half).map_err(at(wall))
 }
 
-/// The error that a value is out of the library's range, at the field of the library's name.
+/// Reports a value that the library rejects at the field with the same name.
 fn at<'a>(section: &'a Section<'_>) -> impl Fn(RangeError) -> CaseError + 'a {
     |error| section.refused(error)
 }

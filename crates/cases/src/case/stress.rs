@@ -11,13 +11,13 @@ use carom_laws::hertz::Hertz;
 const FRICTION: Field = Field::number(
     "friction",
     Range::NonNegative.pure(),
-    "coefficient of friction f; the forces along the surface must not exceed f times the normal one",
+    "coefficient of friction f; the tangential force must not exceed f times the normal force",
 )
 .such_as("0.3");
 const CONTACT: Field = Field::new(
     "contact",
     Form::Table(&[ANGLE, FRICTION]),
-    "how the bodies lie on each other, and friction",
+    "orientation of the bodies, and friction",
 );
 const FORCE: Field =
     Field::number("force", Range::Positive.of(Dimension::Force), "normal force").such_as("10");
@@ -29,16 +29,20 @@ const FORCE_X: Field = Field::number(
 .such_as("2");
 const FORCE_Y: Field =
     Field::number("force_y", Range::Finite.of(Dimension::Force), "the same along y").such_as("0");
-const LOAD: Field =
-    Field::new("load", Form::Table(&[FORCE, FORCE_X, FORCE_Y]), "the forces, grown from zero");
+const LOAD: Field = Field::new(
+    "load",
+    Form::Table(&[FORCE, FORCE_X, FORCE_Y]),
+    "the forces; the tangential force is applied after the normal one",
+);
 
 const ONE: &str = "body 1";
 const BODIES: &[Word] = &[(ONE, "to which z points"), ("body 2", "the other")];
-const INSIDE: Field = Field::new("inside", Form::Word(BODIES), "the body whose stresses these are")
-    .such_as("\"body 1\"");
+const INSIDE: Field =
+    Field::new("inside", Form::Word(BODIES), "the body in which stresses are computed")
+        .such_as("\"body 1\"");
 const X: Field = along("x", Range::Finite, "along the larger relative curvature")
     .such_as("{ start = -2e-4, stop = 2e-4, count = 41 }");
-const Y: Field = along("y", Range::Finite, "at right angles to x").such_as("0");
+const Y: Field = along("y", Range::Finite, "perpendicular to x").such_as("0");
 const DEPTH: Field = along("depth", Range::NonNegative, "below the surface")
     .such_as("{ start = 0, stop = 2e-4, count = 21 }");
 const POINTS: Field = Field::new(
@@ -50,21 +54,21 @@ const POINTS: Field = Field::new(
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, LOAD, POINTS];
 
-/// Points that a case may have at most.
+/// Largest number of points.
 const MOST: usize = 1_000_000;
 
 const fn along(name: &'static str, range: Range, meaning: &'static str) -> Field {
     Field::new(name, Form::Numbers(range.of(Dimension::Length)), meaning)
 }
 
-/// A contact pressed and pushed, and the points where its stresses are asked for.
+/// A contact under normal and tangential load, and the points at which stresses are computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressCase {
     /// The contact.
     pub hertz: Hertz,
     /// Coefficient of friction.
     pub friction: f64,
-    /// Force on body 1 along x and y, and the normal one, N.
+    /// Force on body 1 along x, along y and normal, N.
     pub force: [f64; 3],
     /// Whether the points lie in body 1.
     pub is_in_body_1: bool,

@@ -18,14 +18,14 @@ const PLACE: Measure = Range::Finite.of(Dimension::Length);
 pub(super) const SEARCH: Field = Field::new(
     "search",
     Form::Word(&[
-        (TOUCH, "the bodies touch where they are"),
-        (APPROACH, "body 1 goes on straight until they do"),
+        (TOUCH, "the bodies touch at their given positions"),
+        (APPROACH, "body 1 moves along its velocity until they touch"),
     ]),
     "how the contact point is found",
 )
 .default(Default::Word(TOUCH));
 pub(super) const POINT: Field = Field::vector("point", PLACE, "the contact point in space")
-    .may("it is found")
+    .may("found by a search")
     .such_as("[0, 0, 0]");
 pub(super) const POINT_1: Field = own("point_1", "the contact point in the axes of body 1");
 pub(super) const POINT_2: Field = own("point_2", "the contact point in the axes of body 2");
@@ -33,22 +33,22 @@ const OWN: &str = "three numbers [x, y, z], the contact point in the body's axes
 
 const fn own(name: &'static str, meaning: &'static str) -> Field {
     Field::new(name, Form::Vector(AXES, PLACE, OWN), meaning)
-        .may("it is found; the point of a surface of shape \"given\"")
+        .may("found by a search; for shape \"given\" its point")
         .such_as("[0, 0, -0.01]")
 }
 
-/// How the bodies touch.
+/// How the contact point is found.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Touch {
-    /// Body 1 on top of body 2 along this normal; the place of body 1 may be the one known.
+    /// Body 1 lies on top of body 2 with this normal; the position of body 1 may be given.
     Along { normal: Vector3<f64>, place_of_1: Option<Vector3<f64>> },
-    /// Where they are.
+    /// Both positions are given; a search finds the contact point.
     Found,
-    /// Where body 1 comes to.
+    /// Body 1 moves along its velocity until they touch.
     Approach,
-    /// At a point of space.
+    /// At a given point in space.
     At([f64; 3]),
-    /// At a point of each.
+    /// At a given point of each body.
     Own([[f64; 3]; 2]),
 }
 
@@ -75,7 +75,7 @@ impl Touch {
                 read_own(case, contact, &POINT_2, &BODY_2, &bodies[1])?,
             ]));
         }
-        // A plane without a position runs through the origin.
+        // A plane without a position passes through the origin.
         let unplaced = |body: &BodyCase| !body.has_position && !body.is_plane;
         let is_anywhere = bodies.iter().all(|body| !body.has_position);
         if !is_asked && (is_anywhere || bodies.iter().any(unplaced)) {
@@ -130,7 +130,7 @@ impl Touch {
         }
     }
 
-    /// The field that is to blame, with its line.
+    /// The field that causes the error, with its line.
     pub(super) fn at_fault(&self, case: &Section<'_>, source: CollisionError) -> CaseError {
         let body = |body: &u8| if *body == 1 { &BODY_1 } else { &BODY_2 };
         let own = |body: &u8| if *body == 1 { &POINT_1 } else { &POINT_2 };
@@ -162,7 +162,7 @@ impl Touch {
             (CollisionError::Search(_), _) => [&BODY_1, &SHAPE],
             _ => [&CONTACT, &POINT],
         };
-        // A field that the file leaves to its default has no line of its own.
+        // A field with its default value has no line.
         let (field, line) = match case.has(at) {
             true => (case.path(&at), case.line(at)),
             false => (CONTACT.name.to_owned(), case.line(&CONTACT)),
@@ -190,21 +190,21 @@ fn read_own(
     }
 }
 
-/// What may help.
+/// A hint for the user.
 fn hint(source: &CollisionError, touch: &Touch) -> &'static str {
     match (source, touch) {
         (CollisionError::Search(SearchError::NotTouching { gap, .. }), Touch::Found)
             if *gap > 0.0 =>
         {
-            "; `contact.search = \"approach\"` lets body 1 go on until they do"
+            "; `contact.search = \"approach\"` moves body 1 along its velocity until they touch"
         }
         (CollisionError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
             if *gap > 0.0 =>
         {
-            "; with its `velocity` against that of body 2, body 1 goes past it or away from it"
+            "; with its `velocity` relative to body 2, body 1 misses it or moves away from it"
         }
         (CollisionError::Search(SearchError::Frame(FrameError::NotOpposed { .. })), _) => {
-            "; `quaternion`, `angles` and contact point do not fit together"
+            "; `quaternion` or `angles` and contact point are not consistent"
         }
         _ => "",
     }

@@ -1,4 +1,4 @@
-//! `[uncertainty]` of a case whose numbers are distributions.
+//! The table `[uncertainty]` of a case with distributions.
 
 use super::contact::FRICTION;
 use super::error::CaseError;
@@ -14,7 +14,7 @@ const SAMPLES: Field =
 const SEED: Field = Field::number(
     "seed",
     Range::Seed.pure(),
-    "start of the random numbers: the same seed gives the same results",
+    "seed of the random numbers: the same seed gives the same results",
 )
 .such_as("1");
 const BINS: Field = Field::number("bins", Range::Whole.pure(), "bins of the histograms")
@@ -22,27 +22,27 @@ const BINS: Field = Field::number("bins", Range::Whole.pure(), "bins of the hist
 const QUANTILES: Field =
     Field::new("quantiles", Form::List(Range::Part.pure()), "quantiles that are printed")
         .default(Default::List(&[0.05, 0.25, 0.5, 0.75, 0.95]));
-/// The field of a case.
+/// The field `uncertainty` of a case.
 pub(super) const UNCERTAINTY: Field = Field::new(
     "uncertainty",
     Form::Table(&[SAMPLES, SEED, BINS, QUANTILES]),
-    "how distributions are sampled and summed up",
+    "how distributions are sampled, and which statistics are printed",
 )
 .may("no number is a distribution");
 
-/// How uncertain inputs are sampled and summed up.
+/// How distributions are sampled, and which statistics are computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Uncertainty {
-    /// How many samples, from which seed.
+    /// Number of samples and seed.
     pub sampling: Sampling,
     /// Bins of the histograms.
     pub bins: usize,
-    /// Quantiles to give, in [0, 1].
+    /// Quantiles to compute, in [0, 1].
     pub quantiles: Vec<f64>,
 }
 
 impl Uncertainty {
-    /// None if no field is uncertain.
+    /// Reads the table; none if no field is uncertain.
     pub(super) fn read(case: &Section<'_>, inputs: &[Input]) -> Result<Option<Self>, CaseError> {
         let is_uncertain = inputs.iter().any(|input| input.distribution().is_some());
         match (is_uncertain, case.has(&UNCERTAINTY)) {
@@ -59,7 +59,7 @@ impl Uncertainty {
             .map_err(|error| settings.out_of_range(&SAMPLES, error.value, error.allowed))?;
         let (bins, quantiles) = (settings.count(&BINS)?, settings.list(&QUANTILES)?);
         if let Some(sweep) = inputs.iter().find(|input| input.sweep().is_some()) {
-            let reason = "a sweep has no single impact to vary";
+            let reason = "a sweep cannot be combined with distributions";
             return Err(case.excluded(&UNCERTAINTY, sweep.field.to_owned(), reason));
         }
         Ok(Some(Self { sampling, bins, quantiles }))

@@ -1,5 +1,5 @@
-//! Units: a quantity may stand as a plain number in its first unit, or as a text with one of the
-//! others, such as `"380 GPa"`.
+//! Units. A quantity is a plain number in its base unit, or a text with one of the other units, such as `"380
+//! GPa"`.
 
 use super::range::Range;
 
@@ -30,31 +30,31 @@ pub enum Dimension {
     Time,
     /// A moment of inertia.
     Inertia,
-    /// An angle, plain in degrees.
+    /// An angle, in degrees if given as a plain number.
     Degrees,
-    /// An angle, plain in radians.
+    /// An angle, in radians if given as a plain number.
     Radians,
-    /// An angle for each length, plain in radians.
+    /// An angle per length, in radians if given as a plain number.
     PerLength,
 }
 
-/// How a unit becomes the plain one.
+/// Conversion of a unit to the base unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Scale {
-    /// By this power of ten: exactly, as the number is written.
+    /// A power of ten: exact, since it shifts the decimal exponent of the text.
     Ten(i32),
-    /// By this factor.
+    /// A factor.
     Times(f64),
 }
 use Scale::{Ten, Times};
 
-/// Letters of a number with its unit, at most.
+/// Longest number with a unit, in characters.
 const MOST_LETTERS: usize = 100;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const TURN: f64 = std::f64::consts::TAU;
 
 impl Dimension {
-    /// All units, the plain one first. Micro is also written `u` and `µ`, powers also raised.
+    /// All units, the base unit first. Micro may also be written `u` and `µ`, powers also as superscripts.
     const fn units(self) -> &'static [(&'static str, Scale)] {
         match self {
             Self::None => &[],
@@ -144,7 +144,7 @@ impl Dimension {
         }
     }
 
-    /// The plain unit; empty for a pure number.
+    /// The base unit; empty for a pure number.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self.units() {
@@ -153,7 +153,7 @@ impl Dimension {
         }
     }
 
-    /// The number in the plain unit; none if the text is no number with a unit of this dimension.
+    /// The number in the base unit; none if the text is not a number with a unit of this dimension.
     #[must_use]
     pub fn read(self, text: &str) -> Option<f64> {
         let (number, unit) = split(text)?;
@@ -191,24 +191,24 @@ impl Scale {
     }
 }
 
-/// A number and the unit after it, in the letters of the table.
+/// Splits a text into its number and its unit, in the spelling of the table.
 fn split(text: &str) -> Option<(&str, String)> {
     let text = text.trim();
     if text.len() > MOST_LETTERS {
         return None;
     }
     let mut ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
-    // The longest number: in 1e3 m the e belongs to it.
+    // The longest number: the e in 1e3 m belongs to it.
     let end = ends.rfind(|end| text[..*end].trim_end().parse::<f64>().is_ok())?;
     let unit = text[end..].trim().replace(['µ', 'μ'], "u").replace('°', "deg");
     let unit = unit.replace('²', "2").replace('³', "3").replace('^', "").replace(['·', '*'], " ");
     Some((text[..end].trim_end(), unit))
 }
 
-/// The range of a number and what it measures.
+/// The range and the dimension of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Measure {
-    /// The range, in the plain unit.
+    /// The range, in the base unit.
     pub range: Range,
     /// The dimension.
     pub dimension: Dimension,

@@ -1,4 +1,4 @@
-//! Numbers of a case that stand for many: a sweep, or a distribution.
+//! Numbers of a case that vary: a sweep or a distribution.
 
 use super::error::CaseError;
 use super::field::{Field, Form, interned};
@@ -27,35 +27,35 @@ const STOP: Field = number("stop", "last value");
 const COUNT: Field = Field::number("count", Range::Count.pure(), "how many values, equally spaced");
 const MEAN: Field = number("mean", "mean of the number itself");
 const DEVIATION: Field = number("sd", "standard deviation of the number itself");
-const LOW: Field = number("low", "least value");
+const LOW: Field = number("low", "smallest value");
 const MODE: Field = number("mode", "most likely value");
-const HIGH: Field = number("high", "greatest value");
+const HIGH: Field = number("high", "largest value");
 const NORMAL: Field = distribution("normal", &[MEAN, DEVIATION], "a normal distribution");
 const LOG_NORMAL: Field =
-    distribution("log_normal", &[MEAN, DEVIATION], "one whose logarithm is normal");
-const UNIFORM: Field = distribution("uniform", &[LOW, HIGH], "all values between two ends alike");
+    distribution("log_normal", &[MEAN, DEVIATION], "a log-normal distribution");
+const UNIFORM: Field = distribution("uniform", &[LOW, HIGH], "a uniform distribution");
 const TRIANGULAR: Field =
-    distribution("triangular", &[LOW, MODE, HIGH], "rising and falling between two ends");
+    distribution("triangular", &[LOW, MODE, HIGH], "a triangular distribution");
 const KINDS: &str = "{ normal = { mean, sd } }, { log_normal = { mean, sd } }, \
                      { uniform = { low, high } }, { triangular = { low, mode, high } } or a sweep \
                      { start, stop, count }";
 
 /// The fields of a sweep.
 pub(super) const SWEEP: &[Field] = &[START, STOP, COUNT];
-/// Those of any number of an impact that stands for many.
+/// The fields of a varied number of an impact.
 pub(super) const VARIED: &[Field] = &[START, STOP, COUNT, NORMAL, LOG_NORMAL, UNIFORM, TRIANGULAR];
 
-/// What a number stands for.
+/// The values of a varied number.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Variation {
-    /// One after the other.
+    /// Computed one after the other.
     Sweep(Vec<f64>),
-    /// Drawn from this distribution.
+    /// Sampled from this distribution.
     Uncertain(Distribution),
 }
 
 impl Variation {
-    /// What stands for it where one number must.
+    /// The single value that represents it: the first of a sweep, the mean of a distribution.
     fn nominal(&self) -> f64 {
         match self {
             // A sweep has at least one value.
@@ -72,13 +72,13 @@ pub struct Input {
     pub field: &'static str,
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
-    /// What every value of it must be.
+    /// The allowed values, in words.
     pub allowed: &'static str,
-    /// What it stands for.
+    /// Its values.
     pub variation: Variation,
     /// Its line, from 1.
     pub line: usize,
-    /// Where in the file it stands.
+    /// Its offset in the file.
     place: usize,
 }
 
@@ -106,7 +106,7 @@ impl Input {
     }
 }
 
-/// The varied numbers of a case, found while it is read, and the values that stand for them.
+/// The varied numbers of a case, collected while it is read, and the values that replace them.
 #[derive(Debug)]
 pub(super) struct Varied {
     fields: &'static [Field],
@@ -115,19 +115,19 @@ pub(super) struct Varied {
 }
 
 impl Varied {
-    /// Of a case with these fields; with these values, by their places in the file.
+    /// For a case with these fields; with values for the numbers at these offsets.
     pub(super) const fn new(fields: &'static [Field], drawn: Vec<(usize, f64)>) -> Self {
         Self { fields, drawn, found: RefCell::new(Vec::new()) }
     }
 
-    /// Those found, in the order of the file.
+    /// The varied numbers, in the order of the file.
     pub(super) fn found(self) -> Vec<Input> {
         let mut found = self.found.into_inner();
         found.sort_by_key(|input| input.place);
         found
     }
 
-    /// The number that stands for a value of several; none if the value is not of such a kind.
+    /// The number that represents a varied value; none if the value does not vary.
     pub(super) fn number<'a>(
         &self,
         section: &Section<'a>,

@@ -9,18 +9,18 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::torsion::law::{ShiftTwistLaw, TorsionLaw};
 use carom_special::RangeError;
 
-/// The law of a contact, and what else is told of it.
+/// The laws of a contact under a history, with its Hertz constants.
 #[derive(Debug, Clone)]
 pub struct Laws {
     hertz: Hertz,
     law: Accounted<ShiftTwistLaw>,
-    /// Whether any step twists.
+    /// Whether any step has a twist.
     twists: bool,
     contact: Option<HertzState>,
 }
 
 impl Laws {
-    /// At rest, before these steps.
+    /// The laws before the first of these steps.
     ///
     /// # Errors
     /// [`RangeError`] if a law refuses a value.
@@ -37,10 +37,10 @@ impl Laws {
         Ok(Self { hertz: case.hertz, law, twists, contact: None })
     }
 
-    /// Goes to a shift.
+    /// Advances to a shift.
     ///
     /// # Errors
-    /// [`RangeError`] if a law refuses it.
+    /// [`RangeError`] if a law rejects it.
     pub fn advance(&mut self, step: Shift) -> Result<(), RangeError> {
         self.law.advance(step)?;
         let zeta = step.zeta;
@@ -60,13 +60,13 @@ impl Laws {
         self.twists.then(|| self.law.law().torsion())
     }
 
-    /// The contact area and pressure; none while the bodies are apart.
+    /// The contact ellipse and pressure; none while the bodies are separated.
     #[must_use]
     pub fn contact(&self) -> Option<HertzState> {
         self.contact
     }
 
-    /// The shift that was reached.
+    /// The present shift.
     #[must_use]
     pub fn present(&self) -> Shift {
         self.law.shift()
@@ -91,7 +91,7 @@ impl Laws {
     }
 }
 
-/// Whether any shift twists.
+/// Whether any step has a twist.
 #[must_use]
 pub fn is_twisted(shifts: &[Shift]) -> bool {
     shifts.iter().any(|shift| shift.omega != 0.0)

@@ -18,7 +18,7 @@ use crate::input::CaseFile;
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 
-/// The shifts of a case; a file that it names lies beside it.
+/// Reads the shifts of a case; a file that it names is relative to the case file.
 ///
 /// # Errors
 /// As [`read_steps`].
@@ -29,10 +29,10 @@ pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> 
     }
 }
 
-/// The contact after each step of a history; files that the case names lie beside it.
+/// Computes the contact after each step of a history; files that the case names are relative to it.
 ///
 /// # Errors
-/// If the case is bad, a file cannot be read, or a law refuses a value.
+/// If the case has an error, a file cannot be read, or a law rejects a value.
 pub fn followed(file: &CaseFile) -> Result<Vec<Step>, Error> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = shifts(file, &case)?;

@@ -14,37 +14,37 @@ use carom_table::Column;
 /// The contact after a step of a history. SI units; loads act on body 1.
 #[derive(Debug, Clone)]
 pub struct Step {
-    /// The number of the step, from 1; broken between two steps.
+    /// The number of the step, from 1; fractional between two steps.
     pub step: f64,
     /// Shift and twist of body 2 against body 1.
     pub shift: Shift,
-    /// On body 1.
+    /// Load on body 1.
     pub load: ContactLoad,
-    /// What the step did.
+    /// Regime of the last step.
     pub regime: &'static str,
-    /// Of the contact ellipse along x.
+    /// Semi-axis of the contact ellipse along x.
     pub semi_axis_a: f64,
-    /// The same along y.
+    /// Semi-axis of the contact ellipse along y.
     pub semi_axis_b: f64,
-    /// Of the stick area along x.
+    /// Semi-axis of the stick area along x.
     pub stick_semi_axis_a: f64,
-    /// The same along y.
+    /// Semi-axis of the stick area along y.
     pub stick_semi_axis_b: f64,
     /// Elastic energy of the contact.
     pub stored_energy: f64,
     /// Friction heat since the start.
     pub dissipated: f64,
-    /// What a twist adds; none without one.
+    /// Quantities of the twist; none without one.
     pub twist: Option<Twist>,
-    /// Where they were asked for.
+    /// Tractions, if requested.
     pub tractions: Vec<Traction>,
-    /// The shift's load over that of complete sliding.
+    /// The tangential load over that of complete sliding.
     pub share: f64,
 }
 
 /// The columns of every history.
 pub const COLUMNS: &[Column<Step>] = &[
-    // Those drawn between the steps have a broken number.
+    // States drawn between the steps have fractional numbers.
     Column::new("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
     Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
     Column::new("xi", "m", "shift of body 2 against body 1 along x", |step| step.shift.xi.into()),
@@ -52,12 +52,12 @@ pub const COLUMNS: &[Column<Step>] = &[
     Column::new("F_x", "N", "force on body 1 along x", |step| step.load.f_x.into()),
     Column::new("F_y", "N", "the same along y", |step| step.load.f_y.into()),
     Column::new("F_z", "N", "normal force", |step| step.load.f_z.into()),
-    Column::new("regime", "", "what the step did", |step| step.regime.into()),
-    Column::new("semi_axis_a", "m", "of the contact ellipse along x", |step| {
+    Column::new("regime", "", "regime of the last step", |step| step.regime.into()),
+    Column::new("semi_axis_a", "m", "semi-axis of the contact ellipse along x", |step| {
         step.semi_axis_a.into()
     }),
     Column::new("semi_axis_b", "m", "the same along y", |step| step.semi_axis_b.into()),
-    Column::new("stick_semi_axis_a", "m", "of the stick area along x", |step| {
+    Column::new("stick_semi_axis_a", "m", "semi-axis of the stick area along x", |step| {
         step.stick_semi_axis_a.into()
     }),
     Column::new("stick_semi_axis_b", "m", "the same along y", |step| step.stick_semi_axis_b.into()),
@@ -67,22 +67,25 @@ pub const COLUMNS: &[Column<Step>] = &[
     Column::new("dissipated", "J", "friction heat since the start", |step| step.dissipated.into()),
 ];
 
-/// Those of a history with a twist.
+/// The additional columns of a history with a twist.
 pub const TWIST_COLUMNS: &[Column<Step>] = &[
     Column::new("omega", "rad", "twist about the normal", |step| step.shift.omega.into()),
     Column::new("M_z", "N m", "torque on body 1", |step| step.load.m_z.into()),
-    Column::new("twist_regime", "", "what the twist does", |step| {
+    Column::new("twist_regime", "", "regime of the twist", |step| {
         step.twist.map(|twist| twist.regime).into()
     }),
-    Column::new("twist_stick_semi_axis_a", "m", "of the twist's stick area along x", |step| {
-        step.twist.map(|twist| twist.stick_semi_axis_a).into()
-    }),
+    Column::new(
+        "twist_stick_semi_axis_a",
+        "m",
+        "semi-axis of the stick area of the twist along x",
+        |step| step.twist.map(|twist| twist.stick_semi_axis_a).into(),
+    ),
     Column::new("twist_stick_semi_axis_b", "m", "the same along y", |step| {
         step.twist.map(|twist| twist.stick_semi_axis_b).into()
     }),
 ];
 
-/// The columns of any history; what only a twist has is absent without one.
+/// The columns of any history; those of the twist are empty without one.
 #[must_use]
 pub fn all_columns() -> Vec<Column<Step>> {
     [COLUMNS, TWIST_COLUMNS].concat()
@@ -102,19 +105,19 @@ pub fn columns(shifts: &[Shift]) -> Vec<Column<Step>> {
 pub struct Traction {
     /// The number of the step.
     pub step: f64,
-    /// Part of the radius: 0 is the centre, 1 the edge.
+    /// Fraction of the radius: 0 at the centre, 1 at the edge.
     pub radius: f64,
-    /// Along x.
+    /// Traction along x.
     pub t_x: f64,
-    /// Along y.
+    /// Traction along y.
     pub t_y: f64,
-    /// Around the normal; along a circle only.
+    /// Circumferential traction; for circular contacts only.
     pub t_twist: Option<f64>,
     /// Friction times pressure.
     pub limit: f64,
 }
 
-/// Its columns; the first says to which step it belongs.
+/// Its columns; the first is the number of the step.
 pub const TRACTION_COLUMNS: &[Column<Traction>] = &[
     Column::new("step", "", "number of the step, from 1", |traction| (traction.step as u64).into()),
     Column::new("radius", "", "from the centre (0) to the edge (1)", |traction| {
@@ -122,7 +125,7 @@ pub const TRACTION_COLUMNS: &[Column<Traction>] = &[
     }),
     Column::new("t_x", "Pa", "traction on body 1 along x", |traction| traction.t_x.into()),
     Column::new("t_y", "Pa", "the same along y", |traction| traction.t_y.into()),
-    Column::new("t_twist", "Pa", "around the normal, in the sense of M_z", |traction| {
+    Column::new("t_twist", "Pa", "circumferential traction, in the sense of M_z", |traction| {
         traction.t_twist.into()
     }),
     Column::new("limit", "Pa", "friction times pressure", |traction| traction.limit.into()),
@@ -156,7 +159,7 @@ pub fn step(number: f64, laws: &Laws, friction: Friction, count: usize) -> Resul
     })
 }
 
-/// The traction at `count` radii, in units of the greatest friction f sigma_z0 before.
+/// The traction at `count` radii, relative to the largest friction limit f sigma_z0, before it is scaled.
 fn tractions(
     step: f64,
     laws: &Laws,

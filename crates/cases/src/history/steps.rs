@@ -7,35 +7,35 @@ use carom_laws::law::Shift;
 use std::path::Path;
 
 const COLUMNS: [&str; 4] = ["zeta", "xi", "eta", "omega"];
-/// The first of them that a file may lack.
+/// Number of columns that a file must have; the others are optional.
 const OPTIONAL: usize = 3;
 
-/// What is wrong with a CSV file of steps.
+/// An error in a CSV file of steps.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum StepsError {
-    /// It is no table of numbers.
+    /// The file is not a table of numbers.
     #[error(transparent)]
     Table(#[from] TableError),
     /// A column is missing.
     #[error(
-        "column `{0}` is missing: the columns must be zeta, xi, eta and perhaps omega, in any order"
+        "column `{0}` is missing: the columns must be zeta, xi, eta and optionally omega, in any order"
     )]
     Missing(&'static str),
-    /// A column that means nothing.
+    /// An unknown column.
     #[error(
-        "unknown column `{0}`: the columns must be zeta, xi, eta and perhaps omega, in any order"
+        "unknown column `{0}`: the columns must be zeta, xi, eta and optionally omega, in any order"
     )]
     Unknown(String),
-    /// No row at all.
-    #[error("there is no step: at least one row must follow the heads")]
+    /// The table has no rows.
+    #[error("there is no step: at least one row must follow the header")]
     Empty,
 }
 
-/// Reads the steps in the file that a case names.
+/// Reads the steps from the file that a case names.
 ///
 /// # Errors
-/// If it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no
-/// finite number.
+/// If it cannot be read, is not a text of at most 64 MiB, lacks a column or has an unknown one, or a value is
+/// not a finite number.
 pub fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift>, Error> {
     parse(&case.table(name)?).map_err(|source| Error::Steps { path: case.beside(name), source })
 }

@@ -1,4 +1,4 @@
-//! The twist of a history: torque, stick area and the traction around the normal.
+//! The twist of a history: torque, stick area and circumferential traction.
 
 use crate::Error;
 use carom_laws::friction::Friction;
@@ -9,26 +9,26 @@ use carom_laws::torsion::history::TwistHistory;
 use carom_laws::torsion::law::TorsionLaw;
 use carom_special::quadrature::{Tolerance, adaptive};
 
-/// Parts of the contact radius below which nothing is told apart.
+/// Smallest fraction of the contact radius at which the traction is evaluated.
 const CENTRE: f64 = 1e-9;
-/// Accuracies of the traction, over its greatest value: the second where the state was found by
-/// rings and jumps often.
+/// Tolerances of the traction, relative to its maximum: the second for states with many jumps, which the
+/// solve on rings leaves.
 const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
 
-/// What a twist adds to a step.
+/// Quantities of the twist after a step.
 #[derive(Debug, Clone, Copy)]
 pub struct Twist {
-    /// What the twist does.
+    /// Regime of the twist.
     pub regime: &'static str,
-    /// Of the twist's stick area along x.
+    /// Semi-axis of the stick area along x.
     pub stick_semi_axis_a: f64,
-    /// The same along y.
+    /// Semi-axis of the stick area along y.
     pub stick_semi_axis_b: f64,
     /// The torque over that of complete sliding.
     pub share: f64,
 }
 
-/// The present state of the law; `state` is that of the contact, none if it is open.
+/// The present state of the law; `state` is that of the contact, none if the bodies are separated.
 pub(super) fn twist(law: &TorsionLaw, state: Option<&HertzState>, friction: Friction) -> Twist {
     let (stick, m_z) = (law.stick_radius(), law.load().m_z);
     let [a, b] =
@@ -48,9 +48,9 @@ pub(super) fn twist(law: &TorsionLaw, state: Option<&HertzState>, friction: Fric
     }
 }
 
-/// The traction around the normal at a part `radius` of the contact radius, over that of sliding
-/// at the centre; on a circle:
-/// `rho int_rho^al b(s)/sqrt(s^2 - rho^2) ds/al`, which is `sqrt(1 - radius^2)` in sliding.
+/// The circumferential traction at a fraction `radius` of the contact radius, over that of sliding at the
+/// centre. For a circle it is `rho int_rho^al b(s)/sqrt(s^2 - rho^2) ds/al`, which is `sqrt(1 - radius^2)` in
+/// sliding.
 pub(super) fn traction(history: &TwistHistory, radius: f64) -> Result<f64, Error> {
     let edge = history.radius();
     if edge <= 0.0 || radius >= 1.0 {

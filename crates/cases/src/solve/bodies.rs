@@ -1,4 +1,4 @@
-//! The bodies of a case: what a grid anywhere makes of them.
+//! The bodies of a case on any grid.
 
 use super::heights;
 use crate::Error;
@@ -18,22 +18,22 @@ pub struct Bodies {
     materials: MaterialPair,
     friction: SurfaceFriction,
     border: Border,
-    /// What was read beside the case.
+    /// The content of the files that the case names.
     read: Vec<u8>,
 }
 
 enum Given {
     Formula(Shape),
-    /// On its own grid, and on coarser ones by means.
+    /// Heights on one grid; coarser grids take their means.
     Grid(Gap),
 }
 
 impl Bodies {
-    /// Those of the case in the file.
+    /// Reads the bodies of a case.
     ///
     /// # Errors
-    /// [`Error::Input`] if a file of heights is no such thing, or heights on a grid of their own are asked for to
-    /// an accuracy.
+    /// [`Error::Input`] if a file of heights is not valid, or if an accuracy is given for heights that define
+    /// their own grid.
     pub fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, Error> {
         let path = &file.path;
         let law = |source| Error::Law { path: path.clone(), source };
@@ -45,18 +45,18 @@ impl Bodies {
             GridCase::Cells { grid, .. } => Ok(grid),
             GridCase::Accuracy(_) => {
                 let reason =
-                    format!("{what} on a grid of their own; give `grid.cells`, not an accuracy");
+                    format!("{what} define their own grid; give `grid.cells`, not an accuracy");
                 Err(Error::Input { path: path.clone(), reason })
             }
         };
         let (gap, read) = match &case.gap {
             GapCase::Formula(shape) => (Given::Formula(shape.clone()), Vec::new()),
             GapCase::Heights(map) => {
-                let (gap, read) = heights::gap(file, map, own("heights from a file stand")?)?;
+                let (gap, read) = heights::gap(file, map, own("heights from a file")?)?;
                 (Given::Grid(gap), read)
             }
             GapCase::Rough { surface, radius } => {
-                let grid = own("heights by chance stand")?;
+                let grid = own("random heights")?;
                 let rough = surface.heights(grid).map_err(law)?;
                 (Given::Grid(standing(&rough, *radius).map_err(law)?), Vec::new())
             }
@@ -67,13 +67,13 @@ impl Bodies {
         Ok(Self { gap, materials: case.materials, friction, border, read })
     }
 
-    /// What was read beside the case.
+    /// The content of the files that the case names.
     #[must_use]
     pub fn read(&self) -> &[u8] {
         &self.read
     }
 
-    /// Sides of a rectangle that holds a part of the body.
+    /// Side lengths of a rectangle that contains a part of the body.
     pub(super) fn sides(&self) -> [f64; 2] {
         match &self.gap {
             Given::Formula(shape) => shape.sides(),
@@ -84,10 +84,10 @@ impl Bodies {
         }
     }
 
-    /// The problem on a window.
+    /// The contact problem on a window.
     ///
     /// # Errors
-    /// [`ProblemError`] if no body lies under it or it is too large for memory.
+    /// [`ProblemError`] if no body lies under it or it is too large for the memory.
     pub(super) fn problem(&self, window: &Window) -> Result<ContactProblem, ProblemError> {
         let gap = match &self.gap {
             Given::Formula(shape) => window.gap(|x, y| shape.height(x, y)),
@@ -102,7 +102,7 @@ impl Bodies {
     }
 }
 
-/// Heights on a paraboloid, from the point that touches.
+/// Heights plus a paraboloid, measured from the first contact point.
 fn standing(heights: &Field, radius: f64) -> Result<Gap, carom_special::RangeError> {
     let places = heights.values().iter().zip(heights.grid().centres());
     let mut gaps: Vec<f64> =
@@ -112,7 +112,7 @@ fn standing(heights: &Field, radius: f64) -> Result<Gap, carom_special::RangeErr
     Gap::new(Field::new(heights.grid(), gaps)?)
 }
 
-/// The gap on its grid or a coarser one.
+/// The gap on its own grid or a coarser one.
 fn on(gap: &Gap, grid: Grid) -> Result<Gap, carom_special::RangeError> {
     let mut own = gap.clone();
     while own.grid() != grid && own.grid().cells() > grid.cells() {

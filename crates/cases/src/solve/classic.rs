@@ -1,4 +1,4 @@
-//! The method of a case: that of today, or those of 1992 and before.
+//! The solution method of a case: the main one, or an older one of the crate `classic`.
 
 use crate::case::SolveMethod;
 use carom_classic::DirectError;
@@ -16,9 +16,9 @@ struct At<M: Method> {
     scratch: M::Scratch,
 }
 
-/// One of the older methods with what it needs.
+/// An older method with its options.
 trait Classic: Send + Sync {
-    /// A step with memory as it was made, so that a resumed run gives the same bits.
+    /// One step with fresh working memory, so that a resumed run gives the same bits.
     fn step(
         &self,
         problem: &ContactProblem,
@@ -44,7 +44,7 @@ where
     }
 }
 
-/// The method with its memory; none if it is that of today.
+/// The older method that a case requests; none for the main method.
 fn classic(
     method: SolveMethod,
     tolerance: Option<f64>,
@@ -69,27 +69,27 @@ fn classic(
     }))
 }
 
-/// The method that a case asks for.
+/// The method that a case requests.
 #[derive(Debug, Clone, Copy)]
 pub struct Chosen {
-    /// That of today.
+    /// The main method.
     pub(super) today: Frictional,
     pub(super) method: SolveMethod,
     pub(super) tolerance: Option<f64>,
 }
 
-/// Why it failed.
+/// Why a step failed.
 #[derive(Debug, thiserror::Error)]
 pub enum ChosenError {
-    /// The method of today.
+    /// The main method failed.
     #[error(transparent)]
     Today(#[from] FrictionalError),
-    /// An older one.
+    /// An older method failed.
     #[error(transparent)]
     Classic(#[from] DirectError),
 }
 
-/// Its memory.
+/// Working memory of the method.
 #[derive(Clone)]
 #[allow(missing_debug_implementations)] // memory of any method
 pub struct Working(Kind);

@@ -1,4 +1,4 @@
-//! The steps of a case, one after another.
+//! Computes the steps of a case in turn.
 
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
@@ -13,38 +13,38 @@ use carom_solver::{
 };
 use std::path::Path;
 
-/// What a run leaves.
+/// The result of a run.
 #[derive(Debug)]
 pub struct Followed {
-    /// A row for each step.
+    /// One row for each step.
     pub steps: Vec<StepSummary>,
-    /// The contact at the end.
+    /// The contact after the last step.
     pub state: ContactState,
-    /// Where the cells are.
+    /// The window and its cells.
     pub window: Window,
-    /// How many steps were there before.
+    /// Number of steps that an earlier run had computed.
     pub found: usize,
 }
 
-/// Steps that are there already, and the state after the last one.
+/// Steps of an earlier run, and the state after the last one.
 #[derive(Debug, Default)]
 pub struct Found {
-    /// A row for each.
+    /// One row for each step.
     pub steps: Vec<StepSummary>,
-    /// None before the first.
+    /// The saved state; none before the first step.
     pub saved: Option<Saved>,
 }
 
-/// A state, and those on two coarser grids as far as there are any.
+/// A state, and those on up to two coarser grids.
 #[derive(Debug)]
 pub struct Saved {
-    /// On the grid itself.
+    /// The state on the grid itself.
     pub state: ContactState,
-    /// On coarser ones.
+    /// The states on coarser grids.
     pub coarse: [Option<ContactState>; 2],
 }
 
-/// The contact on its grid, ready to be driven.
+/// A contact on its grid, before its steps.
 #[allow(missing_debug_implementations)] // memory of any method
 pub struct Run<'a> {
     path: &'a Path,
@@ -55,10 +55,10 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// On the grid of the case, or on one that fits.
+    /// Sets up the grid of the case, or chooses one for its accuracy.
     ///
     /// # Errors
-    /// [`Error`] if the grid is too large for memory, a value out of range, or no grid fits.
+    /// [`Error`] if the grid is too large for the memory, a value is out of range, or no grid fits.
     pub fn new(path: &'a Path, case: &'a SolveCase, bodies: &Bodies) -> Result<Self, Error> {
         let range = |source| Error::Law { path: path.to_owned(), source };
         let problem =
@@ -89,35 +89,34 @@ impl<'a> Run<'a> {
         Ok(Self { path, case, window, method, history })
     }
 
-    /// What is solved.
+    /// The contact problem.
     #[must_use]
     pub const fn problem(&self) -> &ContactProblem {
         self.history.problem()
     }
 
-    /// Where.
+    /// The window.
     #[must_use]
     pub const fn window(&self) -> &Window {
         &self.window
     }
 
-    /// By which method.
+    /// The main method.
     #[must_use]
     pub const fn method(&self) -> Frictional {
         self.method
     }
 
-    /// How many steps there are.
+    /// The number of steps.
     #[must_use]
     pub fn count(&self) -> usize {
         self.case.legs.iter().map(|leg| leg.count).sum()
     }
 
-    /// Goes on from what was found to the last step; `done` is shown the steps, and where the contact is
-    /// now, after each.
+    /// Computes the steps after those found. After each step `done` receives all steps and the present state.
     ///
     /// # Errors
-    /// [`Error::Step`], [`Error::Border`], or what `done` says.
+    /// [`Error::Step`], [`Error::Border`], or the error of `done`.
     pub fn follow<E: From<Error>>(
         mut self,
         found: Found,
@@ -175,12 +174,12 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Bytes for each cell that every run takes, at the least: the operator, and fields of all grids. Measured
-/// as resident memory of 512 x 512 to 2048 x 2048 cells: 480 without friction to 1140 where unlike bodies
-/// touch everywhere.
+/// Least memory of a run, in bytes per cell: the operator, and the fields on all grids. Measured as resident
+/// memory with 512 x 512 to 2048 x 2048 cells: from 480 without friction to 1140 if dissimilar bodies touch
+/// everywhere.
 const LEAST_BYTES: u128 = 450;
 
-/// Ok if the least that a run on this grid takes can be had.
+/// Checks that the least memory of a run on this grid is available.
 fn check_room(grid: Grid) -> Result<(), OperatorError> {
     let (needed, available) = (LEAST_BYTES * grid.cells() as u128, room::available());
     match needed > available {
@@ -197,10 +196,10 @@ fn failed(path: &Path, step: usize, error: ChosenError) -> Error {
     }
 }
 
-/// What drives before the first leg.
+/// The drives before the first leg.
 const HELD: [Driven; 4] = [Driven::Shift(0.0); 4];
 
-/// The drives at the ends of all legs.
+/// The drives at the end of each leg.
 fn ends(legs: &[Leg]) -> Vec<Drive> {
     let mut held = HELD;
     let end = |leg| {
@@ -211,7 +210,7 @@ fn ends(legs: &[Leg]) -> Vec<Drive> {
     legs.iter().map(end).collect()
 }
 
-/// What drives a step of a leg that began at `begin`.
+/// The drive of one step of a leg that began at `begin`.
 fn drive(leg: &Leg, number: usize, begin: &StepSummary, held: [Driven; 4]) -> Drive {
     let part = number as f64 / leg.count as f64;
     let mix = |from: f64, to: f64| if number == leg.count { to } else { from + part * (to - from) };
@@ -230,7 +229,7 @@ fn drive(leg: &Leg, number: usize, begin: &StepSummary, held: [Driven; 4]) -> Dr
     }
 }
 
-/// What drives each motion from now on, unless a leg says otherwise.
+/// The drives that stay in force unless a leg changes them.
 fn kept(leg: &Leg, held: [Driven; 4]) -> [Driven; 4] {
     std::array::from_fn(|i| match leg.targets[i] {
         Target::Kept => held[i],
@@ -239,7 +238,7 @@ fn kept(leg: &Leg, held: [Driven; 4]) -> [Driven; 4] {
     })
 }
 
-/// The border that the contact reaches, if it does.
+/// The border that the contact reaches, if any.
 fn border(state: &ContactState) -> Option<&'static str> {
     let grid = state.cells.grid();
     let touches = |i: usize, j: usize| state.cells.get(i, j) != Some(&CellState::Exterior);

@@ -1,4 +1,4 @@
-//! Heights from a file: rows of numbers as CSV or NPY, or the greys of a PNG.
+//! Heights from a file: rows of numbers as CSV or NPY, or a greyscale PNG.
 
 use super::npy;
 use crate::Error;
@@ -8,11 +8,11 @@ use crate::numbers::{bare, delimiter};
 use carom_halfspace::Grid;
 use carom_solver::{Gap, HeightMap, HeightMapError};
 
-/// The gap under the heights in the file that the case names, and all that was read.
+/// The gap of the heights in the file that the case names, and the content of the file.
 ///
 /// # Errors
-/// [`Error::Input`] if the heights are ragged, of another size than the grid, too great, or hold
-/// anything but finite numbers.
+/// [`Error::Input`] if the rows differ in length, the size differs from that of the grid, or a height is too
+/// large or not finite.
 pub(super) fn gap(case: &CaseFile, map: &HeightFile, grid: Grid) -> Result<(Gap, Vec<u8>), Error> {
     let refused = |reason: String| Error::Input { path: case.beside(&map.file), reason };
     let check = |size| HeightMap::check_size(size, grid).map_err(|error| error.to_string());
@@ -52,7 +52,7 @@ fn under(mut rows: Vec<Vec<f64>>, map: &HeightFile, grid: Grid) -> Result<Gap, S
     heights.gap_over(grid, map.radius).map_err(|error| error.to_string())
 }
 
-/// Rows of comma-separated values. Every line is counted before a number is read.
+/// Rows of comma-separated values. All lines are counted before the first number is read.
 fn lines(
     text: &str,
     check: impl Fn([usize; 2]) -> Result<(), String>,
@@ -63,8 +63,8 @@ fn lines(
     bare(text).map_err(|error| error.to_string())
 }
 
-/// Columns and rows of a text of comma-separated values; none of the numbers has a line break or a
-/// delimiter in quotes.
+/// Number of columns and rows of comma-separated values. Numbers contain neither line breaks nor quoted
+/// delimiters.
 fn size(text: &str) -> Result<[usize; 2], HeightMapError> {
     let delimiter = delimiter(text);
     let count = |line: &str| 1 + line.bytes().filter(|byte| *byte == delimiter).count();
@@ -79,24 +79,28 @@ fn size(text: &str) -> Result<[usize; 2], HeightMapError> {
     if size[1] == 0 { Err(HeightMapError::Empty) } else { Ok(size) }
 }
 
-/// Rows of greys, from black 0 to white 255 or 65535; the last row of the picture is the first.
-/// `check` is told the size that the head states, before anything is allocated for it.
+/// Rows of grey values, from 0 (black) to 255 or 65535 (white); the last row of the picture is the first row
+/// of the grid. `check` receives the size in the header before anything is allocated for it.
 fn greys(
     bytes: &[u8],
     check: impl Fn([usize; 2]) -> Result<(), String>,
 ) -> Result<Vec<Vec<f64>>, String> {
-    let broken = |error: png::DecodingError| format!("this is no PNG, or damaged: {error}");
+    let broken =
+        |error: png::DecodingError| format!("this is not a PNG file, or it is damaged: {error}");
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     let head = decoder.read_header_info().map_err(broken)?;
     let (colour, depth) = (head.color_type, head.bit_depth);
     if colour != png::ColorType::Grayscale {
-        return Err(format!("this picture is in {colour:?}: must be in greys"));
+        return Err(format!("this picture is in {colour:?}: must be greyscale"));
     }
     let grey: fn(&[u8]) -> f64 = match depth {
         png::BitDepth::Sixteen => |two| u16::from_be_bytes([two[0], two[1]]).into(),
         png::BitDepth::Eight => |one| one[0].into(),
         depth => {
-            return Err(format!("this picture has {} bits a grey: must be 8 or 16", depth as u8));
+            return Err(format!(
+                "this picture has {} bits per pixel: must be 8 or 16",
+                depth as u8
+            ));
         }
     };
     check([head.width as usize, head.height as usize])?;

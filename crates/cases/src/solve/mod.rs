@@ -15,10 +15,10 @@ use crate::case::SolveCase;
 use crate::input::CaseFile;
 use carom_solver::Accuracy;
 
-/// Solves a case, to `accuracy` if one is given, whatever the case says of its grid.
+/// Solves a case. If `accuracy` is given, it replaces the grid of the case.
 ///
 /// # Errors
-/// If the case is bad, a file that it names cannot be read, or a step cannot be solved.
+/// If the case has an error, a file that it names cannot be read, or a step cannot be solved.
 pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Followed, Error> {
     if let Some(accuracy) = accuracy {
         Accuracy::new(accuracy)?;

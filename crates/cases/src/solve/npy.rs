@@ -1,6 +1,6 @@
-//! Rows of numbers from a file of NumPy, `.npy`.
+//! Rows of numbers from a NumPy file, `.npy`.
 
-/// Numbers of this kind.
+/// Reads one number of a given type.
 type Read = fn(&[u8], bool) -> f64;
 
 macro_rules! number {
@@ -15,17 +15,17 @@ macro_rules! number {
     };
 }
 
-/// The rows of an array with two axes, of floating-point or whole numbers, in either order of bytes
-/// and axes. `check` is told the numbers of columns and rows that the head states, before anything
-/// is allocated for them.
+/// The rows of an array with two axes, of floating-point or whole numbers, in either byte order and either
+/// order of the axes. `check` receives the numbers of columns and rows in the header before anything is
+/// allocated for them.
 ///
 /// # Errors
-/// What is wrong with it, in words; that of `check`.
+/// A description of what is wrong; the error of `check`.
 pub(super) fn rows(
     bytes: &[u8],
     check: impl Fn([usize; 2]) -> Result<(), String>,
 ) -> Result<Vec<Vec<f64>>, String> {
-    let broken = || "this is no .npy file, or damaged".to_owned();
+    let broken = || "this is not a .npy file, or it is damaged".to_owned();
     let (head, values) = parts(bytes).ok_or_else(broken)?;
     let descr = quoted(head, "descr").ok_or("this array has fields: must be plain numbers")?;
     let (order, kind) = descr.split_at_checked(1).ok_or_else(broken)?;
@@ -41,7 +41,9 @@ pub(super) fn rows(
         "i1" => (1, number!(i8)),
         "u1" => (1, number!(u8)),
         other => {
-            return Err(format!("this array has numbers of kind {other}: must be f4, f8 or whole"));
+            return Err(format!(
+                "this array has numbers of kind {other}: must be f4, f8 or integers"
+            ));
         }
     };
     let shape = head.split_once("'shape': (").and_then(|(_, rest)| rest.split_once(')'));
@@ -65,7 +67,7 @@ pub(super) fn rows(
     Ok((0..rows).map(|row| (0..columns).map(|column| at(row, column)).collect()).collect())
 }
 
-/// The head, and what follows it.
+/// The header, and the data after it.
 fn parts(bytes: &[u8]) -> Option<(&str, &[u8])> {
     let rest = bytes.strip_prefix(b"\x93NUMPY")?;
     let (length, start) = match rest.first()? {
@@ -123,7 +125,7 @@ mod tests {
     fn what_is_no_map_is_refused() {
         let ones = [1_u8; 6];
         for (bytes, part) in [
-            (b"PK\x03\x04".to_vec(), "no .npy file"),
+            (b"PK\x03\x04".to_vec(), "not a .npy file"),
             (file("|u1", "False", "(6,)", &ones), "1 axes"),
             (file("|u1", "False", "(2, 4)", &ones), "damaged"),
             (file("<c8", "False", "(2, 3)", &ones), "kind c8"),

@@ -5,7 +5,7 @@ use crate::error::CliError;
 use crate::output::Answer;
 use carom_cases::case::CaseKind;
 
-/// Print a commented case of a kind, with every field it may have; it runs unchanged.
+/// Print a commented case of a kind, with all its fields; it runs without changes.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The kind of case.

@@ -5,7 +5,7 @@ use crate::output::Answer;
 use clap::CommandFactory as _;
 use clap_complete::{Shell, generate};
 
-/// Print a script by which a shell completes commands, options, values and files.
+/// Print a completion script for a shell: commands, options, values and files.
 ///
 /// For bash: carom completions bash > ~/.local/share/bash-completion/completions/carom. For zsh: a
 /// file _carom in a folder of $fpath. For fish: ~/.config/fish/completions/carom.fish. For

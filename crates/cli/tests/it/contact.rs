@@ -75,7 +75,7 @@ fn bad_contacts_end_with_code_2() {
         (
             "hertz",
             SPHERE.to_owned() + "[load]\nforce = 1\napproach = 1e-6\n",
-            "`load.approach` cannot stand beside `load.force`",
+            "`load.approach` excludes `load.force`",
         ),
         (
             "hertz",

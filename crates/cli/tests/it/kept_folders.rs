@@ -160,10 +160,10 @@ fn a_step_that_cannot_be_read_is_an_error_and_not_the_end_of_the_steps() {
     let pipe = |path: &Path| {
         assert!(Command::new("mkfifo").arg(path).status().unwrap().success());
     };
-    refused(&spoilt(&pipe), "this is no file of carom");
-    refused(&spoilt(&|path| symlink("/dev/zero", path).unwrap()), "this is no file of carom");
-    refused(&spoilt(&|path| symlink(path, path).unwrap()), "this is no file of carom");
-    refused(&spoilt(&|path| std::fs::create_dir(path).unwrap()), "this is no file of carom");
+    refused(&spoilt(&pipe), "this is not a file of carom");
+    refused(&spoilt(&|path| symlink("/dev/zero", path).unwrap()), "this is not a file of carom");
+    refused(&spoilt(&|path| symlink(path, path).unwrap()), "this is not a file of carom");
+    refused(&spoilt(&|path| std::fs::create_dir(path).unwrap()), "this is not a file of carom");
     // A hole of a terabyte is read no further than a step may be long.
     let hole = |path: &Path| File::create(path).unwrap().set_len(1 << 40).unwrap();
     refused(&spoilt(&hole), "the file is larger");

@@ -54,7 +54,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "quaternion",
             "angles = [0, 0, 0]\nquaternion",
-            "line 7: `body_1.angles` cannot stand beside `body_1.quaternion`: give one of them",
+            "line 7: `body_1.angles` excludes `body_1.quaternion`: give one of them",
         ),
         ("quaternion", "normal = [0, 0, 1]\nquaternion", "line 7: unknown field `body_1.normal`"),
         (
@@ -81,13 +81,13 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "mass = 0.1",
             "density = 2500\nmass = 0.1",
-            "line 5: `body_1.density` cannot stand beside `body_1.mass`: give one of them",
+            "line 5: `body_1.density` excludes `body_1.mass`: give one of them",
         ),
         ("mass = 0.1\n", "", "`body_1.mass` is missing"),
         (
             "mass = 0.1\ninertia = [1.2e-5, 2.2e-5, 2.6e-5]",
             "density = 2500\ninertia = \"shell\"",
-            "line 5: `body_1.density` cannot stand beside `body_1.inertia`: a thin shell",
+            "line 5: `body_1.density` excludes `body_1.inertia`: a thin shell",
         ),
         (
             "[0, 0, 0.015]",
@@ -97,7 +97,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "[contact]",
             "[approach]\nspeed = 1\nangle = 3\n[contact]",
-            "line 9: `body_1.velocity` cannot stand beside `approach`",
+            "line 9: `body_1.velocity` excludes `approach`",
         ),
         ("[0.6, 0.4, -2]", "[0.6, 0.4, inf]", "line 9: `body_1.velocity.z` = inf is out of range"),
         (
@@ -109,17 +109,17 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "fixed = true",
             "fixed = true\nvelocity = [0, 0, 0]",
-            "line 16: `body_2.velocity` cannot stand beside `body_2.fixed`",
+            "line 16: `body_2.velocity` excludes `body_2.fixed`",
         ),
         (
             "fixed = true",
             "fixed = true\ninertia = [1, 1, 1]",
-            "line 16: `body_2.inertia` cannot stand beside `body_2.fixed`",
+            "line 16: `body_2.inertia` excludes `body_2.fixed`",
         ),
         (
             "fixed = true",
             "density = 1\nvelocity = [0, 0, 0]\nspin = [0, 0, 0]",
-            "line 15: `body_2.density` cannot stand beside `body_2.shape`: it has no volume",
+            "line 15: `body_2.density` excludes `body_2.shape`: it has no volume",
         ),
         (
             "fixed = true",
@@ -149,22 +149,22 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "friction = 0.2",
             "friction = 0.2\npoint = [0, 0, 0]\nsearch = \"touch\"",
-            "line 20: `contact.search` cannot stand beside `contact.point`",
+            "line 20: `contact.search` excludes `contact.point`",
         ),
         (
             "friction = 0.2",
             "friction = 0.2\nnormal_restitution = 0.9\nwave_loss = true",
-            "line 19: `contact.normal_restitution` cannot stand beside `contact.wave_loss`: it is what",
+            "line 19: `contact.normal_restitution` excludes `contact.wave_loss`: it is what",
         ),
         (
             "friction = 0.2",
             "friction = 0.2\npoint_1 = [0, 0, -0.015]",
-            "line 8: `body_1.position` cannot stand beside `contact.point_1`",
+            "line 8: `body_1.position` excludes `contact.point_1`",
         ),
         (
             "friction = 0.2",
             "friction = 0.2\n[uncertainty]\nsamples = 10\nseed = 1",
-            "line 19: `uncertainty` cannot stand beside `contact.friction`: no field is uncertain",
+            "line 19: `uncertainty` excludes `contact.friction`: no field is uncertain",
         ),
         (
             "shape = \"plane\"",
@@ -182,7 +182,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
     }
     let planes =
         changed("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", "shape = \"plane\"");
-    assert!(refused("planes", &planes).contains("two planes do not meet in a point"));
+    assert!(refused("planes", &planes).contains("two planes do not touch at a point"));
 }
 
 #[test]

@@ -92,7 +92,11 @@ fn what_cannot_roll_is_refused_by_name() {
         ("F_z = \"1 kN\"", "F_z = 0", vec!["`contact.F_z` = 0"]),
         ("friction = 0.3", "friction = 0", vec!["`contact.friction` = 0"]),
         ("CREEP", "spin = nan", vec!["`rolling.spin` = NaN"]),
-        ("CREEP", "spin = [1, 2]\ncreepage = [0, 1, 2]", vec!["rolling.spin", "equally many"]),
+        (
+            "CREEP",
+            "spin = [1, 2]\ncreepage = [0, 1, 2]",
+            vec!["rolling.spin", "same number of values"],
+        ),
         (
             "CREEP",
             "creepage = [0, 1]\ndistance = 0.01",

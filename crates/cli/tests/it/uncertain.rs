@@ -127,7 +127,7 @@ fn bad_uncertainty_ends_with_code_2_and_writes_nothing() {
         ("0.975]", "1.5]", "`uncertainty.quantiles` = 1.5 is out of range"),
         ("bins", "bin", "did you mean `bins`?"),
         ("density = 2500", "densty = 2500", "did you mean `density`?"),
-        ("{ uniform = { low = 25, high = 27 } }", "[25, 26]", "cannot stand beside"),
+        ("{ uniform = { low = 25, high = 27 } }", "[25, 26]", "excludes"),
         ("density = 2500", "density = { normal = 3 }", "`body_1.density.normal`"),
         ("fixed = true", "fixed = { normal = { mean = 1, sd = 1 } }", "true or false"),
     ] {

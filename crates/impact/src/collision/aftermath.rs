@@ -1,4 +1,4 @@
-//! What a collision leaves: motions, energy, torsion, warnings.
+//! The result of a collision: motions, energy, torsion, warnings.
 
 use carom_geometry::Certainty;
 use carom_laws::stiffness::ContactStiffness;
@@ -14,23 +14,23 @@ use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::outcome::{EnergyBudget, LogEntry, Rebound, Torsion, TorsionMode, Warning};
 use crate::wave_share::wave_share;
 
-/// Couplings of the normal motion below this part of D_zz are round-off.
+/// Couplings of the normal motion below this fraction of D_zz are round-off.
 const UNCOUPLED: f64 = 1e-9;
 
-/// Differences of chi between directions below this part of it are round-off.
+/// Relative differences of chi between directions below this value are round-off.
 const EVEN: f64 = 1e-12;
 
-/// What a method knows of an impact beyond velocities and impulse.
+/// Results that a method gives beyond velocities and impulse.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Known {
     /// R_x of an elastic impact.
     pub(crate) r_x: Option<f64>,
-    /// What became of the spin about the normal.
+    /// The change of the spin about the normal.
     pub(crate) torsion: Option<Torsion>,
 }
 
 impl Collision {
-    /// The rebound of the bodies after an impact that was followed in contact axes, here or by other means:
+    /// The rebound of the bodies from an impact that was computed in contact axes, here or elsewhere:
     /// motions, energies, torsion and warnings.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl Collision {
         self.rebound_with(outcome, log, Known::default())
     }
 
-    /// The same where the method itself knows what else follows from velocities and shapes.
+    /// As [`Collision::rebound_of`], for methods that give further results.
     pub(crate) fn rebound_with(
         &self,
         outcome: CoupledOutcome,
@@ -82,7 +82,7 @@ impl Collision {
             dissipated,
             lost,
         };
-        // Of bodies next to as heavy as numbers go.
+        // For masses near the largest number.
         RangeError::finite("impulse", impulse.abs().sum())?;
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
@@ -144,14 +144,14 @@ impl Collision {
         }
     }
 
-    // Where the limit depends on the direction, a slip within the rounding of the velocities that
-    // it is the difference of has none.
+    // If the limit depends on the direction, a tangential velocity within the round-off of the velocities
+    // that it is the difference of has no R_x.
     fn restitution(&self, before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
         let limit = self.limit();
         if self.is_tangential() || limit.is_some() { along(before, after).or(limit) } else { None }
     }
 
-    // R_x for vanishing tangential velocities, if it is the same for all their directions.
+    // R_x for vanishing tangential velocities, if it is the same in all directions.
     fn limit(&self) -> Option<f64> {
         let d = self.mobility.matrix();
         let ContactStiffness { c_x, c_y, c_z } = self.hertz.stiffness();
@@ -161,14 +161,14 @@ impl Collision {
         if self.friction.get() == 0.0 {
             return Some(-1.0);
         }
-        // The matrix of chi; c_x and c_y of a circle may differ by a rounding.
+        // The matrix of chi; c_x and c_y of a circle may differ by round-off.
         let chi = [d.m11 * c_x, d.m22 * c_y].map(|product| product / (d.m33 * c_z));
         let turning = d.m12 * (c_x * c_y).sqrt() / (d.m33 * c_z);
         let even = (chi[0] - chi[1]).abs().max(2.0 * turning.abs()) <= EVEN * chi[0];
         even.then(|| restitution_without_slip(chi[0]).clamp(-1.0, 1.0))
     }
 
-    // The greatest share of the normal energy that waves carry away.
+    // The largest share of the normal energy that waves carry away.
     fn wave_share(&self, velocity: f64) -> Result<f64, RangeError> {
         let d_zz = self.mobility.matrix().m33;
         let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;

@@ -1,13 +1,13 @@
-//! Where the bodies touch, as columns.
+//! The contact point of a collision, as columns.
 
 use carom_table::Column;
 
 use super::Collision;
 
 impl Collision {
-    /// Where the bodies touch, and how their surfaces bend there.
+    /// Contact point, axes and curvatures.
     pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::vector("point", "m", "of contact", |c| <[f64; 3]>::from(c.point()).into()),
+        Column::vector("point", "m", "contact point", |c| <[f64; 3]>::from(c.point()).into()),
         Column::vector("x_axis", "", "along the semi-axis a", |collision| {
             <[f64; 3]>::from(collision.frame().x()).into()
         }),

@@ -1,4 +1,4 @@
-//! The course of a collision at chosen instants.
+//! The history of a collision at given instants.
 
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -9,9 +9,9 @@ use crate::normal;
 use crate::outcome::{HistoryPoint, LogEntry};
 
 impl Collision {
-    /// The impact at `count` instants equally spaced in time, touch and separation included, in
-    /// contact axes; empty without an impact. Of spheres and planes each is exact; of other bodies
-    /// it is straight between those that were computed.
+    /// The impact at `count` equally spaced instants from first contact to separation, in contact axes; empty
+    /// without an impact. Exact for spheres and planes; for other bodies interpolated linearly between
+    /// computed steps.
     ///
     /// # Errors
     /// As [`Collision::solve`]; [`RangeError`] for fewer than two instants.
@@ -37,11 +37,11 @@ impl Collision {
         impact.traced(&direction, &times)?.into_iter().map(point).collect()
     }
 
-    /// `count` instants of an impact that was followed otherwise, equally spaced in time and interpolated
-    /// linearly between the computed ones; `initial` is the velocity before, in contact axes.
+    /// `count` equally spaced instants of an impact that was computed elsewhere, interpolated linearly
+    /// between its steps; `initial` is the velocity before, in contact axes.
     ///
     /// # Errors
-    /// [`RangeError`] for fewer than two instants, and for an approach that has no ellipse.
+    /// [`RangeError`] for fewer than two instants, and for an approach that gives no contact ellipse.
     pub fn sampled(
         &self,
         computed: &[Sample],
@@ -64,8 +64,8 @@ impl Collision {
             .collect()
     }
 
-    /// The regimes of an impact that was followed otherwise, each with the first computed instant at which it was
-    /// seen; `initial` is the velocity before, in contact axes.
+    /// The regimes of an impact that was computed elsewhere, each with the first step in which it occurs;
+    /// `initial` is the velocity before, in contact axes.
     #[must_use]
     pub fn regimes(&self, computed: &[Sample], initial: &Vector3<f64>) -> Vec<LogEntry> {
         let mut log = Log::default();

@@ -1,4 +1,4 @@
-//! Two bodies of any smooth shape, anywhere, in any motion: where they touch and how they part.
+//! The collision of two bodies of any smooth shape, position and motion: contact point and rebound.
 
 mod aftermath;
 mod columns;
@@ -27,10 +27,10 @@ pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};
 pub use twist_bound::TwistBound;
 
-/// Differences of D between tangents below this part of it are round-off.
+/// Relative differences of D between tangents below this value are round-off.
 const EVEN: f64 = 1e-12;
 
-/// Why two bodies have no collision that can be computed.
+/// Why a collision cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum CollisionError {
     /// A value out of range.
@@ -42,16 +42,16 @@ pub enum CollisionError {
     /// Neither body can move.
     #[error("both bodies are infinitely heavy: mass = inf must be finite for at least one")]
     BothHeldFast,
-    /// The oblique impact could not be followed.
+    /// The oblique impact could not be solved.
     #[error(transparent)]
     Oblique(#[from] ObliqueError),
-    /// The coupled impact could not be followed.
+    /// The coupled impact could not be solved.
     #[error(transparent)]
     Coupled(CoupledError),
-    /// Torsion was asked for and cannot be given.
+    /// Torsion was requested but cannot be computed.
     #[error(transparent)]
     NormalSpin(#[from] NormalSpinError),
-    /// By the law of rings the bodies do not part.
+    /// With the law of rings the bodies do not separate.
     #[error("the bodies do not separate within 64 times the duration of a free impact")]
     NoSeparation,
 }
@@ -77,11 +77,10 @@ impl From<CoupledError> for CollisionError {
 
 /// Two bodies that touch. z points from body 2 into body 1.
 ///
-/// The shapes choose the method. Rotation symmetry of spheres and planes keeps the tangential
-/// motion in one direction and apart from the normal one: their outcome is exact for materials
-/// with epsilon = 0 (5.20); for others it carries [`crate::Warning::Coupling`]. All other bodies
-/// are followed as [`CoupledImpact`] says. The spin about the normal is left alone, apart from
-/// [`Collision::with_torsion`].
+/// The shapes determine the method. The rotational symmetry of spheres and planes keeps the tangential motion
+/// in one direction and independent of the normal motion: the outcome is exact for materials with epsilon = 0
+/// (5.20); for others it carries [`crate::Warning::Coupling`]. For all other bodies the method is that of
+/// [`CoupledImpact`]. The spin about the normal is not changed, except by [`Collision::with_torsion`].
 ///
 /// ```
 /// use carom_geometry::Surface;
@@ -94,7 +93,7 @@ impl From<CoupledError> for CollisionError {
 /// };
 /// let outcome = Collision::new(ball(-1.0)?, ball(1.0)?, Friction::new(0.15)?)?.solve()?;
 /// assert!((outcome.motions()[0].velocity.z - 1.0).abs() < 1e-15);
-/// // An ellipsoid where it touches a plane.
+/// An ellipsoid that touches a plane.
 /// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
 /// let inertia = egg.solid(0.296)?;
 /// let egg = Body::new(egg, steel, inertia)
@@ -121,18 +120,18 @@ pub struct Collision {
 }
 
 impl Collision {
-    /// Two bodies in a standard place: body 1 on top of body 2 in their attitudes, with the common
-    /// normal along the z axis of space. Body 2 stays, body 1 follows; a plane is turned to face
-    /// the other body.
+    /// Two bodies in a standard position: body 1 on top of body 2 in their attitudes, with the common normal
+    /// along the z axis of space. Body 2 keeps its position, body 1 is moved; a plane is rotated to face the
+    /// other body.
     ///
     /// # Errors
-    /// [`CollisionError::Search`] if they make no elliptical contact there, as two planes or an
-    /// edge, [`CollisionError::BothHeldFast`], [`CollisionError::Range`] if both are rigid.
+    /// [`CollisionError::Search`] if they have no elliptical contact there (two planes, an edge),
+    /// [`CollisionError::BothHeldFast`], [`CollisionError::Range`] if both are rigid.
     pub fn new(body_1: Body, body_2: Body, friction: Friction) -> Result<Self, CollisionError> {
         Self::along(body_1, body_2, [0.0, 0.0, 1.0], friction)
     }
 
-    /// The same with another common normal, from body 2 into body 1.
+    /// As [`Collision::new`], with another common normal, from body 2 into body 1.
     ///
     /// # Errors
     /// As [`Collision::new`]; [`CollisionError::Range`] unless the normal is finite and not zero.
@@ -147,12 +146,12 @@ impl Collision {
         Self::build(bodies, friction, contact)
     }
 
-    /// Two bodies that touch where they are; the contact point is searched for.
-    /// [`crate::Warning::PointSampled`] comes with the outcome where the search proves nothing.
+    /// Two bodies that touch at their given positions; the contact point is found by a search. The outcome
+    /// carries [`crate::Warning::PointSampled`] if the search cannot prove that it is the only one.
     ///
     /// # Errors
-    /// [`CollisionError::Search`] if the bodies do not touch, if they touch with an edge, or if
-    /// no search is known for the pair; else as [`Collision::at`].
+    /// [`CollisionError::Search`] if the bodies do not touch, if they touch at an edge, or if there is no
+    /// search for the pair; else as [`Collision::at`].
     pub fn touching(
         body_1: Body,
         body_2: Body,
@@ -162,11 +161,11 @@ impl Collision {
         Self::build([body_1, body_2], friction, contact)
     }
 
-    /// Two bodies that lie apart: body 1 goes on straight, along the velocity of its centre against
-    /// that of body 2, until they touch; neither turns on the way.
+    /// Two separated bodies: body 1 moves straight, with the velocity of its centre relative to that of body
+    /// 2, until they touch. Neither body rotates on the way.
     ///
     /// # Errors
-    /// [`CollisionError::Search`] if they overlap or pass each other; else as
+    /// [`CollisionError::Search`] if they overlap or miss each other; else as
     /// [`Collision::touching`].
     pub fn meeting(body_1: Body, body_2: Body, friction: Friction) -> Result<Self, CollisionError> {
         let course = body_1.motion().velocity - body_2.motion().velocity;
@@ -192,8 +191,8 @@ impl Collision {
         Self::build([body_1, body_2], friction, contact)
     }
 
-    /// Two bodies that touch with given points of their surfaces, each in its body's axes. Their
-    /// centres need not be known; body 2 keeps its place and body 1 follows.
+    /// Two bodies that touch with given points of their surfaces, each in axes of its body. Their centres
+    /// need not be known; body 2 keeps its position and body 1 is moved.
     ///
     /// # Errors
     /// As [`Collision::at`].
@@ -237,7 +236,7 @@ impl Collision {
         })
     }
 
-    /// The same collision with another law for turning directions.
+    /// The same collision with another law of friction for turning directions.
     #[must_use]
     pub fn with_law(self, law: TurningLaw) -> Self {
         Self { law, ..self }
@@ -245,11 +244,11 @@ impl Collision {
 
     /// The same collision with the torsional impact of chapter 10 on the spin about the normal.
     ///
-    /// Without it that spin is left alone; [`crate::Warning::SpinLeftAlone`] says where that
-    /// matters, and it changes by the order of zeta_max/R. The torsional impact is computed as if
-    /// there were no tangential one: an approximation where both slip, for they share one friction.
-    /// [`Collision::solve`] then refuses bodies whose spin about the normal is coupled to other
-    /// motion; spheres, planes and bodies that meet at the end of an axis of symmetry pass.
+    /// By default that spin is not changed, and [`crate::Warning::SpinLeftAlone`] reports where this matters;
+    /// the neglected change is of the order of zeta_max/R. The torsional impact is computed as if there were
+    /// no tangential impact. This is an approximation if both slip, since they share one friction limit.
+    /// [`Collision::solve`] then rejects bodies whose spin about the normal is coupled to other motion.
+    /// Spheres, planes and bodies that touch at the end of an axis of symmetry are accepted.
     ///
     /// ```
     /// use carom_halfspace::Material;
@@ -269,15 +268,15 @@ impl Collision {
         self.with_torsion_mode(TorsionMode::Included)
     }
 
-    /// The same collision of bodies whose material takes a part of the normal energy, and alike of the
-    /// tangential one: an extension of the elastic theory, see [`NormalRestitution`]. Duration, greatest
-    /// force and course are those of the elastic impact.
+    /// The same collision with dissipation in the material, which reduces the normal and tangential impulse
+    /// alike: an extension of the elastic theory, see [`NormalRestitution`]. Duration, maximum force and
+    /// history are those of the elastic impact.
     #[must_use]
     pub fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
         Self { normal_restitution, ..self }
     }
 
-    /// The same collision, its impact settled to another tolerance than the default; as
+    /// The same collision with another tolerance of its impact than the default; as
     /// [`CoupledImpact::within`].
     ///
     /// # Errors
@@ -287,15 +286,14 @@ impl Collision {
         Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
-    /// The same collision, with the best outcome found where its impact does not settle to the
-    /// tolerance, and [`crate::Warning::NotSettled`] among the warnings, instead of
-    /// [`CoupledError::NotSettled`].
+    /// The same collision, which gives its best outcome with [`crate::Warning::NotSettled`] if the impact
+    /// does not converge to its tolerance, instead of [`CoupledError::NotSettled`].
     #[must_use]
     pub fn accepting_unsettled(self) -> Self {
         Self { unsettled: Unsettled::Accepted, ..self }
     }
 
-    /// The bodies, where they touch.
+    /// The bodies in contact.
     #[must_use]
     pub const fn bodies(&self) -> &[Body; 2] {
         &self.bodies
@@ -325,7 +323,7 @@ impl Collision {
         &self.hertz
     }
 
-    /// What of each body resists the impulse.
+    /// The resistance of each body to an impulse at the contact point.
     #[must_use]
     pub const fn levers(&self) -> &[Lever; 2] {
         &self.levers
@@ -346,7 +344,7 @@ impl Collision {
         of(1) - of(0)
     }
 
-    /// The impact in contact axes; none if the bodies do not approach each other.
+    /// The impact in contact axes; None if the bodies do not approach each other.
     ///
     /// # Errors
     /// [`RangeError`] if a derived quantity over- or underflows.
@@ -369,27 +367,27 @@ impl Collision {
         }))
     }
 
-    /// Follows the collision to separation.
+    /// Computes the impact up to separation.
     ///
     /// # Errors
-    /// [`CollisionError::Oblique`], [`CollisionError::Coupled`] if the impact could not be
-    /// followed, [`CollisionError::Range`] if a derived quantity overflows,
-    /// [`CollisionError::NormalSpin`] if torsion was asked for and cannot be given.
+    /// [`CollisionError::Oblique`], [`CollisionError::Coupled`] if the impact could not be computed,
+    /// [`CollisionError::Range`] if a derived quantity overflows, [`CollisionError::NormalSpin`] if torsion
+    /// was requested but cannot be computed.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         let Some(impact) = self.impact()? else { return Ok(self.missed()) };
         let (outcome, log) = impact.solve_with_log(self.law)?;
         Ok(Outcome::Rebound(Box::new(self.rebound_of(outcome, log)?)))
     }
 
-    /// Whether spheres and planes turn as easily about all tangents: their tangential motion keeps its
-    /// direction and stays exactly apart from the normal one.
+    /// Whether two spheres or planes have the same mobility along all tangents. Then their tangential motion
+    /// keeps its direction and is exactly independent of the normal motion.
     pub(crate) fn is_symmetric(&self) -> bool {
         let d = self.mobility.matrix();
         let skew = (d.m11 - d.m22).abs().max(2.0 * d.m12.abs());
         self.bodies.iter().all(|body| body.height().is_some()) && skew <= EVEN * d.m11
     }
 
-    /// The outcome of bodies that do not approach each other: the motions they have.
+    /// The outcome for bodies that do not approach each other: unchanged motions.
     #[must_use]
     pub fn missed(&self) -> Outcome {
         Outcome::NoImpact { motions: self.bodies.each_ref().map(Body::motion) }

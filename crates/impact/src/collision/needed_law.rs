@@ -1,4 +1,4 @@
-//! Which contact law a collision needs so that the coupling of dissimilar bodies counts.
+//! The choice of the contact law by the effect of coupling and twist.
 
 use std::ops::RangeInclusive;
 
@@ -7,15 +7,15 @@ use carom_laws::coupling::coupling_bound;
 use super::{Collision, CollisionError};
 use crate::outcome::{Outcome, TorsionMode, Warning};
 
-/// Ratios D_xx/D_zz of spheres at which the bound of the effect of coupling was measured.
+/// Ratios D_xx/D_zz of spheres for which the bound of the effect of coupling was measured.
 const MEASURED: RangeInclusive<f64> = 2.5..=5.0;
 
-/// |gamma| f up to which rings are used. Beyond it, at friction that hardly lets anything slip, they are farther off
-/// than the analytic laws: gamma = 0.25, f = 30 at 57 degrees, R_x = -0.319 on a grid, -0.293 analytic, -0.265 by
-/// rings.
+/// Largest |gamma| f for rings. Beyond it, with friction so large that little slips, they are less accurate
+/// than the analytic laws: for gamma = 0.25, f = 30, 57 degrees, R_x = -0.319 on a grid, -0.293 analytically,
+/// -0.265 by rings.
 const LARGEST_FOR_RINGS: f64 = 1.0;
 
-/// The cheapest contact law that follows a collision to a tolerance.
+/// The cheapest contact law with which a collision is accurate to a tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum NeededLaw {
     /// The analytic laws, which neglect the coupling of normal and tangential displacements
@@ -31,7 +31,7 @@ impl Collision {
     /// The change of R_x below which the coupling of dissimilar bodies is neglected by default: 5e-3.
     pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
 
-    /// A bound of how much the coupling of normal and tangential displacements changes R_x
+    /// An upper bound of the change of R_x by the coupling of normal and tangential displacements
     /// ([`carom_laws::coupling::coupling_bound`]).
     #[must_use]
     pub fn coupling_bound(&self) -> f64 {
@@ -41,10 +41,10 @@ impl Collision {
         coupling_bound(self.materials.gamma(), self.friction)
     }
 
-    /// The cheapest law that knows R_x to this tolerance as far as coupling is concerned, and R_x and the relative
-    /// spin about the normal as far as these act on each other ([`Collision::twist_bound`]). Of spheres and planes
-    /// with |gamma| f above 1 the analytic law, which is nearest there. A spin without tangential motion needs
-    /// no rings: its torsional impact is exact.
+    /// The cheapest law whose error of R_x by neglected coupling, and of R_x and the relative spin about the
+    /// normal by their neglected interaction ([`Collision::twist_bound`]), is below the tolerance. For
+    /// spheres and planes with |gamma| f above 1 it is the analytic law, which is the most accurate there. A
+    /// spin without tangential motion does not need rings: its torsional impact is exact.
     #[must_use]
     pub fn needed_law(&self, tolerance: f64) -> NeededLaw {
         let bound = self.coupling_bound();
@@ -64,9 +64,10 @@ impl Collision {
         }
     }
 
-    /// As [`Collision::solve`], where the bounds of what coupling and twist change are part of the error estimate.
-    /// Where the first is negligible it takes the place of [`Warning::Coupling`]. Friction acts on the spin about the
-    /// normal where that is not negligible, as if there were no tangential impact.
+    /// As [`Collision::solve`], with the bounds of the effects of coupling and twist added to the error
+    /// estimate. If the bound of coupling is negligible, it replaces [`Warning::Coupling`]. If the effect of
+    /// friction on the spin about the normal is not negligible, it is computed as if there were no tangential
+    /// impact.
     ///
     /// # Errors
     /// Those of [`Collision::solve`].

@@ -1,4 +1,4 @@
-//! Who follows a collision to separation.
+//! Solvers of collisions, for scenes and studies.
 
 use carom_special::RangeError;
 
@@ -6,27 +6,27 @@ use super::{Collision, CollisionError, NeededLaw};
 use crate::outcome::Outcome;
 use crate::rings::{RingImpact, RingImpactError};
 
-/// Follows collisions to separation, with one contact law or with one that it chooses for each.
+/// Computes collisions, with one contact law or with a law chosen for each collision.
 ///
-/// Scenes and studies of uncertain inputs follow all their impacts with one solver; by default with
+/// Scenes and studies of uncertain inputs compute all their impacts with one solver, by default
 /// [`AnalyticOrRings`].
 pub trait CollisionSolver {
-    /// Why a collision could not be followed.
+    /// Why a collision could not be computed.
     type Error: From<CollisionError>;
 
-    /// Follows the collision to separation.
+    /// Computes a collision up to separation.
     ///
     /// # Errors
-    /// If it cannot be followed.
+    /// If it cannot be computed.
     fn solve(&self, collision: &Collision) -> Result<Outcome, Self::Error>;
 
     /// The value that was out of range, if that was the error.
     fn out_of_range(error: &Self::Error) -> Option<RangeError>;
 }
 
-/// The analytic law, or rings where [`Collision::needed_law`] asks for them.
+/// The analytic law, or the law of rings where [`Collision::needed_law`] requires it.
 ///
-/// It takes the analytic law of dissimilar bodies of other shapes than spheres and planes too, with
+/// For dissimilar bodies other than spheres and planes it uses the analytic law, with
 /// [`crate::Warning::Coupling`].
 ///
 /// ```

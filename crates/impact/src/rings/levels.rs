@@ -1,4 +1,4 @@
-//! Rings and steps from coarse to fine, and a run of each.
+//! Resolutions of an impact by rings, from coarse to fine, and a run with each.
 
 use carom_laws::rings::{AlikePlane, Plane, RingLaw, Symmetry, Tolerance};
 use nalgebra::Vector3;
@@ -8,28 +8,30 @@ use super::motion::{Instant, Passage};
 use super::problem::Problem;
 use crate::coupled::{Sample, Stage};
 
-/// A fineness.
+/// Numbers of rings and steps.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
     run: Run,
     steps: usize,
     tolerance: f64,
-    /// What part of the change from the coarser level counts for its error.
+    /// The error estimate over the change from the coarser level.
     pub(super) left: f64,
     pub(super) floor: Floor,
 }
 
-/// What is left in the velocity over f v_z where that change happens to be small: a sum.
+/// Lower bound of the error of the velocity over f v_z, for cases where that change is accidentally small: a
+/// sum.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Floor {
     pub(super) always: f64,
-    /// Times |gamma|.
+    /// Coefficient of |gamma|.
     pub(super) by_gamma: f64,
-    /// Times |gamma| f.
+    /// Coefficient of |gamma| f.
     pub(super) by_strength: f64,
-    /// Times |gamma|/f where shifts slide: the directions of slip are then many, the angles few.
+    /// Coefficient of |gamma|/f if the contact slides: the direction of slip then varies more than the angles
+    /// resolve.
     pub(super) by_spread: f64,
-    /// In the spin after the impact over that before.
+    /// Lower bound of the error of the spin after the impact over that before.
     pub(super) of_spin: f64,
 }
 
@@ -37,8 +39,8 @@ const fn floor([always, by_gamma, by_strength, by_spread]: [f64; 4], of_spin: f6
     Floor { always, by_gamma, by_strength, by_spread, of_spin }
 }
 
-/// Coarse to fine. What counts of the change and what is left were fitted to 184 drawn impacts (gamma to 0.48, f
-/// from 0.02 to 1.5, lambda from 0.03 to 8, D_xx/D_zz from 2.5 to 6) against the last level.
+/// From coarse to fine. The factors of the error estimates were fitted to 184 random impacts (gamma to 0.48,
+/// f from 0.02 to 1.5, lambda from 0.03 to 8, D_xx/D_zz from 2.5 to 6) against the last level.
 pub(super) const LEVELS: [Level; 4] = [
     level(run::<4, 8, 5, 3>, 32, 1.0 / 300.0, 1.0, floor([1e-2, 0.0, 0.0, 0.0], 1e-2)),
     level(run::<8, 8, 5, 3>, 64, 2e-3, 0.3, floor([2.5e-4, 9e-3, 1.5e-2, 1.7e-3], 1.3e-3)),
@@ -46,14 +48,14 @@ pub(super) const LEVELS: [Level; 4] = [
     level(run::<24, 16, 9, 5>, 256, 1e-4, 0.3, floor([1e-4, 1.5e-3, 3e-3, 4e-4], 3e-4)),
 ];
 
-/// The level that fills tables. Against twice the steps the tangential velocity changes by 5e-4 f v_z in the mean.
+/// The level for tables. With twice the steps the tangential velocity changes by 5e-4 f v_z in the mean.
 pub(super) const FILLING: Level = level(run::<16, 16, 9, 5>, 128, 5e-4, 0.0, floor([0.0; 4], 0.0));
 
 const fn level(run: Run, steps: usize, tolerance: f64, left: f64, floor: Floor) -> Level {
     Level { run, steps, tolerance, left, floor }
 }
 
-/// A run of a fineness, observed at each instant.
+/// A run at one resolution, observed at each instant.
 type Run = fn(&Problem, usize, f64, &mut dyn FnMut(Sample)) -> Result<Passage, RingImpactError>;
 
 impl Level {
@@ -70,9 +72,9 @@ impl Level {
     }
 }
 
-/// One run of so many steps; `FINE` is one over the tolerance of the law.
+/// One run with this many steps; `FINE` is the inverse of the tolerance of the law.
 ///
-/// H are the angles from 0 to half a turn and Q those to a quarter, for motions in a plane.
+/// H is the number of angles from 0 to half a turn and Q that to a quarter, for motions in a plane.
 fn run<const N: usize, const M: usize, const H: usize, const Q: usize>(
     problem: &Problem,
     steps: usize,
@@ -115,7 +117,7 @@ fn sample<const N: usize, const H: usize, S: Symmetry<H>>(
     }
 }
 
-/// What slipped in the last step; the last ring reaches beyond the contact.
+/// The part that slipped in the last step; the last ring extends beyond the contact.
 fn stage<const N: usize, const H: usize, S: Symmetry<H>>(law: &RingLaw<N, H, S>) -> Stage {
     let slipping = || law.slipping().map(|(_, share)| share);
     if slipping().all(|share| share == 0.0) {

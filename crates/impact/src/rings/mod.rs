@@ -1,4 +1,4 @@
-//! Impacts of spheres and planes of unlike materials, with spin about the normal, by the law of rings.
+//! Impacts of spheres and planes of dissimilar materials, with spin about the normal, by the law of rings.
 
 mod filling;
 mod levels;
@@ -20,7 +20,7 @@ use problem::Problem;
 
 pub(crate) use filling::{Filling, by_groups};
 
-/// Mobilities of two tangents that differ by less than this part are the same.
+/// Mobilities along two tangents with a smaller relative difference are equal.
 const EVEN: f64 = 1e-12;
 
 /// Why an impact by rings failed.
@@ -32,22 +32,22 @@ pub enum RingImpactError {
     /// The collision itself cannot be computed.
     #[error(transparent)]
     Collision(#[from] CollisionError),
-    /// The bodies do not part.
+    /// The bodies do not separate.
     #[error("the bodies do not separate within 64 times the duration of a free impact")]
     NoSeparation,
 }
 
-/// A collision of spheres or planes whose contact is [`RingLaw`](carom_laws::rings::RingLaw)'s: the coupling of dissimilar bodies and
-/// the spin about the normal count.
+/// An impact of spheres or planes with the contact law [`RingLaw`](carom_laws::rings::RingLaw), which
+/// includes the coupling of dissimilar materials and the spin about the normal.
 ///
-/// The spin about the normal changes with the rest, at no cost of its own.
+/// The spin about the normal is part of the same computation, without extra cost.
 ///
-/// It is followed with ever finer rings and steps until the estimate of its error is below the tolerance.
-/// Without spin about the normal, half of the angles are enough. From gamma/f = 1000 on nothing sticks: slip then
-/// follows the spreading surfaces as if they were rigid.
+/// The impact is computed with finer and finer rings and steps until its error estimate is below the
+/// tolerance. Without spin about the normal half of the angles are enough. From gamma/f = 1000 nothing
+/// sticks, and slip is computed as if the surfaces were rigid apart from the radial displacement by pressure.
 ///
-/// The same impact of alike bodies without spin, which is known exactly, is followed beside it, and what
-/// the rings miss there is taken off, in part where coupling makes most of the slip.
+/// The same impact of similar bodies without spin, whose exact solution is known, is computed alongside, and
+/// its error is subtracted; only in part where coupling causes most of the slip.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -58,7 +58,7 @@ pub enum RingImpactError {
 /// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
 /// let outcome = RingImpact::new(&collision).solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
-/// // Alike they would slide back a little; unlike they are thrown back (0.3117 on a fine grid).
+/// Similar bodies would rebound slightly reversed; dissimilar ones clearly (0.3117 on a fine grid).
 /// assert!((rebound.r_x.unwrap_or(0.0) - 0.3117).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -71,20 +71,20 @@ pub struct RingImpact<'a> {
 impl<'a> RingImpact<'a> {
     /// The default tolerance: 1e-2.
     ///
-    /// In 200 drawn impacts (gamma to 0.47, f from 0.03 to 0.9, lambda from 0.05 to 5, D_xx/D_zz from 2.5 to 6) the
-    /// tangential velocity was then off by 1.1e-3 f v_z in the mean and 8.7e-3 at most, against the finest rings;
-    /// the estimate covered 193 and was 4.7 times the error in the median.
+    /// In 200 random impacts (gamma to 0.47, f from 0.03 to 0.9, lambda from 0.05 to 5, D_xx/D_zz from 2.5 to
+    /// 6) the error of the tangential velocity was 1.1e-3 f v_z in the mean and 8.7e-3 at most, against the
+    /// finest rings. The estimate covered 193 of the errors; its median was 4.7 times the error.
     pub const TOLERANCE: f64 = 1e-2;
 
-    /// With the default tolerance: the tangential velocity may be off by 1e-2 of f times the velocity of
-    /// approach.
+    /// With the default tolerance: the error of the tangential velocity is at most 1e-2 f times the normal
+    /// velocity before.
     #[must_use]
     pub const fn new(collision: &'a Collision) -> Self {
         Self { collision, tolerance: Self::TOLERANCE }
     }
 
-    /// With another tolerance. Where the finest rings do not meet it the outcome says so by its error
-    /// estimate.
+    /// With another tolerance. If the finest rings do not reach it, the error estimate of the outcome exceeds
+    /// it.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
@@ -93,13 +93,13 @@ impl<'a> RingImpact<'a> {
         Ok(Self { tolerance, ..self })
     }
 
-    /// Follows the impact to separation.
+    /// Computes the impact up to separation.
     ///
-    /// The spin about the normal changes, where there is one, and [`crate::Rebound::torsion`] says by how much;
-    /// [`TorsionMode::LeftOut`] takes the impact without it.
+    /// If there is a spin about the normal, it changes, and [`crate::Rebound::torsion`] contains the change;
+    /// [`TorsionMode::LeftOut`] computes the impact without it.
     ///
     /// # Errors
-    /// [`RingImpactError::Range`] unless both bodies are spheres or planes that turn as easily about all
+    /// [`RingImpactError::Range`] unless both bodies are spheres or planes with the same mobility along all
     /// tangents; else as [`Collision::solve`].
     pub fn solve(&self) -> Result<Outcome, RingImpactError> {
         let Some(problem) = self.problem()? else { return Ok(self.collision.missed()) };
@@ -136,8 +136,8 @@ impl<'a> RingImpact<'a> {
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
-    /// The impact at `count` instants equally spaced in time, interpolated linearly between computed ones, with
-    /// the rings and steps that meet the tolerance; empty without an impact.
+    /// The impact at `count` equally spaced instants, interpolated linearly between computed steps, with the
+    /// rings and steps that meet the tolerance; empty without an impact.
     ///
     /// # Errors
     /// As [`RingImpact::solve`]; [`RangeError`] for fewer than two instants.
@@ -163,7 +163,7 @@ impl<'a> RingImpact<'a> {
             "bodies",
             skew,
             holds,
-            "spheres or planes that turn alike about tangents",
+            "spheres or planes with the same mobility along all tangents",
         )?;
         let (hertz, velocity, z) = (collision.hertz(), impact.velocity(), collision.frame().z());
         let normal = NormalImpact::new(mobility.m33, hertz.stiffness().c_z, velocity.z)?;

@@ -1,27 +1,27 @@
-//! The motion through a contact that takes twist: shift, approach and twist by a leapfrog of equal steps.
+//! Integrates shift, approach and twist through a contact, by leapfrog steps of equal length.
 
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use nalgebra::Vector3;
 
 use crate::coupled::Sample;
 
-/// Contact that lasts longer than this many times the steps of a free impact is given up.
+/// A contact that lasts longer than this many times a free impact is an error.
 const PATIENCE: usize = 64;
 
-/// Rates of the shift: zeta, xi, eta, omega.
+/// Rates of approach, shift and twist: zeta, xi, eta, omega.
 pub(super) type Rates = [f64; 4];
 
-/// What moves, contact axes: rates change by minus mobility times load.
+/// Initial rates and mobility in contact axes: rates change by minus mobility times load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Motion {
-    /// D_zz, D_xx = D_yy, and that of the twist.
+    /// D_zz, D_xx = D_yy, and the rotational mobility of the twist.
     pub(super) mobility: [f64; 3],
     pub(super) before: Rates,
-    /// That of the free impact.
+    /// Duration of the free impact.
     pub(super) duration: f64,
 }
 
-/// How a motion ended.
+/// Rates and extremes at the end of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Passage {
     pub(super) after: Rates,
@@ -35,13 +35,13 @@ pub(super) struct Passage {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Instant {
     pub(super) time: f64,
-    /// zeta, xi, eta, omega since touch.
+    /// zeta, xi, eta, omega since first contact.
     pub(super) shift: Rates,
     pub(super) rates: Rates,
     pub(super) load: ContactLoad,
 }
 
-/// A direction of the tangential motion: cosine and sine.
+/// Direction of the tangential motion: cosine and sine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Turned([f64; 2]);
 
@@ -51,13 +51,13 @@ impl Turned {
         [cosine * x - sine * y, sine * x + cosine * y]
     }
 
-    /// Rates of a motion along x, along this direction.
+    /// Rates of a motion along x, rotated to this direction.
     pub(super) fn rates_back(self, [speed, x, y, omega]: Rates) -> Rates {
         let [x, y] = self.turn([x, y]);
         [speed, x, y, omega]
     }
 
-    /// An instant of a motion along x, along this direction.
+    /// An instant of a motion along x, rotated to this direction.
     pub(super) fn back(self, sample: Sample) -> Sample {
         let turned = |v: Vector3<f64>| {
             let [x, y] = self.turn([v.x, v.y]);
@@ -70,7 +70,8 @@ impl Turned {
 }
 
 impl Motion {
-    /// Without twist the motion stays in a plane: the same along x, and the direction; else none.
+    /// Without twist the motion stays in a plane: returns the same motion along x and its direction; else
+    /// None.
     pub(super) fn along_its_plane(&self) -> (Self, Option<Turned>) {
         let [speed, x, y, omega] = self.before;
         if omega != 0.0 {
@@ -81,8 +82,8 @@ impl Motion {
         (Self { before: [speed, size, 0.0, 0.0], ..*self }, Some(Turned(direction)))
     }
 
-    /// Follows a law from touch to separation, observed at touch, after each step and at separation; none if the
-    /// bodies do not part.
+    /// Integrates from first contact to separation; `observe` is called at first contact, after each step and
+    /// at separation. None if the bodies do not separate.
     pub(super) fn follow<L: ContactLaw>(
         &self,
         mut law: L,
@@ -95,11 +96,11 @@ impl Motion {
         let mut passage = Passage { compressions: 1, ..Passage::default() };
         observe(Instant { time: 0.0, shift: at, rates, load }, &law);
         for step in 0..PATIENCE * steps {
-            // Rates of the middle of the step.
+            // Rates at the middle of the step.
             let middle = self.pushed(&rates, &load, 0.5 * h);
             let next: Rates = std::array::from_fn(|i| at[i] + h * middle[i]);
             if next[0] <= 0.0 {
-                // The force falls with the power 3/2 of the time left: its mean is 2/5.
+                // The force decreases with the power 3/2 of the remaining time: its mean is 2/5.
                 let part = (at[0] / (at[0] - next[0])).clamp(0.0, 1.0);
                 passage.after = self.pushed(&rates, &load, 0.4 * part * h);
                 passage.duration = (step as f64 + part) * h;
@@ -124,7 +125,7 @@ impl Motion {
         Ok(None)
     }
 
-    /// Rates after a load has acted for a time.
+    /// Rates after a load has acted for this time.
     fn pushed(&self, rates: &Rates, load: &ContactLoad, time: f64) -> Rates {
         let [along, across, about] = self.mobility;
         let pushes = [along * load.f_z, across * load.f_x, across * load.f_y, about * load.m_z];

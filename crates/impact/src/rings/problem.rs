@@ -1,4 +1,4 @@
-//! An impact by rings in contact axes, and the one of alike bodies that is known exactly.
+//! An impact by rings in contact axes, and the one of similar bodies whose solution is known.
 
 use carom_laws::friction::Friction;
 use carom_laws::rings::RingConstants;
@@ -9,7 +9,7 @@ use crate::collision::CollisionError;
 use crate::normal::DURATION;
 use crate::oblique::{Groups, ObliqueImpact};
 
-/// D_zz at which the greatest approach is 1 for unit velocity and c_z = 4.
+/// D_zz that gives a maximum approach of 1 for unit velocity and c_z = 4.
 const MOBILITY: f64 = 15.0 / 32.0;
 
 /// The impact in contact axes.
@@ -21,8 +21,8 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    /// Unit velocity of approach and greatest approach; `lambda` is the tangential velocity over f, `ratio`
-    /// D_xx/D_zz.
+    /// An impact with unit normal velocity and maximum approach; `lambda` is the tangential velocity over f,
+    /// `ratio` is D_xx/D_zz.
     pub(super) fn of_groups(
         [kappa, gamma]: [f64; 2],
         friction: Friction,
@@ -38,7 +38,7 @@ impl Problem {
         Self { motion, constants, friction }
     }
 
-    /// Alike bodies without spin.
+    /// The same impact of similar bodies without spin.
     pub(super) fn alike(&self) -> Self {
         let mut alike = *self;
         alike.constants.gamma = 0.0;
@@ -46,7 +46,7 @@ impl Problem {
         alike
     }
 
-    /// f, or 1 where that is no measure of velocities.
+    /// Scale of the tangential velocities: f, or 1 where f is too large to be one.
     pub(super) fn scale(&self) -> f64 {
         match self.friction.get() {
             f if f > 0.0 && f < 1.0 => f,
@@ -54,12 +54,12 @@ impl Problem {
         }
     }
 
-    /// Gamma: gamma/f.
+    /// The coupling over friction, gamma/f.
     pub(super) fn spread(&self) -> f64 {
         self.constants.gamma.abs() / self.friction.get()
     }
 
-    /// R_x of the impact of alike bodies.
+    /// R_x of the impact of similar bodies.
     pub(super) fn exact_restitution(&self) -> Result<f64, RingImpactError> {
         let [speed, xi, eta, _] = self.motion.before;
         let [along, across, _] = self.motion.mobility;
@@ -75,7 +75,7 @@ impl Problem {
         Ok(impact.restitution())
     }
 
-    /// The rates after the same impact of alike bodies without spin.
+    /// The rates after the same impact of similar bodies without spin.
     pub(super) fn exact(&self) -> Result<Rates, RingImpactError> {
         let [speed, xi, eta, _] = self.motion.before;
         let restitution = self.exact_restitution()?;

@@ -1,9 +1,10 @@
-//! Impacts at so little friction that nothing sticks: slip follows the motion of rigid surfaces that spread.
+//! Impacts with so little friction that nothing sticks: slip follows from the motion of rigid surfaces with
+//! the radial displacement by pressure.
 //!
-//! Where Gamma = gamma/f is large, elastic displacements by tractions are small against the slip that the
-//! changing pressure causes, of the rate gamma zeta' h(rho) outwards (inwards while the bodies part),
-//! `h = (2/pi) (1 - (1 - rho^2)^(1/2))/rho`. With the rates of shift and twist that is the direction of the
-//! traction f p, and the mean over an angle is that of elliptic integrals.
+//! Where gamma/f is large, elastic displacements by tractions are small compared with the slip that the
+//! changing pressure causes. Its rate is gamma zeta' h(rho), outwards (inwards in restitution), `h = (2/pi)
+//! (1 - (1 - rho^2)^(1/2))/rho`. Together with the rates of shift and twist it gives the direction of the
+//! traction f p; the mean over the angle is given by elliptic integrals.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -16,44 +17,44 @@ use super::motion::Passage;
 use super::problem::Problem;
 use crate::normal::{NormalImpact, compression};
 
-/// gamma/f from which on rings are left.
+/// gamma/f from which this solution replaces the rings.
 const LEAST: f64 = 1000.0;
-/// Steps of the velocity of approach, and points over the radius.
+/// Number of steps of the normal velocity, and of points over the radius.
 const STEPS: usize = 128;
 const POINTS: usize = 24;
-/// What displacements by tractions change in the tangential velocity over f v_z, times gamma/f over D_xx/D_zz:
-/// 3 was the largest against rings at gamma/f from 25 to 250.
+/// Effect of displacements by tractions on the tangential velocity over f v_z, times gamma/f over D_xx/D_zz:
+/// the largest found was 3, against rings with gamma/f from 25 to 250.
 const ELASTIC: f64 = 4.0;
-/// What steps and points leave.
+/// Error of steps and points.
 const LEFT: f64 = 5e-4;
 
-/// Means over the contact, weighted by the pressure.
+/// Means over the contact, weighted by the pressure, of the direction of slip.
 struct Drag {
-    /// Along the tangential velocity.
+    /// Component along the tangential velocity.
     along: f64,
-    /// Of radius times the circumferential direction.
+    /// Radius times the circumferential component.
     about: f64,
-    /// Of the rate of spread over gamma zeta' times its direction.
+    /// Component along the radial displacement, weighted by its rate over gamma zeta'.
     outwards: f64,
 }
 
-/// An impact that slides, and how far off the tangential velocity may be over f v_z.
+/// A sliding impact, and its estimated error of the tangential velocity over f v_z.
 pub(super) struct Slide {
     pub(super) passage: Passage,
     pub(super) estimate: f64,
-    /// Of the normal velocity, over v_z.
+    /// Error of the normal velocity, over v_z.
     pub(super) normal: f64,
 }
 
-/// The mean over the angle of the cosine between a velocity v and its sum with a velocity h of any direction:
-/// `d/dv (1/(2 pi)) int |v + h| = [(v + h) E - (h - v) K]/(pi v)`, axis ratio |v - h|/(v + h).
+/// The mean, over the direction of a velocity h, of the cosine between a velocity v and v + h: `d/dv (1/(2
+/// pi)) int |v + h| = [(v + h) E - (h - v) K]/(pi v)`, axis ratio |v - h|/(v + h).
 fn mean_cosine(v: f64, h: f64) -> f64 {
     if v <= 0.0 {
         return 0.0;
     }
     let ratio = (v - h).abs() / (v + h);
     match AxisRatio::new(ratio) {
-        // Vanishing: K is infinite, but not (h - v) K.
+        // For an axis ratio of zero K is infinite, but (h - v) K vanishes.
         Err(_) => FRAC_2_PI,
         Ok(ratio) => ((v + h) * e(ratio) - (h - v) * k(ratio)) / (PI * v),
     }
@@ -63,8 +64,8 @@ fn mean_cosine(v: f64, h: f64) -> f64 {
 struct Points(GaussLegendre);
 
 impl Points {
-    /// The drag at a tangential velocity, the rate of spread gamma zeta' and the circumferential velocity of the
-    /// rim.
+    /// The friction means at a tangential velocity, a rate gamma zeta' of radial displacement and a
+    /// circumferential velocity of the rim.
     fn drag(&self, velocity: f64, spread: f64, rim: f64) -> Drag {
         let mut drag = Drag { along: 0.0, about: 0.0, outwards: 0.0 };
         for node in self.0.on(0.0, 1.0) {
@@ -87,7 +88,7 @@ impl Points {
 }
 
 impl Problem {
-    /// The impact if nothing sticks; none where elastic displacements matter.
+    /// The impact if nothing sticks; None where elastic displacements matter.
     pub(super) fn slide(&self) -> Result<Option<Slide>, RingImpactError> {
         let (friction, gamma) = (self.friction.get(), self.constants.gamma.abs());
         if self.spread() < LEAST || gamma == 0.0 {
@@ -99,13 +100,13 @@ impl Problem {
         let points = Points(GaussLegendre::new(POINTS)?);
         let rim =
             |w: f64| self.constants.radius * (normal.maximal_approach() * compression(w)).sqrt();
-        // What friction changes while the velocity of approach falls by one step.
+        // The change by friction while the normal velocity decreases by one step.
         let change = |w: f64, [velocity, spin]: [f64; 2]| {
             let drag = points.drag(velocity.abs(), gamma * speed * w.abs(), rim(w) * spin.abs());
             let push = 2.0 * friction * speed / (along * STEPS as f64);
             let slowed = push * across * drag.along;
             let untwisted = push * about * rim(w) * drag.about;
-            // What the spread takes of the square of the velocity of approach.
+            // The work of the radial displacement, as a change of the square of the normal velocity.
             let taken = 4.0 * friction * gamma * w.abs() * drag.outwards / STEPS as f64;
             [slowed.copysign(velocity), untwisted.copysign(spin), taken]
         };
@@ -127,7 +128,7 @@ impl Problem {
             maximal_force: normal.maximal_force(),
             compressions: 1,
         };
-        // Displacements matter where the way of slip turns with the spread.
+        // Displacements matter where the direction of slip turns with the radial displacement.
         let reach = 2.0 * before[0] / (gamma * speed);
         let elastic = ELASTIC * across / (along * self.spread() * (1.0 + reach.powi(4)));
         Ok(Some(Slide { passage, estimate: elastic + LEFT, normal: friction * friction }))

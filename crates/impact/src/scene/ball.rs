@@ -1,4 +1,4 @@
-//! The ball of a scene: a sphere of finite mass and where its centre is.
+//! The ball of a scene: a sphere of finite mass with its position.
 
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -14,11 +14,11 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// The sphere `body`, solid or hollow, with its place and motion.
+    /// A ball from the sphere `body`, solid or hollow, at its position and with its motion.
     ///
     /// # Errors
-    /// [`SceneError::NotASphere`] for a body of another shape; [`SceneError::Range`] for an
-    /// infinite mass, which no plane held fast turns back, or moments of inertia that differ.
+    /// [`SceneError::NotASphere`] for a body of another shape; [`SceneError::Range`] for an infinite mass,
+    /// which a fixed wall cannot reflect, or moments of inertia that differ.
     pub fn new(body: Body) -> Result<Self, SceneError> {
         let surface = body.placed().surface();
         let radius =
@@ -45,7 +45,7 @@ impl Ball {
         self.radius
     }
 
-    /// Where its centre is.
+    /// The position of its centre.
     #[must_use]
     pub const fn position(&self) -> Vector3<f64> {
         self.body.placed().centre()

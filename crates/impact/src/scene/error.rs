@@ -1,28 +1,28 @@
-//! Why a scene cannot be run.
+//! Errors of a scene.
 
 use carom_special::{RangeError, Readable};
 
 use crate::collision::CollisionError;
 
-/// Why a scene cannot be built or run; `E` is the error of its [`CollisionSolver`](crate::CollisionSolver). Walls
-/// count from 0 in the order they were added.
+/// Why a scene cannot be built or computed; `E` is the error of its
+/// [`CollisionSolver`](crate::CollisionSolver). Walls are numbered from 0 in the order they were added.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SceneError<E = CollisionError> {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The body that should fly is no sphere.
+    /// The body is not a sphere.
     #[error(
-        "the ball must be a sphere, not a {shape}: the turning of other bodies in flight is not followed"
+        "the ball must be a sphere, not a {shape}: a scene computes the flight of spheres only"
     )]
     NotASphere {
-        /// What it is.
+        /// Its shape.
         shape: &'static str,
     },
-    /// The ball reaches into a wall at the start.
+    /// The ball overlaps a wall at the start.
     #[error("the ball starts inside wall {wall}: the gap between them is {} and must be >= 0", Readable(*gap))]
     Inside {
-        /// Which wall.
+        /// The wall.
         wall: usize,
         /// Distance of the ball's surface from the wall; negative.
         gap: f64,
@@ -30,15 +30,15 @@ pub enum SceneError<E = CollisionError> {
     /// The ball and a wall cannot collide.
     #[error("wall {wall}: {source}")]
     Collision {
-        /// Which wall.
+        /// The wall.
         wall: usize,
-        /// Why.
+        /// The reason.
         source: E,
     },
 }
 
 impl SceneError {
-    /// As the error of a scene that another solver follows.
+    /// The same error for a scene with another solver.
     pub(super) fn of_solver<E: From<CollisionError>>(self) -> SceneError<E> {
         match self {
             Self::Range(error) => SceneError::Range(error),

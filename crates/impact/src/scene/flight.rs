@@ -1,11 +1,11 @@
-//! Free flight: the centre on a parabola.
+//! Free flight: the centre moves on a parabola.
 
 use nalgebra::Vector3;
 
-/// Parts of a vector along a normal below this part of it are round-off.
+/// Components of a vector along a normal below this fraction of it are round-off.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// How much of a vector goes along a normal; nothing where that is within its rounding.
+/// The component of a vector along a normal; zero if it is within round-off.
 pub(super) fn along(vector: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
     let part = vector.dot(normal);
     if part.abs() <= ROUNDING * vector.amax() { 0.0 } else { part }
@@ -28,8 +28,8 @@ impl Flight {
         self.velocity + time * self.gravity
     }
 
-    /// When a gap of `gap` now, along `normal`, closes: the root of
-    /// gap + v_n t + g_n t^2/2 at which it falls. None if it never does.
+    /// The time at which the gap `gap` along `normal` closes: the root of gap + v_n t + g_n t^2/2 with
+    /// negative slope. None if it never closes.
     pub(super) fn closing(&self, gap: f64, normal: &Vector3<f64>) -> Option<f64> {
         let (v, g) = (along(&self.velocity, normal), along(&self.gravity, normal));
         if gap == 0.0 && v < 0.0 {
@@ -40,7 +40,7 @@ impl Flight {
             return None;
         }
         let speed = discriminant.sqrt();
-        // The falling root is -(v + speed)/g; in the form that does not cancel.
+        // The root with negative slope is -(v + speed)/g; in the form without cancellation.
         let time = match (v > 0.0, g == 0.0) {
             (true, true) => return None,
             (true, false) => -(v + speed) / g,
@@ -49,7 +49,7 @@ impl Flight {
         (time >= 0.0 && time.is_finite()).then_some(time)
     }
 
-    /// |c(t) - origin|^2 - radius^2 by powers of t, of the parts across `axis` if there is one.
+    /// |c(t) - origin|^2 - radius^2 as a polynomial in t, of the components perpendicular to `axis` if given.
     pub(super) fn distance_polynomial(
         &self,
         origin: &Vector3<f64>,
@@ -95,7 +95,7 @@ mod tests {
         assert_eq!(closing(0.5, -3.5, 12.0), Some(1.0 / 4.0));
         assert_eq!(closing(1.0, 1.0, 0.0), None);
         assert_eq!(closing(0.0, 0.0, -10.0), None);
-        // However slow.
+        // Any speed is enough.
         assert_eq!(closing(0.0, -1e-200, -10.0), Some(0.0));
     }
 }

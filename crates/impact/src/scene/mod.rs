@@ -1,9 +1,9 @@
-//! A ball that flies under gravity and bounces between planes held fast.
+//! A ball that flies under gravity and bounces between fixed walls.
 //!
-//! Between two bounces the centre moves on a parabola (no drag) and the spin stays as it is; the
-//! next plane is the one that the ball touches first, found from the roots of the distance as a
-//! polynomial of time. Each bounce is a [`Collision`](crate::Collision) along the plane's normal,
-//! short against the flight: its duration does not count and gravity does nothing during it.
+//! Between two bounces the centre moves on a parabola (no drag) and the spin is constant. The next wall is
+//! the one that the ball touches first, found from the roots of the distance, a polynomial in time. Each
+//! bounce is a [`Collision`](crate::Collision) along the normal of the wall. It is short compared with the
+//! flight: its duration and gravity during it are neglected.
 
 mod ball;
 mod error;

@@ -1,4 +1,4 @@
-//! What a scene leaves behind: flights, bounces and the end.
+//! The path of the ball: flights, bounces and the end.
 
 use carom_special::RangeError;
 use carom_table::Column;
@@ -8,7 +8,7 @@ use super::flight::Flight;
 use crate::body::Motion;
 use crate::outcome::Rebound;
 
-/// When to stop.
+/// When the computation stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     time: f64,
@@ -17,7 +17,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Up to `time`, and `bounces` bounces at most.
+    /// Stops at `time`, or after `bounces` bounces.
     ///
     /// # Errors
     /// [`RangeError`] unless the time is finite and positive and there is at least one bounce.
@@ -27,7 +27,7 @@ impl Limits {
         Ok(Self { time, bounces, rebound_height: 0.0 })
     }
 
-    /// Stop, too, when the ball will rise less than this above the wall it has just left.
+    /// Stops also when the ball will rise less than this above the wall it has just left.
     ///
     /// # Errors
     /// [`RangeError`] unless the height is finite and not negative.
@@ -35,19 +35,19 @@ impl Limits {
         Ok(Self { rebound_height: RangeError::non_negative("rebound height", height)?, ..self })
     }
 
-    /// The last time.
+    /// The time at which it stops.
     #[must_use]
     pub const fn time(&self) -> f64 {
         self.time
     }
 
-    /// The most bounces.
+    /// The largest number of bounces.
     #[must_use]
     pub const fn bounces(&self) -> usize {
         self.bounces
     }
 
-    /// The least height of a rebound.
+    /// The smallest height of a rebound.
     #[must_use]
     pub const fn rebound_height(&self) -> f64 {
         self.rebound_height
@@ -80,9 +80,9 @@ impl TimedFlight {
 pub struct PathPoint {
     /// Time since the start.
     pub time: f64,
-    /// Where the centre is.
+    /// Position of the centre.
     pub position: Vector3<f64>,
-    /// How the ball moves.
+    /// Motion of the ball.
     pub motion: Motion,
 }
 
@@ -91,9 +91,9 @@ pub struct PathPoint {
 pub struct Bounce {
     /// Time since the start.
     pub time: f64,
-    /// Which wall, from 0 in the order they were added.
+    /// The wall, numbered from 0 in the order they were added.
     pub wall: usize,
-    /// Where the centre is.
+    /// Position of the centre.
     pub position: Vector3<f64>,
     /// Unit normal of the wall, into the ball.
     pub normal: Vector3<f64>,
@@ -101,13 +101,12 @@ pub struct Bounce {
     pub before: Motion,
     /// Motion of the ball after.
     pub after: Motion,
-    /// The impact in full: R_x, regimes, impulse, energy, warnings. The ball is body 1.
+    /// The whole impact: R_x, regimes, impulse, energy, warnings. The ball is body 1.
     pub rebound: Rebound,
 }
 
 impl Bounce {
-    /// When, where and how the ball moves; what came of the impact is in
-    /// [`Rebound::COLUMNS`].
+    /// Time, position and motion of the ball; the impact is described by [`Rebound::COLUMNS`].
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("time", "s", "since the start", |bounce| bounce.time.into()),
         Column::vector("position", "m", "of the centre", |bounce| {
@@ -125,7 +124,7 @@ impl Bounce {
 }
 
 impl PathPoint {
-    /// When, where and how.
+    /// Time, position and motion.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("time", "s", "since the start", |point| point.time.into()),
         Column::vector("position", "m", "of the centre", |point| {
@@ -141,19 +140,19 @@ impl PathPoint {
 /// Why a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// The last time is reached.
+    /// The time limit is reached.
     Time,
-    /// The last bounce is done.
+    /// The limit of bounces is reached.
     Bounces,
-    /// The ball stays on this wall: it lies, slides or rolls there, or rises too little (less than the
-    /// limit; where the material takes energy, less than a millionth of its radius).
+    /// The ball stays on this wall: it rests, slides or rolls there, or rises less than the limit (with
+    /// dissipation in the material, less than a millionth of its radius).
     Rest {
-        /// Which wall.
+        /// The wall.
         wall: usize,
     },
-    /// The ball meets an edge of this wall: a sharp edge makes no Hertz contact.
+    /// The ball hits an edge of this wall; a sharp edge has no Hertz contact.
     Edge {
-        /// Which wall.
+        /// The wall.
         wall: usize,
     },
 }
@@ -167,20 +166,20 @@ pub struct Leg {
 }
 
 impl Leg {
-    /// The bounce at its end; none where the path ends otherwise, or the ball touches a wall without
-    /// approaching it.
+    /// The bounce at its end; None if the path ends otherwise, or the ball touches a wall without approaching
+    /// it.
     #[must_use]
     pub const fn bounce(&self) -> Option<&Bounce> {
         self.bounce.as_ref()
     }
 
-    /// Why the path ends with it; none if another leg follows.
+    /// Why the path ends after this leg; None if another leg follows.
     #[must_use]
     pub const fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// The ball at `count` instants of its flight, as [`Path::points`]; none where it does not fly.
+    /// The ball at `count` instants of its flight, as [`Path::points`]; none without a flight.
     ///
     /// # Errors
     /// [`RangeError`] for fewer than two instants.

@@ -1,9 +1,9 @@
-//! Where a polynomial of degree four or less falls through zero.
+//! Downward zero crossings of a polynomial of degree four or less.
 
 use carom_special::roots::{ALL_DIGITS, bisect};
 
-/// Calls `visit` with every place in `[0, end]`, in order, at which the polynomial with these
-/// coefficients (by rising powers) falls from positive to negative.
+/// Calls `visit` with each point in `[0, end]`, in order, at which the polynomial with these coefficients (by
+/// rising powers) changes from positive to negative.
 pub(super) fn falls(coefficients: &[f64; 5], end: f64, mut visit: impl FnMut(f64)) {
     let (breaks, count) = stationary(coefficients, end);
     let mut low = 0.0;
@@ -17,7 +17,7 @@ pub(super) fn falls(coefficients: &[f64; 5], end: f64, mut visit: impl FnMut(f64
     }
 }
 
-/// The places in (0, end), in order, where the derivative changes sign.
+/// The points in (0, end), in order, at which the derivative changes sign.
 fn stationary(coefficients: &[f64; 5], end: f64) -> ([f64; 3], usize) {
     let mut derivative = [0.0; 5];
     for power in 1..5 {
@@ -26,8 +26,8 @@ fn stationary(coefficients: &[f64; 5], end: f64) -> ([f64; 3], usize) {
     crossings(&derivative, 3, end)
 }
 
-/// The changes of sign in (0, end) of a polynomial of degree `degree` at most three, in order:
-/// one at most between two of its derivative's.
+/// The sign changes in (0, end) of a polynomial of degree `degree`, at most three, in order: at most one
+/// between two sign changes of its derivative.
 fn crossings(coefficients: &[f64; 5], degree: usize, end: f64) -> ([f64; 3], usize) {
     let (mut found, mut count) = ([0.0; 3], 0);
     if degree == 0 {
@@ -50,8 +50,8 @@ fn crossings(coefficients: &[f64; 5], degree: usize, end: f64) -> ([f64; 3], usi
     (found, count)
 }
 
-/// The last number before the change of sign in `[low, high]`: a distance there has not yet
-/// fallen below its bound.
+/// The last number before the sign change in `[low, high]`: there a distance has not yet fallen below its
+/// bound.
 fn change(coefficients: &[f64; 5], low: f64, high: f64) -> f64 {
     let positive = evaluate(coefficients, low) > 0.0;
     let [before, _] =
@@ -75,12 +75,12 @@ mod tests {
 
     #[test]
     fn falls_of_a_quartic() {
-        // (x - 1)(x - 2)(x - 3)(x - 4) falls at 1 and 3.
+        // (x - 1)(x - 2)(x - 3)(x - 4) has downward crossings at 1 and 3.
         let found = all([24.0, -50.0, 35.0, -10.0, 1.0], 10.0);
         assert_eq!(found.len(), 2);
         assert!((found[0] - 1.0).abs() < 1e-14 && (found[1] - 3.0).abs() < 1e-13);
         assert_eq!(all([24.0, -50.0, 35.0, -10.0, 1.0], 2.5).len(), 1);
-        // x^4 + 1 has no zero; 1 - x has one; a touch from above is no fall.
+        // x^4 + 1 has no zero; 1 - x has one; a double zero from above is no crossing.
         assert!(all([1.0, 0.0, 0.0, 0.0, 1.0], 10.0).is_empty());
         assert_eq!(all([1.0, -1.0, 0.0, 0.0, 0.0], 10.0).len(), 1);
         assert!(all([1.001, -2.0, 1.0, 0.0, 0.0], 10.0).is_empty());

@@ -1,4 +1,4 @@
-//! A scene and its run from event to event.
+//! A scene, computed from event to event.
 
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -12,13 +12,13 @@ use crate::body::Body;
 use crate::collision::{AnalyticOrRings, Collision, CollisionSolver};
 use crate::outcome::{Outcome, TorsionMode};
 
-/// Walls and gravity.
+/// The walls and the gravity of a scene.
 ///
-/// Each impact is followed with [`AnalyticOrRings`], so that the coupling of dissimilar bodies counts. Of like bodies
-/// a bounce takes some microseconds, by rings a millisecond or more.
+/// Each impact is computed with [`AnalyticOrRings`], which accounts for the coupling of dissimilar materials.
+/// A bounce of similar bodies takes some microseconds, by rings a millisecond or more.
 ///
-/// If the ball meets two walls at the same instant, as in a corner, it bounces off the one added
-/// first, then off the other.
+/// If the ball touches two walls at the same instant, as in a corner, it bounces off the one added first,
+/// then off the other.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -45,7 +45,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Without walls; gravity is an acceleration, and may be zero.
+    /// A scene without walls; gravity is an acceleration, and may be zero.
     ///
     /// # Errors
     /// [`RangeError`] if gravity is not finite.
@@ -57,15 +57,14 @@ impl Scene {
         Ok(Self { gravity: gravity.into(), walls: Vec::new(), torsion })
     }
 
-    /// With one wall more.
+    /// Adds a wall.
     #[must_use]
     pub fn with(mut self, wall: Wall) -> Self {
         self.walls.push(wall);
         self
     }
 
-    /// The same scene, where friction acts on the spin about the normal of each bounce always, never, or where it
-    /// matters.
+    /// The same scene with friction acting on the spin about the normal always, never, or where it matters.
     #[must_use]
     pub fn with_torsion_mode(self, torsion: TorsionMode) -> Self {
         Self { torsion, ..self }
@@ -83,17 +82,17 @@ impl Scene {
         self.gravity
     }
 
-    /// Follows the ball until a limit, rest or an edge.
+    /// Computes the path of the ball up to a limit, rest or an edge.
     ///
     /// # Errors
-    /// [`SceneError::Inside`] if the ball reaches into a wall at the start,
-    /// [`SceneError::Collision`] if it and a wall cannot collide, as two rigid bodies, or an
-    /// impact fails; [`SceneError::Range`] if the ball flies beyond the largest number.
+    /// [`SceneError::Inside`] if the ball overlaps a wall at the start, [`SceneError::Collision`] if it
+    /// cannot collide with a wall (both rigid), or an impact fails; [`SceneError::Range`] if a coordinate
+    /// overflows.
     pub fn run(&self, ball: &Ball, limits: Limits) -> Result<Path, SceneError> {
         self.run_by(AnalyticOrRings, ball, limits)
     }
 
-    /// The same with another solver of collisions.
+    /// As [`Scene::run`], with another solver of collisions.
     ///
     /// # Errors
     /// As [`Scene::run`].
@@ -114,7 +113,7 @@ impl Scene {
         Ok(Path { flights, bounces, ending, last: legs.now() })
     }
 
-    /// Follows the ball as [`Scene::run`], leg by leg: for paths with more bounces than memory should hold.
+    /// As [`Scene::run`], leg by leg: for paths with more bounces than fit into memory.
     ///
     /// ```
     /// # use carom_halfspace::Material;
@@ -134,13 +133,13 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`SceneError::Inside`] and [`SceneError::Collision`] as of [`Scene::run`]; a leg may be an error, too,
-    /// and is then the last.
+    /// [`SceneError::Inside`] and [`SceneError::Collision`] as for [`Scene::run`]. A leg may also be an
+    /// error; it is then the last.
     pub fn legs(&self, ball: &Ball, limits: Limits) -> Result<Legs<'_>, SceneError> {
         self.legs_by(AnalyticOrRings, ball, limits)
     }
 
-    /// The same with another solver of collisions.
+    /// As [`Scene::legs`], with another solver of collisions.
     ///
     /// # Errors
     /// As [`Scene::legs`].
@@ -154,10 +153,10 @@ impl Scene {
         Ok(Legs::new(self, solver, ball, limits))
     }
 
-    /// Whether the ball can start where it is.
+    /// Checks that the ball can start at its position.
     ///
     /// # Errors
-    /// [`SceneError::Inside`] and [`SceneError::Collision`] as of [`Scene::run`].
+    /// [`SceneError::Inside`] and [`SceneError::Collision`] as for [`Scene::run`].
     pub fn check(&self, ball: &Ball) -> Result<(), SceneError> {
         for (index, wall) in self.walls.iter().enumerate() {
             let gap = wall.gap(&ball.position(), ball.radius());
@@ -186,11 +185,11 @@ impl Scene {
     }
 }
 
-/// A ball that loses energy in each bounce would bounce without end in a finite time: it rests once it
-/// rises less than this part of its radius.
+/// A ball that loses energy in each bounce would make infinitely many bounces in a finite time. It comes to
+/// rest when it rises less than this fraction of its radius.
 const LOW: f64 = 1e-6;
 
-/// The legs of a path, one after the other, each followed when it is asked for.
+/// The legs of a path in order, each computed when it is requested.
 #[derive(Debug)]
 pub struct Legs<'a, S = AnalyticOrRings> {
     scene: &'a Scene,
@@ -239,7 +238,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         }
     }
 
-    /// To the next event.
+    /// Computes the leg to the next event.
     fn step(&mut self) -> Result<Leg, SceneError<S::Error>> {
         let flight = self.flight();
         let walls = || self.scene.walls.iter().enumerate();
@@ -299,7 +298,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         let outcome = outcome.map_err(|source| SceneError::Collision { wall, source })?;
         let pull = -along(&self.scene.gravity, &normal);
         let Outcome::Rebound(rebound) = outcome else {
-            // A touch without approach: it rests, or gravity takes it away.
+            // Contact without approach: the ball rests, or gravity pulls it away.
             let ending = (pull >= 0.0).then_some(Ending::Rest { wall });
             return Ok(Leg { flight: None, bounce: None, ending });
         };
@@ -318,7 +317,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         self.bounces += 1;
         let speed = after.velocity.dot(&normal);
         let least = if loses { LOW * self.radius } else { 0.0 };
-        // v^2/(2 g) is how high it rises.
+        // v^2/(2 g) is the height of the rebound.
         let rests =
             pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height().max(least);
         let ending = match rests {
@@ -328,7 +327,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         Ok(Leg { flight: None, bounce: Some(bounce), ending })
     }
 
-    // Puts the centre at one radius from the wall: round-off of the flight does not build up.
+    // Places the centre one radius from the wall, so that round-off of the flight does not accumulate.
     fn settle(&mut self, wall: usize, normal: &Vector3<f64>) {
         let wall = &self.scene.walls[wall];
         let height = (self.now.position - wall.point()).dot(normal);

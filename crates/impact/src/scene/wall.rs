@@ -1,4 +1,4 @@
-//! A wall: a plane held fast, whole or a rectangle of it.
+//! A wall: a fixed plane, infinite or rectangular.
 
 use carom_halfspace::Material;
 use carom_laws::friction::Friction;
@@ -9,8 +9,7 @@ use super::flight::{Flight, along};
 use super::roots::falls;
 use crate::normal_restitution::NormalRestitution;
 
-/// A plane held fast: a half-space that fills the side against the normal, or a thin rectangular
-/// plate that is hit from both sides.
+/// A fixed wall: the surface of a half-space, or a thin rectangular plate that can be hit from both sides.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -34,10 +33,10 @@ pub struct Wall {
     normal_restitution: NormalRestitution,
 }
 
-/// How far a wall reaches.
+/// The extent of a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
-    /// Without end.
+    /// Infinite.
     Infinite,
     /// A rectangle about the wall's point.
     Rectangle {
@@ -48,7 +47,7 @@ pub enum Extent {
     },
 }
 
-/// What of a wall a ball meets first, and when.
+/// The part of a wall that the ball touches first, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Meeting {
     /// A face, with the normal into the ball.
@@ -66,8 +65,8 @@ impl Meeting {
 }
 
 impl Wall {
-    /// The half-space below the plane through `point` with this normal, which points to the free
-    /// side and need not have length 1.
+    /// The half-space below the plane through `point`; `normal` is the outward normal and need not be of unit
+    /// length.
     ///
     /// # Errors
     /// [`RangeError`] for a point that is not finite, or a normal that is zero or not finite.
@@ -91,8 +90,9 @@ impl Wall {
         })
     }
 
-    /// Only a rectangle about the point, thin and hit from both sides: one pair of its sides
-    /// lies along `along` (made perpendicular to the normal), of lengths twice `half_lengths`.
+    /// Restricts the wall to a thin rectangle about its point, which can be hit from both sides. One pair of
+    /// its sides lies along `along` (made perpendicular to the normal); their lengths are twice
+    /// `half_lengths`.
     ///
     /// # Errors
     /// [`RangeError`] if `along` is not finite, zero or parallel to the normal, or a half length
@@ -128,13 +128,13 @@ impl Wall {
         self.normal
     }
 
-    /// How far it reaches.
+    /// Its extent.
     #[must_use]
     pub const fn extent(&self) -> Extent {
         self.extent
     }
 
-    /// What it is made of.
+    /// Its material.
     #[must_use]
     pub const fn material(&self) -> Material {
         self.material
@@ -146,13 +146,13 @@ impl Wall {
         self.friction
     }
 
-    /// What the material takes of a bounce.
+    /// The dissipation in the material at a bounce.
     #[must_use]
     pub const fn normal_restitution(&self) -> NormalRestitution {
         self.normal_restitution
     }
 
-    /// The corners of a rectangle, in order around it; none of an infinite plane.
+    /// The corners of a rectangle, in order around it; None for an infinite plane.
     #[must_use]
     pub fn corners(&self) -> Option<[Vector3<f64>; 4]> {
         let Extent::Rectangle { axes: [u, v], half_lengths: [a, b] } = self.extent else {
@@ -189,8 +189,7 @@ impl Wall {
         (0..2).all(|i| offset.dot(&axes[i]).abs() <= half_lengths[i])
     }
 
-    /// The normal into a ball that touches a face and lies still against it, pressed on by
-    /// gravity.
+    /// The normal of a face on which the ball rests, pressed on by gravity.
     pub(super) fn pressed(&self, flight: &Flight, radius: f64) -> Option<Vector3<f64>> {
         let height = (flight.position - self.point).dot(&self.normal);
         let normal = self.side(height) * self.normal;
@@ -206,7 +205,7 @@ impl Wall {
         if self.extent == Extent::Infinite || height >= 0.0 { 1.0 } else { -1.0 }
     }
 
-    /// What a flying ball meets first of the wall, up to the time `end`.
+    /// The first contact of a flying ball with the wall, up to the time `end`.
     pub(super) fn meeting(&self, flight: &Flight, radius: f64, end: f64) -> Option<Meeting> {
         let height = (flight.position - self.point).dot(&self.normal);
         let slack = self.tolerance(&flight.position, radius);
@@ -228,7 +227,7 @@ impl Wall {
         earlier(first, self.edge(flight, radius, end).map(|time| Meeting::Edge { time }))
     }
 
-    // When the ball first meets an edge or a corner, if before `end`: the face comes first.
+    // The first contact with an edge or a corner, if before `end`: a face comes first.
     fn edge(&self, flight: &Flight, radius: f64, end: f64) -> Option<f64> {
         let corners = self.corners()?;
         let mut first: Option<f64> = None;

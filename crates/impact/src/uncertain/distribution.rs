@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 use statrs::distribution::{ContinuousCDF as _, Normal};
 
-/// How one input scatters.
+/// The distribution of one input.
 ///
 /// ```
 /// use carom_impact::uncertain::Distribution;
@@ -34,9 +34,8 @@ impl Distribution {
         Ok(Self(Kind::Normal { mean, deviation }))
     }
 
-    /// The log-normal distribution of which this is the mean and the standard deviation of the
-    /// quantity itself, not of its logarithm: sigma^2 = ln(1 + (sd/mean)^2),
-    /// mu = ln mean - sigma^2/2.
+    /// The log-normal distribution with this mean and standard deviation of the quantity itself, not of its
+    /// logarithm: sigma^2 = ln(1 + (sd/mean)^2), mu = ln mean - sigma^2/2.
     ///
     /// # Errors
     /// [`RangeError`] unless both are finite and positive.
@@ -51,7 +50,7 @@ impl Distribution {
         Ok(Self(Kind::LogNormal { log_mean, log_deviation: variance.sqrt() }))
     }
 
-    /// Every value from `low` to `high` alike.
+    /// The uniform distribution from `low` to `high`.
     ///
     /// # Errors
     /// [`RangeError`] unless both are finite and `low < high`.
@@ -60,8 +59,8 @@ impl Distribution {
         Ok(Self(Kind::Uniform { low, high }))
     }
 
-    /// From `low` to `high` with a density that rises and falls in straight lines, with its peak
-    /// at `mode`.
+    /// The triangular distribution from `low` to `high` with its peak at `mode`: a density with two straight
+    /// parts.
     ///
     /// # Errors
     /// [`RangeError`] unless all are finite, `low < high` and the mode lies between them.
@@ -71,7 +70,7 @@ impl Distribution {
         Ok(Self(Kind::Triangular { low, mode, high }))
     }
 
-    /// The value below which a draw lies with this probability.
+    /// The value below which a sample lies with this probability.
     ///
     /// # Errors
     /// [`RangeError`] unless the probability lies in (0, 1).

@@ -1,8 +1,8 @@
-//! Random numbers by counting: each depends on the seed, the sample and the input alone, so that
-//! the order in which threads ask for them does not matter.
+//! Counter-based random numbers: each depends only on seed, sample and input, so that the order in which
+//! threads ask for them does not matter.
 
-/// A number in (0, 1) for input `input` of sample `sample`: the top 53 bits of the hash, at the
-/// middle of their step, so that neither end occurs.
+/// A number in (0, 1) for input `input` of sample `sample`: the top 53 bits of the hash, at the middle of
+/// their interval, so that neither end occurs.
 pub(super) fn uniform(seed: u64, sample: u64, input: u64) -> f64 {
     let hash = mix(mix(mix(seed).wrapping_add(sample)).wrapping_add(input));
     ((hash >> 12) as f64 + 0.5) / (1u64 << 52) as f64

@@ -1,9 +1,9 @@
-//! Impacts with uncertain inputs: measured scatter in, scatter of the rebound out.
+//! Impacts with uncertain inputs: distributions of the inputs give distributions of the rebound.
 //!
-//! Friction, velocity, angle, radius or modulus follow a [`Distribution`]; a [`Sampling`] draws
-//! them independently (plain Monte Carlo, seeded), follows every impact and gives a
-//! [`Study`]: mean, standard deviation, quantiles and histogram of each [`Quantity`]. Draws
-//! outside the valid range, such as a negative friction, are counted, not dropped in silence.
+//! Friction, velocity, angle, radius or modulus have a [`Distribution`]. A [`Sampling`] draws them
+//! independently (plain Monte Carlo with a seed), computes every impact and returns a [`Study`]: mean,
+//! standard deviation, quantiles and histogram of each [`Quantity`]. Samples outside the valid range, such as
+//! a negative friction, are counted and reported.
 
 mod distribution;
 mod draw;

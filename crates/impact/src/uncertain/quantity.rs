@@ -1,10 +1,10 @@
-//! What of a rebound is summarised.
+//! The quantities of a rebound of which a study computes statistics.
 
 use nalgebra::Vector3;
 
 use crate::outcome::Rebound;
 
-/// A number of a rebound.
+/// A scalar quantity of a rebound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// R_x.
@@ -19,7 +19,7 @@ pub enum Quantity {
     Spin(usize, usize),
     /// Duration.
     Duration,
-    /// Greatest normal force.
+    /// Maximum normal force.
     MaximalForce,
     /// Energy dissipated.
     Dissipated,
@@ -79,7 +79,7 @@ impl Quantity {
         }
     }
 
-    /// Its value in a rebound along `normal`, from body 2 into body 1; none where there is none.
+    /// Its value in a rebound along `normal`, from body 2 into body 1; None if it has none.
     pub(super) fn of(self, rebound: &Rebound, normal: &Vector3<f64>) -> Option<f64> {
         let motion = |body: usize| &rebound.motions[body.min(1)];
         Some(match self {

@@ -1,4 +1,4 @@
-//! Many impacts with drawn inputs.
+//! A Monte Carlo study of impacts.
 
 use carom_special::{RangeError, Readable};
 use nalgebra::Vector3;
@@ -11,36 +11,36 @@ use super::summary::Summary;
 use crate::collision::{AnalyticOrRings, Collision, CollisionError, CollisionSolver};
 use crate::outcome::{Outcome, Rebound, Warning};
 
-/// Samples that one study may have at most.
+/// Largest number of samples of a study.
 const MOST_SAMPLES: usize = 1_000_000;
 
-/// Why a study gives no answer; `E` is the error of its [`CollisionSolver`].
+/// Why a study has no result; `E` is the error of its [`CollisionSolver`].
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum UncertainError<E = CollisionError> {
-    /// A value of the study itself is out of range.
+    /// A parameter of the study is out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
     /// An impact cannot be computed for a reason other than a drawn value out of range.
     #[error("sample {sample}: {source}")]
     Collision {
-        /// Which sample, from 0.
+        /// The sample, from 0.
         sample: usize,
-        /// Why.
+        /// The reason.
         source: E,
     },
-    /// No sample is left: all are out of range, or make no impact.
+    /// No sample is left: all are out of range, or have no impact.
     #[error("none of {samples} samples makes an impact: {out_of_range} are out of range{}", first.map_or_else(String::new, |e| format!(", the first with {} = {} (must be {})", e.field, Readable(e.value), e.allowed)))]
     NothingLeft {
-        /// How many were drawn.
+        /// Number of samples.
         samples: usize,
-        /// How many of them are out of range.
+        /// Number of samples out of range.
         out_of_range: usize,
-        /// The first of those.
+        /// The error of the first of those.
         first: Option<RangeError>,
     },
 }
 
-/// How many samples, and from which seed.
+/// Number of samples, and seed of the random numbers.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -67,7 +67,7 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// `samples` draws, the same for the same seed on any machine and number of threads.
+    /// A sampling that gives the same samples for the same seed on any machine and number of threads.
     ///
     /// # Errors
     /// [`RangeError`] unless there are 2 to 1000000 samples.
@@ -77,15 +77,16 @@ impl Sampling {
         Ok(Self { samples, seed })
     }
 
-    /// Draws the inputs, makes of them the collision by `build`, and follows it with [`AnalyticOrRings`]; in
-    /// parallel. Of dissimilar spheres a sample by rings takes a millisecond or more, an exact one some microseconds.
+    /// Draws the inputs, makes the collision from them with `build`, and computes it with
+    /// [`AnalyticOrRings`], in parallel. For dissimilar spheres a sample by rings takes a millisecond or
+    /// more; an exact one takes some microseconds.
     ///
-    /// A [`RangeError`] of `build` says that the drawn values lie outside what physics allows:
-    /// the sample is counted under the field it names.
+    /// A [`RangeError`] of `build` means that the values drawn are not physically possible: the sample is
+    /// counted under the field that the error names.
     ///
     /// # Errors
     /// [`UncertainError::Collision`] for any other error, of the first sample that has one;
-    /// [`UncertainError::NothingLeft`] if no sample makes an impact.
+    /// [`UncertainError::NothingLeft`] if no sample has an impact.
     pub fn run(
         &self,
         inputs: &[Distribution],
@@ -94,7 +95,7 @@ impl Sampling {
         self.run_by(&AnalyticOrRings, inputs, build)
     }
 
-    /// The same with another solver of collisions.
+    /// As [`Sampling::run`], with another solver of collisions.
     ///
     /// # Errors
     /// As [`Sampling::run`].
@@ -124,7 +125,7 @@ impl Sampling {
     }
 }
 
-/// What becomes of a sample.
+/// The result of a sample.
 enum Fate<E> {
     Rebound(Box<Sampled>),
     NoImpact,
@@ -132,7 +133,7 @@ enum Fate<E> {
     Failed(E),
 }
 
-/// What is kept of a rebound.
+/// The part of a rebound that is kept.
 struct Sampled {
     numbers: [Option<f64>; Quantity::ALL.len()],
     method: &'static str,
@@ -171,16 +172,16 @@ fn fate<S: CollisionSolver>(
     }
 }
 
-/// Samples of which a field is out of range.
+/// Samples with a given field out of range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutOfRange {
     /// The error of the first of them.
     pub first: RangeError,
-    /// How many there are with this field.
+    /// Number of samples with this field out of range.
     pub count: usize,
 }
 
-/// What came of all samples.
+/// The results of all samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
     samples: usize,
@@ -194,7 +195,7 @@ pub struct Study {
 }
 
 impl Study {
-    // In the order of the samples, whichever thread did them.
+    // In the order of the samples, whichever thread computed them.
     fn from_fates<E>(
         fates: Vec<Fate<E>>,
         inputs: &[Distribution],
@@ -254,54 +255,55 @@ impl Study {
         })
     }
 
-    /// How many samples were drawn.
+    /// Number of samples.
     #[must_use]
     pub const fn samples(&self) -> usize {
         self.samples
     }
 
-    /// How many of them make no impact.
+    /// Number of samples without an impact.
     #[must_use]
     pub const fn no_impact(&self) -> usize {
         self.no_impact
     }
 
-    /// Those out of range, by the field that is, in the order the fields first occur.
+    /// Samples out of range, by field, in the order in which the fields first occur.
     #[must_use]
     pub fn out_of_range(&self) -> &[OutOfRange] {
         &self.out_of_range
     }
 
-    /// The methods by which the samples were followed ([`crate::coupled::ImpactMethod::name`]), in the order in which
-    /// they first occur, with the number of samples of each.
+    /// The methods with which the samples were computed ([`crate::coupled::ImpactMethod::name`]), in the
+    /// order in which they first occur, with the number of samples of each.
     #[must_use]
     pub fn methods(&self) -> &[(&'static str, usize)] {
         &self.methods
     }
 
-    /// The greatest [`Rebound::error_estimate`] of all samples.
+    /// The largest [`Rebound::error_estimate`] of all samples.
     #[must_use]
     pub const fn error_estimate(&self) -> f64 {
         self.error_estimate
     }
 
-    /// Samples of which the coupling of dissimilar bodies was neglected ([`Warning::Coupling`]).
+    /// Number of samples in which the coupling of dissimilar materials was neglected ([`Warning::Coupling`]).
     #[must_use]
     pub const fn coupling_neglected(&self) -> usize {
         self.coupling_neglected
     }
 
-    /// The drawn inputs, all samples, in their order.
+    /// The drawn inputs of all samples, in order.
     #[must_use]
     pub fn inputs(&self) -> &[Summary] {
         &self.inputs
     }
 
-    /// A quantity of the rebounds that have it, none if no rebound has; samples out of range or
-    /// without impact do not count.
+    /// The values of a quantity of the rebounds that have it; None if no rebound has it. Samples out of range
+    /// or without impact do not count.
     #[must_use]
     pub fn summary(&self, quantity: Quantity) -> Option<&Summary> {
-        // Quantity::ALL holds every quantity; indices beyond a body's or an axis's are its last.
+        // Quantity::ALL holds every quantity; an index above that of the last body or axis stands for the
+        // last.
         let index = Quantity::ALL.iter().position(|q| q.name() == quantity.name()).unwrap_or(0);
         self.summaries[index].as_ref()
     }

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-/// The numbers of one quantity.
+/// The values of one quantity.
 ///
 /// ```
 /// use carom_impact::uncertain::Summary;
@@ -25,21 +25,21 @@ pub struct Bin {
     pub low: f64,
     /// Upper end.
     pub high: f64,
-    /// How many values lie in it.
+    /// Number of values in it.
     pub count: usize,
 }
 
 impl Summary {
-    /// Of these values; none if there are none, or one is not a number.
+    /// The summary of these values; None if there are none, or one is NaN.
     ///
-    /// The sums run in the order given: the same values in the same order give the same bits.
+    /// The sums run in the given order: the same values in the same order give the same bits.
     #[must_use]
     pub fn new(mut values: Vec<f64>) -> Option<Self> {
         if values.is_empty() || values.iter().any(|value| value.is_nan()) {
             return None;
         }
         let count = values.len() as f64;
-        // About the first value: no cancellation between large values that scatter little.
+        // Relative to the first value: no cancellation between large values that differ little.
         let origin = values[0];
         let shift = values.iter().map(|value| value - origin).sum::<f64>() / count;
         let mean = origin + shift;
@@ -49,7 +49,7 @@ impl Summary {
         Some(Self { mean, deviation, sorted: values })
     }
 
-    /// How many values.
+    /// Number of values.
     #[must_use]
     pub fn count(&self) -> usize {
         self.sorted.len()
@@ -79,11 +79,11 @@ impl Summary {
         &self.sorted
     }
 
-    /// The value below which this part of the values lies, linear between two values: 0 gives
-    /// the least, 1 the greatest, 0.5 the median.
+    /// The value below which this fraction of the values lies, interpolated linearly: 0 gives the smallest, 1
+    /// the largest, 0.5 the median.
     ///
     /// # Errors
-    /// [`RangeError`] unless the part lies in [0, 1].
+    /// [`RangeError`] unless the fraction lies in [0, 1].
     pub fn quantile(&self, part: f64) -> Result<f64, RangeError> {
         RangeError::check("quantile", part, (0.0..=1.0).contains(&part), "in [0, 1]")?;
         let place = part * (self.count() - 1) as f64;
@@ -93,8 +93,8 @@ impl Summary {
         Ok(low + (high - low) * (place - index as f64))
     }
 
-    /// How many values lie in each of `bins` bins of equal width from the least to the greatest.
-    /// Values that are all the same give one bin of no width.
+    /// The number of values in each of `bins` bins of equal width, from the smallest to the largest. Equal
+    /// values give one bin of zero width.
     ///
     /// # Errors
     /// [`RangeError`] for no bins.

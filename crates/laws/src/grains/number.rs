@@ -89,7 +89,7 @@ impl Number for Lanes {
         if self.abs().simd_le(Self::splat(up_to)).all() {
             return then(self);
         }
-        // Each lane as it would be alone.
+        // Lane by lane, with the same bits as a single number.
         let one = |value: f64| match value.abs() <= up_to {
             true => then(Self::splat(value)).to_array()[0],
             false => else_each(value),

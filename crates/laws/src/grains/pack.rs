@@ -7,7 +7,7 @@ use super::vector::{Vector, dot};
 use crate::coulomb::packed_numbers;
 use crate::memory::VertexStack;
 
-/// Tangent, normal, friction, drag, velocity and lead.
+/// Number of values beside those of the law: tangent, normal, friction, drag, velocity and lead.
 pub(super) const BESIDE: usize = 13;
 
 /// Number of values of a stored grain contact with this many vertices: 79 for 12.
@@ -58,7 +58,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     }
 }
 
-/// What is stored of a contact beside its law.
+/// The stored values of a contact beside those of its law.
 pub(super) struct Beside {
     pub(super) tangent: Vector,
     pub(super) normal: Vector,

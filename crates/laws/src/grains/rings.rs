@@ -12,14 +12,14 @@ use super::vector::{Vector, dot, times};
 use crate::law::{ContactLoad, Shift};
 use crate::rings::{RingMemory, Rings};
 
-/// The contact of two grains with the load history of the law of rings ([`crate::rings`]), in axes that
-/// move with the grains as those of [`super::GrainContact`].
+/// The contact of two grains with the load history of the law of rings ([`crate::rings`]), in axes that move
+/// with the grains like those of [`super::GrainContact`].
 ///
-/// Approach, shift and twist act together: dissimilar materials are coupled, and the spin about the normal
-/// has its torque. Numerov's correction, the mean of friction before the gap opens and the damping are those of
-/// [`super::GrainContact`]. An exchange of the grains gives the same bits.
+/// Approach, shift and twist act together: the coupling of dissimilar materials and the torque about the
+/// normal are included. Numerov's correction, the averaging of friction before the gap opens, and damping are
+/// those of [`super::GrainContact`]. Exchanging the grains gives the same bits.
 ///
-/// The constants ([`Rings`]) are given to each call and must be those with which the contact began.
+/// The constants ([`Rings`]) are passed to each call and must be those with which the contact began.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -31,7 +31,7 @@ use crate::rings::{RingMemory, Rings};
 /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], spin: [0.0, 0.0, 1.0], ..below };
 /// let load = contact.advance(&rings, &Meeting::of_spheres(&above, &below, [0.5; 2])?, 1e-3)?;
-/// // Held back in its way and in its spin.
+/// Friction acts against the velocity and against the spin.
 /// assert!(load.force[0] < 0.0 && load.torques[0][2] < 0.0 && load.torques[1][2] > 0.0);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
@@ -56,7 +56,7 @@ pub struct GrainRings<const N: usize = 6, const M: usize = 8> {
     pub(super) viscosity: f64,
 }
 
-/// What the law gives at the end of a step.
+/// The load that the law gives at the end of a step.
 struct Given {
     load: ContactLoad,
     heat: f64,
@@ -216,7 +216,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let axes = [self.tangent, meeting.normal];
         let mut load = load_in(axes, meeting.arms, normal_force, self.friction);
         for ((torque, arm), sign) in load.torques.iter_mut().zip(meeting.arms).zip([1.0, -1.0]) {
-            // A wall has no arm and takes no torque.
+            // A wall has no arm and no torque.
             if arm != 0.0 {
                 for (torque, normal) in torque.iter_mut().zip(meeting.normal) {
                     *torque += sign * self.torque * normal;
@@ -227,7 +227,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
     }
 }
 
-/// The twist of a step; the law counts it clockwise.
+/// The twist during a step, clockwise as in the law.
 fn turned(meeting: &Meeting, dt: f64) -> f64 {
     -dot(meeting.twisting, meeting.normal) * dt
 }

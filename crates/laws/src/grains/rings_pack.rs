@@ -6,12 +6,12 @@ use super::pack::{BESIDE, Beside};
 use super::rings::GrainRings;
 use crate::rings::{Rings, packed_numbers};
 
-/// A mark, what stands beside the law, and the torque about the normal.
+/// Number of values beside those of the law: the mark, those of [`super::GrainContact`], and the torque.
 const AROUND: usize = 1 + BESIDE + 1;
-/// The first number of a stored contact, which tells it from those of other laws.
+/// The first number of a stored contact; it distinguishes this law from others.
 pub const RING_GRAIN_MARK: f64 = 30_001.0;
 
-/// Number of values of a stored contact of so many rings and angles: 309 for 6 x 8.
+/// Number of values of a stored contact with this many rings and angles: 309 for 6 x 8.
 ///
 /// ```
 /// assert_eq!(carom_laws::grains::ring_grain_numbers(6, 8), 309);
@@ -23,8 +23,8 @@ pub const fn ring_grain_numbers(rings: usize, angles: usize) -> usize {
 
 impl<const N: usize, const M: usize> GrainRings<N, M> {
     /// Writes the state of the contact as numbers: a mark, which is not zero, those of the law
-    /// ([`crate::rings::RingMemory::pack`]), then tangent, normal, the forces of the last step, its velocity
-    /// and its torque. All zeros represent two separated grains. The constants of the contact are not stored.
+    /// ([`crate::rings::RingMemory::pack`]), then tangent, normal, and force, velocity and torque of the last
+    /// step. All zeros represent two separated grains. The constants of the contact are not stored.
     ///
     /// # Errors
     /// [`RangeError`] if `numbers` is too short; nothing is then written.
@@ -51,7 +51,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             "mark",
             mark,
             mark == RING_GRAIN_MARK,
-            "30001, of a contact with the law of rings",
+            "30001, the mark of a contact with the law of rings",
         )?;
         let beside = Beside::read(&numbers[beside])?;
         let torque = RangeError::finite("torque", numbers[torque])?;
@@ -64,7 +64,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
 
 type Parts = (usize, std::ops::Range<usize>, std::ops::Range<usize>, usize);
 
-/// The places of mark, law, what stands beside it, and torque.
+/// The index ranges of mark, law, contact and torque.
 fn parts<const N: usize, const M: usize>(room: usize) -> Result<Parts, RangeError> {
     let whole = ring_grain_numbers(N, M);
     RangeError::check("numbers", room as f64, room >= whole, "enough for the contact")?;

@@ -1,4 +1,4 @@
-//! A step of two grains: how their axes move on, and the shift at its end.
+//! A step of two grains: rotation of their axes, and the shift at its end.
 
 use super::contact::GrainLoad;
 use super::meeting::Meeting;
@@ -6,13 +6,13 @@ use super::number::Number;
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::Shift;
 
-/// The state of a contact before a step, as far as the step needs it.
+/// The part of the state before a step that the step needs.
 pub(super) struct Before<T> {
     pub(super) tangent: Vector<T>,
     pub(super) normal: Vector<T>,
     pub(super) velocity: [T; 2],
     pub(super) lead: [T; 2],
-    /// The shift that the law was given.
+    /// The shift that was given to the law.
     pub(super) shift: [T; 2],
 }
 
@@ -20,7 +20,7 @@ pub(super) struct Before<T> {
 pub(super) struct Step<T = f64> {
     pub(super) tangent: Vector<T>,
     pub(super) zeta: T,
-    /// The shift that the law is given.
+    /// The shift to give to the law.
     pub(super) shift: [T; 2],
     pub(super) velocity: [T; 2],
     pub(super) lead: [T; 2],
@@ -170,7 +170,7 @@ fn turn<T: Number>(angle: T) -> (T, T) {
     (angle.where_small(1e-3, sine, libm::sin), angle.where_small(1e-3, cosine, libm::cos))
 }
 
-/// A place on a straight path; a part above 1 lies beyond its end.
+/// A point on a straight path, or beyond its end if `part` is above 1.
 pub(super) fn on_the_way(from: Shift, to: Shift, part: f64) -> Shift {
     let between = |from: f64, to: f64| from + part * (to - from);
     Shift {

@@ -154,7 +154,7 @@ fn normalised<S: VertexStack<[f64; 2]>>(
     Ok(to)
 }
 
-/// One after the other, if a contact begins or ends.
+/// Advances the contacts one after the other, if one begins or ends.
 #[cold]
 #[inline(never)]
 fn one_by_one<S: VertexStack<[f64; 2]>>(

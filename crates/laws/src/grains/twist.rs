@@ -19,7 +19,7 @@ pub struct GrainTwist {
 }
 
 impl GrainTwist {
-    /// From a law, in its initial state or with a history.
+    /// Makes a contact from a law, in its initial state or with a history.
     #[must_use]
     pub const fn new(law: TorsionLaw) -> Self {
         Self { law }

@@ -1,31 +1,32 @@
-//! Slip carried along with rings that move: interpolation over the radius by six neighbours.
+//! Transport of slip with rings that move: interpolation over the radius with six neighbours.
 //!
-//! With four, paths of 800 steps lost twice the accuracy to the many interpolations that ones of 100 did.
+//! With four neighbours, errors of repeated interpolation doubled the error of paths of 800 steps against
+//! those of 100.
 
 use super::symmetry::Symmetry;
 use super::transform::Field;
 
 /// The largest number of rings.
 pub(super) const MOST_RINGS: usize = 24;
-/// Neighbours of a place.
+/// Number of neighbours in an interpolation.
 const NEAR: usize = 6;
-/// Rings beyond the middle.
+/// Number of rings mirrored beyond the centre.
 const BEYOND: usize = NEAR / 2;
-/// The most nodes: those beyond the middle, the rings, the rim.
+/// Largest number of nodes: those beyond the centre, the rings, the rim.
 const NODES: usize = BEYOND + MOST_RINGS + 1;
 
-/// The neighbours of a place and their weights.
+/// The neighbours of a radius and their weights.
 #[derive(Debug, Clone, Copy)]
 struct Stencil {
     first: usize,
     weights: [f64; NEAR],
 }
 
-/// The nodes of a contact of radius 1: rings beyond the middle, the rings, the rim.
+/// The nodes of a contact of radius 1: rings mirrored beyond the centre, the rings, the rim.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Nodes<const N: usize> {
     at: [f64; NODES],
-    /// For each first neighbour, the constant factors of Lagrange's polynomials.
+    /// For each first neighbour, the constant factors of the Lagrange polynomials.
     factors: Vec<[f64; NEAR]>,
 }
 
@@ -46,12 +47,12 @@ impl<const N: usize> Nodes<N> {
         Self { at, factors }
     }
 
-    /// The first neighbour next to the rim.
+    /// The last possible first neighbour, next to the rim.
     const fn last() -> usize {
         N + BEYOND + 1 - NEAR
     }
 
-    /// That of a place; `near` is a first neighbour not far from it.
+    /// The stencil of a radius; `near` is a first neighbour nearby, where the search starts.
     #[inline]
     fn stencil(&self, x: f64, near: usize) -> Stencil {
         let mut first = near.min(Self::last());
@@ -73,8 +74,8 @@ impl<const N: usize> Nodes<N> {
         Stencil { first, weights }
     }
 
-    /// The field on rings whose radii have changed by a factor, from the field and its values on the
-    /// old rim; rings outside the old contact take those of the rim.
+    /// The field on rings whose radii have changed by a factor, interpolated from the old field and its
+    /// values at the old rim. Rings outside the old contact take the values at the rim.
     #[inline]
     pub(super) fn carried<const H: usize, S: Symmetry<H>>(
         &self,
@@ -96,7 +97,7 @@ impl<const N: usize> Nodes<N> {
         for (j, parts) in out.iter_mut().enumerate() {
             let (opposite, signs) = S::opposite(j);
             for (c, part) in parts.iter_mut().enumerate() {
-                // Beyond the middle both directions of the frame are reversed.
+                // Beyond the centre both directions of the polar frame are reversed.
                 let across = &field[opposite][c];
                 for i in 0..BEYOND {
                     line[i] = -signs[c] * across[BEYOND - 1 - i];
@@ -125,7 +126,7 @@ mod tests {
         let layout = Layout::<6>::new();
         let nodes = Nodes::new(&layout.radius);
         let turns = directions::<8>();
-        // A vector field of fifth order in x and y, in the turning frame.
+        // A vector field of fifth order in x and y, in polar components.
         let at = |r: f64, [c, s]: [f64; 2]| {
             let (x, y) = (r * c, r * s);
             let (u, v) = (0.3 + x - 2.0 * y + x * y, 0.1 + y * y * y * x * x - x);

@@ -1,32 +1,32 @@
-//! The state of a contact of rings and its step, in normalised units.
+//! The state of a contact on rings and its step, in normalised units.
 //!
-//! Lengths are such that the approach is a^2; shifts and displacements are over f, tractions over f
-//! times the modulus (1 - nu)/G = 1, so that Hertz's pressure `(4/pi) sqrt(a^2 - r^2)` is their limit.
-//! Vectors stand in the radial and circumferential direction. Twists are counter-clockwise.
+//! Units are such that the approach is a^2. Shifts and displacements are divided by f, tractions by f times
+//! the modulus (1 - nu)/G = 1, so that Hertz's pressure `(4/pi) sqrt(a^2 - r^2)` is the friction limit.
+//! Vectors have a radial and a circumferential component. Twists are counter-clockwise.
 
 use super::pair::Pair;
 use super::solve::{Share, Tractions};
 use super::symmetry::Symmetry;
 use super::transform::Field;
 
-/// A ratio of steps above which slip is not looked ahead any further.
+/// Largest ratio of two step lengths at which slip is extrapolated.
 const FARTHEST: f64 = 2.0;
-/// Below this part of its radius a contact that recedes has forgotten all: what it carries along is rounding.
+/// If the radius shrinks below this fraction, the history is dropped: what is left of it is rounding.
 const FORGOTTEN: f64 = 1e-7;
-/// Way of a step over the approach beyond which it only slides: it is taken in this length.
+/// Longest tangential path of a step relative to the approach; a longer one only adds sliding.
 const LONGEST: f64 = 1e3;
 
-/// The contact since it touched.
+/// The state of a contact since it began.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact<const N: usize, const H: usize> {
-    /// The contact radius; 0 where the bodies just touch.
+    /// The contact radius; 0 for bodies that just touch.
     pub(super) radius: f64,
-    /// What has slipped at each place, against the rigid shift and twist of now.
+    /// Accumulated slip at each place, relative to the present rigid shift and twist.
     pub(super) slip: Field<N, H>,
-    /// As `slip`, at the rim.
+    /// Accumulated slip at the rim.
     pub(super) rim: [[f64; 2]; H],
     pub(super) tractions: Tractions<N, H>,
-    /// The length of the last step.
+    /// Length of the last step.
     pub(super) length: f64,
 }
 
@@ -39,21 +39,21 @@ pub(super) struct Step {
     pub(super) twisted: f64,
 }
 
-/// What a step did.
+/// The result of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Done {
     pub(super) iterations: usize,
-    /// In the unit of energy.
+    /// Heat, in the unit of energy.
     pub(super) heat: f64,
 }
 
-/// Loads and energy in normalised units, tangential ones over f.
+/// Loads and energy in normalised units; tangential loads are divided by f.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Sums {
     pub(super) force: [f64; 2],
     pub(super) torque: f64,
     pub(super) normal: f64,
-    /// Of the tangential tractions.
+    /// Energy stored by the tangential tractions.
     pub(super) stored: f64,
 }
 
@@ -66,13 +66,13 @@ impl<const N: usize, const H: usize> Default for Contact<N, H> {
 }
 
 impl Step {
-    /// The tangential way at the rim of a contact of this radius.
+    /// The tangential displacement of the step at the rim of a contact of this radius.
     fn way(&self, radius: f64) -> f64 {
         let [x, y] = self.shifted;
         libm::hypot(libm::hypot(x, y), radius * self.twisted)
     }
 
-    /// The same direction, this part of the way.
+    /// A step in the same direction, of this fraction.
     fn shortened(&self, part: f64) -> Self {
         let (shifted, twisted) = (self.shifted.map(|x| part * x), part * self.twisted);
         Self { shifted, twisted, ..*self }
@@ -80,7 +80,7 @@ impl Step {
 }
 
 impl<const N: usize, const H: usize> Contact<N, H> {
-    /// Goes straight to a positive approach.
+    /// Advances straight to a positive approach.
     pub(super) fn advance<S: Symmetry<H>>(
         &mut self,
         pair: &Pair<N, H, S>,
@@ -98,7 +98,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         if pair.slips && way > longest {
             let part = longest / way;
             let done = self.go(pair, tolerance, radius, &step.shortened(part));
-            // All slides on the rest of the way.
+            // The rest of the path is complete sliding.
             let sums = self.sums(pair);
             let [x, y] = sums.force;
             let along = x * step.shifted[0] + y * step.shifted[1] + sums.torque * step.twisted;
@@ -119,7 +119,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         let factor = self.radius / radius;
         let [by, further] = self.ahead(length).map(|by| by * factor * factor);
         let ahead = self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)));
-        // Slip that goes on at its rate is the first guess.
+        // The first guess continues the slip at its rate.
         self.tractions.y =
             self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| further * y)));
         let share = Self::share(pair, factor);
@@ -140,13 +140,13 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         Done { iterations, heat: heat * radius * square * square / S::ANGLES as f64 }
     }
 
-    /// Slip before the step on the rings of a contact of this radius.
+    /// The slip before the step, on the rings of a contact of this radius.
     #[inline(always)]
     fn carried<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>, radius: f64) -> Field<N, H> {
         if radius == self.radius {
             return self.slip;
         }
-        // Where the bodies just touch all rings are beyond the old rim.
+        // For bodies that just touched all rings lie outside the old rim.
         pair.nodes.carried::<H, S>(
             &self.slip,
             &self.rim,
@@ -154,8 +154,8 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         )
     }
 
-    /// The slip against the shift and twist of after the step; rings that enter begin with their share of
-    /// what the rim slips by Hertz's pressure.
+    /// The slip relative to the shift and twist after the step. A ring that enters the contact starts with
+    /// its share of the slip of the rim by Hertz's pressure.
     #[inline(always)]
     fn move_along<S: Symmetry<H>>(
         &self,
@@ -166,7 +166,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
     ) {
         let rim = pair.spread * step.approach * pair.spread_at_rim;
         let [x, y] = step.shifted;
-        // A twist of the old rim, in proportion to the radius.
+        // The twist of the old rim, which continues in proportion to the radius.
         let twist = mean_around::<H, S>(&self.rim);
         let outside = |i: usize| match share.of_rim[i] > 0.0 && self.radius > 0.0 {
             true => twist * (pair.layout.radius[i] * radius / self.radius - 1.0),
@@ -184,7 +184,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         }
     }
 
-    /// The slip after the step and at the rim; the heat over a^5/M.
+    /// The slip after the step, on the rings and at the rim; returns the heat over a^5/M.
     #[inline(always)]
     fn settle<S: Symmetry<H>>(
         &mut self,
@@ -215,7 +215,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         heat
     }
 
-    /// The slip of the rim: its spread without what tractions displace.
+    /// The slip of the rim: the radial displacement by pressure, less the elastic displacement by tractions.
     pub(super) fn at_rim<S: Symmetry<H>>(
         &self,
         pair: &Pair<N, H, S>,
@@ -225,7 +225,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         self.tractions.rim.map(|[radial, around]| [square * (spread - radial), -square * around])
     }
 
-    /// `old` is the old radius over the new one.
+    /// The share of the rim's slip that each ring takes; `old` is the old radius over the new one.
     #[inline]
     fn share<S: Symmetry<H>>(pair: &Pair<N, H, S>, old: f64) -> Share<N> {
         let square = old * old;
@@ -239,8 +239,8 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         Share { of_rim, of_twist }
     }
 
-    /// By how much of the last slip this step begins ahead, the second-order backward difference; and the
-    /// length of this step over that of the last.
+    /// The fraction of the last slip that extrapolates to this step (a second-order backward difference), and
+    /// the length of this step over that of the last.
     #[inline]
     fn ahead(&self, length: f64) -> [f64; 2] {
         if self.length == 0.0 {
@@ -262,7 +262,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         [spread - self.slip[j][0][i], -self.slip[j][1][i]]
     }
 
-    /// Loads and stored energy of the tangential tractions.
+    /// Loads, and the energy stored by the tangential tractions.
     pub(super) fn sums<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Sums {
         let mut sums = Sums::default();
         let (a, layout) = (self.radius, &pair.layout);
@@ -296,7 +296,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
     }
 }
 
-/// The mean circumferential component.
+/// The mean circumferential component over the angles.
 #[inline(always)]
 fn mean_around<const H: usize, S: Symmetry<H>>(of: &[[f64; 2]; H]) -> f64 {
     if S::MIRRORED {

@@ -28,7 +28,7 @@ pub(super) fn combined(p: f64, left: &Rows, q: f64, right: &Rows) -> Rows {
     left.iter().zip(right).map(row).collect()
 }
 
-/// The inverse, by Gauss and Jordan with the largest pivot of each column.
+/// The inverse, by Gauss-Jordan elimination with column pivoting.
 pub(super) fn inverse(matrix: &Rows) -> Rows {
     let n = matrix.len();
     let mut a = matrix.clone();

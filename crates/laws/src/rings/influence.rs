@@ -1,4 +1,5 @@
-//! What is the same for all materials: displacements of each ring by tractions on each, by harmonics.
+//! Influence coefficients that do not depend on materials: displacements of each ring by tractions on each
+//! ring, by harmonics.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -8,36 +9,37 @@ use super::dense::{Rows, inverse};
 use super::kernel::{at_radius, between_rings};
 use super::layout::Layout;
 
-/// Between which parts of the outermost width beyond the contact the rim is looked for.
+/// Bounds of the search for the radius of the rim condition, outside the contact, in widths of the outermost
+/// ring.
 const NEAR_RIM: [f64; 2] = [0.01, 0.2];
 const ROOT_STEPS: usize = 40;
-/// How close the force in adhesion comes, of 8/3.
+/// Relative accuracy with which the force in adhesion is matched.
 const CLOSE: f64 = 1e-12;
 
-/// The influences of one harmonic k, of means over rings.
+/// The influence coefficients of harmonic k, averaged over rings.
 #[derive(Debug, Clone)]
 pub(super) struct Harmonic {
-    /// W(k+1, k+1) and W(|k-1|, |k-1|): traction to displacement of the harmonics k and -k; of k = 0, radial
-    /// and circumferential.
+    /// W(k+1, k+1) and W(|k-1|, |k-1|): tractions to displacements of the harmonics k and -k; for k = 0
+    /// radial and circumferential.
     pub(super) own: [Rows; 2],
-    /// W(k+1, |k-1|) and back.
+    /// W(k+1, |k-1|) and its reverse.
     pub(super) other: [Rows; 2],
-    /// W(k, k): pressure to normal displacement, inverted.
+    /// The inverse of W(k, k), pressures to normal displacements.
     pub(super) normal_inverse: Rows,
-    /// W(k+1, k) and W(|k-1|, k): pressure to the displacements k and -k.
+    /// W(k+1, k) and W(|k-1|, k): pressures to tangential displacements of the harmonics k and -k.
     pub(super) spread: [Rows; 2],
-    /// W(k, k+1) and W(k, |k-1|): tractions to normal displacement.
+    /// W(k, k+1) and W(k, |k-1|): tractions to normal displacements.
     pub(super) lift: [Rows; 2],
 }
 
-/// All harmonics from 0 to half of the angles; for the rim, one row each in place of the rings.
+/// All harmonics from 0 to half the number of angles; for the rim one row each.
 #[derive(Debug)]
 pub(super) struct Influence<const N: usize> {
     pub(super) layout: Layout<N>,
-    /// The radius at which the rim is looked at.
+    /// The radius at which the rim condition is applied.
     pub(super) rim_radius: f64,
     pub(super) rings: Vec<Harmonic>,
-    /// As `rings`, of displacements at the rim: `normal_inverse` and `lift` are those of the rings.
+    /// As `rings`, for displacements at the rim; `normal_inverse` and `lift` are those of the rings.
     pub(super) rim: Vec<Harmonic>,
 }
 
@@ -72,24 +74,25 @@ impl<const N: usize> Influence<N> {
         Self { layout, rim_radius, rings, rim }
     }
 
-    /// That of so many angles, computed once per process.
+    /// The coefficients for this many angles, computed once per process.
     pub(super) fn shared(angles: usize) -> Arc<Self> {
         type Kept = BTreeMap<(usize, usize), Arc<dyn Any + Send + Sync>>;
         static KEPT: OnceLock<Mutex<Kept>> = OnceLock::new();
         let kept = KEPT.get_or_init(Mutex::default);
-        // A thread that panicked while it held the lock has left whole entries only.
+        // A thread that panicked with the lock held has left complete entries only.
         let mut kept = kept.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let entry = kept.entry((N, angles)).or_insert_with(|| Arc::new(Self::new(angles)));
-        // The entry of (N, ..) is an Influence<N>.
+        // The entry for (N, ..) has type Influence<N>.
         Arc::clone(entry).downcast().unwrap_or_else(|_| Arc::new(Self::new(angles)))
     }
 }
 
-/// Where the rim is looked at: just outside the contact, such that two alike bodies which stick from touch
-/// on, while approach and shift, or twist, grow in proportion, have the load that they must: 2/3 or 2/5 of
-/// that of the stiffness at the end.
+/// The radius, just outside the contact, at which the rim condition is applied. It is chosen such that two
+/// similar bodies that stick from first contact, while approach and shift (or twist) grow in proportion, have
+/// their exact load: 2/3 (or 2/5) of that of the final stiffness.
 ///
-/// At 1 itself the condition would be empty, as a displacement that grows as r^2 (r^3) has any value there.
+/// At radius 1 itself the condition would be empty, since a displacement that grows as r^2 (r^3) satisfies it
+/// for any value.
 fn rim_radius<const N: usize>(layout: &Layout<N>, order: usize) -> f64 {
     let inverse = inverse(&between_rings([order, order], &layout.edges));
     let by = |u: &dyn Fn(usize) -> f64| -> Vec<f64> {
@@ -109,7 +112,7 @@ fn rim_radius<const N: usize>(layout: &Layout<N>, order: usize) -> f64 {
     let width = 1.0 - layout.edges[N - 1];
     let [mut low, mut high] = NEAR_RIM.map(|part| 1.0 + part * width);
     let [mut of_low, mut of_high] = [excess(low), excess(high)];
-    // Regula falsi, the end that stays weakened (Illinois).
+    // Regula falsi with the Illinois modification.
     for _ in 0..ROOT_STEPS {
         let middle = (low * of_high - high * of_low) / (of_high - of_low);
         let here = excess(middle);
@@ -131,7 +134,7 @@ fn rim_radius<const N: usize>(layout: &Layout<N>, order: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Where the rim is looked at, in widths of the outermost ring, for shifts and twists.
+    /// Distance of the rim condition from the contact for shifts and twists, in widths of the outermost ring.
     fn rim<const N: usize>() -> [f64; 2] {
         let layout = Layout::<N>::new();
         let width = 1.0 - layout.edges[N - 1];

@@ -1,19 +1,19 @@
-//! Displacements by rings of traction: `W(m, n) = int_0^inf J_m(k r) J_n(k r') dk` over rings.
+//! Displacements by ring tractions: integrals of `W(m, n) = int_0^inf J_m(k r) J_n(k r') dk` over rings.
 
 use std::f64::consts::PI;
 
 use carom_special::gamma::{gamma, reciprocal};
 
-/// Terms of a series that is summed to its limit: the first sum, and how often it is doubled.
+/// Number of terms of the first partial sum of a series that is extrapolated, and number of its doublings.
 const FIRST: usize = 16;
 const DOUBLINGS: usize = 9;
-/// What a term may be, over the sum, before the rest is left out.
+/// Relative size of a term below which a series is cut off.
 const SMALL: f64 = 1e-17;
 const MOST_TERMS: usize = 200_000;
 
-/// W(m, n) for r > r': `(1/r) sum_j c_j (r'/r)^(n + 2 j)`, the integral of Weber and Schafheitlin
-/// (DLMF 10.22.56). Where m - n is odd only what these contacts need is there: m = n + 1, where a
-/// single term is left, and m = n - 1, where none is.
+/// W(m, n) for r > r': `(1/r) sum_j c_j (r'/r)^(n + 2 j)`, the integral of Weber and Schafheitlin (DLMF
+/// 10.22.56). For odd m - n only the cases that contacts need are implemented: m = n + 1 with a single term,
+/// and m = n - 1, which vanishes.
 #[derive(Debug, Clone, Copy)]
 struct Outer {
     m: usize,
@@ -34,12 +34,12 @@ impl Outer {
         })
     }
 
-    /// The sum over all terms of a factor that falls as 1/p or faster.
+    /// The sum over all terms, times a factor that decreases as 1/p or faster.
     fn whole(self, factor: impl Fn(f64) -> f64) -> f64 {
         if self.m.abs_diff(self.n) % 2 == 1 {
             return self.terms().next().map_or(0.0, |(c, p)| c * factor(p));
         }
-        // What is left out has a series in 1/J: Richardson's extrapolation.
+        // The remainder has a series in 1/J: Richardson extrapolation.
         let mut terms = self.terms().map(|(c, p)| c * factor(p));
         let mut sum = 0.0;
         let mut row: Vec<f64> = Vec::with_capacity(DOUBLINGS);
@@ -71,7 +71,7 @@ impl Outer {
         sum
     }
 
-    /// The part r > r' of `int_0^outer r dr int_0^inner r' dr' W`.
+    /// The contribution of r > r' to `int_0^outer r dr int_0^inner r' dr' W`.
     fn double(self, outer: f64, inner: f64) -> f64 {
         if inner >= outer {
             return outer * outer * outer / 3.0 * self.whole(|p| 1.0 / (p + 2.0));
@@ -84,13 +84,13 @@ impl Outer {
         }
         let level = self.whole(|p| skip(p, 1.0 / (3.0 * (p - 1.0))));
         let rest = self.partly(t, -1.0, |p| skip(p, 1.0 / ((p - 1.0) * (p + 2.0))));
-        // The term p = 1 has a logarithm.
+        // The term p = 1 gives a logarithm.
         let first = self.terms().next().filter(|&(_, p)| p == 1.0);
         let logarithm = first.map_or(0.0, |(c, _)| c / 3.0 * (1.0 / 3.0 - libm::log(t)));
         cube * (level - rest + logarithm)
     }
 
-    /// The part r' < r of `int_0^to r' dr' W(r, r')`.
+    /// The contribution of r' < r to `int_0^to r' dr' W(r, r')`.
     fn below(self, r: f64, to: f64) -> f64 {
         if to >= r {
             return r * self.whole(|p| 1.0 / (p + 2.0));
@@ -98,7 +98,7 @@ impl Outer {
         r * self.partly(to / r, 2.0, |p| 1.0 / (p + 2.0))
     }
 
-    /// `int_low^to r dr W(r, low)`, with the source at `low`: the part of W for r > r'.
+    /// `int_low^to r dr W(r, low)` with the source at `low`: the contribution of r > r'.
     fn above(self, low: f64, to: f64) -> f64 {
         if to <= low {
             return 0.0;
@@ -129,7 +129,7 @@ fn of_disc([m, n]: [usize; 2], r: f64, to: f64) -> f64 {
     Outer { m, n }.below(r, to) + Outer { m: n, n: m }.above(r, to)
 }
 
-/// The mean over ring i, by radius, of the displacement that a unit traction on ring j brings about.
+/// The mean displacement of ring i, weighted by radius, by a unit traction on ring j.
 pub(super) fn between_rings(orders: [usize; 2], edges: &[f64]) -> Vec<Vec<f64>> {
     let corner: Vec<Vec<f64>> = edges
         .iter()
@@ -149,26 +149,26 @@ pub(super) fn between_rings(orders: [usize; 2], edges: &[f64]) -> Vec<Vec<f64>> 
         .collect()
 }
 
-/// The displacement at a radius that a unit traction on each ring brings about.
+/// The displacement at a radius by a unit traction on each ring.
 pub(super) fn at_radius(orders: [usize; 2], r: f64, edges: &[f64]) -> Vec<f64> {
     let discs: Vec<f64> = edges.iter().map(|&to| of_disc(orders, r, to)).collect();
     discs.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
-/// `int_0^rho [1 - (1 - x^2)^(3/2)] dx`, the bracket 1 beyond 1.
+/// `int_0^rho [1 - (1 - x^2)^(3/2)] dx`; the integrand is 1 beyond x = 1.
 pub(super) fn spread_of_hertz(rho: f64) -> f64 {
     let x = rho.min(1.0);
     let root = ((1.0 - x) * (1.0 + x)).max(0.0).sqrt();
     rho - (x * (5.0 - 2.0 * x * x) * root + 3.0 * libm::asin(x)) / 8.0
 }
 
-/// The share of Hertz's load beyond a radius: `(8/3) (1 - rho^2)^(3/2)` over the circle.
+/// The part of Hertz's load outside a radius: `(8/3) (1 - rho^2)^(3/2)` over the circle.
 pub(super) fn load_beyond(rho: f64) -> f64 {
     let left = ((1.0 - rho) * (1.0 + rho)).max(0.0);
     8.0 / 3.0 * left * left.sqrt()
 }
 
-/// The radial spread of Hertz's pressure at a radius, contact of radius 1.
+/// The radial displacement by Hertz's pressure at a radius, contact of radius 1.
 pub(super) fn spread_at(rho: f64) -> f64 {
     let left = ((1.0 - rho) * (1.0 + rho)).max(0.0);
     4.0 / (3.0 * PI * rho) * (1.0 - left * left.sqrt())
@@ -180,8 +180,8 @@ mod tests {
     use approx::assert_relative_eq;
     use carom_special::quadrature::GaussLegendre;
 
-    /// W(m, n) at r and r' by the angle between them: `J_m J_n` of a distance,
-    /// `int cos(...)/(2 pi d)` for m = n: W(n, n) = (1/pi) int_0^pi cos(n t)/d dt.
+    /// W(n, n) at r and r', by the integral over the angle between them: `W(n, n) = (1/pi) int_0^pi cos(n
+    /// t)/d dt`, where d is the distance.
     fn equal_orders(n: usize, r: f64, other: f64) -> f64 {
         GaussLegendre::new(80).unwrap().integrate(0.0, PI, |angle| {
             let half = libm::sin(0.5 * angle);
@@ -201,14 +201,14 @@ mod tests {
             });
             let half_area = 0.5 * (1.0 - 0.49);
             assert_relative_eq!(got[2][0], want / half_area, max_relative = 1e-9);
-            // Reciprocity: rings exchanged, over their areas.
+            // Reciprocity: exchanging two rings gives the same value times the ratio of their areas.
             assert_relative_eq!(got[2][0] * half_area, got[0][2] * 0.08, max_relative = 1e-11);
         }
     }
 
     #[test]
     fn a_disc_of_unit_pressure_has_the_known_displacement_in_its_middle_and_on_its_rim() {
-        // u = (1/(2 pi)) int p/d: 1 in the middle of a unit disc, 2/pi on its rim.
+        // u = (1/(2 pi)) int p/d: 1 at the centre of a unit disc, 2/pi on its rim.
         let rim: f64 = at_radius([0, 0], 1.0, &[0.0, 0.5, 1.0]).iter().sum();
         assert_relative_eq!(rim, 2.0 / PI, max_relative = 1e-12);
         let inside: f64 = at_radius([0, 0], 1e-9, &[0.0, 1e-9, 0.3, 1.0]).iter().sum();
@@ -233,8 +233,8 @@ mod tests {
 
     #[test]
     fn orders_that_differ_by_two_are_those_of_the_quadrupole() {
-        // W(2, 0)(r, r') = (1/pi) int cos(2 phi)/d dt, phi the direction from source to point against
-        // that of the point.
+        // W(2, 0)(r, r') = (1/pi) int cos(2 phi)/d dt, where phi is the angle between the direction from
+        // source to point and that of the point.
         let (r, other) = (0.9, 0.35);
         let want = GaussLegendre::new(80).unwrap().integrate(0.0, PI, |angle| {
             let (x, y) = (r - other * libm::cos(angle), -other * libm::sin(angle));

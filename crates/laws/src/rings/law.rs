@@ -13,24 +13,26 @@ use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
 
-/// The contact law of spheres and planes of unlike materials: shift in two directions, twist and their
-/// coupling with the approach, with memory.
+/// The contact law of spheres and planes of dissimilar materials, with memory: approach, shift in two
+/// directions and twist act together with their coupling.
 ///
-/// N rings of M angles (4 to 24; 8, 16 or 32). 6 x 8, the default, is for particles: on random paths of alike
-/// and unlike bodies forces were off those of a grid of 32 cells by .003 to .006 of f F_z in the mean and .023 at
-/// most, torques by up to .003 of f F_z a in the mean and .012 at most; 8 x 8 to 16 x 16 are for single contacts.
-/// A step allocates nothing; laws of one pair of materials are best cloned from one, as they then share the
-/// matrices of the pair.
+/// The contact is divided into N rings of M angles (4 to 24; 8, 16 or 32). 6 x 8, the default, is for
+/// particles; 8 x 8 to 16 x 16 are for single contacts. On random paths of similar and dissimilar bodies the
+/// mean error of the forces of 6 x 8 against a grid of 32 cells was .003 to .006 of f F_z, the largest .023;
+/// the mean error of the torques was at most .003 of f F_z a, the largest .012.
+///
+/// A step allocates nothing. Laws of the same two materials are best cloned from one another: they then share
+/// the matrices of the pair.
 ///
 /// A step goes straight from one shift to the next. In a step that closes the gap only the part in contact
-/// counts. An approach that is not positive separates the bodies: the memory is lost, and what was stored
-/// in the tangential tractions is heat.
+/// counts. An approach that is not positive separates the bodies: the history is lost, and the energy stored
+/// by the tangential tractions becomes heat.
 ///
-/// Of dissimilar bodies the one whose surface pressure draws inwards more (gamma > 0) is taken as body 1, so that an
-/// exchange of the bodies gives the same bits.
+/// Of dissimilar bodies the one whose surface is drawn inwards more by pressure (gamma > 0) is taken as body
+/// 1, so that exchanging the bodies gives the same bits.
 ///
-/// Infinite friction sticks, but to what has been lost at a receding rim; without friction only Hertz's
-/// force is left, and F_z is Hertz's where gamma = 0.
+/// With infinite friction the contact sticks, and only the load at a receding rim is lost. Without friction
+/// only the force of Hertz remains. F_z is that of Hertz if gamma = 0.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -46,7 +48,7 @@ use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift
 /// let mut law = RingLaw::<6, 8>::new(&hertz, Friction::new(0.1)?, Tolerance::PARTICLES)?;
 /// law.advance(Shift { zeta: 1e-6, ..Shift::default() })?;
 /// let load = law.advance(Shift { zeta: 1e-6, xi: 3e-8, omega: 5e-4, ..Shift::default() })?;
-/// // Twist and coupling together push the bodies sideways.
+/// Twist and coupling together give a force along y.
 /// assert!(load.f_x > 0.0 && load.m_z > 0.0 && load.f_y.abs() > 5e-4 * load.f_x);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -60,7 +62,7 @@ pub struct RingLaw<const N: usize = 6, const M: usize = 8, S: Symmetry<M> = Whol
 }
 
 impl<const N: usize, const M: usize> RingLaw<N, M> {
-    /// A law at rest, the bodies just touching.
+    /// A law in its initial state, the bodies just touching.
     ///
     /// # Errors
     /// [`RangeError`] unless the contact is a circle.
@@ -72,10 +74,10 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
         Self::from_constants(RingConstants::of(hertz)?, friction, tolerance)
     }
 
-    /// The law of a contact of which only the constants are known, at rest.
+    /// The law of a contact with known constants, in its initial state.
     ///
-    /// The first law of a size takes some 0.01 s, a further pair of materials 0.1 ms (6 x 8) to 2 ms; the pairs
-    /// asked for last are kept.
+    /// The first law of a size takes some 0.01 s, each further pair of materials 0.1 ms (6 x 8) to 2 ms;
+    /// matrices of the most recent pairs are cached.
     ///
     /// # Errors
     /// [`RangeError`] for a constant that is out of range.
@@ -89,8 +91,8 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
 }
 
 impl<const N: usize, const M: usize> RingLaw<N, M, Plane> {
-    /// The law of shifts along x without twist, at rest, for half of the cost: as the mirror images, angles
-    /// beyond half a turn are left out. M is 5 for 8 angles a turn, 9 for 16.
+    /// The law of shifts along x without twist, in its initial state, at half the cost: angles beyond half a
+    /// turn are mirror images. M is 5 for 8 angles per turn, 9 for 16.
     ///
     /// # Errors
     /// [`RangeError`] for a constant that is out of range.
@@ -104,8 +106,9 @@ impl<const N: usize, const M: usize> RingLaw<N, M, Plane> {
 }
 
 impl<const N: usize, const M: usize> RingLaw<N, M, AlikePlane> {
-    /// The law of shifts along x without twist, coupling left out, at rest, for a quarter of the cost: angles
-    /// beyond a quarter of a turn follow from the others. M is 3 for 8 angles a turn, 5 for 16.
+    /// The law of shifts along x without twist and without coupling, in its initial state, at a quarter of
+    /// the cost: angles beyond a quarter of a turn follow by symmetry. M is 3 for 8 angles per turn, 5 for
+    /// 16.
     ///
     /// # Errors
     /// [`RangeError`] for a constant that is out of range.
@@ -139,14 +142,14 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
         self.matrices.rings(self.units, self.tolerance)
     }
 
-    /// Iterations of the last step, 0 where there was nothing to solve.
+    /// Number of iterations of the last step; 0 if there was nothing to solve.
     #[must_use]
     pub const fn iterations(&self) -> usize {
         self.iterations
     }
 
-    /// Edges and state of the rings, from the middle: the outer edge over the contact radius (the last
-    /// lies outside), and the share of its angles that slipped in the last step.
+    /// For each ring from the centre: its outer edge over the contact radius (the last lies outside), and the
+    /// fraction of its angles that slipped in the last step.
     pub fn slipping(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let slips = move |j: usize, i: usize| {
             self.memory.contact.tractions.y[j].iter().any(|part| part[i] != 0.0)
@@ -158,15 +161,15 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
         })
     }
 
-    /// The traction on body 1, radial (outwards) and circumferential (counter-clockwise): its mean over a
-    /// ring, from the middle, at an angle in parts of a turn over M. None beyond the rings and without
-    /// friction.
+    /// The mean traction of a ring on body 1 at an angle: radial (outwards) and circumferential
+    /// (counter-clockwise). Rings are counted from the centre; `angle` counts in 1/M of a turn. None for
+    /// other rings and without friction.
     #[must_use]
     pub fn traction(&self, ring: usize, angle: usize) -> Option<[f64; 2]> {
         let Rings { pair: Some(_), side, .. } = self.rings() else { return None };
         let contact = &self.memory.contact;
-        // With the bodies exchanged y is reversed, and the traction is that on the other body.
-        // In a plane that is the mirror image.
+        // If the bodies are exchanged, y is reversed and the traction is that on the other body; in the plane
+        // this is the mirror image.
         let (place, turn) = match side < 0.0 {
             true if S::MIRRORED => (angle, -1.0),
             true => (M.checked_sub(angle)? % M, 1.0),
@@ -177,14 +180,14 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
         Some([side * scale * radial.get(ring)?, turn * scale * around.get(ring)?])
     }
 
-    /// The share of the contact area on which nothing slipped in the last step.
+    /// The share of the contact area that did not slip in the last step.
     #[must_use]
     pub fn sticking(&self) -> f64 {
         self.memory.sticking(&self.matrices)
     }
 
-    /// Writes what the law remembers into numbers, [`super::packed_numbers`] of them. All zeros are two bodies
-    /// that just touch. The constants of the contact are not among them.
+    /// Writes the state of the law as [`super::packed_numbers`] numbers. All zeros stand for two bodies that
+    /// just touch. The constants of the contact are not stored.
     ///
     /// # Errors
     /// [`RangeError`] for too few numbers; nothing is then written.
@@ -192,10 +195,10 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
         self.memory.pack(numbers)
     }
 
-    /// Takes up what [`RingLaw::pack`] of a law of the same constants wrote, to the same bits.
+    /// Restores what [`RingLaw::pack`] of a law with the same constants wrote, to the same bits.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         self.memory.unpack(&self.matrices.rings(self.units, self.tolerance), numbers)
     }
@@ -231,8 +234,8 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> Dissipative for RingLaw<N, 
         self.memory.stored_energy(&self.rings())
     }
 
-    /// Traction times slip, both of the end of the step: never negative. Work, by the mean of the loads at
-    /// both ends, is heat and stored energy but for what the rings and steps leave out.
+    /// Traction times slip at the end of the step; never negative. Work, by the mean of the loads at both
+    /// ends, equals heat plus change of stored energy up to the discretisation error of rings and steps.
     fn dissipation(&self, to: Shift) -> f64 {
         let mut memory = self.memory;
         memory.advance(&self.rings(), to).unwrap_or(0.0)

@@ -1,28 +1,28 @@
-//! How a contact of radius 1 is cut into rings.
+//! Division of a contact of radius 1 into rings.
 
 use std::f64::consts::PI;
 
 use super::kernel;
 
-/// How much the edges crowd towards the rim: 0 for rings of equal width, 1 for those of a sine.
+/// Refinement towards the rim: 0 for rings of equal width, 1 for edges by a sine.
 const CROWDING: f64 = 0.8;
-/// By how much the outermost ring is wider than the contact.
+/// Excess of the outer edge of the last ring over the contact radius, in widths of its part inside.
 const WIDER: f64 = 0.13;
 
-/// Rings of a contact of radius 1, and what does not depend on the materials.
+/// The rings of a contact of radius 1, and quantities that do not depend on the materials.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Layout<const N: usize> {
-    /// Edges, from 0; the last lies outside the contact.
+    /// Radii of the edges, from 0; the last lies outside the contact.
     pub(super) edges: Vec<f64>,
     /// Mean radius of each ring.
     pub(super) radius: [f64; N],
     /// Mean of the squared radius.
     pub(super) square: [f64; N],
-    /// Area of a ring, all around.
+    /// Area of each ring.
     pub(super) area: [f64; N],
-    /// Hertz's pressure, its integral over the area.
+    /// Mean of Hertz's pressure over each ring.
     pub(super) pressure: [f64; N],
-    /// The mean of the radial spread by Hertz's pressure.
+    /// Mean radial displacement of each ring by Hertz's pressure.
     pub(super) spread: [f64; N],
 }
 

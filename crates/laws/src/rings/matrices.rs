@@ -1,4 +1,4 @@
-//! The matrices of two materials with friction, and the constants of one of their contacts.
+//! The matrices of two materials and a coefficient of friction, and the constants of a contact.
 
 use carom_special::RangeError;
 
@@ -8,8 +8,8 @@ use super::symmetry::{Symmetry, Whole};
 use super::units::Units;
 use crate::friction::Friction;
 
-/// The matrices of the law of rings for two materials with friction, which serve their circular contacts of
-/// any radius: some tens of kilobytes, to be made once and shared.
+/// The matrices of the law of rings for two materials and a coefficient of friction. They serve circular
+/// contacts of any radius; make them once and share them. They take some tens of kilobytes.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -24,7 +24,7 @@ use crate::friction::Friction;
 /// ```
 #[derive(Debug, Clone)]
 pub struct RingMatrices<const N: usize = 6, const M: usize = 8, S: Symmetry<M> = Whole> {
-    /// For the order of bodies in which gamma is not negative; none without friction.
+    /// The matrices for the order of the bodies in which gamma >= 0; none without friction.
     pair: Option<Pair<N, M, S>>,
     kappa: f64,
     gamma: f64,
@@ -32,9 +32,9 @@ pub struct RingMatrices<const N: usize = 6, const M: usize = 8, S: Symmetry<M> =
 }
 
 impl<const N: usize, const M: usize> RingMatrices<N, M> {
-    /// For kappa (15.1), gamma (15.2) and friction; see [`RingConstants`].
+    /// The matrices for kappa (15.1), gamma (15.2) and friction; see [`RingConstants`].
     ///
-    /// The first of a size takes some 0.01 s, a further one 0.1 ms (6 x 8) to 2 ms.
+    /// The first ones of a size take some 0.01 s, further ones 0.1 ms (6 x 8) to 2 ms.
     ///
     /// # Errors
     /// [`RangeError`] for a constant that is out of range.
@@ -44,7 +44,7 @@ impl<const N: usize, const M: usize> RingMatrices<N, M> {
 }
 
 impl<const N: usize, const M: usize, S: Symmetry<M>> RingMatrices<N, M, S> {
-    /// As [`RingMatrices::new`], for motions of this symmetry.
+    /// As [`RingMatrices::new`], for motions with this symmetry.
     pub(super) fn at(kappa: f64, gamma: f64, friction: Friction) -> Result<Self, RangeError> {
         RingConstants { c_z: 1.0, radius: 1.0, kappa, gamma }.checked()?;
         let f = friction.get();
@@ -52,13 +52,13 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingMatrices<N, M, S> {
         Ok(Self { pair, kappa, gamma, friction })
     }
 
-    /// kappa (15.1).
+    /// Kappa (15.1).
     #[must_use]
     pub const fn kappa(&self) -> f64 {
         self.kappa
     }
 
-    /// gamma (15.2).
+    /// Gamma (15.2).
     #[must_use]
     pub const fn gamma(&self) -> f64 {
         self.gamma
@@ -96,19 +96,19 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingMatrices<N, M, S> {
     }
 }
 
-/// The constants of a contact of rings, its matrices by reference.
+/// The constants of a contact, with a reference to its matrices.
 #[derive(Debug, Clone, Copy)]
 pub struct Rings<'a, const N: usize = 6, const M: usize = 8, S: Symmetry<M> = Whole> {
     pub(super) pair: Option<&'a Pair<N, M, S>>,
-    /// -1 where the bodies are taken in the other order, so that gamma is not negative: y is then reversed, and so are
-    /// shift and force, which leaves x with this sign.
+    /// -1 if the bodies are exchanged to make gamma >= 0: y is then reversed, and so are shift and force,
+    /// which gives x this sign.
     pub(super) side: f64,
     pub(super) units: Units,
     pub(super) tolerance: f64,
 }
 
 impl<const N: usize, const M: usize, S: Symmetry<M>> Rings<'_, N, M, S> {
-    /// `F_z = (2/3) c_z zeta^(3/2)` of Hertz.
+    /// Normal stiffness of Hertz, `F_z = (2/3) c_z zeta^(3/2)`.
     #[must_use]
     pub const fn c_z(&self) -> f64 {
         self.units.c_z

@@ -1,4 +1,4 @@
-//! What a contact of rings remembers, apart from the constants with which it is advanced.
+//! The load history of a contact, without its constants.
 
 use carom_special::RangeError;
 
@@ -9,9 +9,9 @@ use super::units::Units;
 use crate::bounds::in_contact;
 use crate::law::{ContactLoad, Shift};
 
-/// The load history of a contact of rings: numbers without pointers, so that it can be kept as bytes.
+/// The load history of a contact on rings: numbers without pointers, which can be stored as bytes.
 ///
-/// The constants ([`Rings`]) are given to each call and must be those with which the history began.
+/// The constants ([`Rings`]) are passed to each call and must be those with which the history began.
 /// [`super::RingLaw`] holds both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RingMemory<const N: usize = 6, const M: usize = 8> {
@@ -21,7 +21,7 @@ pub struct RingMemory<const N: usize = 6, const M: usize = 8> {
 }
 
 impl<const N: usize, const M: usize> Default for RingMemory<N, M> {
-    /// Two bodies that just touch.
+    /// The history of two bodies that just touch.
     fn default() -> Self {
         let (contact, sums, shift) = (Contact::default(), Sums::default(), Shift::default());
         Self { contact, sums, shift }
@@ -29,7 +29,7 @@ impl<const N: usize, const M: usize> Default for RingMemory<N, M> {
 }
 
 impl<const N: usize, const M: usize> RingMemory<N, M> {
-    /// Advances on a straight path to a new shift; the heat of the step, J
+    /// Advances on a straight path to a new shift; returns the heat of the step, J
     /// ([`crate::law::Dissipative::dissipation`]).
     ///
     /// # Errors
@@ -43,7 +43,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         Ok(rings.units.energy * self.go(rings, to).heat)
     }
 
-    /// Whether [`RingMemory::advance`] would accept this shift.
+    /// Checks whether [`RingMemory::advance`] would accept this shift.
     ///
     /// # Errors
     /// [`RangeError`] for a shift, or a change of it over the friction, beyond 1e60.
@@ -54,8 +54,18 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
     ) -> Result<(), RangeError> {
         to.check_finite()?;
         if S::MIRRORED {
-            RangeError::check("eta", to.eta, to.eta == 0.0, "0: the law of a plane")?;
-            RangeError::check("omega", to.omega, to.omega == 0.0, "0: the law of a plane")?;
+            RangeError::check(
+                "eta",
+                to.eta,
+                to.eta == 0.0,
+                "0: this law is for shifts along x only",
+            )?;
+            RangeError::check(
+                "omega",
+                to.omega,
+                to.omega == 0.0,
+                "0: this law is for shifts along x only",
+            )?;
         }
         let Units { shift, twist, .. } = rings.units;
         in_contact("shift over friction", (to.xi - self.shift.xi) * shift)?;
@@ -64,7 +74,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         Ok(())
     }
 
-    /// Whether numbers that may have been changed elsewhere are those of a contact: radius and shift are finite.
+    /// Whether radius and shift are finite, for a history read from bytes that may have been changed.
     #[must_use]
     pub fn fits(&self) -> bool {
         self.contact.radius >= 0.0
@@ -98,8 +108,8 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         }
     }
 
-    /// The elastic energy: compression by Hertz's law, and what tangential tractions have stored, with the
-    /// pressures they add.
+    /// The elastic energy: compression by Hertz's law, plus the energy stored by the tangential tractions and
+    /// the pressures that they add.
     #[must_use]
     pub fn stored_energy<S: Symmetry<M>>(&self, rings: &Rings<'_, N, M, S>) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
@@ -107,7 +117,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         normal + rings.units.energy * self.sums.stored
     }
 
-    /// The share of the contact area on which nothing slipped in the last step.
+    /// The share of the contact area that did not slip in the last step.
     #[must_use]
     pub fn sticking<S: Symmetry<M>>(&self, matrices: &RingMatrices<N, M, S>) -> f64 {
         let Some(pair) = matrices.pair() else { return 0.0 };
@@ -123,7 +133,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         (stuck / area.iter().sum::<f64>()).min(1.0)
     }
 
-    /// Goes to a shift that was checked; the heat over the unit of energy.
+    /// Advances to a checked shift; returns the heat in the unit of energy.
     pub(super) fn go<S: Symmetry<M>>(&mut self, rings: &Rings<'_, N, M, S>, to: Shift) -> Done {
         let from = std::mem::replace(&mut self.shift, to);
         let Some(pair) = rings.pair else { return Done::default() };
@@ -135,7 +145,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         if to == from {
             return Done::default();
         }
-        // The part of the way on which they touch.
+        // The part of the step in contact.
         let part = if from.zeta < 0.0 { to.zeta / (to.zeta - from.zeta) } else { 1.0 };
         let Units { shift, twist, .. } = rings.units;
         let step = Step {

@@ -1,8 +1,8 @@
-//! A circular contact of dissimilar bodies with memory: shift in two directions, twist and coupling act
-//! together.
+//! The law of rings: a circular contact of dissimilar bodies with memory, in which shift in two directions,
+//! twist and coupling act together.
 //!
-//! The contact is cut into rings, each ring into angles; the rings move with the contact radius, so that
-//! one matrix serves every radius. With tractions over f, the approach a^2 and Gamma = gamma/f,
+//! The contact is divided into rings, and each ring into angles. The rings scale with the contact radius, so
+//! that one matrix serves every radius. With tractions divided by f, the approach a^2 and Gamma = gamma/f,
 //!
 //! ```text
 //! slip s = w - u,   w = xi + Omega x r + Gamma g(r; a),   u = kappa K q + (kappa - 1) L conj(q)
@@ -10,15 +10,15 @@
 //! |q| <= p,         p = Hertz + gamma f K0^-1 G^T q
 //! ```
 //!
-//! K, L, K0 and G are displacements of the surface by tractions and pressures (Cerruti, Boussinesq), by
-//! harmonics about the normal; g is the radial displacement that Hertz's pressure brings about by (15.2),
-//! positive outwards for gamma > 0. A point sticks where |q| < p and slips along q where |q| = p. The
-//! quadratic terms in gamma are the pressure that tractions add, since the bodies do not overlap. What is
-//! left out is that the contact area then differs from Hertz's, of second order in gamma.
+//! K, L, K0 and G are surface displacements by tractions and pressures (Cerruti, Boussinesq), by harmonics
+//! about the normal; g is the radial displacement by Hertz's pressure (15.2), outwards for gamma > 0. A point
+//! sticks where |q| < p and slips along q where |q| = p. The terms quadratic in gamma are the pressure that
+//! tractions add, since the bodies cannot overlap. The law neglects that the contact area then differs from
+//! that of Hertz, an effect of second order in gamma.
 //!
-//! Slip of what enters at the rim is that of the rim; slip inside is carried along by interpolation. What
-//! the receding rim leaves is forgotten. A step is one convex problem ([`RingLaw`]'s tolerance is that of
-//! its solution), of second order in the step: slip that goes on is taken on ahead.
+//! A place that enters the contact at the rim has the slip of the rim. Slip inside is transported by
+//! interpolation. The history outside a receding rim is dropped. Each step is one convex problem, which is
+//! solved to the tolerance of [`RingLaw`]. The step is of second order: slip that continues is extrapolated.
 
 mod carry;
 mod constants;

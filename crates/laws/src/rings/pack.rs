@@ -1,4 +1,4 @@
-//! The state of the law as plain numbers, to be kept elsewhere.
+//! The state of the law as plain numbers, for storage.
 
 use carom_special::RangeError;
 
@@ -11,24 +11,24 @@ use super::transform::Field;
 use crate::bounds::in_contact;
 use crate::law::Shift;
 
-/// Shift, the length of the last step, the normal force.
+/// Number of values before the fields: shift, length of the last step, normal force.
 const HEAD: usize = 6;
-/// Fields that are kept: slip, tractions, what slipped last.
+/// Number of stored fields: slip, tractions, slip of the last step.
 const FIELDS: usize = 3;
-/// By how much tractions may be off those that the slip brings about, and beyond the limits that they give
-/// themselves, over the tolerance or this: 6 and 17 were seen in 18 000 steps at each of four tolerances.
+/// Allowed deviation of stored tractions from those of the stored slip, and of tractions beyond their limits,
+/// in units of the tolerance (at least `FINEST`). In 18 000 steps at each of four tolerances the largest were 6 and 17.
 const OFF: f64 = 40.0;
 const FINEST: f64 = 1e-4;
 
-/// How many numbers the state of a [`super::RingLaw`] of so many rings and angles takes: 294 for 6 x 8.
+/// Number of values of a stored state with this many rings and angles: 294 for 6 x 8.
 #[must_use]
 pub const fn packed_numbers(rings: usize, angles: usize) -> usize {
     HEAD + FIELDS * 2 * rings * angles
 }
 
 impl<const N: usize, const M: usize> RingMemory<N, M> {
-    /// Writes the history into numbers, [`packed_numbers`] of them. All zeros are two bodies that
-    /// just touch. The constants of the contact are not among them.
+    /// Writes the history as [`packed_numbers`] numbers. All zeros stand for two bodies that just touch. The
+    /// constants of the contact are not stored.
     ///
     /// # Errors
     /// [`RangeError`] for too few numbers; nothing is then written.
@@ -47,10 +47,10 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         Ok(())
     }
 
-    /// Takes up what [`RingMemory::pack`] of a contact of the same constants wrote, to the same bits.
+    /// Restores what [`RingMemory::pack`] of a contact with the same constants wrote, to the same bits.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no state of such a contact; nothing is then changed.
+    /// [`RangeError`] for numbers that are not a state of such a contact; nothing is then changed.
     pub fn unpack<S: Symmetry<M>>(
         &mut self,
         rings: &Rings<'_, N, M, S>,
@@ -92,7 +92,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
     }
 }
 
-/// The tractions are those of the slip, and no larger than the pressure lets them be.
+/// Checks that the tractions are those of the slip and within the friction limit.
 fn check_tractions<const N: usize, const M: usize, S: Symmetry<M>>(
     pair: &Pair<N, M, S>,
     contact: &Contact<N, M>,

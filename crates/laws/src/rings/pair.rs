@@ -1,6 +1,7 @@
-//! The constant matrices of a pair of materials with friction, contact of radius 1.
+//! The constant matrices of two materials and a coefficient of friction, for a contact of radius 1.
 //!
-//! Traction Q (radial + i circumferential) of harmonics k and -k displaces, with q = (Q_k, Q_-k),
+//! Tractions Q (radial + i circumferential) of the harmonics k and -k give the displacements, with q = (Q_k,
+//! Q_-k),
 //!
 //! ```text
 //! U_k  = kappa W(k+1,k+1) Q_k  + (kappa-1) W(k+1,k-1) conj(Q_-k) - gamma^2 W(k+1,k) P
@@ -8,8 +9,8 @@
 //! P = W(k,k)^-1 [W(k,k+1) Q_k - W(k,k-1) conj(Q_-k)]/2
 //! ```
 //!
-//! where gamma P is the pressure that tractions add so that the bodies do not overlap. What is even under
-//! reflection is real, what is odd imaginary: two real blocks a harmonic.
+//! where gamma P is the pressure that tractions add so that the bodies do not overlap. Parts that are even
+//! under reflection are real, odd ones imaginary: each harmonic has two real blocks.
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -23,16 +24,16 @@ use super::recent;
 use super::symmetry::{Symmetry, Whole};
 use super::transform::{direction, parts_of};
 
-/// A block acts on two parts of N rings each: `[in part][in ring][out part][out ring]`.
+/// A block acts on two components on N rings: `[component in][ring in][component out][ring out]`.
 pub(super) type Block<const N: usize> = [[[[f64; N]; 2]; N]; 2];
-/// Rows of a block for the rim: `[out part][in part][in ring]`.
+/// The rows of a block for the rim: `[component out][component in][ring in]`.
 pub(super) type RimBlock<const N: usize> = [[[f64; N]; 2]; 2];
-/// Pressures of a harmonic by the tractions of a block: `[in part][in ring][out ring]`.
+/// Pressures of a harmonic by the tractions of a block: `[component in][ring in][ring out]`.
 pub(super) type PressBlock<const N: usize> = [[[f64; N]; N]; 2];
 
-/// Hertz's pressure in the middle of a contact of radius 1.
+/// Hertz's pressure at the centre of a contact of radius 1.
 const PEAK: f64 = 4.0 / std::f64::consts::PI;
-/// Above this friction, tractions are held against the pressure, not against what friction could carry.
+/// Above this friction the scale of tractions is set by the pressure, not by the friction limit.
 const MOST_CARRIED: f64 = 3.0;
 
 /// The matrices of a pair of materials.
@@ -40,34 +41,34 @@ const MOST_CARRIED: f64 = 3.0;
 pub(super) struct Matrices<const N: usize, const H: usize, S: Symmetry<H>> {
     pub(super) layout: Layout<N>,
     pub(super) nodes: Nodes<N>,
-    /// The spread at the rim, as `Layout::spread`.
+    /// The radial displacement at the rim, as `Layout::spread`.
     pub(super) spread_at_rim: f64,
-    /// Of the kept angles.
+    /// Directions of the stored angles.
     pub(super) directions: [[f64; 2]; H],
     pub(super) waves: S::Waves,
-    /// The preconditioner, a ring's own displacement.
+    /// The preconditioner: the mean displacement of a ring by its own traction.
     pub(super) sigma: [f64; N],
     /// `(M + sigma)^-1` by blocks.
     pub(super) inverse: Vec<Block<N>>,
-    /// `M^-1` by blocks: tractions that stick.
+    /// `M^-1` by blocks: tractions in full adhesion.
     pub(super) sticking: Vec<Block<N>>,
     pub(super) rim: Vec<RimBlock<N>>,
-    /// Pressures by tractions over gamma f; block b gives the harmonic of its first part, real if even.
+    /// Pressures by tractions over gamma f; block b gives the harmonic of its first component, real if even.
     pub(super) press: Vec<PressBlock<N>>,
 }
 
-/// The matrices of a pair and its friction.
+/// The matrices of two materials with a coefficient of friction.
 #[derive(Debug, Clone)]
 pub(super) struct Pair<const N: usize, const H: usize, S: Symmetry<H> = Whole> {
     matrices: Arc<Matrices<N, H, S>>,
-    /// Gamma over f: the radial spread of the surfaces in the unit of the shifts.
+    /// Gamma over f: radial displacement by pressure, in the unit of the shifts.
     pub(super) spread: f64,
-    /// Gamma f: pressure by tractions over f.
+    /// Gamma f: pressure by tractions that are divided by f.
     pub(super) lift: f64,
-    /// The scale of tractions, over f: Hertz's peak pressure, or what is a few times a force of the size
-    /// of the normal one where friction could carry more.
+    /// The scale of tractions, divided by f: Hertz's peak pressure, or for large friction a few times the
+    /// traction of a force equal to the normal one.
     pub(super) scale: f64,
-    /// Whether tractions have a limit.
+    /// Whether friction is finite.
     pub(super) slips: bool,
 }
 
@@ -79,12 +80,12 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Deref for Pair<N, H, S> {
     }
 }
 
-/// The real block of a harmonic: four matrices of one out and one in part.
+/// The real block of a harmonic: four matrices, one for each component in and out.
 struct Blocks([[Rows; 2]; 2]);
 
 impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
-    /// That of stiffness ratio kappa, coupling gamma and friction f, 0 < f; infinite f: tractions are
-    /// over 1.
+    /// The pair with stiffness ratio kappa, coupling gamma and friction f > 0; for infinite f tractions are
+    /// not divided.
     pub(super) fn new(kappa: f64, gamma: f64, friction: f64) -> Self {
         let slips = friction.is_finite();
         let (spread, lift) =
@@ -116,20 +117,20 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Matrices<N, H, S> {
         }
     }
 
-    /// Those of a pair that was asked for lately are kept.
+    /// The matrices of a pair; the most recent ones are cached.
     fn shared(kappa: f64, gamma: f64) -> Arc<Self> {
         let key = [kappa, gamma.abs()].map(f64::to_bits);
         recent::shared(key, || Self::new(kappa, gamma))
     }
 }
 
-/// The harmonic of a block, and 1 for what is even under reflection, -1 for what is odd.
+/// The harmonic of a block, and 1 for a block that is even under reflection, -1 for an odd one.
 const fn harmonic(angles: usize, block: usize) -> (usize, f64) {
     (parts_of(angles, block)[0].0, if block.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
-/// A kept block: where both sides are alike, it acts on the mean and half the difference of the harmonics k
-/// and -k.
+/// A stored block. With symmetry about the plane of motion it acts on the mean and half the difference of the
+/// harmonics k and -k.
 fn kept<const H: usize, S: Symmetry<H>>(
     of: &[Harmonic],
     kappa: f64,
@@ -152,7 +153,7 @@ fn kept<const H: usize, S: Symmetry<H>>(
     ])
 }
 
-/// A ring's own displacement, the mean of all blocks of the whole turn.
+/// The displacement of a ring by its own traction, averaged over all blocks of the whole turn.
 fn own<const N: usize>(of: &[Harmonic], angles: usize, pair: [f64; 2]) -> [f64; N] {
     let mut sigma = [0.0; N];
     for block in 0..angles {
@@ -254,7 +255,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// The traction that sticks to a displacement of a block's first part, and its load.
+    /// The traction that gives a displacement of the first component of a block, and its load.
     fn stiffness<const N: usize>(
         kappa: f64,
         block: usize,
@@ -275,7 +276,7 @@ mod tests {
 
     #[test]
     fn stiffness_in_shift_and_twist_is_that_of_mindlin_and_reissner() {
-        // Rigid shift is the harmonic -1 in turning axes: F = 4/kappa; twist: M = (16/3) G/... with
+        // A rigid shift is the harmonic -1 in polar axes: F = 4/kappa; twist: M = (16/3) G/... with
         // (1-nu)/G = 1 and 1/(1-nu) = 2 kappa - 1.
         for kappa in [1.0, 7.0 / 6.0, 1.5] {
             let shift = stiffness::<8>(kappa, 2, 1, |_| 1.0);

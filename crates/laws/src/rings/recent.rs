@@ -1,32 +1,32 @@
-//! What was made lately and is likely to be asked for again: a sweep has one pair of materials, but an
-//! impact for each angle.
+//! A cache of recent matrices: a sweep has one pair of materials, but one impact for each angle.
 
 use std::any::{Any, TypeId};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// How many are kept: an impact by rings takes two to eight. 24 x 16 for any motion take 0.6 MB each.
+/// Capacity of the cache. An impact by rings takes two to eight entries; 24 x 16 for any motion takes 0.6 MB
+/// each.
 const MOST: usize = 24;
 
 type Kept = VecDeque<(TypeId, [u64; 2], Arc<dyn Any + Send + Sync>)>;
 
 static KEPT: Mutex<Kept> = Mutex::new(VecDeque::new());
 
-/// That of a key, made where it is not kept. What is made must follow from type and key alone.
+/// The entry of a key, made if it is not cached. It must depend on type and key alone.
 pub(super) fn shared<T: Any + Send + Sync>(key: [u64; 2], make: impl FnOnce() -> T) -> Arc<T> {
     let of = TypeId::of::<T>();
     if let Some(found) = taken(of, key).and_then(|found| found.downcast().ok()) {
         return found;
     }
-    // Two threads may make the same: no one waits, and both have the same bits.
+    // Two threads may make the same entry: neither waits, and both get the same bits.
     let made = Arc::new(make());
     keep(of, key, made.clone());
     made
 }
 
-/// The entry, moved to the front.
+/// Finds an entry and moves it to the front.
 fn taken(of: TypeId, key: [u64; 2]) -> Option<Arc<dyn Any + Send + Sync>> {
-    // A thread that panicked while it held the lock has left whole entries only.
+    // A thread that panicked with the lock held has left complete entries only.
     let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
     let at = kept.iter().position(|(kind, its, _)| (*kind, *its) == (of, key))?;
     let entry = kept.remove(at)?;

@@ -1,55 +1,57 @@
-//! Tractions of a step: within their limits, and slip along those that reach them.
+//! Tractions of a step: within the friction limit, with slip along those that reach it.
 //!
-//! `min q M q/2 - q c` over discs, by splitting: the quadratic form and the discs in turn, with one
-//! inverse that is made once. The multiplier of a disc is the slip.
+//! Minimises `q M q/2 - q c` over discs by operator splitting: the quadratic form and the discs in turn, with
+//! one inverse computed beforehand. The multiplier of a disc is the slip.
 
 use super::pair::{Block, Pair, PressBlock, RimBlock};
 use super::symmetry::Symmetry;
 use super::transform::Field;
 
-/// Over-relaxation.
+/// Over-relaxation factor.
 const RELAX: f64 = 1.6;
-/// The iterations after which the added pressures are brought up to date: the first and each fourth.
+/// Number of iterations between updates of the added pressures: they are updated in the first and every
+/// fourth.
 const PRESS_EACH: usize = 3;
-/// The most iterations; 19 are the mean of large steps at a tolerance of 1e-4.
+/// Maximum number of iterations; large steps at a tolerance of 1e-4 take 19 in the mean.
 const MOST: usize = 400;
-/// About the greatest displacement by tractions at their limits, over a^2.
+/// Approximate largest displacement by tractions at their limits, over a^2.
 const STICKING: f64 = 1.5;
-/// The same where slip has a first guess: only one that is far off is replaced.
+/// The same, if slip has a first guess: only a guess far off is replaced.
 const FAR: f64 = 20.0;
-/// After so many iterations less and less slip is taken ahead: some points would else go to and fro.
+/// After this number of iterations the extrapolated slip is reduced, since some points could oscillate
+/// otherwise.
 const PATIENCE: usize = 16;
 
-/// What is sought: tractions z over the contact radius, and y, the slip over sigma a^2.
+/// The unknowns: tractions z over the contact radius, and y, the slip over sigma a^2.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tractions<const N: usize, const H: usize> {
     pub(super) z: Field<N, H>,
     pub(super) y: Field<N, H>,
-    /// The limits that z keeps: Hertz's pressure and what tractions add.
+    /// The friction limit of z: Hertz's pressure and the pressures that tractions add.
     pub(super) limit: [[f64; N]; H],
-    /// The displacement of the rim over a^2, radial and circumferential.
+    /// The radial and circumferential displacement of the rim over a^2.
     pub(super) rim: [[f64; 2]; H],
 }
 
-/// The part of the rim's slip that each ring takes which comes into contact.
+/// The fraction of the rim's slip that each ring takes when it enters the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Share<const N: usize> {
     pub(super) of_rim: [f64; N],
-    /// The same of its mean circumferential slip: that grows as the radius, too.
+    /// The same for the mean circumferential slip, which is also proportional to the radius.
     pub(super) of_twist: [f64; N],
 }
 
-/// How rings that come into contact follow the displacement of the rim.
+/// How entering rings follow the displacement of the rim.
 #[derive(Debug, Clone, Copy)]
 struct Entering<const N: usize, const H: usize> {
-    /// By blocks, the inverse times the share that a ring has of the rim, for each part of a block.
+    /// By blocks: the inverse times the fraction of each ring, for each component of a block.
     columns: [[[[f64; N]; 2]; 2]; H],
     /// By blocks, `(1 - Rim columns)^-1`.
     small: [[[f64; 2]; 2]; H],
 }
 
 impl<const N: usize, const H: usize> Entering<N, H> {
-    /// With the share of each ring, by one of the inverses of a pair.
+    /// With the fraction of each ring and one of the inverses of a pair.
     #[inline(never)]
     fn new<S: Symmetry<H>>(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &Share<N>) -> Self {
         let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; H], small: [[[0.0; 2]; 2]; H] };
@@ -57,7 +59,7 @@ impl<const N: usize, const H: usize> Entering<N, H> {
             let mut small = [[0.0; 2]; 2];
             for part in 0..2 {
                 let mut sources = [[0.0; N]; 2];
-                // The second part of the first block of a whole turn is the twist.
+                // The second component of the first block of a whole turn is the twist.
                 sources[part] =
                     if (S::whole_block(b), part) == (0, 1) { share.of_twist } else { share.of_rim };
                 let column = applied(inverse, &sources);
@@ -75,7 +77,7 @@ impl<const N: usize, const H: usize> Entering<N, H> {
     }
 }
 
-/// A block times the tractions of its parts.
+/// A block times the tractions of its components.
 #[inline(always)]
 fn applied<const N: usize>(block: &Block<N>, of: &[[f64; N]; 2]) -> [[f64; N]; 2] {
     let mut out = [[0.0; N]; 2];
@@ -120,7 +122,7 @@ fn block_of<const N: usize, const H: usize, S: Symmetry<H>>(
 }
 
 impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
-    /// An inverse of the pair times a right side, by harmonics; the spectrum stays in `hat`.
+    /// An inverse of the pair times a right-hand side, by harmonics; the spectrum stays in `hat`.
     #[inline(always)]
     fn divided(
         &self,
@@ -153,12 +155,12 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         q
     }
 
-    /// As `limits`; without coupling Hertz's pressure.
+    /// The limits; without coupling Hertz's pressure.
     fn limits_now(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
         if self.lift == 0.0 { [self.layout.pressure; H] } else { self.limits(hat) }
     }
 
-    /// The limits with the pressures that tractions of this spectrum add.
+    /// The limits with the pressures that tractions with this spectrum add.
     #[inline(always)]
     fn limits(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
         let mut added: Field<N, H> = [[[0.0; N]; 2]; H];
@@ -176,7 +178,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         })
     }
 
-    /// The displacement of the rim by tractions of this spectrum.
+    /// The displacement of the rim by tractions with this spectrum.
     #[inline(always)]
     fn at_rim(&self, hat: &Field<N, H>) -> [[f64; 2]; H] {
         let mut out: Field<1, H> = [[[0.0; 1]; 2]; H];
@@ -190,7 +192,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         out.map(|parts| parts.map(|[u]| u))
     }
 
-    /// Where nothing slipped before: the tractions that stick, if they keep their limits.
+    /// If nothing slipped before: the tractions in full adhesion, if they are within their limits.
     fn stuck(&self, c: &Field<N, H>, share: Option<&Share<N>>, now: &mut Tractions<N, H>) -> bool {
         let slipped = now.y.iter().flatten().flatten().any(|&y| y != 0.0);
         if self.slips && slipped {
@@ -211,9 +213,9 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         true
     }
 
-    /// Finds the tractions that balance `c = M q + sigma y`, from those of before; how many iterations
-    /// that took. Slip begins with `ahead`, in the unit of y; rings that come
-    /// into contact have a share of the rim's slip.
+    /// Solves `c = M q + sigma y`, starting from the previous tractions; returns the number of iterations.
+    /// Slip starts with `ahead`, in the unit of y. Rings that enter the contact take a fraction of the rim's
+    /// slip.
     pub(super) fn solve(
         &self,
         c: &Field<N, H>,
@@ -259,7 +261,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         count
     }
 
-    /// Begins with sliding where the first guess of slip leaves more than `most` to displacements by tractions.
+    /// Starts with sliding if the first guess of slip leaves displacements above `most` to the tractions.
     fn slide(&self, c: &Field<N, H>, most: f64, now: &mut Tractions<N, H>) {
         for (j, [x, y]) in c.iter().enumerate() {
             for i in 0..N {
@@ -278,7 +280,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         }
     }
 
-    /// Harmonics of tractions.
+    /// The harmonics of tractions.
     #[inline(always)]
     fn spectrum(&self, z: &Field<N, H>) -> Field<N, H> {
         let mut hat = *z;
@@ -286,19 +288,19 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         hat
     }
 
-    /// What follows from tractions that were kept: the displacement of the rim, and the limits.
+    /// Computes what follows from stored tractions: the displacement of the rim and the limits.
     pub(super) fn follow(&self, now: &mut Tractions<N, H>) {
         let hat = self.spectrum(&now.z);
         (now.rim, now.limit) = (self.at_rim(&hat), self.limits_now(&hat));
     }
 
-    /// Tractions that stick to these displacements.
+    /// The tractions that give these displacements.
     pub(super) fn sticking_to(&self, u: &Field<N, H>) -> Field<N, H> {
         self.divided(&self.sticking, &mut u.clone(), None)
     }
 }
 
-/// Cuts to the limits; the square of the greatest change.
+/// Cuts tractions to their limits; returns the square of the largest change.
 #[inline(always)]
 fn cut<const N: usize, const H: usize>(
     q: &Field<N, H>,
@@ -329,8 +331,8 @@ fn cut<const N: usize, const H: usize>(
     greatest
 }
 
-/// The traction at its limit that slips by what v has beyond it: first by what slip was ahead, then along
-/// itself. It takes no work.
+/// The traction at its limit for a trial value v beyond it. The excess is slip: first along the extrapolated
+/// slip, then along the traction itself.
 #[inline(always)]
 fn on_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
@@ -340,7 +342,7 @@ fn on_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
         let beyond = [v[0] - ahead[0], v[1] - ahead[1]];
         let rest = dot(beyond, beyond);
         if rest <= limit * limit {
-            // Less than what was ahead is enough: |v - part ahead| = limit.
+            // Part of the extrapolated slip is enough: |v - part ahead| = limit.
             let size = dot(ahead, ahead);
             let over = square - limit * limit;
             let part = over / (along + (along * along - size * over).max(0.0).sqrt());

@@ -1,53 +1,53 @@
-//! What a motion leaves alike on both sides: which angles are kept, and their harmonics.
+//! Symmetry of a motion: which angles are stored, and their harmonics.
 
 use std::fmt::Debug;
 
 use super::transform::{Field, direction, directions, parts, transform};
 
-/// Which angles of a turn a contact keeps. The others follow from them.
+/// The angles of a turn that a contact stores; the others follow by symmetry.
 ///
-/// H is the number of angles that are kept.
+/// H is the number of stored angles.
 pub trait Symmetry<const H: usize>:
     Debug + Clone + Copy + PartialEq + Send + Sync + 'static
 {
-    /// The angles of the whole turn.
+    /// Number of angles of the whole turn.
     const ANGLES: usize;
-    /// Whether both sides of the plane of motion are alike.
+    /// Whether the contact is symmetric about the plane of motion.
     const MIRRORED: bool;
-    /// Whether points that are opposite in the contact have the same tractions.
+    /// Whether opposite points of the contact have the same tractions.
     const OPPOSITE: bool;
-    /// Cosines and sines for the harmonics.
+    /// Cosines and sines of the harmonics.
     type Waves: Debug + Clone + Send + Sync;
 
-    /// The cosines and sines.
+    /// Computes the cosines and sines.
     #[doc(hidden)]
     fn waves() -> Self::Waves;
 
-    /// From values at angles to harmonics, in place.
+    /// Transforms values at angles to harmonics, in place.
     #[doc(hidden)]
     fn to_harmonics<const N: usize>(waves: &Self::Waves, field: &mut Field<N, H>);
 
-    /// From harmonics to values at angles, in place.
+    /// Transforms harmonics to values at angles, in place.
     #[doc(hidden)]
     fn to_angles<const N: usize>(waves: &Self::Waves, field: &mut Field<N, H>);
 
-    /// How many blocks of matrices act on the harmonics.
+    /// Number of matrix blocks that act on the harmonics.
     #[doc(hidden)]
     fn blocks() -> usize;
 
-    /// The block among those of the whole turn.
+    /// The index of a block among those of the whole turn.
     #[doc(hidden)]
     fn whole_block(block: usize) -> usize;
 
-    /// Where the two parts of a block stand among the harmonics.
+    /// The places of the two components of a block among the harmonics.
     #[doc(hidden)]
     fn places(block: usize) -> [(usize, usize); 2];
 
-    /// How many angles of the turn a kept one stands for.
+    /// Number of angles of the turn that a stored angle represents.
     #[doc(hidden)]
     fn weight(angle: usize) -> f64;
 
-    /// The kept angle that has the values opposite to this one, and the signs of both components there.
+    /// The stored angle with the values at the opposite point, and the signs of both components there.
     #[doc(hidden)]
     fn opposite(angle: usize) -> (usize, [f64; 2]);
 }
@@ -112,8 +112,8 @@ impl<const H: usize> Symmetry<H> for Whole {
     }
 }
 
-/// Cosines of the radial and sines of the circumferential component by harmonic and angle, times how many
-/// angles (or harmonics) each stands for.
+/// Cosines for the radial and sines for the circumferential component, by harmonic and angle, times the
+/// number of angles (or harmonics) that each represents.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waves<const H: usize> {
     cosine: [[f64; H]; H],
@@ -121,7 +121,7 @@ pub struct Waves<const H: usize> {
 }
 
 impl<const H: usize> Waves<H> {
-    /// Of so many angles a turn; `weight` is that of an angle, `harmonic` that which stands in a place.
+    /// For this many angles per turn; `weight` is that of an angle, `harmonic` the harmonic at a place.
     fn new(
         angles: usize,
         weight: impl Fn(usize) -> f64,
@@ -136,7 +136,7 @@ impl<const H: usize> Waves<H> {
     }
 }
 
-/// Adds a multiple of one line of rings to another.
+/// Adds a multiple of the values on the rings.
 #[inline(always)]
 fn add<const N: usize>(to: &mut [f64; N], factor: f64, from: &[f64; N]) {
     for (to, from) in to.iter_mut().zip(from) {
@@ -145,8 +145,8 @@ fn add<const N: usize>(to: &mut [f64; N], factor: f64, from: &[f64; N]) {
 }
 
 impl Plane {
-    /// Cosine and sine series over the half turn, by sums and differences of angles that lie alike to a
-    /// quarter turn.
+    /// Cosine and sine series over half a turn, by sums and differences of angles symmetric about a quarter
+    /// turn.
     #[inline(always)]
     fn series<const N: usize, const H: usize>(
         waves: &Waves<H>,
@@ -210,7 +210,7 @@ impl<const H: usize> Symmetry<H> for Plane {
         H
     }
 
-    /// That which is even under reflection.
+    /// The block that is even under reflection.
     #[inline(always)]
     fn whole_block(block: usize) -> usize {
         match block {
@@ -243,7 +243,7 @@ impl<const H: usize> Symmetry<H> for AlikePlane {
     type Waves = [Waves<H>; 2];
 
     fn waves() -> Self::Waves {
-        // To odd harmonics, and from them to angles.
+        // Transforms to odd harmonics, and from them to angles.
         let (angles, odd) = (<Self as Symmetry<H>>::ANGLES, |k: usize| 2 * k + 1);
         let to = Waves::new(angles, |j| <Self as Symmetry<H>>::weight(j) / angles as f64, odd);
         let from = Waves::new(angles, |_| 2.0, odd);
@@ -294,7 +294,7 @@ impl<const H: usize> Symmetry<H> for AlikePlane {
         if angle == 0 || angle == H - 1 { 2.0 } else { 4.0 }
     }
 
-    /// Tractions are the same in space, hence opposite in axes that turn.
+    /// Tractions are equal in space, hence opposite in polar axes.
     #[inline(always)]
     fn opposite(angle: usize) -> (usize, [f64; 2]) {
         (angle, [-1.0; 2])
@@ -307,7 +307,7 @@ mod tests {
 
     use super::*;
 
-    /// A field of the symmetry on the whole turn, and its kept part.
+    /// A field with the symmetry on the whole turn, and its stored part.
     fn fields<const M: usize, const H: usize, S: Symmetry<H>>() -> [Vec<[[f64; 3]; 2]>; 2] {
         let odd = |k: usize| if S::OPPOSITE { 2 * k + 1 } else { k };
         let at = |j: usize| {
@@ -333,7 +333,7 @@ mod tests {
             let [(k, up), (mirror, down)] = parts::<M>(S::whole_block(block));
             let [one, two] = S::places(block);
             for i in 0..3 {
-                // Mean and half the difference of the harmonics k and -k; the mean alone has no other.
+                // Mean and half the difference of the harmonics k and -k; the mean itself has no partner.
                 let [a, b] =
                     [hat[k][up][i], if k == mirror { hat[k][up][i] } else { hat[mirror][down][i] }];
                 let want = [0.5 * (a + b), 0.5 * (a - b)];

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 /// Two components (radial and circumferential, or real and imaginary) on N rings at M angles.
 pub(super) type Field<const N: usize, const M: usize> = [[[f64; N]; 2]; M];
 
-/// Cosine and sine of j of so many equal parts of a turn.
+/// Cosine and sine of angle j of `parts` equal parts of a turn.
 pub(super) fn direction(j: usize, parts: usize) -> [f64; 2] {
     let j = j % parts;
-    // Multiples of an eighth of a turn are exact, whatever the library rounds.
+    // Multiples of an eighth of a turn are exact.
     let eighths = 8 * j;
     let root = std::f64::consts::FRAC_1_SQRT_2;
     if eighths.is_multiple_of(parts) {
@@ -81,16 +81,16 @@ fn butterfly<const N: usize, const M: usize>(
     }
 }
 
-/// Where the two parts of block b stand: harmonic and component.
+/// The places of the two components of block b: harmonic and component.
 ///
-/// Block 0 has both components of the mean, block 1 those of the shortest wave; then each harmonic k
-/// with -k, first what is even under reflection (the real parts), then what is odd.
+/// Block 0 has both components of the mean, block 1 those of the shortest wave. Each harmonic k with -k has
+/// two further blocks: first the even one (real parts), then the odd one.
 #[inline(always)]
 pub(super) const fn parts<const M: usize>(block: usize) -> [(usize, usize); 2] {
     parts_of(M, block)
 }
 
-/// The same for so many angles.
+/// The same for a given number of angles.
 #[inline(always)]
 pub(super) const fn parts_of(angles: usize, block: usize) -> [(usize, usize); 2] {
     match block {

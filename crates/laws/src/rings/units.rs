@@ -17,7 +17,7 @@ pub(super) struct Units {
 }
 
 impl Units {
-    /// Of `F_z = (2/3) c_z zeta^(3/2)` and the contact radius at unit approach.
+    /// Units from `F_z = (2/3) c_z zeta^(3/2)` and the contact radius at unit approach.
     pub(super) fn new(c_z: f64, radius: f64, friction: Friction) -> Self {
         let f = friction.coefficient().unwrap_or(1.0);
         let over = |value: f64| if f > 0.0 { value / f } else { 0.0 };

@@ -22,7 +22,7 @@ R_x of spheres for a thousand angles:
 >>> r_x.shape, bool(r_x.max() < 0.5)
 ((1000,), True)
 
-A contact with memory, pressed and shifted to and fro:
+A contact with memory, pressed and then shifted to and fro:
 
 >>> hertz = carom.hertz_of_spheres(0.01, 0.01, alumina)
 >>> contact = carom.Contact(hertz, friction=0.3)
@@ -34,7 +34,7 @@ A contact with memory, pressed and shifted to and fro:
 >>> bool(np.isclose(back[-1, 0], -f_x))
 True
 
-A contact on a grid, of any gap, with any history:
+A contact on a grid, with any gap and load history:
 
 >>> x, y = carom.cells((32, 32), size=(1e-3, 1e-3))
 >>> wavy = 1e-6 * np.cos(2 * np.pi * x / 5e-4) ** 2 + (x**2 + y**2) / 0.02
@@ -43,7 +43,7 @@ A contact on a grid, of any gap, with any history:
 >>> round(float(solver.pressure.sum() * (1e-3 / 32) ** 2), 6)
 50.0
 
-Errors in what is given are `carom.RangeError`, a ValueError that names the field:
+A value out of range raises `carom.RangeError`, a ValueError that names the field:
 
 >>> carom.Material(208e9, 0.7)
 Traceback (most recent call last):
@@ -81,7 +81,7 @@ from ._impact import collide, collide_many, history, plane, sphere
 from ._records import HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
 from ._solver import Solver, cells
 
-#: A rigid body's material.
+#: The material of a rigid body.
 RIGID = Material(float("inf"))
 
 __all__ = [

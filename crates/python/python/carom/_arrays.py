@@ -1,4 +1,4 @@
-"""Arrays of any shape, broadcast against each other, as lines for the native functions."""
+"""Converts arrays of any shape to flat arrays for the native functions, with broadcasting."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from ._carom import RangeError, available_room
 Array = NDArray[np.float64]
 Numbers = float | Array
 
-# Bytes that are taken without asking the system.
+# Allocations up to this number of bytes are not checked.
 FEW = 1 << 24
 
 
 def line(x: ArrayLike) -> Array:
-    """The numbers one after the other."""
+    """The numbers as a flat array."""
     return np.require(x, np.float64, ["C", "A"]).reshape(-1)
 
 
 def numbers(name: str, x: ArrayLike) -> Array:
-    """Real numbers; what is none is an error that names its argument: imaginary parts, times, what is masked."""
+    """Real numbers. Complex numbers, times and masked values raise an error that names the argument."""
     try:
         given = np.asarray(x)
         if given.dtype.kind in "cSUmM" or np.ma.is_masked(x):
@@ -34,15 +34,15 @@ def numbers(name: str, x: ArrayLike) -> Array:
 
 
 def path(name: str, x: ArrayLike) -> Array:
-    """Numbers in one line."""
+    """A one-dimensional array of numbers."""
     given = numbers(name, x)
     if given.ndim != 1:
-        raise ValueError(f"{name} has the shape {given.shape}: must be one line of numbers")
+        raise ValueError(f"{name} has the shape {given.shape}: must be one-dimensional")
     return line(given)
 
 
 def spread(name: str, x: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """The numbers of an argument, one of them for many."""
+    """The numbers of an argument, broadcast to a shape."""
     given = numbers(name, x)
     try:
         return np.broadcast_to(given, shape)
@@ -59,25 +59,26 @@ def two(name: str, x: object) -> tuple[float, float]:
 
 
 def counted(name: str, x: object, each: int = 1) -> int:
-    """A number of things of at least so many bytes: a whole one, for which there is room."""
+    """A count of items of at least `each` bytes: a non-negative integer for which there is enough
+    memory."""
     whole = operator.index(x)  # type: ignore[arg-type]
     if 0 <= whole * each <= FEW or 0 <= whole * each <= available_room():
         return whole
-    allowed = "at least 0" if whole < 0 else "so many as the memory holds"
+    allowed = "at least 0" if whole < 0 else "few enough for the free memory"
     error = RangeError(f"{name} = {whole} is out of range: must be {allowed}")
     error.field, error.value, error.index = name, float(whole), None
     raise error
 
 
 def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:
-    """The values of a native function over broadcast arguments; a number for numbers."""
+    """Applies a native function to broadcast arguments; numbers in give a number."""
     arrays = np.broadcast_arrays(*(numbers(f"argument {i}", x) for i, x in enumerate(arguments, 1)))
     values = function(*(line(x) for x in arrays)).reshape(arrays[0].shape)
     return values if values.ndim else float(values)
 
 
 def rows(name: str, x: ArrayLike, count: int) -> Array:
-    """`count` vectors of three; one vector stands for all."""
+    """`count` vectors of three components; a single vector is repeated."""
     given = numbers(name, x)
     if given.shape not in ((3,), (count, 3)):
         raise ValueError(f"{name} has the shape {given.shape}: must be (3,) or {(count, 3)}")

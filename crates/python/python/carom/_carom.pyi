@@ -1,4 +1,4 @@
-"""Types of the native part."""
+"""Types of the native module."""
 
 from collections.abc import Sequence
 from typing import Any, Literal

@@ -1,4 +1,4 @@
-"""Contacts at rest: Hertz, stresses beneath, Lubkin's twist, R_x of an impact."""
+"""Closed-form results: Hertz contacts, stresses below a contact, Lubkin's twist, R_x of an impact."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
 def hertz_of_spheres(
     radius_1: float, radius_2: float, material_1: Material, material_2: Material | None = None
 ) -> Hertz:
-    """The Hertz contact of two spheres, m; an infinite radius is a plane, a negative one a hollow sphere.
+    """The Hertz contact of two spheres, radii in m; infinite for a plane, negative for a spherical cavity.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
@@ -39,13 +39,13 @@ def hertz(
     semi_axis_a: ArrayLike | None = None,
     semi_axis_b: ArrayLike | None = None,
 ) -> HertzState:
-    """A Hertz contact under load, of which one is given: force (N), approach or a semi-axis (m).
+    """A Hertz contact under load. Exactly one of force (N), approach and the semi-axes (m) is given.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
     >>> contact = carom.hertz_of_spheres(0.01, float("inf"), steel)
     >>> state = carom.hertz(contact, force=[10.0, 80.0])
-    >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a goes as the cube root of the force
+    >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a is proportional to the cube root of the force
     2.0
     """
     names: tuple[Given, ...] = ("force", "approach", "semi_axis_a", "semi_axis_b")
@@ -85,16 +85,16 @@ def restitution_of_groups(chi: ArrayLike, psi: ArrayLike, *, exact: bool = False
 
 
 def lubkin_torque(twist: ArrayLike) -> Numbers:
-    """The torque of a virgin circular contact that is twisted, without dimension: M_z/(f F_z a).
+    """The torque of a circular contact that is twisted for the first time, as M_z/(f F_z a).
 
-    `twist` is G a^2 Omega/(f F_z), from 0 to 160, with `MaterialPair.shear_modulus`: 16/3 of it as long as it is
-    small, 3 pi/16 at last.
+    `twist` is G a^2 Omega/(f F_z), from 0 to 160, with `MaterialPair.shear_modulus`. The torque is 16/3 of
+    a small twist, and 3 pi/16 for complete sliding.
     """
     return over(partial(_carom.lubkin, "torque"), twist)
 
 
 def lubkin_stick_radius(twist: ArrayLike) -> Numbers:
-    """The radius of the stick area of a contact twisted so, as for `lubkin_torque`, over its own."""
+    """The stick radius over the contact radius of a circular contact twisted as in `lubkin_torque`."""
     return over(partial(_carom.lubkin, "stick_radius"), twist)
 
 
@@ -111,9 +111,9 @@ def stress(
 ) -> Array:
     """The stress in a body under a Hertz contact, (xx, yy, zz, xy, yz, zx) along the last axis, Pa.
 
-    `pressure` is that in the middle of the ellipse, `traction` the greatest friction there, in the
-    direction of slip; of partial slip, `stick_radius` is the size of the stick area, from 0 to 1. z >= 0
-    goes into the body.
+    `pressure` is the normal pressure at the centre of the ellipse, `traction` the friction limit there, in
+    the direction of slip. `stick_radius`, from 0 to 1, is the relative size of the stick area. z >= 0
+    points into the body.
 
     >>> import carom, numpy as np
     >>> steel = carom.Material(208e9, 0.3)
@@ -129,7 +129,7 @@ def stress(
 
 
 def von_mises(stress: ArrayLike) -> Numbers:
-    """Von Mises' equivalent of stresses (xx, yy, zz, xy, yz, zx) along the last axis.
+    """Von Mises' equivalent stress of stresses (xx, yy, zz, xy, yz, zx) along the last axis.
 
     >>> von_mises([3.0, 0, 0, 0, 0, 0])
     3.0

@@ -14,16 +14,16 @@ from ._carom import Hertz
 
 
 class Contacts:
-    """Many contacts of the same constants, advanced together: arrays of shifts in, arrays of loads out.
+    """Many contacts with the same constants, advanced together: arrays of shifts in, arrays of loads out.
 
-    `stiffness` is a Hertz contact or (c_x, c_y, c_z); `law` is 'coulomb', to a `tolerance` of the friction
-    limit, or 'fixed-direction', one direction of traction in a slip ring: faster, exact on straight
-    paths. With `directions=1` only xi moves, and the law is exact and fastest. With `threads` all cores
-    help, to the same bits.
+    `stiffness` is a Hertz contact or (c_x, c_y, c_z), N/m^1.5. `law` is 'coulomb', to a `tolerance` of the
+    friction limit, or 'fixed-direction', with one direction of traction in a slip annulus: faster, and
+    exact on straight paths. `directions=1` allows only xi; the law is then exact and fastest. `threads`
+    uses all cores and gives the same bits.
 
     These laws neglect the coupling of dissimilar materials, which may change R_x of an impact by
-    `coupling_bound`, and take no twist. `law='rings'` has both, for circular Hertz contacts: a step costs some
-    microseconds.
+    `coupling_bound`, and do not take a twist. `law='rings'` includes both, for circular Hertz contacts; a
+    step takes some microseconds.
 
     >>> import carom, numpy as np
     >>> glass = carom.Material(70e9, 0.22)
@@ -60,10 +60,10 @@ class Contacts:
         eta: ArrayLike | None = None,
         omega: ArrayLike | None = None,
     ) -> Array:
-        """Goes straight to new shifts (m), one for each contact or one for all; returns the loads (n, 3), N.
+        """Moves to new shifts (m), one for each contact or one for all; returns the loads (n, 3), N.
 
-        All go, or none. `omega` is the twist about the normal (radians) of law 'rings'; the loads are then
-        (F_x, F_y, F_z, M_z), an array (n, 4).
+        If one shift is out of range, no contact is advanced. `omega` is the twist about the normal
+        (radians), for law 'rings' only; the loads are then (F_x, F_y, F_z, M_z), an array (n, 4).
         """
 
         def column(name: str, shift: ArrayLike) -> Array:
@@ -82,10 +82,10 @@ class Contacts:
         *,
         out: Array | None = None,
     ) -> Array:
-        """Goes along paths, arrays (n, steps) of shifts (m); returns the loads (n, steps, 3), N.
+        """Moves along paths, arrays (n, steps) of shifts (m); returns the loads (n, steps, 3), N.
 
-        All go, or none. `out` is where to write the loads, if given. With `omega`, of law 'rings', they have M_z
-        behind the forces: (n, steps, 4).
+        If one shift is out of range, no contact is advanced. The loads are written into `out`, if given.
+        With `omega`, for law 'rings' only, they include M_z after the forces: (n, steps, 4).
         """
         told = {"zeta": zeta, "xi": xi} | {
             name: shift for name, shift in (("eta", eta), ("omega", omega)) if shift is not None
@@ -101,7 +101,7 @@ class Contacts:
         if not fits or not loads.flags.carray:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {whole}")
         if any(np.may_share_memory(loads, way) for way in paths.values()):
-            raise ValueError("out: must not be the memory of the paths")
+            raise ValueError("out: must not share memory with the paths")
         across = (paths.get(name) for name in ("eta", "omega"))
         self._native.follow(steps, paths["zeta"], paths["xi"], *across, loads.reshape(-1))
         return loads
@@ -113,14 +113,14 @@ class Contacts:
 
     @property
     def torques(self) -> Array:
-        """The present torques about the normal M_z, N m, an array (n,); 0 but for law 'rings'."""
+        """The present torques about the normal M_z, N m, an array (n,); nonzero for law 'rings' only."""
         return self._native.torques
 
     @property
     def coupling_bound(self) -> float | None:
-        """A bound of how much the coupling of dissimilar materials, which the law neglects, changes R_x of an impact.
+        """Upper bound of the change of R_x by the coupling of dissimilar materials, which the law neglects.
 
-        0 of like materials and for law 'rings'; None if the materials are not known.
+        0 for like materials and for law 'rings'; None for unknown materials.
         """
         return self._native.coupling_bound
 

@@ -1,4 +1,4 @@
-"""Bodies that collide."""
+"""Bodies and their collisions."""
 
 from __future__ import annotations
 
@@ -26,30 +26,30 @@ def sphere(
     spin: Vector = (0.0, 0.0, 0.0),
     centre: Vector = (0.0, 0.0, 0.0),
 ) -> Body:
-    """A solid sphere or, if `hollow`, a thin shell. m, kg, m/s, 1/s."""
+    """A solid sphere or, if `hollow`, a thin spherical shell. m, kg, m/s, 1/s."""
     return Body(
         "sphere", [radius], material, mass, hollow=hollow, velocity=velocity, spin=spin, centre=centre
     )
 
 
 def plane(material: Material) -> Body:
-    """A plane held fast."""
+    """A fixed plane that bounds a half-space."""
     return Body("plane", [], material)
 
 
 def _along(body_1: Body, body_2: Body, normal: Vector | None) -> Vector | None:
-    """The common normal. Bodies that were put somewhere are not moved elsewhere unasked."""
+    """The common normal. Bodies with a given position are moved only if `normal` is passed explicitly."""
     if normal is UP and (any(body_1.centre) or any(body_2.centre)):
-        raise ValueError("normal: must be given of bodies with a centre; None if they touch where they are")
+        raise ValueError("normal: must be given if a body has a centre; None if the bodies touch at their given positions")
     return normal
 
 
 def _left(normal_restitution: float, wave_loss: bool) -> float | None:
-    """What the material leaves of the normal velocity; None is what waves leave."""
+    """The coefficient of normal restitution; None stands for the loss by waves."""
     if normal_restitution is None:
-        raise TypeError("normal_restitution: must be a number; wave_loss=True is what waves leave")
+        raise TypeError("normal_restitution: must be a number; for the loss by waves pass wave_loss=True")
     if wave_loss and normal_restitution != 1.0:
-        raise ValueError("normal_restitution: not beside wave_loss, since it is what waves leave")
+        raise ValueError("normal_restitution and wave_loss=True are mutually exclusive")
     return None if wave_loss else normal_restitution
 
 
@@ -65,23 +65,31 @@ def collide(
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
 ) -> Rebound:
-    """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
+    """Computes the impact of two bodies. Body 1 is first placed on body 2 with the given common normal.
 
-    With `normal=None` they touch where they are; of bodies with a centre one or the other must be said. Friction acts
-    on the spin about the normal where that matters, of spheres and planes by the laws 'auto' and 'rings'; always with
-    `torsion=True`, never with `torsion=False`. `law` is 'auto', 'coulomb', 'fixed-direction', 'rings' or 'numerical': by
-    'auto' the coupling of unlike materials counts where it matters, by rings for spheres and planes and on a grid for
-    other shapes; 'coulomb' and 'fixed-direction' neglect it, and `method` and `error_estimate` of the result say what
-    was used and how far it may be off. An impact by rings takes about a millisecond, one of like bodies some
-    microseconds. With a `normal_restitution` below 1 the material takes a part, beyond the elastic theory; with `wave_loss` as much as elastic waves carry away; duration and greatest force are those of the
-    elastic impact. A body held fast that moves, as a racket does, works on the other: the energies do not add up
-    then.
+    `normal` points from body 2 into body 1. With `normal=None` the bodies touch at their given positions;
+    if a body has a centre, pass `normal` explicitly. The result says in `method` how it was computed, and
+    in `error_estimate` how accurate it is.
+
+    `law` is 'auto', 'coulomb', 'fixed-direction', 'rings' or 'numerical'. With 'auto' the coupling of
+    dissimilar materials counts where it matters, by rings for spheres and planes and on a grid for other
+    shapes; 'coulomb' and 'fixed-direction' neglect it. An impact by rings takes about a millisecond, one of
+    like materials some microseconds.
+
+    `torsion=None` applies friction to the spin about the normal where it matters, for spheres and planes by
+    the laws 'auto' and 'rings'; True always does so, False never.
+
+    A `normal_restitution` below 1 dissipates energy in the material, beyond the elastic theory;
+    `wave_loss=True` dissipates what elastic waves carry away. Duration and maximum force are those of the
+    elastic impact.
+
+    A fixed body that moves, like a racket, does work on the other: then the energies do not balance.
 
     >>> import carom
     >>> rubber = carom.Material(5e6, 0.5)
     >>> ball = carom.sphere(0.02, rubber, 0.037, velocity=(1, 0, -3))
     >>> rebound = carom.collide(ball, carom.plane(carom.RIGID), friction=0.9)
-    >>> bool(rebound.R_x > 0.1)  # it comes back
+    >>> bool(rebound.R_x > 0.1)  # it bounces back
     True
     >>> lost = rebound.energy_before - rebound.energy_after
     >>> bool(abs(lost - rebound.energy_dissipated) < 1e-9 * rebound.energy_before)
@@ -108,9 +116,9 @@ def collide_many(
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
 ) -> Rebound:
-    """The same two bodies collide in many motions, arrays (n, 3), and with many frictions, (n,).
+    """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, (n,).
 
-    One vector or number stands for all. All cores help, to the same bits.
+    A single vector or number holds for all. Uses all cores, and gives the same bits on any number.
 
     >>> import carom, numpy as np
     >>> steel = carom.Material(208e9, 0.3)
@@ -128,7 +136,7 @@ def collide_many(
     counts = [len(v) for v in given.values() if v.ndim == 2]
     counts += [len(friction)] if friction.ndim == 1 else []
     if len(set(counts)) > 1:
-        raise ValueError(f"motions and friction: must be of one length, not {sorted(set(counts))}")
+        raise ValueError(f"motions and friction: must have the same length, not {sorted(set(counts))}")
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", friction, (count,)))
@@ -147,7 +155,8 @@ def history(
     law: str = "auto",
     tolerance: float | None = None,
 ) -> HistoryPoint:
-    """The course of a collision of elastic bodies at instants equally spaced in time, from touch to separation.
+    """The history of a collision of elastic bodies at equally spaced times from first contact to
+    separation.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)

@@ -1,4 +1,4 @@
-"""What all results have in common."""
+"""The base class of all results."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """A result: numbers by name, each an array if many were asked for.
+    """A result: named quantities, each an array if many cases were computed.
 
-    `units` and `meanings` tell of each.
+    `units` and `meanings` describe them.
     """
 
     units: ClassVar[dict[str, str]]
     meanings: ClassVar[dict[str, str]]
-    #: Name, unit and values of the number that a case sweeps over, if it sweeps over one.
+    #: Name, unit and values of the field that a case sweeps over; None without a sweep.
     swept: ClassVar[tuple[str, str, Array] | None] = None
 
     @classmethod
@@ -32,7 +32,7 @@ class Record:
         shape: tuple[int, ...],
         swept: tuple[str, str, Array] | None = None,
     ) -> Self:
-        """The native columns, in the shape of what was asked; the first row of them for a number."""
+        """Makes a result from native columns, in the shape of the input; a number takes the first row."""
 
         def shaped(values: Any) -> Any:
             if isinstance(values, list):
@@ -51,7 +51,7 @@ class Record:
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
 
     def _cells(self) -> dict[str, Any]:
-        """Columns of numbers, vectors by their parts."""
+        """The columns of numbers; vectors are split into components."""
         cells: dict[str, Any] = {}
         for name, values in self.to_dict().items():
             if isinstance(values, np.ndarray) and values.shape[-1:] == (3,) and name in self._vectors:
@@ -64,7 +64,7 @@ class Record:
     _vectors: ClassVar[frozenset[str]]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A data frame, a row for each; the units are in its `attrs`."""
+        """A data frame with one row for each record; the units are in its `attrs`."""
         import pandas
 
         frame = pandas.DataFrame(self._cells())

@@ -1,4 +1,4 @@
-"""The numerical contact solver: any gap on a grid, any history."""
+"""The numerical contact solver: any gap on a grid, any load history."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ FIELDS = ("pressure", "traction_x", "traction_y", "displacement_x", "displacemen
 
 
 def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Array]:
-    """x and y of the middles of the cells, each (ny, nx): `shape` is (ny, nx), `size` (m) is (along x,
-    along y), with the origin in the middle.
+    """x and y of the cell centres, each an array (ny, nx), with the origin in the middle of the window.
+
+    `shape` is (ny, nx), `size` (m) is (along x, along y).
 
     >>> import carom
     >>> x, y = carom.cells((2, 4), size=(4.0, 2.0))
@@ -41,13 +42,13 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
 class Solver:
     """Two elastic bodies on a grid of cells, with friction and memory.
 
-    `gap` is the distance of the surfaces before they touch, an array (ny, nx) in m, over a window of
-    `size` (m, along x and y) that the contact must not reach the border of, unless the bodies end there
-    (`cut`); `friction` is a number or an array
-    (ny, nx), each from 0 to infinity. Each step is solved to `tolerance` of the greatest displacement and
-    friction limit. Body 2 is shifted against body 1; loads act on body 1. Solvers pickle and copy.
+    `gap` is the distance of the undeformed surfaces, an array (ny, nx) in m, over a window of `size` (m,
+    along x and y). The contact must not reach the border of the window, unless the bodies end there
+    (`cut`). `friction` is a number or an array (ny, nx), from 0 to infinity. Each step is solved to
+    `tolerance`, relative to the largest displacement and friction limit. Body 2 is shifted against body 1;
+    loads act on body 1. Solvers can be pickled and copied.
 
-    A ball of steel of 1 cm on steel, pressed with 10 N and pushed aside:
+    A steel ball of 1 cm radius on steel, pressed with 10 N and loaded tangentially:
 
     >>> import carom
     >>> steel = carom.MaterialPair(carom.Material(208e9, 0.3))
@@ -100,9 +101,11 @@ class Solver:
         omega: float | None = None,
         M_z: float | None = None,
     ) -> SolverStep:
-        """Goes straight to a shift (m, rad) or a load (N, N m) of each motion: approach, shift along x and
-        y, and twist. What is not given stays as it was given last. A failed step leaves the contact as it
-        was."""
+        """Moves straight to a given shift (m, rad) or load (N, N m) of each motion.
+
+        The motions are approach, shift along x and y, and twist. A motion that is not given keeps its last
+        value. A failed step leaves the contact as it was.
+        """
         given = list(self._given)
         values = ((zeta, F_z), (xi, F_x), (eta, F_y), (omega, M_z))
         for i, (names, (shift, load)) in enumerate(zip(MOTIONS, values, strict=True)):
@@ -115,22 +118,22 @@ class Solver:
         return SolverStep._of(columns, ())
 
     def summary(self) -> SolverStep:
-        """The last step, in numbers; zero before the first."""
+        """Summary of the last step; zeros before the first."""
         return SolverStep._of(self._native.summary(), ())
 
     @property
     def shape(self) -> tuple[int, int]:
-        """(ny, nx)."""
+        """Shape of the grid, (ny, nx)."""
         return self._gap.shape  # type: ignore[return-value]
 
     @property
     def gap(self) -> Array:
-        """The gap before, m."""
+        """The gap of the undeformed surfaces, m."""
         return self._gap.copy()
 
     @property
     def size(self) -> tuple[float, float]:
-        """Of the window along x and y, m."""
+        """Size of the window along x and y, m."""
         return self._size
 
     def _field(self, name: str) -> Array:
@@ -163,13 +166,13 @@ class Solver:
 
     @property
     def cells(self) -> NDArray[np.int8]:
-        """What each cell does (ny, nx): 0 apart, 1 sticks, 2 slips."""
+        """State of each cell, an array (ny, nx): 0 separated, 1 sticks, 2 slips."""
         return self._native.state()[2].reshape(self.shape)
 
     def stress(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, *, body: int = 1) -> Array:
         """The stress (xx, yy, zz, xy, yz, zx), Pa, at points of a body: z > 0 in body 1, z < 0 in body 2.
 
-        The sum over all cells: exact for tractions that are the same all over a cell.
+        A sum over all cells, exact for tractions that are constant on each cell.
         """
         arrays = np.broadcast_arrays(*(numbers(n, a) for n, a in zip("xyz", (x, y, z), strict=True)))
         material = (self._materials.material_1, self._materials.material_2)[body == 2]

@@ -1,6 +1,6 @@
-"""Cases from TOML files, as the command `carom` takes them: the same readers, the same results.
+"""Cases from TOML files, with the same readers and results as the command `carom`.
 
-What is wrong with a case is a ValueError that names the field, its line and what is allowed.
+An error in a case raises a ValueError that names the field, its line and the allowed range.
 
 >>> import carom, pathlib, tempfile
 >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
@@ -28,8 +28,9 @@ __all__ = ["Solved", "history", "impact", "new", "solve"]
 
 
 def new(kind: str) -> str:
-    """A commented case of a kind (impact, hertz, history, scene, solve, roll or stress), with every field
-    that it may have.
+    """A commented case of a kind, with all its fields; it runs without changes.
+
+    Kinds: impact, hertz, history, scene, solve, roll, stress.
 
     >>> import carom
     >>> carom.cases.new("solve").splitlines()[0]
@@ -39,10 +40,10 @@ def new(kind: str) -> str:
 
 
 def impact(path: Path) -> Rebound:
-    """The impact of a case; of a sweep all of them, arrays (n,), in parallel.
+    """The impact of a case; for a sweep all impacts, arrays (n,), computed in parallel.
 
-    `swept` of the result is then the name of the number that is swept over, its unit and its values: the
-    index of `to_pandas`, the coordinate of `to_xarray`.
+    For a sweep, `swept` of the result holds the name of the field, its unit and its values. They are the
+    index of `to_pandas` and the coordinate of `to_xarray`.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "balls.toml"
@@ -60,7 +61,7 @@ def impact(path: Path) -> Rebound:
 def history(path: Path) -> HistoryStep:
     """A contact that is pressed, shifted and twisted: arrays (n,) with an entry for each step.
 
-    What only a twist has is not a number without one.
+    Columns of the twist are NaN if the case has none.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "loop.toml"
@@ -75,14 +76,14 @@ def history(path: Path) -> HistoryStep:
 
 @dataclass(frozen=True, eq=False)
 class Solved:
-    """A contact on a grid after all its steps. Fields are arrays (ny, nx) at the end.
+    """A contact on a grid after all its steps. Fields are arrays (ny, nx) after the last step.
 
     steps           the contact after each step, arrays (n,)
-    x, y            middles of the cells, (nx,) and (ny,), m
+    x, y            cell centres, (nx,) and (ny,), m
     pressure        Pa
     traction_x, _y  on body 1, Pa
     displacement_x, _y  elastic, of body 1 against body 2, m
-    cells           what each does: 0 apart, 1 sticks, 2 slips
+    cells           state of each: 0 separated, 1 sticks, 2 slips
     """
 
     steps: SolverStep
@@ -97,8 +98,9 @@ class Solved:
 
 
 def solve(path: Path, *, accuracy: float | None = None) -> Solved:
-    """A contact with friction on a grid, step by step; to an accuracy of loads and shifts, if one is given,
-    whatever the case says of its grid.
+    """A contact with friction on a grid, step by step.
+
+    If `accuracy` of loads and shifts is given, it chooses the grid; the grid of the case is then ignored.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"

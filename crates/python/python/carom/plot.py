@@ -1,4 +1,4 @@
-"""Pictures by matplotlib, which is not needed for anything else: `pip install carom[plot]`.
+"""Plots with matplotlib, an optional dependency: `pip install carom[plot]`.
 
 Each function draws into the given axes, or into new ones, and returns them.
 """
@@ -31,7 +31,7 @@ def _label(record: type[HistoryPoint | Rebound | HertzState], name: str) -> str:
 
 
 def restitution(kappa: ArrayLike, lam: ArrayLike, axes: Axes | None = None) -> Axes:
-    """R_x of spheres over lambda, a curve for each kappa."""
+    """R_x of spheres over lambda, one curve for each kappa."""
     axes = _axes(axes)
     for one in np.atleast_1d(kappa):
         axes.plot(lam, r_x(one, lam), label=f"κ = {one:.4g}")
@@ -51,7 +51,7 @@ def history(course: HistoryPoint, axes: Axes | None = None) -> Axes:
 
 
 def loop(shift: ArrayLike, loads: ArrayLike, axes: Axes | None = None) -> Axes:
-    """The tangential force of a contact over its shift, as `Contact.follow` returns it."""
+    """The tangential force of a contact over its shift, as returned by `Contact.follow`."""
     axes = _axes(axes)
     axes.plot(shift, np.asarray(loads)[:, 0])
     axes.set(xlabel="xi / m", ylabel="F_x / N")

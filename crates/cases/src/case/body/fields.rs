@@ -24,20 +24,20 @@ pub(in crate::case) const SHAPE: Field = Field::new(
     "shape",
     Form::Word(&[
         (SPHERE, "about its centre of mass"),
-        (ELLIPSOID, "with its axes along those of the body"),
-        (CYLINDER, "about the body's axis c; touched on its round side"),
-        (CAPSULE, "a cylinder with round ends, about axis c"),
+        (ELLIPSOID, "with semi-axes along the axes of the body"),
+        (CYLINDER, "about axis c; contact on its curved side"),
+        (CAPSULE, "a cylinder with hemispherical ends, about axis c"),
         (TORUS, "a ring about axis c"),
-        (BOX, "with its edges along the body's axes; touched on a face"),
-        (PLANE, "that the other body touches"),
-        (HALF_SPACE, "the same"),
+        (BOX, "with edges along the axes of the body; contact on a face"),
+        (PLANE, "an infinite plane, the surface of a half-space"),
+        (HALF_SPACE, "another name for plane"),
         (GIVEN, "a surface known by its curvatures at one point"),
     ]),
     "shape of the surface",
 )
 .such_as("\"sphere\"");
 pub(super) const RADIUS: Field =
-    Field::number("radius", LENGTH_ABOVE_0, "radius; that of the circle in a torus")
+    Field::number("radius", LENGTH_ABOVE_0, "radius; for a torus that of its centre circle")
         .of(&[SPHERE, CYLINDER, CAPSULE, TORUS])
         .such_as("0.01");
 pub(super) const LENGTH: Field =
@@ -49,11 +49,11 @@ pub(super) const TUBE: Field =
         .of(&[TORUS])
         .such_as("0.004");
 pub(super) const SEMI_AXES: Field =
-    Field::vector("semi_axes", LENGTH_ABOVE_0, "semi-axes along the body's axes a, b, c")
+    Field::vector("semi_axes", LENGTH_ABOVE_0, "semi-axes along the axes a, b, c of the body")
         .of(&[ELLIPSOID])
         .such_as("[0.02, 0.015, 0.01]");
 pub(super) const EDGES: Field =
-    Field::vector("edges", LENGTH_ABOVE_0, "lengths along the body's axes a, b, c")
+    Field::vector("edges", LENGTH_ABOVE_0, "edge lengths along the axes a, b, c of the body")
         .of(&[BOX])
         .such_as("[0.03, 0.02, 0.02]");
 pub(in crate::case) const RADII: Field = Field::new(
@@ -67,27 +67,36 @@ pub(in crate::case) const RADII: Field = Field::new(
 )
 .of(&[GIVEN])
 .such_as("[0.01, 0.02]");
-pub(in crate::case) const POINT: Field =
-    Field::vector("point", PLACE, "the point that is known, in the body's axes")
-        .of(&[GIVEN])
-        .such_as("[0, 0, -0.01]");
+pub(in crate::case) const POINT: Field = Field::vector(
+    "point",
+    PLACE,
+    "the point at which the curvatures are given, in axes of the body",
+)
+.of(&[GIVEN])
+.such_as("[0, 0, -0.01]");
 pub(super) const NORMAL: Field =
-    Field::vector("normal", Range::Finite.pure(), "into the free side, of any length")
+    Field::vector("normal", Range::Finite.pure(), "outward normal (need not be of unit length)")
         .of(&[PLANE, HALF_SPACE])
-        .may("along z, that of body 1 against it")
+        .may("+z, for body 1 -z")
         .such_as("[0, 0, 1]");
-pub(super) const OUTWARD: Field =
-    Field::vector("normal", Range::Finite.pure(), "outward normal there, of any length")
-        .of(&[GIVEN])
-        .such_as("[0, 0, -1]");
-pub(super) const DIRECTION: Field =
-    Field::vector("direction", Range::Finite.pure(), "first principal direction, of any length")
-        .of(&[GIVEN])
-        .such_as("[1, 0, 0]");
+pub(super) const OUTWARD: Field = Field::vector(
+    "normal",
+    Range::Finite.pure(),
+    "outward normal at the point (need not be of unit length)",
+)
+.of(&[GIVEN])
+.such_as("[0, 0, -1]");
+pub(super) const DIRECTION: Field = Field::vector(
+    "direction",
+    Range::Finite.pure(),
+    "first principal direction (need not be of unit length)",
+)
+.of(&[GIVEN])
+.such_as("[1, 0, 0]");
 pub(in crate::case) const MASS: Field = Field::number(
     "mass",
     Range::PositiveOrInfinite.of(Dimension::Mass),
-    "mass; inf: keeps its motion",
+    "mass; inf: the impact does not change its motion",
 )
 .or("`density` of a shape with a volume, or `fixed = true`")
 .such_as("0.03");
@@ -96,7 +105,7 @@ pub(super) const DENSITY: Field =
         .or("`mass`, or `fixed = true`")
         .such_as("7850");
 pub(in crate::case) const FIXED: Field =
-    Field::new("fixed", Form::Switch, "held fast: infinitely heavy and at rest")
+    Field::new("fixed", Form::Switch, "fixed: of infinite mass and at rest")
         .default(Default::False)
         .such_as("true");
 pub(in crate::case) const INERTIA: Field = Field::new(
@@ -105,24 +114,24 @@ pub(in crate::case) const INERTIA: Field = Field::new(
         &[(SOLID, "homogeneous"), (SHELL, "a thin shell")],
         AXES,
         Range::PositiveOrInfinite.of(Dimension::Inertia),
-        "three moments about the body's axes, each > 0 (inf: does not turn)",
+        "three moments about the axes of the body, each > 0 (inf: no rotation)",
     ),
-    "what resists turning",
+    "moments of inertia",
 )
 .default(Default::Word(SOLID));
 pub(in crate::case) const POSITION: Field = Field::new(
     "position",
     Form::Vector(AXES, PLACE, "three numbers [x, y, z], the centre of mass"),
-    "where the centre of mass is",
+    "position of the centre of mass",
 )
-.may("body 1 lies on top of body 2 along z; a plane runs through the origin")
+.may("body 1 lies on top of body 2 along z; a plane passes through the origin")
 .such_as("[0, 0, 0]");
 pub(super) const QUATERNION: Field = Field::new(
     "quaternion",
     Form::Vector(&["w", "i", "j", "k"], Range::Finite.pure(), "a unit quaternion [w, i, j, k]"),
-    "attitude: turns the body's axes into those of space",
+    "attitude: rotation from the axes of the body to those of space",
 )
-.may("as the axes of space, or by `angles`")
+.may("axes parallel to those of space, or `angles`")
 .such_as("[1, 0, 0, 0]");
 pub(super) const ANGLES: Field = Field::new(
     "angles",
@@ -131,9 +140,9 @@ pub(super) const ANGLES: Field = Field::new(
         Range::Finite.of(Dimension::Degrees),
         "three angles [alpha, beta, gamma] in degrees",
     ),
-    "attitude (8.3): by gamma about z, beta about the new y, alpha about the newest x",
+    "attitude (8.3): rotation by gamma about z, then beta about the new y, then alpha about the new x",
 )
-.may("as the axes of space, or by `quaternion`")
+.may("axes parallel to those of space, or `quaternion`")
 .such_as("[0, 0, 0]");
 pub(super) const VELOCITY: Field =
     Field::vector("velocity", Range::Speed.of(Dimension::Speed), "velocity of the centre of mass")
@@ -147,19 +156,19 @@ pub(super) const SPIN: Field = Field::vector(
 .or("`fixed = true`")
 .such_as("[0, 0, 0]");
 
-/// All of them.
+/// All fields of a body.
 pub(super) const FIELDS: &[Field] = &[
     SHAPE, RADIUS, LENGTH, TUBE, SEMI_AXES, EDGES, RADII, POINT, NORMAL, OUTWARD, DIRECTION,
     MATERIAL, DENSITY, MASS, FIXED, INERTIA, POSITION, QUATERNION, ANGLES, VELOCITY, SPIN,
 ];
-/// What a new case says of a body that moves.
+/// Fields of a moving body in a new case.
 pub(super) const MOVING: &[(&Field, &str)] = &[(&DENSITY, ""), (&VELOCITY, ""), (&SPIN, "")];
 
-/// The body that the other one lies under or strikes.
+/// Body 1, on which the other one acts from below.
 pub(in crate::case) const BODY_1: Field =
     Field::new("body_1", Form::Table(FIELDS), "the body on the side to which z points")
         .begun(MOVING);
-/// The other one.
+/// Body 2.
 pub(in crate::case) const BODY_2: Field =
     Field::new("body_2", Form::Table(FIELDS), "the other body")
         .begun(&[(&SHAPE, "\"plane\""), (&FIXED, "")]);
@@ -168,11 +177,11 @@ const PLACE_OF_BALL: Field = Field::vector("position", PLACE, "centre at the sta
     .such_as("[0, 0, 0.5]");
 const SHAPE_OF_BALL: Field = Field::new(
     "shape",
-    Form::Word(&[(SPHERE, "the turning of other bodies in flight is not followed")]),
+    Form::Word(&[(SPHERE, "a scene computes the flight of spheres only")]),
     "shape of the surface",
 )
 .such_as("\"sphere\"");
-/// The body that flies in a scene.
+/// The ball of a scene.
 pub(in crate::case) const BALL: Field = Field::new(
     "ball",
     Form::Table(&[
@@ -186,6 +195,6 @@ pub(in crate::case) const BALL: Field = Field::new(
         VELOCITY,
         SPIN,
     ]),
-    "the body that flies",
+    "the ball that flies and bounces",
 )
 .begun(MOVING);

@@ -23,20 +23,20 @@ use fields::{
 /// A body as a case file describes it.
 #[derive(Debug, Clone)]
 pub(super) struct BodyCase {
-    /// At its `position`, or at the origin.
+    /// The body at its `position`, or at the origin.
     pub(super) body: Body,
-    /// The only point at which its surface is known, in its axes.
+    /// For shape "given": the point at which its curvatures are known, in body axes.
     pub(super) point: Option<[f64; 3]>,
     pub(super) is_plane: bool,
     pub(super) has_position: bool,
 }
 
-/// Whether the file must give a velocity.
+/// Which field gives the velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Velocity {
-    /// By `velocity`.
+    /// `velocity` of the body.
     Own,
-    /// By `[approach]` instead.
+    /// The table `[approach]`.
     Approach,
 }
 
@@ -54,7 +54,7 @@ impl BodyCase {
         let material = material::read(body)?;
         let inertia = read_inertia(body, is_plane, &surface)?;
         let motion = read_motion(body, velocity)?;
-        // A plane above faces down unless the file says otherwise.
+        // The plane of body 1 faces down unless the file gives a normal.
         let above = || (is_plane && field.name == BODY_1.name).then_some([0.0, 0.0, -1.0]);
         let attitude = match (read_attitude(body, is_plane)?, above()) {
             (Some(attitude), _) => attitude,
@@ -75,7 +75,7 @@ impl BodyCase {
     }
 }
 
-/// The error that a field has a value that the library refuses.
+/// Reports a value that the library rejects at the field that gave it.
 fn at<'a>(body: &'a Section<'_>, field: &'static Field) -> impl Fn(RangeError) -> CaseError + 'a {
     move |error| body.out_of_range(field, error.value, error.allowed)
 }
@@ -146,7 +146,7 @@ fn read_inertia(
         return Inertia::new(mass, body.vector(&INERTIA)?).map_err(at(body, &INERTIA));
     }
     match body.word(&INERTIA)? {
-        // A plane is guided: it gives way, but does not turn.
+        // A plane with a mass moves, but does not rotate.
         SOLID if is_plane => of_shape(Inertia::new(mass, [f64::INFINITY; 3]).map_err(Into::into)),
         SHELL if body.has(&DENSITY) => {
             let reason = "a thin shell has no thickness; give its mass";
@@ -189,7 +189,7 @@ fn read_motion(body: &Section<'_>, velocity: Velocity) -> Result<Motion, CaseErr
     Motion::new(velocity, body.vector(&SPIN)?).map_err(at(body, field))
 }
 
-/// None if the file says nothing of it.
+/// The attitude; None if the file does not give it.
 fn read_attitude(body: &Section<'_>, is_plane: bool) -> Result<Option<Attitude>, CaseError> {
     let mut given = body.given([&QUATERNION, &ANGLES]);
     given.extend(body.given([&NORMAL]).into_iter().filter(|_| is_plane));

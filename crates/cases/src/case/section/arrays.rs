@@ -8,10 +8,10 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 impl<'a> Section<'a> {
-    /// A number in its range for each part of the field.
+    /// Reads one number for each component of the field.
     ///
     /// # Errors
-    /// If they are missing, more or fewer, or one is out of range.
+    /// If the field is missing, has more or fewer numbers, or one is out of range.
     pub(in crate::case) fn vector<const N: usize>(
         &self,
         field: &Field,
@@ -33,10 +33,10 @@ impl<'a> Section<'a> {
         Ok(numbers)
     }
 
-    /// One number twice, or two of a list.
+    /// Reads two numbers from a list, or a single one that stands for both.
     ///
     /// # Errors
-    /// If they are missing, of another kind, or one is out of range.
+    /// If the field is missing, of another kind, or a number is out of range.
     pub(in crate::case) fn pair(&self, field: &Field) -> Result<[f64; 2], CaseError> {
         let value = self.value(field)?;
         if !self.is_list(field) {
@@ -46,7 +46,7 @@ impl<'a> Section<'a> {
         numbers.try_into().map_err(|_| self.wrong(field, value))
     }
 
-    /// Whether the field is there and a list.
+    /// Whether the field is present and a list.
     #[must_use]
     pub(in crate::case) fn is_list(&self, field: &Field) -> bool {
         self.find(&field).is_some_and(|value| value.get_ref().is_array())
@@ -55,7 +55,7 @@ impl<'a> Section<'a> {
     /// Rows of N numbers, each in its range.
     ///
     /// # Errors
-    /// If they are missing, too few, of another kind, or a number is out of range.
+    /// Reads rows of N numbers.
     pub(in crate::case) fn rows<const N: usize>(
         &self,
         field: &Field,

@@ -1,4 +1,4 @@
-//! What is wrong with a field of a table.
+//! Errors at a field of a table.
 
 use super::spelling::{line_at, shortened};
 use super::{Place, Section};
@@ -34,13 +34,13 @@ impl Section<'_> {
         }
     }
 
-    /// The path of a field from the top.
+    /// The path of a field from the top of the file.
     #[must_use]
     pub(in crate::case) fn path(&self, place: &impl Place) -> String {
         self.full(&place.names().join("."))
     }
 
-    /// The error that the field is missing.
+    /// The error of a missing field.
     #[must_use]
     pub(in crate::case) fn missing(&self, field: &Field) -> CaseError {
         let allowed = field.allowed();
@@ -50,7 +50,7 @@ impl Section<'_> {
         }
     }
 
-    /// The error that a field is missing that must be so.
+    /// The error of a missing field, with its own text for what is allowed.
     #[must_use]
     pub(in crate::case) fn missing_as(
         &self,
@@ -60,7 +60,7 @@ impl Section<'_> {
         CaseError::Missing { field: self.path(&place), allowed: allowed.into() }
     }
 
-    /// The error that a value found elsewhere to be bad stands at a field.
+    /// The error of a value that a later check rejects, reported at its field.
     #[must_use]
     pub(in crate::case) fn out_of_range(
         &self,
@@ -76,7 +76,7 @@ impl Section<'_> {
         }
     }
 
-    /// The error that a value is out of the library's range, at the field of its name.
+    /// The error of a value that the library rejects, reported at the field with the same name.
     #[must_use]
     pub(in crate::case) fn refused(&self, error: RangeError) -> CaseError {
         let name = error.field.replace(' ', "_");
@@ -91,7 +91,7 @@ impl Section<'_> {
         }
     }
 
-    /// The error that a value, as it is written, cannot stand at a field.
+    /// The error of a value as written in the file that its field does not allow.
     #[must_use]
     pub(in crate::case) fn unfit(&self, place: impl Place, allowed: String) -> CaseError {
         let field = self.path(&place);
@@ -101,7 +101,7 @@ impl Section<'_> {
         CaseError::Kind { field, line, found, allowed }
     }
 
-    /// The error that one field excludes another one of this table.
+    /// The error of two fields of this table that exclude each other.
     #[must_use]
     pub(in crate::case) fn conflict(
         &self,
@@ -112,7 +112,7 @@ impl Section<'_> {
         self.excluded(place, self.path(&other), reason)
     }
 
-    /// The error that one field excludes what stands at another path.
+    /// The error of a field that excludes the one at another path.
     #[must_use]
     pub(in crate::case) fn excluded(
         &self,
@@ -124,7 +124,7 @@ impl Section<'_> {
         CaseError::Conflict { field, line, other, reason }
     }
 
-    /// The error that all but one of these fields must go.
+    /// The error of several fields of which only one may be given.
     #[must_use]
     pub(in crate::case) fn several(&self, given: &[&Field], reason: &'static str) -> CaseError {
         match given {
@@ -134,7 +134,7 @@ impl Section<'_> {
         }
     }
 
-    /// The error that a value is of the wrong kind for its field.
+    /// The error of a value of the wrong kind.
     pub(super) fn wrong(&self, field: &Field, value: &Spanned<DeValue<'_>>) -> CaseError {
         self.kind(field.name, value, &field.allowed())
     }
@@ -154,7 +154,7 @@ impl Section<'_> {
         }
     }
 
-    /// A number that stands for the value of field `name`, if it is in its range.
+    /// Checks that a number which replaces the value of field `name` is in its range.
     pub(in crate::case) fn in_range(
         &self,
         name: &str,

@@ -1,4 +1,4 @@
-//! A table of a case file, read field by field; every error names the field by its full path.
+//! A table of a case file, read field by field. Every error names the field by its full path.
 
 mod arrays;
 mod error;
@@ -12,20 +12,20 @@ use spelling::{line_at, shortened};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A table of a case file, of which nothing but its fields can be read.
+/// A table of a case file; only its declared fields can be read.
 #[derive(Debug, Clone)]
 pub(super) struct Section<'a> {
     source: &'a str,
     path: String,
     table: &'a DeTable<'a>,
     fields: &'static [Field],
-    /// Where numbers may stand for many.
+    /// Collects numbers that vary, where the case allows them.
     varied: Option<&'a Varied>,
 }
 
-/// A field of this table, or one further down.
+/// A field of this table or of a table in it.
 pub(super) trait Place {
-    /// The names on the way.
+    /// The names on the path.
     fn names(&self) -> Vec<&'static str>;
 }
 
@@ -42,7 +42,7 @@ impl<const N: usize> Place for [&Field; N] {
 }
 
 impl<'a> Section<'a> {
-    /// The whole file, which takes these fields and no others.
+    /// The top table of a file, with these fields and no others.
     ///
     /// # Errors
     /// If there is a field of another name.
@@ -55,12 +55,12 @@ impl<'a> Section<'a> {
         section.check(None).map(|()| section)
     }
 
-    /// The same, in which every number may stand for many.
+    /// The same table, in which every number may vary.
     pub(super) fn varying(self, varied: &'a Varied) -> Self {
         Self { varied: Some(varied), ..self }
     }
 
-    /// Whether it has the fields of this shape and no others.
+    /// Checks that it has only fields of this shape.
     fn check(&self, shape: Option<&str>) -> Result<(), CaseError> {
         let valid =
             || self.fields.iter().filter(|field| field.is_of(shape)).map(|field| field.name);
@@ -77,7 +77,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// The table that stands as the value of a number, which takes these fields.
+    /// The table that replaces the value of a number, with these fields.
     pub(super) fn table_at(
         &self,
         name: &str,
@@ -100,38 +100,37 @@ impl<'a> Section<'a> {
         if self.path.is_empty() { name.to_owned() } else { format!("{}.{name}", self.path) }
     }
 
-    /// Whether the field is there.
+    /// Whether the field is present.
     #[must_use]
     pub(super) fn has(&self, place: impl Place) -> bool {
         self.find(&place).is_some()
     }
 
-    /// Those of the fields that are there.
+    /// Those of the fields that are present.
     #[must_use]
     pub(super) fn given<const N: usize>(&self, fields: [&'static Field; N]) -> Vec<&'static Field> {
         fields.into_iter().filter(|field| self.has(*field)).collect()
     }
 
-    /// The line of the field, or 0 if it is not there.
+    /// The line of the field, or 0 if it is missing.
     #[must_use]
     pub(super) fn line(&self, place: impl Place) -> usize {
         self.find(&place).map_or(0, |value| line_at(self.source, value.span().start))
     }
 
-    /// A table in this one.
+    /// Reads a table in this one.
     ///
     /// # Errors
-    /// If it is missing, no table, or has a field of another name.
+    /// If it is missing, is not a table, or has an unknown field.
     pub(super) fn section(&self, field: &Field) -> Result<Self, CaseError> {
         let section = self.unchecked(field)?;
         section.check(None).map(|()| section)
     }
 
-    /// A table in this one, and which of the words of its field `shape` it has; it takes the fields of
-    /// that only.
+    /// Reads a table in this one and its field `shape`; only the fields of that shape are allowed.
     ///
     /// # Errors
-    /// As [`Section::section`], or if it has no such word.
+    /// As [`Section::section`], or if `shape` is not one of its words.
     pub(super) fn shaped(
         &self,
         field: &Field,
@@ -139,7 +138,7 @@ impl<'a> Section<'a> {
     ) -> Result<(Self, &'static str), CaseError> {
         let section = self.unchecked(field)?;
         match section.word(shape) {
-            // Perhaps its name is mistyped.
+            // The name of `shape` may be misspelt.
             Err(missing @ CaseError::Missing { .. }) => section.check(None).and(Err(missing)),
             Err(wrong) => Err(wrong),
             Ok(word) => section.check(Some(word)).map(|()| (section, word)),
@@ -159,10 +158,10 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// The tables `[[name]]`, at least one.
+    /// Reads the tables `[[name]]`, at least one.
     ///
     /// # Errors
-    /// If there is none, or one has a field of another name.
+    /// If there is none, or one has an unknown field.
     pub(super) fn sections(&self, field: &Field) -> Result<Vec<Self>, CaseError> {
         let value = self.value(field)?;
         let items = match value.get_ref() {
@@ -176,10 +175,10 @@ impl<'a> Section<'a> {
         sections.collect()
     }
 
-    /// A number in its range, or the default.
+    /// Reads a number, or its default.
     ///
     /// # Errors
-    /// If it is missing without a default, no number, or out of range.
+    /// If it is missing without a default, not a number, or out of range.
     pub(super) fn number(&self, field: &Field) -> Result<f64, CaseError> {
         match (self.find(&field), field.need, field.measure()) {
             (None, Need::Default(Default::Number(number)), _) => Ok(number),
@@ -188,15 +187,15 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// A number in its range, if it is there.
+    /// Reads a number, if it is present.
     ///
     /// # Errors
-    /// If it is no number, or out of range.
+    /// If it is not a number, or out of range.
     pub(super) fn maybe(&self, field: &Field) -> Result<Option<f64>, CaseError> {
         self.has(field).then(|| self.number(field)).transpose()
     }
 
-    /// A whole number in its range, or the default.
+    /// Reads a whole number, or its default.
     ///
     /// # Errors
     /// As [`Section::number`].
@@ -204,10 +203,10 @@ impl<'a> Section<'a> {
         Ok(self.number(field)? as usize)
     }
 
-    /// A list of numbers in their range, at least one, or the default.
+    /// Reads a list of at least one number, or its default.
     ///
     /// # Errors
-    /// If it is missing without a default, no such list, or a number is out of range.
+    /// If it is missing without a default, not such a list, or a number is out of range.
     pub(super) fn list(&self, field: &Field) -> Result<Vec<f64>, CaseError> {
         match (self.find(&field), field.need, field.measure()) {
             (None, Need::Default(Default::List(numbers)), _) => Ok(numbers.to_vec()),
@@ -230,12 +229,12 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// One of the words of the field, or the default.
+    /// Reads a word, or its default.
     ///
     /// # Errors
-    /// If it is missing without a default, or another word.
+    /// If it is missing without a default, or not one of the allowed words.
     pub(super) fn word(&self, field: &Field) -> Result<&'static str, CaseError> {
-        // The words that this table allows.
+        // The words that this table allows, which may be fewer.
         let field = self.fields.iter().find(|own| own.name == field.name).unwrap_or(field);
         let (Form::Word(words) | Form::WordOrVector(words, ..)) = field.form else {
             return Err(self.missing(field));
@@ -250,7 +249,7 @@ impl<'a> Section<'a> {
         known.map(|(word, _)| *word).ok_or_else(|| self.wrong(field, value))
     }
 
-    /// True or false; false if it is missing.
+    /// Reads true or false; false if it is missing.
     ///
     /// # Errors
     /// If it is neither.
@@ -259,7 +258,7 @@ impl<'a> Section<'a> {
         value.get_ref().as_bool().ok_or_else(|| self.wrong(field, value))
     }
 
-    /// One number in its range, a list of them, or `{ start, stop, count }`.
+    /// Reads one number, a list of numbers, or `{ start, stop, count }`.
     ///
     /// # Errors
     /// If it is missing, of another kind, or a number is out of range.
@@ -275,16 +274,16 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// A text.
+    /// Reads a text.
     ///
     /// # Errors
-    /// If it is missing or no text.
+    /// If it is missing or not a text.
     pub(super) fn text(&self, field: &Field) -> Result<&'a str, CaseError> {
         let value = self.value(field)?;
         value.get_ref().as_str().ok_or_else(|| self.wrong(field, value))
     }
 
-    /// A value as it stands, numbers with units as plain ones.
+    /// A value as written, with numbers in the base unit.
     #[must_use]
     pub(super) fn shown(&self, value: &Spanned<DeValue<'_>>, measure: Option<Measure>) -> String {
         let written = || shortened(self.source.get(value.span()).unwrap_or("?").trim());
@@ -310,7 +309,7 @@ impl<'a> Section<'a> {
         self.find(&field).ok_or_else(|| self.missing(field))
     }
 
-    /// The value of a field; what is no field of the table is never there.
+    /// The value of a field; none if the table does not have the field.
     fn find(&self, place: &impl Place) -> Option<&'a Spanned<DeValue<'a>>> {
         let (mut table, mut fields) = (self.table, self.fields);
         let mut found = None;
@@ -359,17 +358,17 @@ impl<'a> Section<'a> {
                 value: number,
                 allowed: range.allowed().to_owned(),
             }),
-            // As it is written.
+            // The error shows the value as written.
             Some(_) => Err(self.kind(name, value, range.allowed())),
             None => Err(self.kind(name, value, &dimension.allowed(range))),
         }
     }
 }
 
-/// The text of a case file as TOML.
+/// Parses a case file as TOML.
 ///
 /// # Errors
-/// If it is not.
+/// If the text is not TOML.
 pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
     DeTable::parse(source).map_err(|error| CaseError::Syntax {
         line: line_at(source, error.span().map_or(0, |span| span.start)),
@@ -377,10 +376,10 @@ pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
     })
 }
 
-/// One number, or those of a sweep.
+/// One number, or the numbers of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Numbers {
-    /// One.
+    /// One number.
     One(f64),
     /// A sweep.
     Sweep(Vec<f64>),

@@ -1,9 +1,9 @@
-//! How a bad value and its line are shown.
+//! How error messages show a value and its line.
 
-/// Letters of a bad value that its message shows.
+/// Longest part of a value that a message shows, in characters.
 const MOST_SHOWN: usize = 200;
 
-/// At most so much of a value that the message stays readable.
+/// Shortens a value so that the message stays readable.
 pub(super) fn shortened(value: &str) -> String {
     match value.char_indices().nth(MOST_SHOWN) {
         Some((end, _)) => format!("{}...", &value[..end]),

@@ -27,7 +27,7 @@ const SHAPE: Field = Field::new(
     "shape",
     Form::Word(&[
         (PARABOLOID, "with two relative radii"),
-        (SPHERE, "exactly round"),
+        (SPHERE, "an exact sphere"),
         (CYLINDER, "along y"),
         (CONE, "with its tip at the origin"),
         (WEDGE, "with its edge along y"),
@@ -36,9 +36,9 @@ const SHAPE: Field = Field::new(
         (RECTANGLE, "a flat punch"),
         (POLYGON, "a flat punch"),
         (HEIGHTS, "from a file"),
-        (ROUGH, "self-affine, by chance"),
+        (ROUGH, "a random self-affine surface"),
     ]),
-    "what lies between the bodies before they touch",
+    "shape of the gap",
 )
 .such_as("\"sphere\"");
 const RADII: Field =
@@ -86,20 +86,20 @@ const FILE: Field = Field::new(
 )
 .of(&[HEIGHTS])
 .such_as("\"heights.csv\"");
-const SCALE: Field = Field::number("scale", LENGTH, "what a 1 in the file stands for")
+const SCALE: Field = Field::number("scale", LENGTH, "height of one unit of the file")
     .of(&[HEIGHTS])
     .default(Default::Number(1.0));
 const BASE: Field = Field::number(
     "radius",
     Range::PositiveOrInfinite.of(Dimension::Length),
-    "radius of the paraboloid that the heights stand on",
+    "radius of a paraboloid that is added to the heights",
 )
 .of(&[HEIGHTS, ROUGH])
 .default(Default::Number(f64::INFINITY));
 const HURST: Field =
     Field::number("hurst", Range::Part.pure(), "Hurst's exponent").of(&[ROUGH]).such_as("0.8");
 const RMS: Field =
-    Field::number("rms", LENGTH, "root mean square of the heights").of(&[ROUGH]).such_as("1e-7");
+    Field::number("rms", LENGTH, "root-mean-square height").of(&[ROUGH]).such_as("1e-7");
 const LONGEST: Field =
     Field::number("longest", LENGTH, "the longest wavelength, at most a side of the grid")
         .of(&[ROUGH])
@@ -111,11 +111,11 @@ const SHORTEST: Field =
 const SEED: Field = Field::number(
     "seed",
     Range::Seed.pure(),
-    "start of the random numbers: another seed gives another surface",
+    "seed of the random numbers: another seed gives another surface",
 )
 .of(&[ROUGH])
 .default(Default::Number(1.0));
-/// The field of a case.
+/// The field `gap` of a case.
 pub(super) const GAP: Field = Field::new(
     "gap",
     Form::Table(&[
@@ -137,42 +137,42 @@ pub(super) const GAP: Field = Field::new(
         SHORTEST,
         SEED,
     ]),
-    "the gap between the bodies before they touch",
+    "the gap between the undeformed bodies",
 );
 
 const fn pair(name: &'static str, words: &'static str, meaning: &'static str) -> Field {
     Field::new(name, Form::Vector(&["x", "y"], LENGTH, words), meaning)
 }
 
-/// What the gap is made of.
+/// The gap of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GapCase {
-    /// A formula.
+    /// A gap given by a formula.
     Formula(Shape),
-    /// A file.
+    /// Heights from a file.
     Heights(HeightFile),
-    /// Chance.
+    /// A random rough surface.
     Rough {
         /// The surface.
         surface: SelfAffine,
-        /// The radius of a paraboloid that it stands on; infinite for a plane.
+        /// The radius of the paraboloid that is added to it; infinite for a plane.
         radius: f64,
     },
 }
 
-/// Heights of a surface towards the other one, as a table of numbers.
+/// Heights of a surface, positive towards the other one, from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightFile {
-    /// Rows of numbers as CSV without heads or NPY, or the greys of a PNG; relative to the case file.
+    /// The file: rows of numbers as CSV without a header, NPY, or a greyscale PNG; relative to the case file.
     pub file: PathBuf,
     /// Metres for each unit of the file.
     pub scale: f64,
-    /// The radius of a paraboloid that the heights stand on; infinite for a plane.
+    /// The radius of the paraboloid that is added to the heights; infinite for a plane.
     pub radius: f64,
 }
 
 impl GapCase {
-    /// The gap, on this grid if it has one.
+    /// Reads the gap; rough surfaces and heights are checked against the grid, if there is one.
     pub(super) fn read(case: &Section<'_>, grid: Option<Grid>) -> Result<Self, CaseError> {
         let (gap, shape) = &case.shaped(&GAP, &SHAPE)?;
         let shape = match *shape {

@@ -1,4 +1,4 @@
-//! The history: `[[step]]`.
+//! The load history: `[[step]]`.
 
 use crate::case::error::CaseError;
 use crate::case::field::{Default, Field, Form};
@@ -8,9 +8,9 @@ use crate::case::unit::{Dimension, Measure};
 
 const LENGTH: Measure = Range::Finite.of(Dimension::Length);
 const FORCE: Measure = Range::Finite.of(Dimension::Force);
-const KEPT: &str = "stays as it was, the shift or the load that was given";
+const KEPT: &str = "unchanged: the shift or load that was given before";
 const ZETA: Field = Field::number("zeta", LENGTH, "approach")
-    .may("stays as it was; the first step has it or `F_z`")
+    .may("unchanged; the first step needs it or `F_z`")
     .such_as("1e-6");
 const F_Z: Field = Field::number(
     "F_z",
@@ -39,20 +39,20 @@ const M_Z: Field = Field::number(
 .may(KEPT)
 .such_as("1e-6");
 const COUNT: Field =
-    Field::number("count", Range::Whole.pure(), "in how many equal steps it goes there")
+    Field::number("count", Range::Whole.pure(), "number of equal steps to the new values")
         .default(Default::Number(1.0));
-/// The field of a case.
+/// The field `step` of a case.
 pub(super) const STEP: Field = Field::new(
     "step",
     Form::Tables(&[ZETA, F_Z, XI, F_X, ETA, F_Y, OMEGA, M_Z, COUNT]),
-    "where each motion goes, by its shift or its load",
+    "new value of each motion: its shift or its load",
 )
 .begun(&[(&ZETA, ""), (&XI, ""), (&COUNT, "4")]);
 
-/// What one motion reaches at the end of a leg.
+/// The value of one motion at the end of a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
-    /// As the leg before left it: a shift stays, a given load stays.
+    /// Unchanged: the shift or load that was given before.
     Kept,
     /// A shift or twist.
     Shift(f64),
@@ -60,12 +60,12 @@ pub enum Target {
     Load(f64),
 }
 
-/// Some equal steps to the same targets.
+/// A leg of the history: equal steps to the same targets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// Normal, along x, along y, twist.
+    /// Targets: normal, along x, along y, twist.
     pub targets: [Target; 4],
-    /// In so many steps.
+    /// Number of steps.
     pub count: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The method of solution: `contact.method`.
+//! The solution method: `contact.method`.
 
 use crate::case::error::CaseError;
 use crate::case::field::{Default as Unless, Field, Form};
@@ -6,19 +6,19 @@ use crate::case::section::Section;
 use carom_special::WordError;
 use std::str::FromStr;
 
-/// The field of a case.
+/// The field `method` of a case.
 pub(super) const METHOD: Field = Field::new(
     "method",
     Form::Word(&[
-        (SolveMethod::Newton.name(), "of today: Newton's on sets of sticking and slipping cells"),
+        (SolveMethod::Newton.name(), "Newton's method on sets of sticking and slipping cells"),
         (SolveMethod::GaussSeidel.name(), "the program of 1992, chapter 12"),
         (
             SolveMethod::Discs.name(),
-            "Gauss and Seidel's, the friction of one cell after the other solved exactly",
+            "Gauss-Seidel, with the exact friction problem in one cell after the other",
         ),
         (SolveMethod::Johnson.name(), "Kalker's NORM, then TANG; bodies of similar material"),
         (SolveMethod::Panagiotopoulos.name(), "NORM and TANG in turn"),
-        (SolveMethod::Kombi.name(), "both at once"),
+        (SolveMethod::Kombi.name(), "normal and tangential problem at once"),
     ]),
     "how each step is solved; all but the first take shifts only",
 )
@@ -33,18 +33,18 @@ pub(super) const METHOD: Field = Field::new(
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SolveMethod {
-    /// Newton's on active sets.
+    /// Newton's method on sets of sticking and slipping cells.
     #[default]
     Newton,
-    /// The program of chapter 12.
+    /// The Gauss-Seidel program of chapter 12.
     GaussSeidel,
-    /// Gauss and Seidel's with exact friction in each cell.
+    /// Gauss-Seidel with the exact friction problem in each cell.
     Discs,
-    /// Johnson's process.
+    /// Johnson's process: NORM, then TANG.
     Johnson,
-    /// Panagiotopoulos's process.
+    /// Panagiotopoulos's process: NORM and TANG in turn.
     Panagiotopoulos,
-    /// KOMBI.
+    /// KOMBI: normal and tangential problem at once.
     Kombi,
 }
 
@@ -67,7 +67,7 @@ impl SolveMethod {
         names
     };
 
-    /// The word for it.
+    /// Its name in case files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -93,6 +93,6 @@ impl FromStr for SolveMethod {
 }
 
 pub(super) fn read(contact: &Section<'_>) -> Result<SolveMethod, CaseError> {
-    // The section has refused other words.
+    // The reader has rejected other words.
     Ok(contact.word(&METHOD)?.parse().unwrap_or_default())
 }

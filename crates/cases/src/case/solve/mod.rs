@@ -49,7 +49,7 @@ const CUT: Field = Field::new(
 const PERIODIC: Field = Field::new(
     "periodic",
     Form::Switch,
-    "whether the surfaces repeat themselves beyond the border; the approach then counts from the mean plane",
+    "whether the surfaces are periodic; the approach is then measured from the mean plane",
 )
 .default(Default::False);
 const ACCURACY: Field = Field::number(
@@ -61,7 +61,7 @@ const ACCURACY: Field = Field::number(
 .may("a grid is given")
 .such_as("1e-3");
 const GRID: Field =
-    Field::new("grid", Form::Table(&[CELLS, SIZE, CUT, PERIODIC, ACCURACY]), "the cells")
+    Field::new("grid", Form::Table(&[CELLS, SIZE, CUT, PERIODIC, ACCURACY]), "the grid")
         .begun(&[(&CELLS, ""), (&SIZE, "")]);
 const FRICTION: Field =
     Field::number("friction", Range::NonNegative.pure(), "coefficient of friction f")
@@ -69,16 +69,16 @@ const FRICTION: Field =
 const STATIC: Field = Field::number(
     "static_friction",
     Range::NonNegative.pure(),
-    "coefficient of friction up to which cells stick; those that slip have `friction`",
+    "coefficient of static friction: cells stick below it; slipping cells have `friction`",
 )
 .may("the same as `friction`")
 .such_as("0.4");
 const TOLERANCE: Field = Field::number(
     "tolerance",
     Range::SolveTolerance.pure(),
-    "residual to which each step is solved, over the greatest pressure",
+    "residual to which each step is solved, relative to the largest pressure",
 )
-.may("that of the method")
+.may("the default of the method")
 .such_as("1e-9");
 const CONTACT: Field = Field::new(
     "contact",
@@ -89,49 +89,49 @@ const CONTACT: Field = Field::new(
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, GAP, GRID, CONTACT, STEP];
 
-/// A contact on a grid and what it goes through.
+/// A contact on a grid and its load history.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolveCase {
     /// Both bodies.
     pub materials: MaterialPair,
-    /// What lies between them before.
+    /// The gap between them.
     pub gap: GapCase,
-    /// The cells.
+    /// The grid.
     pub grid: GridCase,
-    /// Coefficient of friction.
+    /// Coefficient of kinetic friction.
     pub friction: f64,
-    /// That at rest, at least as large.
+    /// Coefficient of static friction, at least as large.
     pub static_friction: f64,
-    /// To which each step is solved; none for the method's own.
+    /// Tolerance of each step; none for the default of the method.
     pub tolerance: Option<f64>,
-    /// By which method.
+    /// The solution method.
     pub method: SolveMethod,
-    /// The history.
+    /// The load history.
     pub legs: Vec<Leg>,
 }
 
-/// A grid, or what it is to be chosen for.
+/// A grid, or the accuracy for which one is chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum GridCase {
     /// Cells about the origin.
     Cells {
-        /// The cells.
+        /// The grid.
         grid: Grid,
-        /// What is beyond them.
+        /// What lies beyond its border.
         border: Border,
     },
-    /// Chosen for this accuracy.
+    /// A grid chosen for this accuracy.
     Accuracy(f64),
 }
 
-/// What is beyond the border of a grid.
+/// What lies beyond the border of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Border {
-    /// More of the bodies, which the contact must not reach.
+    /// The bodies continue, and the contact must not reach the border.
     Free,
-    /// Nothing: the bodies end.
+    /// The bodies end there.
     Cut,
-    /// The same again.
+    /// The surfaces are periodic.
     Periodic,
 }
 
@@ -145,7 +145,7 @@ impl SolveCase {
         Self::parse_to(source, None)
     }
 
-    /// The same to an accuracy, if one is given, whatever the file says of its grid.
+    /// Reads a case; if an accuracy is given, it replaces the grid of the file.
     ///
     /// # Errors
     /// As [`SolveCase::parse`].
@@ -192,7 +192,7 @@ fn read_grid(case: &Section<'_>) -> Result<GridCase, CaseError> {
         .map_err(|error| grid.out_of_range(&SIZE, error.value, error.allowed))?;
     let border = match (grid.switch(&CUT)?, grid.switch(&PERIODIC)?) {
         (true, true) => {
-            let reason = "bodies that end do not repeat themselves";
+            let reason = "bodies that end at the border are not periodic";
             return Err(grid.conflict(&PERIODIC, &CUT, reason));
         }
         (true, false) => Border::Cut,

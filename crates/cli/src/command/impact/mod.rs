@@ -1,4 +1,4 @@
-//! `carom impact`: one impact, a sweep, or a scatter, from a case file.
+//! `carom impact`: one impact, a sweep, or a distribution of impacts, from a case file.
 
 mod movie;
 mod plot;
@@ -21,14 +21,14 @@ use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use view::{Parameter, Record};
 
-/// Impact of two bodies of any smooth shape from a case file.
+/// Impact of two bodies of any smooth shape.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases under examples/. z
-/// points into body 1. Any number may be a sweep, a list or { start, stop, count }, or a
-/// distribution, as in glass_scatter.toml. `contact.law` and `contact.torsion` choose what counts:
-/// by default the coupling of unlike materials and the spin about the normal where they matter, of
-/// which each impact by rings takes about a millisecond. The picture shows the course of the impact,
-/// the sweep, or the scatter.
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see the cases
+/// under examples/. z points into body 1. Any number may be a sweep, that is a list or { start, stop, count
+/// }, or a distribution, as in glass_scatter.toml. `contact.law` and `contact.torsion` choose the effects
+/// that are computed: by default the coupling of dissimilar materials and the spin about the normal, where
+/// they matter; each impact by rings then takes about a millisecond. The picture shows the history of the
+/// impact, the sweep, or the distribution.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each impact, motions afterwards", &view::cells(None)) + "\n"
     + &columns::help("With --history a row for each instant, in contact axes", HistoryPoint::COLUMNS)
@@ -36,17 +36,17 @@ use view::{Parameter, Record};
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Give the course of the impact at this many instants too; not for a sweep. Of other bodies
-    /// than spheres and planes it is straight between the instants that were computed.
+    /// Also give the history of the impact at this many instants; not for a sweep. For bodies other than
+    /// spheres and planes, values are interpolated linearly between computed steps.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     history: Option<u32>,
-    /// Draw the bodies, the contact and the forces as they move into this SVG file, which a browser
-    /// shows; in place of --plot, and not for a sweep. A .png stands still.
+    /// Draw the moving bodies, the contact and the forces into this SVG file, which a browser shows; instead
+    /// of --plot, and not for a sweep. A .png shows one frame.
     #[arg(long, value_name = "FILE", conflicts_with = "plot")]
     animate: Option<PathBuf>,
 }
 
-const ELASTIC_COURSE: &str = "the course, duration and greatest force are those of elastic bodies: the material takes its part at the end";
+const ELASTIC_COURSE: &str = "history, duration and maximum force are those of elastic bodies: energy dissipated in the material is taken off at the end";
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let plot = moving.or(plot);
     let file = text.parse(ImpactFile::parse)?;
     if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
-        return Err(CliError::Options("--animate takes a case with one impact"));
+        return Err(CliError::Options("--animate requires a case with one impact"));
     }
     if let Some(uncertainty) = file.uncertainty() {
         return scatter(arguments, plot, &file, uncertainty);
@@ -65,13 +65,13 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     match file.sweep() {
         None => single(arguments, plot, &file, results),
         Some(_) if arguments.history.is_some() => {
-            Err(CliError::Options("--history takes a case with one impact, not a sweep"))
+            Err(CliError::Options("--history requires a case with one impact, not a sweep"))
         }
         Some(swept) => sweep(arguments, plot, &file, swept, results),
     }
 }
 
-/// One impact.
+/// Computes one impact.
 fn single(
     arguments: &Arguments,
     plot: Option<Destination>,
@@ -123,7 +123,7 @@ fn single(
     Ok(Answer { text, warnings, picture, ..Answer::default() }.cautioned(caution, format))
 }
 
-/// The impacts of a sweep, in their order; as many at once as are in flight.
+/// Computes the impacts of a sweep in order, several in parallel.
 fn sweep(
     arguments: &Arguments,
     plot: Option<Destination>,
@@ -141,7 +141,7 @@ fn sweep(
     for block in values.chunks(BLOCK) {
         let records = records(path, file, block)?;
         let first = warnings.count();
-        // The number that is swept over may be infinite, as friction.
+        // The swept number itself may be infinite, like friction.
         columns::check_rows(path, &records, [first, values.len()], |record| {
             view::cells(Some(record)).split_off(1)
         })?;
@@ -153,7 +153,7 @@ fn sweep(
         }
         match &mut drawn {
             Some(drawn) => drawn.add(&records),
-            // Nobody reads, nobody looks.
+            // Stops if nobody reads the results.
             None if results.is_closed() => break,
             None => {}
         }
@@ -173,7 +173,7 @@ fn sweep(
     Ok(answer.cautioned(worst.caution(what), format))
 }
 
-/// The impacts of a sweep over these values, in their order.
+/// The impacts for these values of a sweep, in order.
 fn records(path: &Path, file: &ImpactFile<'_>, values: &[f64]) -> Result<Vec<Record>, CliError> {
     let input = file.sweep().map(|(input, _)| input);
     let record = |value: &f64| {
@@ -191,7 +191,7 @@ fn record(
     Ok(Record::new(parameter, case.clone(), outcome(path, case)?))
 }
 
-/// The course of the impact, checked.
+/// The history of the impact, with all numbers checked.
 fn course(path: &Path, file: &ImpactFile<'_>, count: usize) -> Result<Vec<HistoryPoint>, CliError> {
     let history = impact::course(path, file.nominal(), count)?;
     columns::check(path, HistoryPoint::COLUMNS, &history)?;
@@ -205,7 +205,9 @@ fn scatter(
     uncertainty: &Uncertainty,
 ) -> Result<Answer, CliError> {
     if arguments.history.is_some() {
-        return Err(CliError::Options("--history takes a case with one impact, not [uncertainty]"));
+        return Err(CliError::Options(
+            "--history requires a case with one impact, not [uncertainty]",
+        ));
     }
     let study = uncertain::study(file, uncertainty)
         .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
@@ -218,7 +220,7 @@ fn scatter(
     Ok(answer.cautioned(caution(&[excess], "means"), arguments.given.format))
 }
 
-/// What the impacts of a sweep are called.
+/// The plural of the swept quantity, for warnings.
 fn several(record: &Record) -> &'static str {
     match record.parameter {
         Some(Parameter { name: "angle", .. }) => "angles",
@@ -226,7 +228,7 @@ fn several(record: &Record) -> &'static str {
     }
 }
 
-/// Which impact of a sweep it is.
+/// The place of an impact in the sweep, for warnings.
 fn place(record: &Record) -> String {
     match record.parameter {
         Some(Parameter { name: "angle", value, .. }) => format!("at {value}°"),

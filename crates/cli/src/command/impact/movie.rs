@@ -1,4 +1,4 @@
-//! The impact as a picture that moves: the bodies come, touch in slow motion and part.
+//! The impact as an animation: the bodies approach, touch in slow motion and separate.
 
 use super::view::Record;
 use crate::command::plot::Value;
@@ -8,38 +8,38 @@ use carom_impact::{Body, Collision, HistoryPoint, Motion};
 use carom_plot::{Arrow, Axis, Limits, Marker, Panel, Point, Series};
 use nalgebra::Vector3;
 
-/// Seconds of the whole picture, and its frames before, during and after the contact.
+/// Duration of the animation in seconds, and number of frames before, during and after the contact.
 const SECONDS: f64 = 8.0;
 const BEFORE: usize = 16;
-/// Instants of the contact that are shown.
+/// Number of instants of the contact that are shown.
 pub(super) const INSTANTS: usize = 61;
 const AFTER: usize = 23;
 const FRAMES: usize = BEFORE + INSTANTS + AFTER;
 
-/// Directions in which the outline of a body is looked for.
+/// Number of directions in which the outline of a body is searched.
 const DIRECTIONS: usize = 120;
-/// Steps of that search from far outside to the middle.
+/// Number of steps of that search, from far outside to the centre.
 const STEPS: usize = 90;
 
-/// The bodies from the side, the contact from above, the forces and the loop of one of them.
+/// The bodies from the side, the contact from above, the forces, and friction over the normal force.
 pub(super) fn movie(record: &Record, history: &[HistoryPoint]) -> Picture {
     let panels = [bodies(record), contact(history), forces(history), friction(history)];
     Picture::new("The impact, the contact in slow motion", panels)
 }
 
-/// A number for each frame from one for each instant: as at touch before, as at parting after.
+/// One value for each frame, from one for each instant; before and after the contact the first and the last.
 fn frames<T>(history: &[HistoryPoint], value: impl Fn(&HistoryPoint) -> T) -> Vec<T> {
     let last = history.len().saturating_sub(1);
     (0..FRAMES).map(|i| value(&history[i.saturating_sub(BEFORE).min(last)])).collect()
 }
 
-/// Frames before the touch count below zero, those after parting above.
+/// Number of frames before contact, as a negative number, or after separation.
 fn flight(frame: usize) -> f64 {
     let (frame, parted) = (frame as f64, (BEFORE + INSTANTS - 1) as f64);
     (frame - BEFORE as f64).min(0.0) + (frame - parted).max(0.0)
 }
 
-/// The plane in which the bodies are seen: the normal and the direction of the slip at touch.
+/// The plane of the side view: the normal and the direction of the initial slip.
 struct View {
     origin: Vector3<f64>,
     along: Vector3<f64>,
@@ -51,7 +51,7 @@ impl View {
         let frame = collision.frame();
         let slip = collision.velocity();
         let slip = Vector3::new(slip.x, slip.y, 0.0);
-        // Body 1 comes from the left where it can.
+        // Body 1 comes from the left if possible.
         let along = if slip.norm() > 0.0 { -frame.to_space(&slip).normalize() } else { frame.x() };
         Self { origin: collision.point(), along, up: frame.z() }
     }
@@ -60,12 +60,12 @@ impl View {
         Point::new(self.along.dot(vector), self.up.dot(vector))
     }
 
-    /// Spin in the plane, from `along` to `up`.
+    /// Rotation in the plane, from `along` to `up`.
     fn turn(&self, motion: &Motion) -> f64 {
         self.along.cross(&self.up).dot(&motion.spin)
     }
 
-    /// Where the body's centre is seen, and its outline around it.
+    /// The projected centre of a body, and its outline relative to it.
     fn outline(&self, body: &Placed, reach: f64) -> (Point, Vec<Point>) {
         let across = self.along.cross(&self.up);
         let arm = body.centre() - self.origin;
@@ -81,7 +81,7 @@ impl View {
         }
     }
 
-    /// The outline in every direction from the middle; none if the body does not end in some.
+    /// The outline in every direction from the centre; None if the body is infinite in some direction.
     fn rim(&self, body: &Placed, middle: &Vector3<f64>) -> Option<Vec<Point>> {
         let reach = 1.05 * (body.surface().size() + (middle - body.centre()).norm());
         let step = reach / STEPS as f64;
@@ -119,7 +119,7 @@ fn bodies(record: &Record) -> Panel {
     let unit = unit(collision, &view);
     let [before, after] = record.motions();
     let fastest = [before, after].iter().flatten().map(|m| m.velocity.norm()).fold(0.0, f64::max);
-    // Time goes so fast outside the contact that the fastest centre goes 1.6 units.
+    // The time scale outside the contact is such that the fastest centre moves 1.6 units.
     let pace = if fastest > 0.0 { 1.6 * unit / fastest / AFTER as f64 } else { 0.0 };
     let mut panel = Panel::new(
         Axis { limits: Some(Limits { low: -4.3 * unit, high: 4.3 * unit }), ..Axis::bare("") },
@@ -156,7 +156,7 @@ fn bodies(record: &Record) -> Panel {
     panel
 }
 
-/// How far the smaller outline reaches.
+/// Size of the smaller outline.
 fn unit(collision: &Collision, view: &View) -> f64 {
     let reach = |body: &Body| {
         let size = body.placed().surface().size();
@@ -182,7 +182,7 @@ fn contact(history: &[HistoryPoint]) -> Panel {
         let angles = carom_special::linspace(0.0, std::f64::consts::TAU, 49);
         angles.into_iter().map(|angle| Point::new(a * angle.cos(), b * angle.sin())).collect()
     };
-    panel.add(Series::dotted("greatest contact", ellipse([a, b])).coloured(6));
+    panel.add(Series::dotted("largest contact", ellipse([a, b])).coloured(6));
     let largest = middle(history);
     let slips = frames(history, |point| ellipse(point.semi_axes));
     panel.add(
@@ -245,13 +245,13 @@ fn friction(history: &[HistoryPoint]) -> Panel {
     panel
 }
 
-/// A dot that goes along.
+/// A dot that follows the impact.
 fn dot(history: &[HistoryPoint], at: impl Fn(&HistoryPoint) -> Point) -> Series {
     let way = frames(history, |point| vec![at(point)]);
     Series::markers("", Marker::Dot, [at(middle(history))]).moving(SECONDS, way)
 }
 
-/// The instant that a picture which stands still shows.
+/// The instant that a static picture shows.
 fn middle(history: &[HistoryPoint]) -> &HistoryPoint {
     &history[history.len() / 3]
 }

@@ -1,4 +1,4 @@
-//! The picture of the course of an impact, or of a sweep.
+//! The picture of the history of an impact, or of a sweep.
 
 use super::view::{Parameter, Record};
 use crate::command::plot::{Course, MOST_MARKS, Value};
@@ -8,9 +8,9 @@ use carom_cases::case::Input;
 use carom_impact::HistoryPoint;
 use carom_special::linspace;
 
-/// Instants of a drawn course.
+/// Number of instants of a drawn history.
 pub(super) const INSTANTS: usize = 401;
-/// Values of a drawn sweep.
+/// Number of values of a drawn sweep.
 const VALUES: usize = 361;
 
 /// Forces, displacements, velocities and the contact against time.
@@ -43,11 +43,11 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
         ),
         course.panel("contact", "radius, semi-axis / m", &areas),
     ];
-    Picture::new("Course of the impact", panels)
+    Picture::new("History of the impact", panels)
 }
 
-/// The finite values of a sweep with those between its least and its greatest, close together; none
-/// where these are one.
+/// The finite values of a sweep, and dense values between the smallest and the largest; none if these are
+/// equal.
 fn between(values: &[f64]) -> Vec<f64> {
     let values: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -61,24 +61,24 @@ fn between(values: &[f64]) -> Vec<f64> {
     all
 }
 
-/// A drawn impact: the swept number, restitution, velocity and spin of body 1.
+/// A drawn impact: the swept number, R_x, velocity and spin of body 1.
 type Point = [f64; 4];
 
-/// The picture of a sweep, gathered impact by impact.
+/// The picture of a sweep, collected impact by impact.
 pub(super) struct Sweep {
-    /// The values that the lines go through, in order; none where those of the case are many and in order.
+    /// The values at which the lines are computed, in order; none if those of the case are many and in order.
     between: Vec<f64>,
     /// Points of the lines.
     line: Thinned<Point>,
-    /// Points of the case, no more than tell whether they can be marked.
+    /// Points of the case, only as many as are needed to decide whether they can be marked.
     given: Vec<Point>,
-    /// Whether the lines go through the points of the case alone.
+    /// Whether the lines use the points of the case only.
     is_dense: bool,
     is_any: bool,
 }
 
 impl Sweep {
-    /// Over these values, before the first impact.
+    /// A picture over these values, before the first impact.
     pub(super) fn new(values: &[f64]) -> Self {
         let is_dense = values.len() > MOST_DRAWN / 2
             && (values.is_sorted() || values.iter().rev().is_sorted());
@@ -92,7 +92,7 @@ impl Sweep {
         }
     }
 
-    /// With some impacts of the case more.
+    /// Adds impacts of the case.
     pub(super) fn add(&mut self, records: &[Record]) {
         self.is_any |= records.iter().any(|record| record.rebound().is_some());
         for point in records.iter().filter_map(point) {
@@ -105,17 +105,17 @@ impl Sweep {
         }
     }
 
-    /// The values whose impacts are still to be added for the lines.
+    /// The values whose impacts are still needed for the lines.
     pub(super) fn between(&mut self) -> Vec<f64> {
         if self.is_any { std::mem::take(&mut self.between) } else { Vec::new() }
     }
 
-    /// With some of these more.
+    /// Adds impacts at these values.
     pub(super) fn add_between(&mut self, records: &[Record]) {
         records.iter().filter_map(point).for_each(|point| self.line.push(point));
     }
 
-    /// Restitution, velocity and spin of body 1 against the swept number; none if no impact happens.
+    /// R_x, velocity and spin of body 1 over the swept number; None if there is no impact.
     pub(super) fn draw(self, input: &Input) -> Option<Picture> {
         if !self.is_any {
             return None;

@@ -1,4 +1,4 @@
-//! The outcome of an impact as tables to read.
+//! The outcome of an impact as tables.
 
 use super::view::Record;
 use crate::columns;
@@ -7,7 +7,7 @@ use crate::output::Format;
 use carom_impact::{HistoryPoint, LogEntry, Motion};
 use carom_table::{Cell, row};
 
-/// What a line of a sweep shows beside the swept number.
+/// Columns of a sweep in a table, beside the swept number.
 pub(super) const OF_SWEEP: [&str; 8] = [
     "outcome",
     "R_x",
@@ -19,7 +19,7 @@ pub(super) const OF_SWEEP: [&str; 8] = [
     "regimes",
 ];
 
-/// One impact in full: where they touch, the motions, what came of it, its regimes and its course.
+/// One impact in full: contact point, motions, outcome, regimes and history.
 pub(super) fn one(record: &Record) -> Result<String, CliError> {
     let mut text = columns::upright(&record.contact()) + &motions(record)?;
     match record.rebound() {

@@ -1,4 +1,4 @@
-//! An impact with uncertain inputs: what its outcome is, and how it scatters.
+//! An impact with uncertain inputs: the distribution of its outcome.
 
 use crate::columns::{self, add_fields};
 use crate::command::theory::{Excess, readable};
@@ -14,25 +14,25 @@ use carom_table::{Cell, Column, row};
 use serde::Serialize;
 use serde::ser::SerializeMap as _;
 
-/// The outcome of all samples. SI units, angles in degrees.
+/// The results of all samples. SI units, angles in degrees.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Report {
     samples: usize,
     no_impact: usize,
     out_of_range: Vec<Rejected>,
-    /// How the samples were followed.
+    /// The methods with which the samples were computed.
     methods: Vec<MethodRecord>,
-    /// The greatest of all samples.
+    /// The largest of all samples.
     error_estimate: f64,
-    /// Samples of which the coupling of unlike materials is neglected.
+    /// Number of samples in which the coupling of dissimilar materials is neglected.
     coupling_neglected: usize,
-    /// What lies outside the theory where all inputs have their means, if anything.
+    /// Limits of the theory that are exceeded with all inputs at their means.
     outside_theory: Vec<String>,
     inputs: Vec<Spread>,
     outcome: Vec<Spread>,
 }
 
-/// Samples that lie outside what physics allows.
+/// Samples with values that are not physically possible.
 #[derive(Debug, Clone, Serialize)]
 struct Rejected {
     field: &'static str,
@@ -41,14 +41,14 @@ struct Rejected {
     count: usize,
 }
 
-/// Samples that were followed by one method.
+/// Number of samples that were computed by one method.
 #[derive(Debug, Clone, Serialize)]
 struct MethodRecord {
     method: &'static str,
     count: usize,
 }
 
-/// A number and its scatter.
+/// The distribution of a number.
 #[derive(Debug, Clone)]
 struct Spread {
     name: &'static str,
@@ -63,13 +63,15 @@ struct Spread {
 }
 
 const COLUMNS: &[Column<Spread>] = &[
-    Column::new("name", "", "of the number", |spread| spread.name.into()),
-    Column::new("count", "", "samples that have it", |spread| (spread.count as u64).into()),
-    Column::new("mean", "", "in the unit of the number", |spread| spread.mean.into()),
+    Column::new("name", "", "name of the quantity", |spread| spread.name.into()),
+    Column::new("count", "", "number of samples that have it", |spread| {
+        (spread.count as u64).into()
+    }),
+    Column::new("mean", "", "mean, in the unit of the quantity", |spread| spread.mean.into()),
     Column::new("sd", "", "standard deviation", |spread| spread.sd.into()),
     Column::new("standard_error", "", "of the mean", |spread| spread.standard_error.into()),
-    Column::new("minimum", "", "least sample", |spread| spread.minimum.into()),
-    Column::new("maximum", "", "greatest sample, after the quantiles", |s| s.maximum.into()),
+    Column::new("minimum", "", "smallest sample", |spread| spread.minimum.into()),
+    Column::new("maximum", "", "largest sample, after the quantiles", |s| s.maximum.into()),
 ];
 
 impl Serialize for Spread {
@@ -82,9 +84,9 @@ impl Serialize for Spread {
     }
 }
 
-/// What stands in the rows of a scatter.
+/// Help on the rows of a distribution.
 pub(super) fn help() -> String {
-    columns::help("Of a scatter a row for each number", COLUMNS)
+    columns::help("For a case with distributions, a row for each quantity", COLUMNS)
 }
 
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -100,7 +102,7 @@ struct BinRecord {
     count: usize,
 }
 
-/// Follows all samples of a case.
+/// Computes all samples of a case.
 pub(super) fn study(
     file: &ImpactFile<'_>,
     uncertainty: &Uncertainty,
@@ -116,7 +118,7 @@ pub(super) fn study(
     study.map_err(Box::new)
 }
 
-/// The error of drawn values as that of a field out of range.
+/// Turns an error in a sample into one of a field out of range.
 fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
     if let CaseError::Range { field, value, .. } = error {
         if let Some(input) = file.inputs().iter().find(|input| input.field == field) {
@@ -127,7 +129,7 @@ fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
     RangeError::new("the drawn values", f64::NAN, "possible together")
 }
 
-/// How far the impact with all inputs at their means lies outside the theory.
+/// The limits of the theory exceeded by the impact with all inputs at their means.
 pub(super) fn excess(file: &ImpactFile<'_>) -> Excess {
     let case = file.nominal();
     let outcome = case.contact.law.solve(&case.collision).ok();
@@ -190,7 +192,7 @@ pub(super) fn render_text(report: &Report, format: Format) -> Result<String, Cli
         Format::None => Ok(String::new()),
         Format::Csv => columns::cell_rows(format, &rows(report, |_| true)),
         Format::Table => {
-            // What never moves is left out.
+            // Quantities that are always zero are omitted.
             let moves = |spread: &Spread| spread.minimum != 0.0 || spread.maximum != 0.0;
             let table = columns::cell_rows(format, &rows(report, moves))?;
             let (none, all) = (report.no_impact, report.samples);
@@ -222,7 +224,7 @@ fn rows(report: &Report, shown: impl Fn(&Spread) -> bool) -> Vec<Vec<Cell>> {
     inputs.chain(outcome.map(|spread| row("outcome", spread))).collect()
 }
 
-/// What was left out of the numbers, for standard error.
+/// Warnings about samples that are left out.
 pub(super) fn warnings(report: &Report) -> Vec<String> {
     let mut warnings: Vec<String> = report
         .out_of_range
@@ -247,12 +249,12 @@ pub(super) fn warnings(report: &Report) -> Vec<String> {
     }
     if report.no_impact > 0 {
         let (none, all) = (report.no_impact, report.samples);
-        warnings.push(format!("{none} of {all} samples make no impact and are left out"));
+        warnings.push(format!("{none} of {all} samples have no impact and are left out"));
     }
     warnings
 }
 
-/// Histograms of R_x and of speed, angle and spin of the body that moves.
+/// Histograms of R_x and of speed, angle and spin of the moving body.
 pub(super) fn draw(report: &Report) -> Picture {
     let moved = |name: &str| {
         report.outcome.iter().any(|spread| spread.name == name && spread.maximum > 0.0)
@@ -275,10 +277,10 @@ pub(super) fn draw(report: &Report) -> Picture {
         panel.add(Series::line("", outline(&spread.histogram)).coloured(0));
         panels.push(panel);
     }
-    Picture::new("Scatter of the impact", panels)
+    Picture::new("Distribution of the impact", panels)
 }
 
-/// The steps of a histogram; one bin of no width as a bar with some.
+/// The steps of a histogram; a bin of zero width is drawn as a narrow bar.
 fn outline(bins: &[BinRecord]) -> Vec<(f64, f64)> {
     let mut points = Vec::with_capacity(4 * bins.len());
     for bin in bins {

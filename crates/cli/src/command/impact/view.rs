@@ -10,10 +10,10 @@ use carom_impact::{
 use carom_table::{Cell, Column, Quantity as _, row};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
-/// An impact and what came of it. SI units.
+/// An impact and its outcome. SI units.
 #[derive(Debug, Clone)]
 pub(super) struct Record {
-    /// The number of a sweep, or the angle of incidence if the case gives it.
+    /// The swept number, or the angle of incidence if the case gives it.
     pub(super) parameter: Option<Parameter>,
     case: ImpactCase,
     outcome: Outcome,
@@ -21,7 +21,7 @@ pub(super) struct Record {
     pub(super) history: Option<Vec<HistoryPoint>>,
 }
 
-/// A number by which impacts differ.
+/// The number in which impacts of a sweep differ.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parameter {
     pub(super) name: &'static str,
@@ -30,18 +30,17 @@ pub(super) struct Parameter {
 }
 
 impl Parameter {
-    /// The number of a sweep: the angle of incidence has a name of its own.
+    /// The swept number; the angle of incidence has a short name.
     pub(super) fn of(input: &Input, value: f64) -> Self {
         Self { name: impact::name(input), unit: input.unit, value }
     }
 }
 
-const LAW: Column<Record> = Column::new("law", "", "for turning directions", |record| {
-    record.case.contact.law.name().into()
-});
+const LAW: Column<Record> =
+    Column::new("law", "", "law of friction", |record| record.case.contact.law.name().into());
 
 impl Record {
-    /// What came of an impact.
+    /// The record of an impact.
     pub(super) fn new(parameter: Option<Parameter>, case: ImpactCase, outcome: Outcome) -> Self {
         let excess = outcome.rebound().map(Excess::of_impact).unwrap_or_default();
         let angle = || case.angle.map(|value| Parameter { name: "angle", unit: "deg", value });
@@ -71,14 +70,14 @@ impl Record {
         self.rebound().map_or(&[], |rebound| &rebound.warnings)
     }
 
-    /// Where the bodies touch, and the law.
+    /// Contact point, contact axes and law.
     pub(super) fn contact(&self) -> Vec<Cell> {
         let mut cells = row(Collision::COLUMNS, Some(&self.case.collision));
         cells.push(LAW.cell(Some(self)));
         cells
     }
 
-    /// What came of it, and what torsion did; motions and warnings apart.
+    /// The outcome with torsion, without motions and warnings.
     pub(super) fn quantities(&self) -> Vec<Cell> {
         let mut outcome = row(Outcome::COLUMNS, Some(&self.outcome));
         outcome.retain(|cell| !is_motion(cell) && !["outcome", "warnings"].contains(&cell.name()));
@@ -92,22 +91,22 @@ impl Record {
         outcome.into_iter().chain(torsion).collect()
     }
 
-    /// What happened when.
+    /// The regimes in order.
     pub(super) fn events(&self) -> &[LogEntry] {
         self.rebound().map_or(&[], |rebound| &rebound.log)
     }
 }
 
-/// The number of a sweep, or the angle of incidence.
+/// The swept number, or the angle of incidence.
 fn parameter(record: Option<&Record>) -> Cell {
     let parameter = record.and_then(|record| record.parameter);
     let (name, unit) =
         parameter.map_or(("angle", "deg"), |parameter| (parameter.name, parameter.unit));
     let value = parameter.map(|parameter| parameter.value);
-    Cell::new(name, unit, "that the case gives or sweeps over", value)
+    Cell::new(name, unit, "given or swept number", value)
 }
 
-/// A row of comma-separated values; without a record, what stands in one.
+/// The cells of a row of CSV; without a record, only the names and meanings of the columns.
 pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
     let mut cells = vec![parameter(record)];
     cells.extend(row(Outcome::COLUMNS, record.map(|record| &record.outcome)));
@@ -149,12 +148,12 @@ fn motions(motions: &[Motion; 2]) -> Vec<Cell> {
     row(Outcome::COLUMNS, Some(&outcome)).into_iter().filter(is_motion).collect()
 }
 
-/// Whether a cell of an outcome tells of a body's motion.
+/// Whether a cell of an outcome is a motion of a body.
 fn is_motion(cell: &Cell) -> bool {
     cell.name().starts_with("body_")
 }
 
-/// Records by their columns, one after another.
+/// Records by their columns.
 struct List<'a, R>(&'a [Column<R>], &'a [R]);
 
 impl<R> Serialize for List<'_, R> {

@@ -14,11 +14,11 @@ use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
 use carom_table::row;
 use std::path::Path;
 
-/// Path and bounces of a ball between walls, from a case file.
+/// Path and bounces of a ball between walls.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases scene_*.toml under
-/// examples/. The coupling of unlike materials and the spin about the normal count where they
-/// matter; a bounce takes about a millisecond then, and some microseconds else. The picture shows
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
+/// examples/scene_*.toml. The coupling of dissimilar materials and the spin about the normal are included
+/// where they matter; a bounce then takes about a millisecond, otherwise some microseconds. The picture shows
 /// walls, path and bounces.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each bounce", &view::cells(None)) + "\n"
@@ -26,7 +26,7 @@ use std::path::Path;
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Give the ball at this many instants of every flight, too; as CSV, instead of the bounces.
+    /// Also give the ball at this many instants of every flight; as CSV, these replace the bounces.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
     points: Option<u32>,
 }
@@ -89,13 +89,13 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     Ok(answer.cautioned(caution, format))
 }
 
-/// Where and why a path ends.
+/// The end of a path and its reason.
 struct End {
     ending: Ending,
     last: PathPoint,
 }
 
-/// Follows the ball; `visit` is shown some legs at a time.
+/// Computes the path; `visit` receives several legs at a time.
 fn follow(
     path: &Path,
     case: &SceneCase,
@@ -114,7 +114,8 @@ fn follow(
     Ok(End { ending, last: legs.now() })
 }
 
-/// Follows the ball again and writes `count` instants of every flight, but for what ends them.
+/// Computes the path again and writes `count` instants of every flight; returns the end of the list, which is
+/// still to be written.
 fn instants(
     path: &Path,
     case: &SceneCase,

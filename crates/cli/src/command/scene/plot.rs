@@ -1,4 +1,4 @@
-//! Walls, path and bounces as a picture, seen along the axis on which least happens.
+//! Walls, path and bounces as a picture, projected along the axis with the smallest motion.
 
 use crate::command::plot::Value;
 use crate::command::thinned::Thinned;
@@ -9,9 +9,9 @@ use carom_impact::scene::{Leg, Wall};
 use carom_plot::{Axis, Marker, Panel, Series};
 use std::f64::consts::TAU;
 
-/// Instants drawn of every flight.
+/// Number of instants drawn of each flight.
 const INSTANTS: usize = 41;
-/// Balls drawn at most: more would hide the path.
+/// Largest number of balls drawn; more would hide the path.
 const MOST_BALLS: usize = 12;
 const AXES: [&str; 3] = ["x / m", "y / m", "z / m"];
 
@@ -22,24 +22,24 @@ struct View {
     high: [f64; 2],
 }
 
-/// What is drawn of a path, gathered leg by leg.
+/// The drawn parts of a path, collected leg by leg.
 pub(super) struct Course<'a> {
     case: &'a SceneCase,
     centres: Thinned<[f64; 3]>,
-    /// Those that are drawn as balls.
+    /// Centres of the balls that are drawn.
     balls: Vec<[f64; 3]>,
     contacts: Thinned<[f64; 3]>,
 }
 
 impl<'a> Course<'a> {
-    /// Before the first leg.
+    /// The picture before the first leg.
     pub(super) fn new(case: &'a SceneCase) -> Self {
         let places: [Value<[f64; 3]>; 3] = [|place| place[0], |place| place[1], |place| place[2]];
         let balls = vec![case.ball.position().into()];
         Self { case, centres: Thinned::new(places), balls, contacts: Thinned::new(places) }
     }
 
-    /// With one leg more.
+    /// Adds a leg.
     pub(super) fn push(&mut self, leg: &Leg) -> Result<(), CliError> {
         for point in leg.points(INSTANTS)? {
             self.centres.push(point.position.into());
@@ -80,7 +80,7 @@ impl<'a> Course<'a> {
     }
 }
 
-/// The two axes along which the ball goes farthest; x and z if it goes nowhere.
+/// The two axes with the largest extents of the path; x and z without motion.
 fn view(centres: &[[f64; 3]], margin: f64) -> View {
     let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
         centres.iter().map(|centre| centre[axis]).reduce(pick).unwrap_or(0.0)
@@ -97,8 +97,8 @@ fn view(centres: &[[f64; 3]], margin: f64) -> View {
     View { axes, low: axes.map(|axis| low[axis]), high: axes.map(|axis| high[axis]) }
 }
 
-/// A wall seen edge on as a line, a tilted rectangle as its outline; none for an infinite wall
-/// that fills the picture.
+/// A wall seen edge on as a line, a tilted rectangle as its outline; None for an infinite wall that covers
+/// the picture.
 fn wall_line(wall: &Wall, view: &View) -> Option<Vec<(f64, f64)>> {
     let [i, j] = view.axes;
     if let Some(corners) = wall.corners() {
@@ -110,7 +110,7 @@ fn wall_line(wall: &Wall, view: &View) -> Option<Vec<(f64, f64)>> {
     if size < 0.1 {
         return None;
     }
-    // The trace of the plane in the picture's plane through the wall's point.
+    // The intersection of the wall with the plane of the picture through the wall's point.
     let (n, m) = (n / size, m / size);
     let centre = [0, 1].map(|axis| 0.5 * (view.low[axis] + view.high[axis]));
     let reach = (view.high[0] - view.low[0]) + (view.high[1] - view.low[1]);

@@ -11,7 +11,7 @@ use carom_impact::scene::{Bounce, Ending, PathPoint};
 use carom_table::{Cell, Quantity as _, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// What a table to read shows of a bounce.
+/// Columns of a bounce in a table.
 pub(super) const READABLE: [&str; 14] = [
     "time",
     "wall",
@@ -29,13 +29,13 @@ pub(super) const READABLE: [&str; 14] = [
     "regimes",
 ];
 
-/// A row for a bounce; without one, what stands in it.
+/// The cells of a bounce; without one, only the names and meanings of the columns.
 pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
     let mut cells = row(Bounce::COLUMNS, bounce.map(|(_, bounce)| bounce));
     let wall = bounce.map(|(case, bounce)| case.names[bounce.wall].clone());
-    cells.insert(1, Cell::new("wall", "", "that it meets", wall));
+    cells.insert(1, Cell::new("wall", "", "name of the wall", wall));
     let rebound = row(Rebound::COLUMNS, bounce.map(|(_, bounce)| &bounce.rebound));
-    // The ball is body 1 and its motions are there already; the walls stay.
+    // The motions of the ball, body 1, are listed already; the walls do not move.
     let is_new = |cell: &Cell| cell.name() != "outcome" && !cell.name().starts_with("body_");
     cells.extend(rebound.into_iter().filter(is_new));
     cells
@@ -52,14 +52,14 @@ pub(super) fn ending(case: &SceneCase, ending: Ending) -> String {
     }
 }
 
-/// What follows the bounces in JSON.
+/// The part of the JSON after the bounces.
 pub(super) fn end(case: &SceneCase, end: &End) -> Result<String, CliError> {
     let ending = indented(&ending(case, end.ending), 1)?;
     let last = indented(&columns::Record::new(PathPoint::COLUMNS, &end.last), 1)?;
     Ok(format!(",\n  \"ending\": {ending},\n  \"end\": {last}"))
 }
 
-/// A bounce as it stands in JSON.
+/// A bounce in JSON.
 pub(super) struct BounceRecord<'a> {
     case: &'a SceneCase,
     bounce: &'a Bounce,

@@ -24,7 +24,7 @@ pub(super) struct Below {
 /// Its columns.
 pub(super) const COLUMNS: &[Column<Below>] = &[
     Column::new("body", "", "1 or 2", |below| below.body.into()),
-    Column::new("depth", "m", "below the greatest pressure", |below| below.depth.into()),
+    Column::new("depth", "m", "below the point of maximum pressure", |below| below.depth.into()),
     Column::new("s_xx", "Pa", "stress, tension positive", |below| below.stress.xx.into()),
     Column::new("s_yy", "Pa", "", |below| below.stress.yy.into()),
     Column::new("s_zz", "Pa", "", |below| below.stress.zz.into()),

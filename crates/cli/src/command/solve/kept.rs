@@ -93,7 +93,7 @@ impl Folder {
         for name in names.iter().filter(|name| is_own(name)) {
             let path = self.path.join(name);
             if !std::fs::symlink_metadata(&path).map_err(failed)?.is_file() {
-                return Err(input_error(&path, "this is no file of carom"));
+                return Err(input_error(&path, "this is not a file of carom"));
             }
         }
         let mut steps: Vec<usize> = names.iter().filter_map(|name| step_number(name)).collect();

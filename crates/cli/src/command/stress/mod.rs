@@ -1,4 +1,4 @@
-//! `carom stress`: stresses in a body below a contact that is pressed and pushed.
+//! `carom stress`: stresses in a body below a contact under normal and tangential load.
 
 mod field;
 
@@ -53,7 +53,7 @@ struct StressPoint {
 impl StressPoint {
     const COLUMNS: &'static [Column<Self>] = &[
         Column::new("x", "m", "along the larger relative curvature", |point| point.at[0].into()),
-        Column::new("y", "m", "across it", |point| point.at[1].into()),
+        Column::new("y", "m", "perpendicular to x", |point| point.at[1].into()),
         Column::new("depth", "m", "below the surface", |point| point.at[2].into()),
         Column::new("s_xx", "Pa", "stress, tension positive; z points into body 1", |p| {
             p.stress.xx.into()
@@ -100,7 +100,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Format::Table => {
             columns::upright(&row(HertzState::COLUMNS, Some(&state)))
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
-                + "where the equivalent stress is greatest:\n"
+                + "point of maximum equivalent stress:\n"
                 + &columns::upright(&row(StressPoint::COLUMNS, greatest(&points)))
         }
         Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, &points)?,
@@ -122,7 +122,7 @@ fn stick_radius(case: &StressCase) -> f64 {
     if pushed == 0.0 { 1.0 } else { libm::cbrt((1.0 - pushed / (case.friction * normal)).max(0.0)) }
 }
 
-/// The stresses at all points, depth by depth, y by y, x by x.
+/// The stresses at all points: for each depth, for each y, for each x.
 fn stresses(
     case: &StressCase,
     state: &HertzState,
