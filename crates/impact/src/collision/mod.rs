@@ -93,7 +93,7 @@ impl From<CoupledError> for CollisionError {
 /// };
 /// let outcome = Collision::new(ball(-1.0)?, ball(1.0)?, Friction::new(0.15)?)?.solve()?;
 /// assert!((outcome.motions()[0].velocity.z - 1.0).abs() < 1e-15);
-/// An ellipsoid that touches a plane.
+/// // An ellipsoid that touches a plane.
 /// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
 /// let inertia = egg.solid(0.296)?;
 /// let egg = Body::new(egg, steel, inertia)

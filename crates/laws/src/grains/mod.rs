@@ -20,7 +20,7 @@
 //! let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
 //! let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
 //! let load = contact.advance(&meeting, 1e-3)?;
-//! Friction acts against the motion, and the contact pushes body 1 up.
+//! // Friction acts against the motion, and the contact pushes body 1 up.
 //! assert!(load.force[0] < 0.0 && load.force[2] > 0.0);
 //! # Ok::<(), carom_special::RangeError>(())
 //! ```

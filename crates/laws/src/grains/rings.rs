@@ -31,7 +31,7 @@ use crate::rings::{RingMemory, Rings};
 /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], spin: [0.0, 0.0, 1.0], ..below };
 /// let load = contact.advance(&rings, &Meeting::of_spheres(&above, &below, [0.5; 2])?, 1e-3)?;
-/// Friction acts against the velocity and against the spin.
+/// // Friction acts against the velocity and against the spin.
 /// assert!(load.force[0] < 0.0 && load.torques[0][2] < 0.0 && load.torques[1][2] > 0.0);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```

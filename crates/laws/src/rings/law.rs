@@ -48,7 +48,7 @@ use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift
 /// let mut law = RingLaw::<6, 8>::new(&hertz, Friction::new(0.1)?, Tolerance::PARTICLES)?;
 /// law.advance(Shift { zeta: 1e-6, ..Shift::default() })?;
 /// let load = law.advance(Shift { zeta: 1e-6, xi: 3e-8, omega: 5e-4, ..Shift::default() })?;
-/// Twist and coupling together give a force along y.
+/// // Twist and coupling together give a force along y.
 /// assert!(load.f_x > 0.0 && load.m_z > 0.0 && load.f_y.abs() > 5e-4 * load.f_x);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
