@@ -5,9 +5,9 @@ use std::array::from_fn;
 use carom_laws::grains::{Grain, GrainLoad, Heats, TOGETHER, Touching, advance_together};
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::grains::{CaromGrainLoad, CaromGrains, advance};
+use crate::grains::{CaromGrainLoad, CaromGrains};
 use crate::pointers::{Strided, is_place};
-use crate::touch::CaromTouch;
+use crate::touch::{CaromTouch, advance};
 
 /// Two grains and their contact, for a call that advances many.
 #[derive(Debug, Clone, Copy)]

@@ -1,16 +1,19 @@
-//! The contact of two grains, or of a grain and a wall, for particle codes.
+//! The constants of the contacts of grains and walls, and what particle codes hand over and get back.
 
 use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
-use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, compliance_shares};
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall, compliance_shares};
 use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pair::{CAROM_LAW_RINGS, CaromMaterial, CaromPair, materials};
-use crate::pointers::{read, write};
+use crate::pointers::write;
 use crate::state::finite;
-use crate::touch::{CaromTouch, Contact};
+use crate::stored::Stack;
+
+/// The contact of two grains with shift.
+pub(crate) type Contact = GrainContact<Stack>;
 
 /// The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
 /// changed otherwise.
@@ -119,42 +122,6 @@ impl Bodies for (&Grain, &Wall) {
     }
 }
 
-/// # Safety
-/// As `carom_touch_grains`.
-#[inline(always)]
-pub(crate) unsafe fn advance(
-    grains: *const CaromGrains,
-    touch: *mut CaromTouch,
-    bodies: impl Bodies,
-    dt: f64,
-    load: *mut CaromGrainLoad,
-    heats: *mut Heats,
-) -> Result<(), Failure> {
-    // SAFETY: the caller's promise.
-    let (grains, touch, load) =
-        unsafe { (read(grains, "grains")?, write(touch, "touch")?, write(load, "load")?) };
-    // SAFETY: the caller's promise.
-    let heats = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
-    let meeting = bodies.meeting(grains)?;
-    touch.advance(&meeting, dt, heats, load, || bodies.fresh(grains))
-}
-
-/// # Safety
-/// As `carom_touch_grains_load`.
-unsafe fn load_of(
-    grains: *const CaromGrains,
-    touch: *const CaromTouch,
-    bodies: impl Bodies,
-    load: *mut CaromGrainLoad,
-) -> Result<(), Failure> {
-    // SAFETY: the caller's promise.
-    let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
-    let meeting = bodies.meeting(grains)?;
-    // SAFETY: the caller's promise.
-    *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains))?;
-    Ok(())
-}
-
 /// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
 /// wall of material 2.
 ///
@@ -202,99 +169,4 @@ fn constants(
         _ => grains.contact(1.0).map(|_| ())?,
     }
     Ok(grains)
-}
-
-/// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
-/// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
-/// null; computing them costs several times the force.
-///
-/// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
-/// Grains that are separated and stay so need no call.
-///
-/// # Safety
-/// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
-/// written. The touch is zero or was written by this build of the library; other bytes give an error status
-/// or meaningless numbers.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_grains(
-    grains: *const CaromGrains,
-    touch: *mut CaromTouch,
-    one: *const Grain,
-    two: *const Grain,
-    dt: f64,
-    load: *mut CaromGrainLoad,
-    heats: *mut Heats,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let bodies = [read(one, "one")?, read(two, "two")?];
-        advance(grains, touch, bodies, dt, load, heats)
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
-///
-/// # Safety
-/// As `carom_touch_grains`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_wall(
-    grains: *const CaromGrains,
-    touch: *mut CaromTouch,
-    one: *const Grain,
-    wall: *const Wall,
-    dt: f64,
-    load: *mut CaromGrainLoad,
-    heats: *mut Heats,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let bodies = (read(one, "one")?, read(wall, "wall")?);
-        advance(grains, touch, bodies, dt, load, heats)
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// The load of two grains after the last step, without a new one: the same bits if the positions are the
-/// same. A touch that is zero carries only the force of Hertz.
-///
-/// # Safety
-/// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
-/// written. The touch is as in `carom_touch_grains`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_grains_load(
-    grains: *const CaromGrains,
-    touch: *const CaromTouch,
-    one: *const Grain,
-    two: *const Grain,
-    load: *mut CaromGrainLoad,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe { load_of(grains, touch, [read(one, "one")?, read(two, "two")?], load) };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
-///
-/// # Safety
-/// As `carom_touch_grains_load`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_wall_load(
-    grains: *const CaromGrains,
-    touch: *const CaromTouch,
-    one: *const Grain,
-    wall: *const Wall,
-    load: *mut CaromGrainLoad,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe { load_of(grains, touch, (read(one, "one")?, read(wall, "wall")?), load) };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
 }

@@ -52,10 +52,7 @@ pub use contact::{
 };
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
-pub use grains::{
-    CaromGrainLoad, CaromGrains, carom_grains_of, carom_touch_grains, carom_touch_grains_load,
-    carom_touch_wall, carom_touch_wall_load,
-};
+pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_of};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
     CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING,
@@ -77,8 +74,9 @@ pub use ring_touch::{
 pub use rings::{CaromRings, carom_rings_free, carom_rings_of};
 pub use state::{CAROM_STATE_NUMBERS, CaromState};
 pub use touch::{
-    CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_pack,
-    carom_touch_report, carom_touch_unpack,
+    CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_grains,
+    carom_touch_grains_load, carom_touch_pack, carom_touch_report, carom_touch_unpack,
+    carom_touch_wall, carom_touch_wall_load,
 };
 pub use touch_twist::{carom_touch_twist_energy, carom_touch_twist_grains, carom_touch_twist_wall};
 pub use twist::{

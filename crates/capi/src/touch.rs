@@ -1,22 +1,20 @@
-//! The state of the contact of two grains.
+//! The state of the contact of two grains, or of a grain and a wall, and its steps.
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::{GrainContact, GrainLoad, Heats, Meeting, grain_numbers};
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, grain_numbers};
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::grains::{CaromGrainLoad, CaromGrains, relative_radius};
+use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, Contact, relative_radius};
 use crate::law::CaromReport;
 use crate::pointers::{read, write};
-use crate::stored::{Stack, VERTICES, find, present, present_mut, store};
+use crate::stored::{VERTICES, find, present, present_mut, store};
 
 /// Number of 8-byte words in a `carom_touch`, without its mark.
 pub const CAROM_TOUCH_WORDS: usize = 158;
 /// Number of numbers into which a `carom_touch` packs.
 pub const CAROM_TOUCH_NUMBERS: usize = 79;
-
-pub(crate) type Contact = GrainContact<Stack>;
 
 const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
 
@@ -110,6 +108,137 @@ fn step(
         None => contact.advance(meeting, dt),
         Some(sums) => contact.advance_accounted(meeting, dt, sums),
     }
+}
+
+/// # Safety
+/// As `carom_touch_grains`.
+#[inline(always)]
+pub(crate) unsafe fn advance(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    bodies: impl Bodies,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's promise.
+    let (grains, touch, load) =
+        unsafe { (read(grains, "grains")?, write(touch, "touch")?, write(load, "load")?) };
+    // SAFETY: the caller's promise.
+    let heats = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
+    let meeting = bodies.meeting(grains)?;
+    touch.advance(&meeting, dt, heats, load, || bodies.fresh(grains))
+}
+
+/// # Safety
+/// As `carom_touch_grains_load`.
+unsafe fn load_of(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    bodies: impl Bodies,
+    load: *mut CaromGrainLoad,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's promise.
+    let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
+    let meeting = bodies.meeting(grains)?;
+    // SAFETY: the caller's promise.
+    *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains))?;
+    Ok(())
+}
+
+/// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
+/// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
+/// null; computing them costs several times the force.
+///
+/// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
+/// Grains that are separated and stay so need no call.
+///
+/// # Safety
+/// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
+/// written. The touch is zero or was written by this build of the library; other bytes give an error status
+/// or meaningless numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_grains(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    one: *const Grain,
+    two: *const Grain,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = [read(one, "one")?, read(two, "two")?];
+        advance(grains, touch, bodies, dt, load, heats)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
+///
+/// # Safety
+/// As `carom_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_wall(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    one: *const Grain,
+    wall: *const Wall,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = (read(one, "one")?, read(wall, "wall")?);
+        advance(grains, touch, bodies, dt, load, heats)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The load of two grains after the last step, without a new one: the same bits if the positions are the
+/// same. A touch that is zero carries only the force of Hertz.
+///
+/// # Safety
+/// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
+/// written. The touch is as in `carom_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_grains_load(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    one: *const Grain,
+    two: *const Grain,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe { load_of(grains, touch, [read(one, "one")?, read(two, "two")?], load) };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
+///
+/// # Safety
+/// As `carom_touch_grains_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_wall_load(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    one: *const Grain,
+    wall: *const Wall,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe { load_of(grains, touch, (read(one, "one")?, read(wall, "wall")?), load) };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
 }
 
 /// The elastic energy of a contact, compression included, J.
