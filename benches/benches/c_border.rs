@@ -1,5 +1,5 @@
-//! What the C border costs: one step of a contact as a law and as a `carom_contact`, one by one
-//! and many in a call.
+//! Cost of the C interface: one step of a contact as a law and as a `carom_contact`, one by one and many
+//! in a call.
 
 use std::hint::black_box;
 use std::mem::MaybeUninit;
@@ -46,7 +46,7 @@ fn shifts() -> Vec<[CaromShift; CONTACTS]> {
     (0..STEPS).map(|step| std::array::from_fn(|contact| at(step, contact))).collect()
 }
 
-/// A path of all contacts from the beginning, by the law itself.
+/// A path of all contacts from the initial state, by the law itself.
 fn by_law(pair: &CaromPair, path: &[[CaromShift; CONTACTS]]) -> f64 {
     let stiffness = ContactStiffness::new(pair.c_x, pair.c_y, pair.c_z).expect("a pair's");
     let friction = Friction::new(pair.friction).expect("a pair's");
@@ -70,7 +70,7 @@ fn fresh_contacts() -> Vec<CaromContact> {
     vec![CaromContact { mark: 0, words }; CONTACTS]
 }
 
-/// The same by a function of the border for one contact.
+/// The same by the C function for one contact.
 fn one_by_one<K>(
     mut kept: Vec<K>,
     path: &[[CaromShift; CONTACTS]],
@@ -86,7 +86,7 @@ fn one_by_one<K>(
     sum
 }
 
-/// The same by a function of the border for all contacts.
+/// The same by the C function for all contacts.
 fn all_at_once<K>(
     mut kept: Vec<K>,
     path: &[[CaromShift; CONTACTS]],

@@ -1,4 +1,4 @@
-//! What a step of the contact of two grains costs through the C border: one by one, and many in a call.
+//! Cost of a step of the contact of two grains through the C interface: one by one, and many in a call.
 
 use std::hint::black_box;
 use std::mem::{MaybeUninit, zeroed};

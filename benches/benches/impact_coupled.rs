@@ -1,8 +1,8 @@
 //! Cost of coupled oblique impacts, from the velocities before to those after, one thread.
 //!
-//! Planar: an ellipsoid in a plane of symmetry on a plane, law of one direction, settled to 1e-8
+//! Planar: an ellipsoid in a plane of symmetry on a plane, law of one direction, converged to 1e-8
 //! of |v_A| (the default) and to 1e-5. Spatial: the same upright with a turning direction, the
-//! law of fixed directions settled to 1e-8 and to 5e-6 (the default), Coulomb's vector law to 5e-6
+//! law of fixed directions converged to 1e-8 and to 5e-6 (the default), Coulomb's vector law to 5e-6
 //! (the default) and to 1e-4. Turning: Coulomb's law to 1e-3 .. 1e-7, by the curve of `laws::coulomb`
 //! (the default where c_x = c_y) and by the line of anchors.
 
@@ -50,14 +50,14 @@ fn bench(criterion: &mut Criterion) {
     run("spatial, Coulomb", coulomb, 1e-4, spatial());
 }
 
-/// Two oblique impacts of a turning direction on a contact that is as stiff along x as along y.
+/// Two oblique impacts with a turning direction, for a contact with c_x = c_y.
 fn turning() -> [(CoupledImpact, f64); 2] {
     let d = Matrix3::new(2.9, 0.3, 0.5, 0.3, 2.4, -0.4, 0.5, -0.4, 1.3);
     [(0.2, [1.1, 0.4, 1.0]), (0.6, [0.3, -0.5, 1.0])]
         .map(|(f, velocity)| (impact(d, [0.85, 0.85, 1.0], f, velocity), f))
 }
 
-/// What may be left off the line falls with the cube of the resolution.
+/// The error of a line of anchors decreases with the cube of the resolution.
 fn line(friction: f64, resolution: usize) -> SlipLines {
     let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).expect("positive");
     SlipLines::new(stiffness, friction, 0.75)

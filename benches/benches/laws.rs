@@ -103,7 +103,7 @@ fn law<V: Lateral, S: VertexStack<V>>(c: &mut Criterion, name: &str) {
     group.finish();
 }
 
-/// A law in SI units on the paths of the memories, which it meets again as normalised shifts.
+/// A law in SI units on the paths of the memories, which it converts to normalised shifts.
 fn shift_law<V: Lateral, S: VertexStack<V>>() -> ShiftLaw<V, S> {
     let stiffness = ContactStiffness { c_x: 2e9, c_y: 2e9, c_z: 2.5e9 };
     ShiftLaw::new(stiffness, Friction::new(0.3).unwrap_or(Friction::NONE))
@@ -172,7 +172,7 @@ fn against_memory<V: Lateral + Send + Sync, S: VertexStack<V> + Send + Sync>(
     group.finish();
 }
 
-/// A twist that swings, at constant load and with a load that swings as well, as radius and twist.
+/// An oscillating twist, at constant load and with an oscillating load, as radius and twist.
 fn twists(depth: f64) -> Vec<Path<f64>> {
     (0..PATHS)
         .map(|path| {
@@ -208,7 +208,7 @@ fn twist(c: &mut Criterion) {
     group.finish();
 }
 
-/// Paths that turn, and some that do not.
+/// Paths that turn, and some straight ones.
 fn turning_paths(kind: &str) -> Vec<Path<[f64; 2]>> {
     (0..PATHS)
         .map(|path| {
@@ -246,7 +246,7 @@ fn turning_paths(kind: &str) -> Vec<Path<[f64; 2]>> {
         .collect()
 }
 
-/// Coulomb's law at tolerances beside chapter 7's and that of one direction, which sees x alone,
+/// Coulomb's law at several tolerances, the law of chapter 7, and that of one direction, which uses x only,
 /// contact by contact.
 fn turning(c: &mut Criterion) {
     for kind in ["adhesion", "collinear", "noise", "corners", "turning", "collision"] {
@@ -343,7 +343,7 @@ fn in_storage<const N: usize>(
     });
 }
 
-/// What fixed storage costs, in both laws, at whole steps and where each is cut in 16.
+/// Cost of fixed storage, in both laws, with whole steps and with each divided into 16.
 fn capacity(c: &mut Criterion) {
     for kind in ["noise", "corners", "turning", "collision"] {
         let mut group = c.benchmark_group(format!("storage, {kind}"));

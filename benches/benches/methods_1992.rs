@@ -1,9 +1,9 @@
-//! The jobs of 1992 by the methods of 1992, and by that of today, one thread.
+//! The jobs of 1992 by the methods of 1992 and by the present one, on one thread.
 //!
-//! The history of fig. 14.17: 40 x 10 elements, unlike bodies, 39 increments of compression, shifts
-//! along x and y and back, and decompression. The flat punch of fig. 14.35: 1000 elements, unlike
-//! bodies, pressed in five steps and let go in four. All from bodies apart to the last step, each step
-//! to 1e-8. The README beside has the times of 1992.
+//! The history of fig. 14.17: 40 x 10 elements, dissimilar bodies, 39 increments of compression, shifts
+//! along x and y and back, and decompression. The flat punch of fig. 14.35: 1000 elements, dissimilar
+//! bodies, pressed in five steps and released in four. Both from separated bodies to the last step, each
+//! step to 1e-8. The README has the times of 1992.
 
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel, Most};
 use carom_halfspace::{Grid, Material, MaterialPair};
@@ -16,7 +16,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 
 /// The approach at the deepest point, mm.
 const APPROACH: f64 = 0.1;
-/// To which all steps are solved.
+/// Tolerance of all steps.
 const TOLERANCE: f64 = 1e-8;
 
 struct Job {
@@ -29,7 +29,7 @@ fn pair(poisson: [f64; 2]) -> MaterialPair {
     MaterialPair::new(one, two).expect("elastic")
 }
 
-/// Equal parts of the way from the last shift to this one.
+/// Number of equal steps from the previous shift to this one.
 fn go(path: &mut Vec<Shift>, [zeta, xi, eta]: [f64; 3], count: usize) {
     let from = path.last().copied().unwrap_or_default();
     for number in 1..=count {

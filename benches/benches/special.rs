@@ -1,4 +1,4 @@
-//! Every special function and numerical tool of floor 1.
+//! Every special function and numerical tool of layer 1.
 
 use carom_special::AxisRatio;
 use carom_special::elliptic::{Amplitude, complete, incomplete};

@@ -1,10 +1,10 @@
-//! One contact, set-up and solution timed apart: `one_contact CASE CELLS TOLERANCE` prints a line of
+//! One contact, set-up and solution timed separately: `one_contact CASE CELLS TOLERANCE` prints a line of
 //! JSON. `peers/solvers.py` runs it beside other programs.
 //!
-//! hertz_force, hertz_approach: a paraboloid of R = 100 on its like, a = 1, in a window of 2.4.
+//! hertz_force, hertz_approach: a paraboloid of R = 100 on an equal one, a = 1, in a window of 2.4.
 //! cattaneo: the same with f = 0.4, nu = 0, by force, then shifted to half of the stick radius;
 //! cattaneo_nu: nu = 0.28. history: an ellipse of 40 x 10 cells between dissimilar bodies, pressed and
-//! moved aside in 39 increments, the friction given in the place of the cells.
+//! shifted in 39 increments, with the friction instead of the number of cells.
 
 use std::time::Instant;
 

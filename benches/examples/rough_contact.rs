@@ -1,4 +1,4 @@
-//! Rough surfaces pressed on a plane, by today's method and by that of Polonsky and Keer (Wear 231,
+//! Rough surfaces pressed on a plane, by the present method and by that of Polonsky and Keer (Wear 231,
 //! 1999): products with the influence until the pressure is within 1e-6 of the solution on the same
 //! grid, root mean square. `rough_contact 128 256 512`.
 //!
@@ -20,7 +20,7 @@ use carom_solver::{
 
 type Failure = Box<dyn std::error::Error>;
 
-/// What counts as found.
+/// The error at which the pressure counts as found.
 const CLOSE: f64 = 1e-6;
 const MOST: usize = 2000;
 
@@ -105,7 +105,7 @@ fn error(got: &[f64], want: &[f64]) -> f64 {
     (square / want.iter().map(|b| b * b).sum::<f64>()).sqrt()
 }
 
-/// Conjugate gradients on the cells that touch, tension cut off after each step.
+/// Conjugate gradients on the cells in contact, with tension removed after each step.
 struct Constrained<'a> {
     operator: &'a dyn SurfaceOperator,
     workspace: Workspace,
@@ -211,7 +211,7 @@ impl<'a> Constrained<'a> {
     }
 }
 
-/// The mean over the cells that touch.
+/// The mean over the cells in contact.
 fn mean(values: &[f64], pressure: &[f64]) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for (value, _) in values.iter().zip(pressure).filter(|(_, p)| **p > 0.0) {

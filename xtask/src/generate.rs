@@ -1,4 +1,4 @@
-//! Files of the repository that are made from the sources: written anew, or compared with what would be written.
+//! Generated files of the repository: written, or compared with what would be written.
 
 use crate::cargo;
 use crate::outcome::{Outcome, Part};
@@ -14,7 +14,7 @@ pub(crate) enum Mode {
     Check,
 }
 
-/// What one generator makes, and how it is called.
+/// A generator: the description of its files, and its function.
 type Generator = (&'static str, fn(Mode) -> anyhow::Result<Outcome>);
 
 const GENERATORS: &[Generator] = &[
@@ -23,10 +23,10 @@ const GENERATORS: &[Generator] = &[
     ("the result classes of Python, crates/python/python/carom/_records.py", records),
 ];
 
-/// Where Python's result classes stand.
+/// The file of Python's result classes.
 const RECORDS: &str = "crates/python/python/carom/_records.py";
 
-/// Runs all generators; in [`Mode::Check`] it fails if a file is not what its generator makes.
+/// Runs all generators; in [`Mode::Check`] it fails if a file differs from what its generator writes.
 pub(crate) fn run(mode: Mode) -> anyhow::Result<Outcome> {
     let mut outcome = Outcome::Passed;
     for (what, generate) in GENERATORS {
@@ -42,7 +42,7 @@ pub(crate) fn tables(mode: Mode) -> anyhow::Result<()> {
     cargo::run_built("--example", "dissimilar_table", arguments)
 }
 
-/// A test compares the file with what the sources make; with `CAROM_GENERATE` set it writes it first.
+/// Runs the test that compares the file with what the sources give; with `CAROM_GENERATE` set it writes the file first.
 fn by_test(package: &str, name: &str, mode: Mode) -> anyhow::Result<Outcome> {
     let test = ["test", "--release", "--package", package, "--test", "it", name];
     match mode {
@@ -52,7 +52,7 @@ fn by_test(package: &str, name: &str, mode: Mode) -> anyhow::Result<Outcome> {
     Ok(Outcome::Passed)
 }
 
-/// The columns are asked of the module as it is built now.
+/// Builds the module and generates the result classes from its columns.
 fn records(mode: Mode) -> anyhow::Result<Outcome> {
     let Some(place) = python::place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
     place.install()?;

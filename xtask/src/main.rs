@@ -2,8 +2,8 @@
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
 //! `python`, `lammps`, `release`, `book`, `generate`, `ci`, `bench`.
 //!
-//! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
-//! that this one builds soon.
+//! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
+//! builds quickly.
 
 mod book;
 mod browse;
@@ -28,7 +28,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let mut arguments = std::env::args_os().skip(1);
-    // The options of carom-verify stand in its own program.
+    // The program carom-verify parses its own options.
     let done = match arguments.next() {
         Some(word) if word == "verify" => cargo::verify(arguments).map(ExitCode::from),
         _ => run(flags::Xtask::from_env_or_exit()),

@@ -81,7 +81,7 @@ program contact
   call check(carom_pair_of_spheres(rubber, rubber, 0.02_c_double, 0.03_c_double, 0.8_c_double, &
     carom_law_fixed_direction, 0.0_c_double, pair, error))
 
-  ! Press, shift, and all the way back: the loop is symmetric.
+  ! Press, shift, and reverse the shift completely: the loop is symmetric.
   shift%zeta = 1.0e-3_c_double
   call check(carom_contact_advance(pair, memory, shift, load, error))
   shift%xi = 4.0e-4_c_double

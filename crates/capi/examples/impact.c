@@ -2,7 +2,7 @@
  *
  *     cc impact.c -I../include -lcarom_capi -lm -o impact
  *
- * Prints what it computes, and ends with 1 if anything is not as it must be.
+ * Prints its results, and exits with 1 if one is wrong.
  */
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ static void must(int holds, const char *what) {
 }
 
 /* ANCHOR: impact */
-/* A ball of steel that meets a plate obliquely. */
+/* A steel ball that hits a plate obliquely. */
 static void impact(void) {
   const carom_material steel = {208e9, 0.3};
   carom_body ball = {0}, plate = {0};
@@ -50,7 +50,7 @@ static void impact(void) {
   const double balance = rebound.energy_before - rebound.energy_after - rebound.energy_dissipated;
   must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
 
-  /* The same of steel that gives back 0.9 of the normal velocity. */
+  /* The same with a coefficient of normal restitution of 0.9. */
   carom_collide_options options = {0};
   options.size = sizeof options;
   options.loss = CAROM_LOSS_GIVEN;
@@ -67,7 +67,7 @@ static void impact(void) {
 }
 /* ANCHOR_END: impact */
 
-/* R_x of many impacts by the table, against one by the exact impact. */
+/* R_x of many impacts by the table, compared with one exact impact. */
 static void restitution(void) {
   const double kappa = 1.2142857142857142; /* nu = 0.3 */
   double lambda[100], table[100], exact;
@@ -83,7 +83,7 @@ static void restitution(void) {
 }
 
 /* ANCHOR: contacts */
-/* Contacts of a particle code: memories inside the caller's own structures, one call for all. */
+/* Contacts of a particle code: stored inside the caller's own structures, one call for all. */
 static void contacts(void) {
   struct particle {
     int id;
@@ -115,7 +115,7 @@ static void contacts(void) {
       must(hypot(f.f_x, f.f_y) <= 0.4 * f.f_z * (1.0 + 1e-12) + 1e-300, "Coulomb's limit");
     }
   }
-  /* A restart: 66 numbers, which any build understands, tell the load again. */
+  /* A restart: 66 numbers, which any build can read, give the same load. */
   carom_state numbers;
   carom_contact restarted;
   carom_load again;

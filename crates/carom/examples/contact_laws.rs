@@ -1,6 +1,6 @@
-//! Floor 3, laws: a ball pressed on a plate and rubbed to and fro.
+//! Layer 3, laws: a ball pressed on a plate and shifted to and fro.
 //!
-//! The force goes round a loop, and its area is the heat of a round: Mindlin and Deresiewicz's.
+//! The force makes a hysteresis loop, whose area is the heat of a cycle (Mindlin and Deresiewicz).
 
 use carom::prelude::*;
 

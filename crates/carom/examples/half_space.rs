@@ -1,7 +1,7 @@
-//! Floor 2, the half-space: where does steel under a loaded patch begin to yield?
+//! Layer 2, the half-space: where does steel under a loaded patch begin to yield?
 //!
-//! Below the middle of a square of uniform pressure the largest shear stress lies not at the
-//! surface but at a depth of about half a side.
+//! Below the centre of a square of uniform pressure the largest shear stress is not at the surface
+//! but at a depth of about half a side.
 
 use carom::halfspace::{LoadedRectangle, Material, Point, Rectangle, Traction};
 

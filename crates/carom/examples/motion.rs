@@ -1,7 +1,7 @@
-//! Floor 5, motion: a superball thrown at the floor at growing angles.
+//! Layer 5, motion: a superball thrown at the floor at increasing angles.
 //!
-//! A steep throw comes back: the ball grips, winds up and returns part of the tangential motion.
-//! A flat one slides through.
+//! At steep incidence the contact sticks and stores tangential energy, and the tangential velocity is
+//! reversed. At grazing incidence it slides throughout.
 
 use carom::prelude::*;
 

@@ -1,6 +1,6 @@
-//! Floor 4, numbers: Cattaneo's problem on a grid.
+//! Layer 4, numerical contact: Cattaneo's problem on a grid.
 //!
-//! A ball is pressed on a plate and then pulled along it. The contact slips in a ring and sticks
+//! A ball is pressed on a plate and then loaded tangentially. The contact slips in an annulus and sticks
 //! inside, in a disc of radius a (1 - F/fP)^(1/3).
 
 use carom::halfspace::{Grid, Material, MaterialPair};
@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cells = 96;
     let grid = Grid::new(cells, cells, 2.4 / cells as f64, 2.4 / cells as f64)?;
     let ball = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
-    // Bodies that are alike, with Poisson's ratio 0: what Cattaneo assumed is then exact.
+    // Similar bodies with Poisson's ratio 0, for which Cattaneo's assumptions are exact.
     let cork = Material::from_shear(1.0, 0.0)?;
     let pair = MaterialPair::new(cork, cork)?;
     let (friction, pressed) = (0.3, 4.0 / 3.0);

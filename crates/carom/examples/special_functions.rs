@@ -1,7 +1,7 @@
-//! Floor 1, special functions: how slender can a contact be before digits are lost?
+//! Layer 1, special functions: slender contacts without loss of digits.
 //!
 //! The modulus k of an elliptic integral is 1 to the last digit for every ellipse with a/b < 1e-8;
-//! the axis ratio itself knows them all.
+//! the axis ratio itself keeps all digits.
 
 use carom::special::elliptic::complete;
 use carom::special::{AxisRatio, RangeError};

@@ -1,4 +1,4 @@
-//! Makes the stored table of R_x anew: needed when the exact impact changes by more than 1e-9.
+//! Recomputes the stored table of R_x; needed if the exact impact changes by more than 1e-9.
 
 use carom_impact::restitution::RestitutionTable;
 

@@ -1,9 +1,9 @@
-//! A search for paths on which Coulomb's law in two directions errs by more than it says.
+//! A search for paths on which the error of Coulomb's law in two directions exceeds its estimate.
 //!
 //! A hill climb over paths of approach and shift: points of the worst path so far are moved, added,
-//! taken out or repeated, and a change is kept if it raises the error of the last force over
-//! `CoulombMemory::error_estimate`. The true force is that of rings of sliders, each of which slips by
-//! itself along the whole path; they share no code with the law.
+//! removed or repeated, and a change is kept if it increases the error of the last force over
+//! `CoulombMemory::error_estimate`. The reference force is that of independent sliders, advanced in small
+//! steps along the whole path; they share no code with the law.
 //!
 //! `cargo run --release -p carom-laws --example adversary -- --seconds 60 --seed 1` visits the
 //! tolerances 1e-2, 1e-3 and 1e-5 in storage that grows and in 8, 12, 16 and 32 vertices in turn;
@@ -22,11 +22,11 @@ use carom_laws::memory::{Fixed, VertexStack};
 
 type Point = (f64, [f64; 2]);
 
-/// Rings to confirm a finding.
+/// Number of sliders that confirm a result.
 const CONFIRMING: usize = 40_000;
-/// The error of the oracle over the limit, times the square of the number of rings.
+/// The error of the reference over the limit, times the square of the number of sliders.
 const ORACLE: f64 = 2.0;
-/// Changes without gain after which a climb begins anew.
+/// Number of changes without improvement after which a climb restarts.
 const PATIENCE: u32 = 1500;
 
 /// A small reproducible generator (splitmix64).
@@ -50,7 +50,7 @@ impl Random {
     }
 }
 
-/// What a path shows: the error of the law over its limit, the law's own estimate, and the error over
+/// The result of a path: the error of the law over its limit, the law's own estimate, and the error over
 /// the estimate.
 #[derive(Debug, Clone, Copy, Default)]
 struct Finding {
@@ -135,7 +135,7 @@ fn mutated(path: &[Point], random: &mut Random) -> Vec<Point> {
                 path[at] = within((point.0 * by, point.1));
             }
             4 => {
-                // All that follows goes along.
+                // All later points move with it.
                 let (from, to) = (path[at], within(near(&path, at, random)));
                 for (zeta, x) in &mut path[at..] {
                     let moved = (*zeta + to.0 - from.0, [0, 1].map(|k| x[k] + to.1[k] - from.1[k]));
@@ -151,7 +151,7 @@ fn mutated(path: &[Point], random: &mut Random) -> Vec<Point> {
     path
 }
 
-/// The worst path of a time and what it shows.
+/// The worst path found within the time, and its result.
 fn climb<S: VertexStack<[f64; 2]>>(
     tolerance: Tolerance,
     time: Duration,
@@ -191,7 +191,7 @@ fn argument(name: &str) -> Option<String> {
     arguments.next()
 }
 
-/// The greatest ratio of error and estimate that passes.
+/// The largest allowed ratio of error to estimate.
 const STATED: f64 = 1.0;
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {

@@ -15,8 +15,8 @@ enum { STORED, FRICTION, DAMPING, WORK_OF_WALLS, OUTPUTS };
 
 ComputeCaromEnergy::ComputeCaromEnergy(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
 {
-  if (narg != 3) error->all(FLERR, "compute carom/energy wants no arguments");
-  if (igroup != 0) error->all(FLERR, "compute carom/energy is one of group all");
+  if (narg != 3) error->all(FLERR, "compute carom/energy takes no arguments");
+  if (igroup != 0) error->all(FLERR, "compute carom/energy must use group all");
   vector_flag = 1;
   size_vector = OUTPUTS;
   extvector = 1;
@@ -31,10 +31,10 @@ ComputeCaromEnergy::~ComputeCaromEnergy()
 void ComputeCaromEnergy::init()
 {
   const auto pairs = carom::find_pairs(force);
-  if (pairs.empty()) error->all(FLERR, "compute carom/energy wants pair_style carom");
+  if (pairs.empty()) error->all(FLERR, "compute carom/energy requires pair_style carom");
   for (const PairCarom *pair : pairs)
     if (!pair->keeps_account())
-      error->all(FLERR, "compute carom/energy wants pair_style carom with energy yes: heat is counted then");
+      error->all(FLERR, "compute carom/energy requires pair_style carom with energy yes");
 }
 
 void ComputeCaromEnergy::compute_vector()

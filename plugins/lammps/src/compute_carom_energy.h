@@ -1,4 +1,4 @@
-// compute carom/energy: where the energy of all contacts of pair carom and of its walls is.
+// compute carom/energy: the energies of all contacts of pair carom and of its walls.
 #ifndef CAROM_COMPUTE_ENERGY_H
 #define CAROM_COMPUTE_ENERGY_H
 

@@ -15,7 +15,7 @@ inline std::vector<LAMMPS_NS::PairCarom *> find_pairs(LAMMPS_NS::Force *force)
   std::vector<LAMMPS_NS::PairCarom *> found;
   for (int k = 1;; k++) {
     auto *pair = dynamic_cast<LAMMPS_NS::PairCarom *>(force->pair_match("carom", 1, k));
-    // A pair style that is no hybrid is found whatever its number.
+    // A pair style that is not a hybrid is found with any number.
     if (!pair || (!found.empty() && found.back() == pair)) return found;
     found.push_back(pair);
   }

@@ -59,14 +59,14 @@ void FixCaromKeep::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
   if (!std::isfinite(all[0]) || !std::isfinite(all[1]))
-    error->all(FLERR, "pair carom: the restart file is damaged: the heats are no numbers");
+    error->all(FLERR, "pair carom: the restart file is damaged: the heats are not finite numbers");
   heats_of_file[0] = comm->me == 0 ? all[0] : 0.0;
   heats_of_file[1] = comm->me == 0 ? all[1] : 0.0;
 }
 
-// Between runs the host has moved grains since it built the neighbor list, with their contacts; yet its
-// fix NEIGH_HISTORY collects contacts from that list once more as it writes its part. So what it
-// knows is put aside here, the list is left empty, and FixCaromRestore puts it back.
+// Between runs the host has moved grains, with their contacts, since it built the neighbor list; yet its fix
+// NEIGH_HISTORY collects contacts from that list once more when it writes its part. Therefore its contents
+// are saved here and the list is emptied; FixCaromRestore puts them back.
 void FixCaromKeep::save()
 {
   known.clear();
@@ -111,7 +111,7 @@ void FixCaromRestore::make_room()
   const int mine = keep->most_numbers();
   int most = 0;
   MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
-  // Where the host moves grains to anywhere it asks for the largest of all fixes, not for their sum.
+  // For a move of grains to any rank the host takes the largest size over all fixes, not their sum.
   for (const Fix *fix : modify->get_fix_list())
     if (fix != this) most += fix->maxexchange;
   maxexchange = most;

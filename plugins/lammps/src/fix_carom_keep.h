@@ -1,7 +1,7 @@
-// The pair style's own fixes, one before and one after the host's NEIGH_HISTORY. Contacts become numbers
-// before the host moves grains or writes a restart file, and the account of heat goes into it. The host then
-// has room for the grain with most contacts on any rank, which it would look for on each rank alone, and
-// not at all before the first step.
+// The pair style's own fixes, one before and one after the host's NEIGH_HISTORY. Before the host moves grains
+// or writes a restart file, they convert contacts to numbers and store the heats. They tell the host the
+// largest number of contacts of a grain on any rank; the host itself would look on each rank alone, and not
+// before the first step.
 #ifndef CAROM_FIX_KEEP_H
 #define CAROM_FIX_KEEP_H
 
@@ -24,11 +24,11 @@ class FixCaromKeep : public Fix {
   void write_restart(FILE *fp) override;
   void restart(char *buffer) override;
 
-  // Whose contacts it keeps; hands over what a restart file told.
+  // The pair style whose contacts it keeps; passes on what a restart file contained.
   void serve(PairCarom *its, NeighHistory *history);
-  // What the host's fix knew of each grain, back into it.
+  // Restores the contents of the host's fix for each grain.
   void restore();
-  // The most numbers that the host's fix keeps of a grain of this rank.
+  // Largest number of values that the host's fix keeps for a grain of this rank.
   int most_numbers() const;
 
  private:
@@ -50,7 +50,7 @@ class FixCaromRestore : public Fix {
   void post_run() override { make_room(); }
   void write_restart(FILE *fp) override;
 
-  // Room in the host's buffers for any grain with all its contacts, on all ranks the same.
+  // Reserves space in the host's buffers for any grain with all its contacts, the same on all ranks.
   void make_room();
 
   FixCaromKeep *keep = nullptr;

@@ -17,7 +17,7 @@
 
 using namespace LAMMPS_NS;
 
-// What compute_vector() tells, from f_ID[1] on.
+// Values of compute_vector(), from f_ID[1] on.
 enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, OUTPUTS };
 
 FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
@@ -43,7 +43,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
       words = 4;
     }
     if (words == 0)
-      error->all(FLERR, who() + " knows no '" + word +
+      error->all(FLERR, who() + " does not know '" + word +
                             "': only plane and velocity (with all their values), young, shear, poisson, "
                             "rigid, friction, damping, law, tolerance and torsion");
     k += words;
@@ -55,7 +55,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   double *n = wall.normal;
   const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   if (!(length > 0.0 && length < INFINITY))
-    error->all(FLERR, who() + ": the normal of the plane has no direction");
+    error->all(FLERR, who() + ": the normal of the plane is zero");
   for (int axis = 0; axis < 3; axis++) n[axis] /= length;
 
   restart_global = restart_peratom = 1;
@@ -86,12 +86,12 @@ int FixWallCarom::setmask()
 void FixWallCarom::init()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, who() + " wants atom_style sphere");
+    error->all(FLERR, who() + " requires atom_style sphere");
   for (int axis = 0; axis < 3; axis++)
     if (domain->periodicity[axis] && wall.normal[axis] != 0.0)
       error->all(FLERR, who() + ": the box is periodic across the wall");
   const auto pairs = carom::find_pairs(force);
-  if (pairs.empty()) error->all(FLERR, who() + " wants pair_style carom: grains get their material there");
+  if (pairs.empty()) error->all(FLERR, who() + " requires pair_style carom: grains get their material there");
   account = false;
   constants.assign(atom->ntypes + 1, {});
   known.assign(atom->ntypes + 1, 0);
@@ -118,7 +118,8 @@ carom::Touch FixWallCarom::touch_of(int i)
   return touch;
 }
 
-// One step of a grain on the wall, with its heat; a step of no duration only looks, but for a new contact.
+// One step of a grain on the wall, with its heat. A step of duration zero only reads, except for a new
+// contact.
 carom_grain_load FixWallCarom::step(int i, double duration)
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
@@ -164,7 +165,7 @@ void FixWallCarom::post_force(int)
       continue;
     }
     if (!known[atom->type[i]])
-      error->one(FLERR, who() + ": pair_coeff of pair carom tells no material of grains of type " +
+      error->one(FLERR, who() + ": pair_coeff of pair carom sets no material for grains of type " +
                             std::to_string(atom->type[i]));
     slot_of(i);
     const carom_grain_load load = step(i, duration);
@@ -212,7 +213,7 @@ double FixWallCarom::compute_vector(int n)
   return all;
 }
 
-// The place of the wall and the sums of all ranks.
+// The position of the wall, and the sums of all ranks.
 void FixWallCarom::write_restart(FILE *fp)
 {
   const double mine[6] = {sums_.friction,   sums_.damping,    sums_.work,
@@ -230,7 +231,7 @@ void FixWallCarom::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
   if (!std::all_of(all, all + 9, [](double number) { return std::isfinite(number); }))
-    damaged("the place of the wall, or what was summed there, is no number");
+    damaged("the position or a sum of the wall is not a finite number");
   memcpy(wall.place, all, 3 * sizeof(double));
   if (comm->me != 0) return;
   sums_ = {all[3], all[4], all[5]};
@@ -242,7 +243,7 @@ void FixWallCarom::grow_arrays(int nmax)
   slots.resize(nmax);
 }
 
-// A grain moves to another place; what stood there belongs to nobody any more.
+// A grain moves to another index; what was stored there is no longer used.
 void FixWallCarom::copy_arrays(int i, int j, int)
 {
   std::swap(slots[i], slots[j]);
@@ -255,7 +256,7 @@ void FixWallCarom::drop(int i)
   memset(slots[i].get(), 0, Touches::MOST * sizeof(double));
 }
 
-// How many numbers are kept of a grain.
+// Number of values kept for a grain.
 int FixWallCarom::count_of(int i) const
 {
   if (!touches_wall(i)) return 0;
@@ -263,7 +264,7 @@ int FixWallCarom::count_of(int i) const
   return twists ? Touches::WITH_TWIST : Touches::NUMBERS;
 }
 
-// A slot has room for any law: what a restart file tells is known before the law is.
+// A slot has space for any law: a restart file is read before the law is known.
 double *FixWallCarom::slot_of(int i)
 {
   if (!slots[i]) slots[i].reset(new double[Touches::MOST]());
@@ -308,7 +309,7 @@ int FixWallCarom::pack_restart(int i, double *buffer)
 void FixWallCarom::unpack_restart(int i, int nth)
 {
   const int at = Touches::part_of(atom->extra[i], atom->nextra_store, nth);
-  if (at < 0) damaged("grain " + std::to_string(atom->tag[i]) + " has not as many numbers as it says");
+  if (at < 0) damaged("grain " + std::to_string(atom->tag[i]) + " has another number of values than stated");
   unpack_exchange(i, atom->extra[i] + at + 1);
 }
 

@@ -1,6 +1,6 @@
-// What the host's installed headers leave out: the interface of plugins, and the first data members of
-// its fix NEIGH_HISTORY. Both hold for the release that the plugin was built with, and lammpsplugin_init
-// refuses any other one.
+// Declarations that the host's installed headers lack: the interface of plugins, and the first data members
+// of its fix NEIGH_HISTORY. Both are those of the release with which the plugin was built; lammpsplugin_init
+// rejects any other release.
 #ifndef CAROM_HOST_H
 #define CAROM_HOST_H
 

@@ -28,7 +28,7 @@ static void out_of_range(LAMMPS *lmp, const std::string &who, const char *field,
 
 static double number(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
-  if (narg < 2) lmp->error->all(FLERR, who + ": " + arg[0] + " wants a value");
+  if (narg < 2) lmp->error->all(FLERR, who + ": " + arg[0] + " requires a value");
   return utils::numeric(FLERR, arg[1], false, lmp);
 }
 
@@ -85,7 +85,7 @@ bool Material::come_from_file()
 void Material::check(LAMMPS *lmp, const std::string &who) const
 {
   if (has_poisson != (has_young || has_shear))
-    lmp->error->all(FLERR, who + (has_poisson ? ": poisson wants young or shear" : ": poisson is missing"));
+    lmp->error->all(FLERR, who + (has_poisson ? ": poisson requires young or shear" : ": poisson is missing"));
   if (!has_poisson) return;
   if (!(poisson > -1.0 && poisson <= 0.5)) out_of_range(lmp, who, "poisson", poisson, "in (-1, 0.5]");
   if (!(young > 0.0 && young < INFINITY)) out_of_range(lmp, who, "young", young, "finite and > 0");

@@ -1,4 +1,4 @@
-// Materials and laws as a user writes them in an input script.
+// Materials and laws as given in an input script.
 #ifndef CAROM_MATERIAL_H
 #define CAROM_MATERIAL_H
 
@@ -13,8 +13,9 @@ class LAMMPS;
 
 namespace carom {
 
-// young E poisson NU | shear G poisson NU | rigid, friction F, damping A; plain data, written into restart
-// files as it stands.
+// young E poisson NU
+// shear G poisson NU
+// rigid, friction F, damping A; plain data, written to restart files unchanged.
 struct Material {
   int is_set = 0;      // whether any keyword was given
   int has_body = 0;    // whether there are moduli, or rigid
@@ -22,11 +23,12 @@ struct Material {
   double friction = -1.0;    // not given
   double damping = 0.0;
 
-  // Takes a keyword and its value, and returns how many words these were; 0 for one that is none of its own.
+  // Reads a keyword and its value; returns the number of words read, 0 for an unknown keyword.
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
-  // Whether what a restart file tells is a material; which words were given is of no account then.
+  // Whether the contents of a restart file are a valid material; which keywords were given does not matter
+  // then.
   bool come_from_file();
-  // Complains about what is missing or out of range.
+  // Raises an error for values that are missing or out of range.
   void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
   carom_material body() const { return {young, poisson}; }
 
@@ -44,19 +46,19 @@ struct Law {
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
   bool is_known() const { return law <= CAROM_LAW_RINGS; }
   bool by_rings() const { return law == CAROM_LAW_RINGS; }
-  // Whether a twist has a memory of its own.
+  // Whether the twist has a history of its own.
   bool twists_apart() const { return torsion && !by_rings(); }
   const char *name() const;
 };
 
-// The constants of a pair of bodies; ends in an error of the host that says what is out of range.
+// The constants of a pair of bodies; an error of the host says what is out of range.
 Constants constants_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
                        const carom_material &two, const Material &pair, const Law &law);
 
-// Says in the log how much coupling of dissimilar materials may matter where the law neglects it.
+// Logs how much the coupling of dissimilar materials may matter where the law neglects it.
 void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const Constants &constants);
 
-// An error of the host, with what the library says.
+// Raises an error of the host with the message of the library.
 [[noreturn]] void fail(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_error &error);
 
 }    // namespace carom

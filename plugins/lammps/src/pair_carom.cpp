@@ -20,10 +20,10 @@
 
 using namespace LAMMPS_NS;
 
-// What single() tells of a contact, in the order of compute pair/local's p1, p2, ...
+// Values of single() for a contact, in the order of p1, p2, ... of compute pair/local.
 enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, EXTRAS };
 
-// Contacts of a grain for which there is room while restart files are read.
+// Number of contacts of a grain for which there is space while restart files are read.
 static constexpr int FORESEEN = 64;
 
 static std::string free_id(const Modify *modify, const std::string &stem)
@@ -44,17 +44,17 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   finitecutflag = 1;
   centroidstressflag = CENTROID_NOTAVAIL;
   beyond_contact = 0;
-  // A contact is seen from the lower tag: it is the same for both grains.
+  // A contact is seen from the lower tag, so that it is the same for both grains.
   nondefault_history_transfer = 1;
 
-  // Places for the fixes, in this order. They are made when a run begins, since what a restart file tells
-  // is known by then, and go by these names.
+  // Placeholders for the fixes, in this order. The fixes are made when a run begins, since a restart file has
+  // been read by then, and have these names.
   keep_id = free_id(modify, "CAROM_KEEP");
   history_id = free_id(modify, "NEIGH_HISTORY_CAROM");
   restore_id = free_id(modify, "CAROM_RESTORE");
   for (const std::string &id : {keep_id, history_id, restore_id}) {
     Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
-    // Grains that come from several restart files are moved before anything else is made.
+    // Grains from several restart files are moved before anything else is made.
     place->maxexchange = FORESEEN * (1 + Touches::MOST);
   }
 }
@@ -103,7 +103,7 @@ void PairCarom::settings(int narg, char **arg)
       words = 2;
     }
     if (words == 0)
-      error->all(FLERR, std::string("pair_style carom knows no '") + arg[k] +
+      error->all(FLERR, std::string("pair_style carom does not know '") + arg[k] +
                             "': only law, tolerance, torsion and energy");
     k += words;
   }
@@ -112,7 +112,7 @@ void PairCarom::settings(int narg, char **arg)
 
 void PairCarom::coeff(int narg, char **arg)
 {
-  if (narg < 2) error->all(FLERR, "pair_coeff wants two types of grains");
+  if (narg < 2) error->all(FLERR, "pair_coeff requires two types of grains");
   if (!allocated) allocate();
   const std::string who = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of pair carom";
   int ilo, ihi, jlo, jhi;
@@ -122,7 +122,7 @@ void PairCarom::coeff(int narg, char **arg)
   for (int k = 2; k < narg;) {
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
-      error->all(FLERR, who + " knows no '" + arg[k] +
+      error->all(FLERR, who + " does not know '" + arg[k] +
                             "': only young, shear, poisson, rigid, friction and damping");
     k += words;
   }
@@ -137,14 +137,14 @@ void PairCarom::coeff(int narg, char **arg)
       setflag[i][j] = 1;
     }
   }
-  if (count == 0) error->all(FLERR, who + " names no pair of types: the first is not above the second");
+  if (count == 0) error->all(FLERR, who + ": no pair of types: the first must not be above the second");
 }
 
 void PairCarom::init_style()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
-    error->all(FLERR, "pair carom wants atom_style sphere");
-  if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom wants comm_modify vel yes");
+    error->all(FLERR, "pair carom requires atom_style sphere");
+  if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
     const auto make = [this](const std::string &id, const std::string &style) {
@@ -234,8 +234,8 @@ carom::Touch PairCarom::touch_of(double *slot, int body_1, int body_2)
   return touch;
 }
 
-// How much of a contact's energy this rank counts: another one has it too if its grain is a ghost that
-// gets no force from here.
+// The share of a contact's energy that this rank counts: another rank counts it too if its grain is a ghost
+// that gets no force from here.
 double PairCarom::share_of(int j) const
 {
   return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
@@ -246,8 +246,8 @@ void PairCarom::compute(int eflag, int vflag)
   ev_init(eflag, vflag);
   if (history->nlocal_neigh > atom->nlocal || history->nall_neigh < history->nlocal_neigh)
     error->one(FLERR, "pair carom: the fields of fix NEIGH_HISTORY are not where they were expected");
-  // A setup only looks at what the last step left; a contact that is new to it begins with a step of no
-  // duration. Two grains that touched make one more step apart, in which the contact ends.
+  // A setup only reads the result of the last step; a contact that is new to it begins with a step of
+  // duration zero. Two separated grains that were in contact make one more step, in which the contact ends.
   const bool moves = !update->setupflag;
   const double *x = atom->nlocal ? atom->x[0] : nullptr, *radius = atom->radius;
   const tagint *tag = atom->tag;
@@ -283,10 +283,10 @@ void PairCarom::compute(int eflag, int vflag)
   step_all(found, eflag, moves);
 }
 
-// Steps the contacts that were found. Where no account is kept they go through the library in one call.
+// Advances the contacts that were found. Without heats they go through the library in one call.
 void PairCarom::step_all(int count, int eflag, bool moves)
 {
-  // What is remembered may move to another place while more of it is unpacked.
+  // Contacts may move in memory while others are unpacked.
   bool is_new[TOGETHER];
   for (int k = 0; k < count; k++) {
     const Close &pair = close[k];
@@ -328,7 +328,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
   }
 }
 
-// The step of one contact, accounted if that is wanted, or what the last step left of its load.
+// The step of one contact, with heats if requested, or the load after the last step.
 void PairCarom::step_alone(const Close &pair, carom_encounter &met, double dt, bool steps)
 {
   carom_heats made = {0.0, 0.0};
@@ -417,7 +417,7 @@ double PairCarom::stored_energy()
   return sum;
 }
 
-// The slot of a pair, if it is on the list of this rank.
+// The slot of a pair, if it is in the list of this rank.
 double *PairCarom::find_slot(int i, int j) const
 {
   for (int turn = 0; turn < 2; turn++, std::swap(i, j)) {
@@ -492,7 +492,7 @@ void PairCarom::read_restart_settings(FILE *fp)
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
   if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
-    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is none");
+    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is not valid");
 }
 
 void PairCarom::write_restart(FILE *fp)
@@ -525,7 +525,7 @@ void PairCarom::read_restart(FILE *fp)
       MPI_Bcast(&material, sizeof material, MPI_BYTE, 0, world);
       if (!material.come_from_file())
         error->all(FLERR, "pair carom: the restart file is damaged: the material of types " + std::to_string(i) +
-                              " and " + std::to_string(j) + " is none");
+                              " and " + std::to_string(j) + " is not valid");
       setflag[i][j] = material.is_set;
     }
 }

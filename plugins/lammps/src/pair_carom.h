@@ -37,11 +37,11 @@ class PairCarom : public Pair {
   void read_restart_settings(FILE *fp) override;
   double memory_usage() override;
 
-  // Makes numbers of all contacts of this rank, for the host to move.
+  // Converts all contacts of this rank to numbers, for the host to move.
   void pack_all();
   // The elastic energy of this rank's contacts.
   double stored_energy();
-  // What a grain type is made of, for walls.
+  // The material of a grain type, for walls.
   const carom::Material &material(int type) const { return coefficients[place(type, type)]; }
   const carom::Law &law() const { return law_; }
   bool keeps_account() const { return account; }
@@ -62,7 +62,7 @@ class PairCarom : public Pair {
   Touches touches;
   carom_error why;
 
-  // What a contact takes in the host's slots.
+  // Number of values of a contact in the host's slots.
   int numbers() const
   {
     if (law_.by_rings()) return Touches::OF_RINGS;
@@ -71,7 +71,7 @@ class PairCarom : public Pair {
   double energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
-  // The host's grains: of each what it keeps in one piece.
+  // The host's arrays of grains, in the layout of the library.
   struct Bodies {
     const double *x, *v, *w, *radius;
     double *f, *torque;
@@ -85,7 +85,7 @@ class PairCarom : public Pair {
   carom::Touch touch_of(double *slot, int body_1, int body_2);
   const carom::Constants &constants_of(int body_1, int body_2) const;
 
-  // Two grains that touch, or did so one step ago: the host's flag and its slot for them.
+  // Two grains in contact now or one step ago: the host's flag and its slot for them.
   struct Close {
     int *flag;
     double *slot;

@@ -1,4 +1,4 @@
-// Says to the host what styles there are.
+// Registers the styles with the host.
 
 #include "compute_carom_energy.h"
 #include "fix_carom_keep.h"
@@ -20,7 +20,7 @@
 
 using namespace LAMMPS_NS;
 
-// Whether this processor has what the library was built for.
+// Whether this processor has the instructions for which the library was built.
 static bool runs_here()
 {
 #ifdef __x86_64__
@@ -43,7 +43,7 @@ template <class Style, class Base> static void *of_arguments(void *lmp, int narg
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
                                                                          void *registers)
 {
-  // Its classes change between updates of one release: the date alone does not tell.
+  // Its classes change between updates of one release, so that the date alone does not identify them.
   if (strcmp(LAMMPS::git_descriptor(), CAROM_HOST_GIT) != 0) {
     fprintf(stderr, "carom: not loaded: built for LAMMPS %s, this is %s\n", CAROM_HOST_GIT,
             LAMMPS::git_descriptor());

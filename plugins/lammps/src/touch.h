@@ -1,4 +1,5 @@
-// The contact of two bodies with any law: the library has one form for the law of rings and one for the others.
+// The contact of two bodies with any law: the library has one type for the law of rings and one for the
+// others.
 #ifndef CAROM_TOUCH_H
 #define CAROM_TOUCH_H
 
@@ -8,13 +9,13 @@
 
 namespace carom {
 
-// The constants of the contacts of two materials; the matrices of law rings are shared by all who copy them.
+// The constants of the contacts of two materials; copies share the matrices of the law of rings.
 struct Constants {
   carom_grains grains = {};
   std::shared_ptr<const carom_rings> rings;    // null for the other laws
 };
 
-// A contact where it is unpacked, in one of the two forms.
+// An unpacked contact, of one of the two types.
 struct Touch {
   carom_touch *plain = nullptr;
   carom_ring_touch *rings = nullptr;
@@ -26,12 +27,12 @@ struct Touch {
                     carom_grain_load *load, carom_heats *heats, carom_error *why) const;
   carom_status step(const Constants &constants, const carom_grain &one, const carom_wall &wall, double dt,
                     carom_grain_load *load, carom_heats *heats, carom_error *why) const;
-  // What the last step left of the load.
+  // The load after the last step.
   carom_status load(const Constants &constants, const carom_grain &one, const carom_grain &two,
                     carom_grain_load *load, carom_error *why) const;
   carom_status load(const Constants &constants, const carom_grain &one, const carom_wall &wall,
                     carom_grain_load *load, carom_error *why) const;
-  // The elastic energy; without the twist that other laws than rings have beside the contact.
+  // The elastic energy, without the separate twist of laws other than rings.
   double energy(const Constants &constants, double radius_1, double radius_2) const;
   carom_status report(const Constants &constants, carom_report *report, carom_error *why) const;
 };

@@ -5,7 +5,7 @@
 
 namespace carom {
 
-// A place of a form that no slot owns.
+// A free index in the pool of a type.
 int Touches::free_place(bool by_rings)
 {
   std::vector<int> &of_form = unused[by_rings];
@@ -88,7 +88,7 @@ int Touches::part_of(const double *numbers, int count, int nth)
   for (int at = 0;; nth--) {
     if (at >= count) return -1;
     const double size = numbers[at];
-    // A part has its size at least.
+    // A part has at least its minimum size.
     if (!(size >= 1.0 && size <= static_cast<double>(count - at))) return -1;
     if (nth > 0) {
       at += static_cast<int>(size);

@@ -1,5 +1,5 @@
-// The contacts of one rank while it runs: kept as numbers in slots of the host's, which it moves from
-// rank to rank and into restart files, and unpacked here between two such moves.
+// The contacts of one rank during a run: stored as numbers in slots of the host, which moves them between
+// ranks and into restart files, and unpacked here between two such moves.
 #ifndef CAROM_TOUCHES_H
 #define CAROM_TOUCHES_H
 
@@ -10,19 +10,20 @@
 
 namespace carom {
 
-// The first number of a slot is zero where nothing touches, positive where the slot holds a packed
-// contact, and -1 - index where contact `index` is unpacked. A slot may come from a damaged restart file: only one
-// that was unpacked here is believed.
+// The first number of a slot is zero without contact, positive if the slot holds a packed contact, and -1 -
+// index if contact `index` is unpacked. Since a slot may come from a damaged restart file, an index is
+// accepted only if the contact was unpacked here.
 class Touches {
  public:
   static constexpr int NUMBERS = CAROM_TOUCH_NUMBERS;
-  // A slot with a twist: its numbers stand behind those of the contact and stay there.
+  // A slot with a twist: its numbers follow those of the contact and stay in the slot.
   static constexpr int WITH_TWIST = NUMBERS + CAROM_TWIST_NUMBERS;
   static constexpr int OF_RINGS = CAROM_RING_TOUCH_NUMBERS;
   static constexpr int MOST = OF_RINGS > WITH_TWIST ? OF_RINGS : WITH_TWIST;
   static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
-  // The contact of a slot, unpacked; made if there is none. None if the numbers are no contact: `why` says so.
+  // The unpacked contact of a slot; new if there is none. Null if the numbers are not a contact: `why` says
+  // so.
   Touch at(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why)
   {
     if (!is_unpacked(slot)) return unpack(slot, constants, radius_1, radius_2, why);
@@ -32,25 +33,25 @@ class Touches {
     return {};
   }
   static bool is_unpacked(const double *slot) { return slot[0] < 0.0; }
-  // Whether the contact of a slot is one of law rings.
+  // Whether the contact of a slot uses the law of rings.
   bool is_of_rings(const double *slot) const;
 
-  // Whether a grain may have so many numbers of a contact in a restart file.
+  // Whether a restart file may contain this number of values for the contacts of a grain.
   static bool is_count(double count)
   {
     return count == 0.0 || count == NUMBERS || count == WITH_TWIST || count == OF_RINGS;
   }
-  // Where the part of a fix begins among the numbers that a restart file has of a grain: each part says in its
-  // first number how many it has, the next one in its second of how many a contact is made. -1 if they are not so.
+  // Index of the values of one fix among those that a restart file has for a grain. The first value of each
+  // part is its length, the second the size of a contact. -1 if the values are not valid.
   static int part_of(const double *numbers, int count, int nth);
 
-  // The host's flag of a pair of grains: 0 apart, 1 in contact, above that it says where what is unpacked
-  // is, without a look at the slot.
+  // The host's flag of a pair of grains: 0 separated, 1 in contact; larger values give the index of the
+  // unpacked contact without reading the slot.
   int flag_of(const double *slot) const { return is_unpacked(slot) ? 2 + index(slot) : 1; }
   Touch with_flag(int flag) { return flag > 1 ? touch(flag - 2) : Touch(); }
-  // Ends the contact of a slot; its twist is left to the caller.
+  // Ends the contact of a slot; the caller ends its twist.
   void drop(double *slot);
-  // Makes a slot hold its contact as numbers.
+  // Packs the contact of a slot into numbers.
   carom_status pack(double *slot, carom_error *why);
   double bytes() const
   {
@@ -58,7 +59,7 @@ class Touches {
   }
 
  private:
-  // A place stays in its pool; a slot owns it or none does.
+  // A contact keeps its index in its pool; it belongs to one slot or to none.
   struct Place {
     const double *owner;
     bool by_rings;
@@ -75,7 +76,7 @@ class Touches {
     if (its.by_rings) return {nullptr, &rings[its.at]};
     return {&plain[its.at], nullptr};
   }
-  // The place of the contact of a slot that is unpacked; -1 if it was not unpacked here.
+  // The index of the unpacked contact of a slot; -1 if it was not unpacked here.
   int index(const double *slot) const
   {
     const double place = -1.0 - slot[0];

@@ -1,4 +1,4 @@
-//! Rates of convergence, measured beside predicted: not in the thesis, but of its chapter 13.
+//! Rates of convergence, measured and predicted: not in the thesis, but about its chapter 13.
 
 use crate::catalogue::Entry;
 use crate::{Cell, Failure, Figure, FigureResult, Panel, Relative, Series, Table, linspace};
@@ -15,9 +15,10 @@ use carom_solver::{ContactProblem, ContactState, Drive, Gap, Method as _};
 pub(super) const ENTRIES: &[Entry] =
     &[Entry::check("convergence", "Rates, measured and predicted").slowly_by(draw)];
 
-/// A shift beyond which all slips along x.
+/// A shift beyond which the whole contact slides along x.
 const FAR: f64 = 1e6;
-/// Friction for sweeps, and more than friction has for passes: else they end before they are measured.
+/// Friction for the sweeps; a larger one for the alternations, which otherwise end before their rate can be
+/// measured.
 const FRICTION: f64 = 0.8;
 const STRONG: f64 = 2.0;
 
@@ -30,7 +31,7 @@ struct Punch {
 
 fn punch([nx, ny]: [usize; 2], poisson: [f64; 2], friction: f64) -> Result<Punch, Failure> {
     let grid = Grid::new(nx, ny, 2.0 / nx as f64, 2.0 / nx as f64)?;
-    // Squares of cells hold a circle, others are filled.
+    // Square cells approximate a circle, other regions are filled.
     let inside = move |x: f64, y: f64| nx != ny || x.hypot(y) < 1.0;
     let height = |x, y| if inside(x, y) { 0.1 * x + 0.07 * y } else { f64::INFINITY };
     let gap = Gap::from_function(grid, height)?;
@@ -42,7 +43,7 @@ fn punch([nx, ny]: [usize; 2], poisson: [f64; 2], friction: f64) -> Result<Punch
     Ok(Punch { problem, area, pair })
 }
 
-/// The factor by which amounts fall in the end, over an even number of the last above rounding.
+/// The final ratio of successive values, over an even number of the last ones above rounding.
 fn rate(amounts: &[f64]) -> f64 {
     let usable = amounts.iter().take_while(|amount| **amount > 1e-12).count();
     let last = usable.saturating_sub(1);
@@ -78,7 +79,7 @@ fn passes(punch: &Punch, xi: f64) -> Result<f64, Failure> {
     let apart = ContactState::apart(punch.problem.grid());
     let drive = Drive::by_shift(Shift { zeta: 1.0, xi, ..Shift::default() });
     let mut state = apart.clone();
-    // Passes are asked for down to rounding, where it may not end within the tolerance.
+    // Alternations are iterated down to rounding, where they may not end within the tolerance.
     let _ = method.step(&punch.problem, &apart, &drive, &mut state, &mut scratch, &mut ());
     let entries = scratch.traces().process.entries().iter();
     let norms = entries.filter(|entry| entry.step == ProcessStep::Norm).skip(1);
@@ -96,7 +97,7 @@ struct Rate {
 }
 
 const STICKS: &[[f64; 2]] = &[[1.0, 0.0]];
-/// It slides from the second step on; the last one presses harder, so that pressures change.
+/// It slides from the second step on; the last step presses harder, so that pressures change.
 const SLIDES: &[[f64; 2]] = &[[1.0, 0.0], [1.0, 4.0], [1.5, FAR]];
 
 /// γ = 1/3, −1/3 and 0.
@@ -105,11 +106,11 @@ const MATERIALS: [[f64; 2]; 3] = [[0.0, 0.5], [0.5, 0.0], [0.3, 0.3]];
 fn rates() -> Result<Vec<Rate>, Failure> {
     let mut rates = Vec::new();
     for poisson in MATERIALS {
-        // In a line errors fall so fast that too few sweeps are left to measure.
+        // For cells in a line the error decreases so fast that too few sweeps are left to measure.
         for cells in [[12, 4], [20, 3], [14, 14], [18, 18]] {
             rates.extend(rates_of_sweeps(cells, poisson)?);
         }
-        // Similar bodies need one pass.
+        // Similar bodies need one alternation.
         if poisson[0] != poisson[1] {
             for cells in [[8, 8], [12, 12], [16, 16]] {
                 rates.extend(rates_of_passes(cells, poisson)?);

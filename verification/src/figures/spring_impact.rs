@@ -1,11 +1,11 @@
-//! An oblique impact stepped in time, with a contact of independent springs: the same problem by
-//! another way, without anything of the laws and of the solver that it checks.
+//! An oblique impact integrated in time, with a contact of independent springs: the same problem by another
+//! method, independent of the laws and the solver that it checks.
 //!
-//! A spring stands at each distance x from the centre and touches when the approach exceeds
-//! x^2/R. It carries its compression along the normal and up to f times the limit along the
-//! surface; beyond that it slides. Springs of stiffness 2 E* along the normal and 8 G* along the
-//! surface, for a unit of x on one side, make Hertz's force and Mindlin's stiffness, and by the
-//! method of dimensionality reduction (Popov and Hess) they follow any path exactly.
+//! There is a spring at each distance x from the centre; it touches when the approach exceeds x^2/R. It
+//! carries a normal force by its compression, and a tangential force up to f times the normal one; beyond
+//! that it slides. Springs with the normal stiffness 2 E* and the tangential stiffness 8 G*, per unit of x on
+//! one side, give Hertz's force and Mindlin's stiffness. By the method of dimensionality reduction (Popov and
+//! Hess) they follow any path exactly.
 
 /// A bed of springs with sliders.
 pub(super) struct SpringBed {
@@ -19,13 +19,13 @@ pub(super) struct SpringBed {
 }
 
 struct Spring {
-    /// The approach at which it touches.
+    /// The approach at which the spring touches.
     depth: f64,
-    /// The shift at which it is free of tangential stress.
+    /// The shift at which it has no tangential force.
     anchor: f64,
 }
 
-/// What the bed carries.
+/// The load of the bed.
 #[derive(Clone, Copy)]
 pub(super) struct Load {
     pub(super) normal: f64,
@@ -65,13 +65,13 @@ impl SpringBed {
             }
             let before = self.approach - spring.depth;
             if before <= 0.0 {
-                // It touches within the step, free of stress.
+                // A spring that touches within the step starts without tangential force.
                 let part = -before / (pressed - before);
                 spring.anchor = self.shift + part * (shift - self.shift);
             }
             let reach = grip * pressed;
             let claims_that_hold = spring.anchor.clamp(shift - reach, shift + reach);
-            // A spring that touches within the step may stretch by rounding.
+            // A spring that touches within the step may be deflected by rounding.
             slides |= before > 0.0 && claims_that_hold != spring.anchor;
             spring.anchor = claims_that_hold;
             sums[0] += pressed;
@@ -89,7 +89,7 @@ impl SpringBed {
 const SPRINGS: usize = 400;
 const STEPS: usize = 1600;
 
-/// What a stepped impact leaves, in the units of [`course`].
+/// The result of an impact integrated in time, in the units of [`course`].
 #[derive(Clone, Copy, Default)]
 pub(super) struct Stepped {
     /// R_x, to about 2e-6.
@@ -98,10 +98,10 @@ pub(super) struct Stepped {
     pub(super) last_force: f64,
     /// The time at which the shift is largest.
     pub(super) peak: f64,
-    /// The least shift, and that at separation.
+    /// The smallest shift, and the shift at separation.
     pub(super) least: f64,
     pub(super) last: f64,
-    /// When the first spring slid.
+    /// The time at which the first spring slid.
     pub(super) slips_at: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Nassi-Shneiderman charts, drawn from the blocks that a method carries out.
+//! Nassi-Shneiderman charts, drawn from the blocks that a method executes.
 
 use crate::{Axis, Panel, Series};
 use carom_classic::{Block, Step, Trace};
@@ -19,7 +19,7 @@ pub(super) fn chart<S: Step>(title: &str, blocks: &[Block<S>]) -> Panel {
     panel
 }
 
-/// How many lines the parts take: one each, and one for the question of a loop.
+/// Number of lines of the parts: one each, and one for the condition of a loop.
 fn lines<S: Step>(blocks: &[Block<S>]) -> usize {
     let of = |block: &Block<S>| match block {
         Block::Do(_) => 1,
@@ -31,12 +31,12 @@ fn lines<S: Step>(blocks: &[Block<S>]) -> usize {
 /// A chart on its panel.
 struct Drawing<'a> {
     panel: &'a mut Panel,
-    /// From the top of a line to where its words stand, which are of one size in all charts.
+    /// Distance of the text from the top of a line; it has one size in all charts.
     drop: f64,
 }
 
 impl Drawing<'_> {
-    /// Draws parts from a height downwards; where they end.
+    /// Draws parts downwards from a height; returns the height of their end.
     fn blocks<S: Step>(&mut self, blocks: &[Block<S>], left: f64, mut top: f64) -> f64 {
         for block in blocks {
             let (words, line) = match block {
@@ -55,7 +55,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Steps and questions of a trace, in order of first appearance, with how often and how much.
+/// Steps and conditions of a trace, in order of first appearance, with their counts and amounts.
 pub(super) fn counts<S: Step>(trace: &Trace<S>) -> Vec<(S, usize, f64)> {
     let mut seen: Vec<(S, usize, f64)> = Vec::new();
     for entry in trace.entries() {

@@ -103,7 +103,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// The bench, or the reason why there is none.
+    /// The layer, or the reason why it is not available.
     fn new(root: &Path, layer: Layer) -> anyhow::Result<Result<Self, Outcome>> {
         let folder = root.join("target/mutants").join(layer.project());
         if folder.exists() {

@@ -236,7 +236,7 @@ fn searchable(one: &Placed, two: &Placed) -> Result<(), SearchError> {
         (Kind::Given { .. }, _) | (_, Kind::Given { .. }) => {
             "a surface given at one point is known nowhere else"
         }
-        (Kind::Plane, Kind::Plane) => "two half-spaces overlap or lie apart without an end",
+        (Kind::Plane, Kind::Plane) => "two half-spaces have no single contact point",
         _ => return Ok(()),
     };
     Err(SearchError::NoSearch { one: one.surface().name(), two: two.surface().name(), why })

@@ -29,8 +29,8 @@ impl Spinner {
     /// # Errors
     /// [`RangeError`] unless both are positive.
     pub fn new(mass: f64, moment: f64) -> Result<Self, RangeError> {
-        RangeError::check("mass", mass, mass > 0.0, "> 0 (inf: held fast)")?;
-        RangeError::check("moment of inertia", moment, moment > 0.0, "> 0 (inf: held fast)")?;
+        RangeError::check("mass", mass, mass > 0.0, "> 0 (inf: fixed)")?;
+        RangeError::check("moment of inertia", moment, moment > 0.0, "> 0 (inf: fixed)")?;
         let (inverse_mass, inverse_moment) = (1.0 / mass, 1.0 / moment);
         RangeError::finite("inverse mass", inverse_mass)?;
         RangeError::finite("inverse moment of inertia", inverse_moment)?;
@@ -122,7 +122,7 @@ impl SpinCollision {
     /// A collision with this contact, these bodies and the approach velocity of their centres, > 0.
     ///
     /// # Errors
-    /// [`TorsionalError::Range`] if both bodies are held fast in motion or spin, the velocity is
+    /// [`TorsionalError::Range`] if both bodies are fixed in motion or spin, the velocity is
     /// not positive, or a derived quantity is out of range.
     pub fn new(
         hertz: &Hertz,

@@ -4,7 +4,7 @@ An error in a case raises a ValueError that names the field, its line and the al
 
 >>> import carom, pathlib, tempfile
 >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
->>> _ = path.write_text(carom.cases.new("impact"))  # a commented case that runs as it stands
+>>> _ = path.write_text(carom.cases.new("impact"))  # a commented case, ready to run
 >>> rebound = carom.cases.impact(path)
 >>> bool(rebound.energy_after < rebound.energy_before)
 True

@@ -81,8 +81,7 @@ impl ErrorTable {
 
     /// Adds a function whose errors must stay below `target` eps.
     ///
-    /// The snapshot leaves the errors out: last bits may differ between machines, the claims hold on
-    /// all.
+    /// The snapshot omits the errors: last bits may differ between machines, the claims hold on all.
     pub(super) fn add(&mut self, mut errors: Errors, target: f64) {
         errors.found.sort_by(|x, y| x.eps.total_cmp(&y.eps));
         let count = errors.found.len();

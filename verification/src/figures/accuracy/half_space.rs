@@ -25,7 +25,7 @@ pub(super) fn draw() -> FigureResult {
     Ok(figure)
 }
 
-/// Counts values that belong together, each against the largest of them.
+/// Counts values that belong together, each relative to the largest of them.
 fn add(errors: &mut Errors, found: &[f64], expected: &[f64], place: &str) {
     let largest = expected.iter().fold(0.0f64, |m, e| m.max(e.abs()));
     for (f, e) in found.iter().zip(expected) {

@@ -1,4 +1,4 @@
-//! Errors of carom's functions against references of many digits: not in the thesis.
+//! Errors of carom's functions against high-precision references: not in the thesis.
 
 use crate::catalogue::Entry;
 
@@ -8,7 +8,7 @@ mod special;
 mod turning;
 mod turning_impacts;
 
-/// The error tables, a floor each.
+/// The error tables, one for each layer.
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("accuracy.special", "Errors of the special functions, in units of 2.2e-16")
         .by(special::draw),

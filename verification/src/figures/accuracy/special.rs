@@ -10,7 +10,7 @@ use carom_special::{AxisRatio, RangeError};
 /// 1e-13 in eps.
 const HYPERGEOMETRIC: f64 = 1e-13 / f64::EPSILON;
 
-/// Below this size 2F1 and 3F2 are held to an absolute error: next to their zeros.
+/// Near their zeros 2F1 and 3F2 are checked against an absolute error below this size.
 const ZERO: f64 = 0.1;
 
 pub(super) fn draw() -> FigureResult {
@@ -91,7 +91,7 @@ fn hypergeometric(table: &mut ErrorTable) -> Done {
         for row in Reference::parse(text)?.rows() {
             let &[a, b, c, x, y, expected] = row.as_slice() else { return Err("columns".into()) };
             match Gauss::new(a, b, c)?.at(argument(x, y)?) {
-                // A refusal is no wrong digit.
+                // A reported cancellation is not a wrong digit.
                 Err(HypergeometricError::Cancellation { .. }) => {}
                 value => {
                     errors.add(value?, expected, format!("F({a}, {b}; {c}; {x}), 1 - x = {y:e}"))

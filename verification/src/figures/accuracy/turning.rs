@@ -25,7 +25,7 @@ fn about(force: [f64; 2], x: [f64; 2]) -> [f64; 2] {
     [outwards, along]
 }
 
-/// Out from the middle and round and round.
+/// A path from the centre outwards and then around the circle.
 fn circle() -> Path {
     let mut path = vec![(1.0, [0.0; 2])];
     path.extend((0..=TURN * TURNS).map(|step| {
@@ -35,8 +35,9 @@ fn circle() -> Path {
     path
 }
 
-/// The steady force: a ring of limit r below the radius R follows on the circle of the radius
-/// sqrt(R^2 - r^2), to which its stretch is a tangent; a stiffer one rests in the middle.
+/// The steady force. An annulus with friction limit r below the radius R follows on the circle of radius
+/// sqrt(R^2 - r^2), to which its elastic shift is tangent; an annulus with a larger limit stays at the
+/// centre.
 fn steady() -> Result<[f64; 2], Failure> {
     let edge = libm::sqrt(1.0 - RADIUS);
     let tolerance = quadrature::Tolerance::relative(1e-11)?;
@@ -49,7 +50,7 @@ fn steady() -> Result<[f64; 2], Failure> {
     Ok([outwards + 1.5 * RADIUS * edge, adaptive(edge, 1.0, tolerance, along)?.value])
 }
 
-/// A collision of two bodies whose shift wanders.
+/// The path of a collision of two bodies whose shift turns irregularly.
 fn collision() -> Path {
     (1..80)
         .map(|i| {
@@ -61,7 +62,7 @@ fn collision() -> Path {
         .collect()
 }
 
-/// A square with its corners rounded by nothing.
+/// A square with sharp corners.
 fn corners() -> Path {
     let corner = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.4], [0.0, 0.4]];
     (0..=96)
@@ -77,7 +78,7 @@ fn off(a: [f64; 2], b: [f64; 2]) -> f64 {
     libm::hypot(a[0] - b[0], a[1] - b[1])
 }
 
-/// The forces on a path and the vertices in the mean.
+/// The forces on a path, and the mean number of stored vertices.
 fn follow(path: &Path, tolerance: f64) -> Result<(Vec<[f64; 2]>, f64), Failure> {
     let mut law = CoulombMemory::<[f64; 2]>::new(Tolerance::new(tolerance)?);
     let (mut forces, mut vertices) = (Vec::with_capacity(path.len()), 0);
@@ -102,7 +103,7 @@ fn largest(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     a.iter().zip(b).map(|(a, b)| off(*a, *b)).fold(0.0, f64::max)
 }
 
-/// How much stiffer than no slip a force is at worst at constant approach.
+/// The largest ratio of the stiffness to that without slip, at constant approach.
 fn jump(path: &Path, forces: &[[f64; 2]]) -> f64 {
     let steps = path.windows(2).zip(forces.windows(2));
     steps
@@ -166,7 +167,7 @@ pub(super) fn draw() -> FigureResult {
     Ok(figure)
 }
 
-/// The circle: three laws on it, and what they come to.
+/// The circle: three laws on it, and their steady forces.
 fn steady_claims(figure: &mut Figure) -> Result<(), Failure> {
     let path = circle();
     let (fine, _) = follow(&path, 1e-5)?;

@@ -1,5 +1,5 @@
-//! Impacts whose slip turns, with Coulomb's law on a curve of anchors, on a line of them, and with
-//! the thesis's law.
+//! Impacts whose slip turns, by Coulomb's law on a curve of anchors, on a line of anchors, and by the law of
+//! the thesis.
 
 use carom_impact::Mobility;
 use carom_impact::coupled::{CoupledImpact, TurningLaw};
@@ -21,8 +21,8 @@ struct Case {
     velocity: Vector3<f64>,
 }
 
-/// Coupled mobilities, frictions from 0.15 to 0.85 and tangential speeds from 0.3 to 2.2 times that
-/// of approach, on contacts as stiff along x as along y: there both laws are one.
+/// Coupled mobilities, frictions from 0.15 to 0.85 and tangential speeds from 0.3 to 2.2 times the normal
+/// one, for contacts with c_x = c_y, where both forms of Coulomb's law agree.
 fn cases() -> Result<Vec<Case>, Failure> {
     (0..IMPACTS)
         .map(|i| {
@@ -59,7 +59,7 @@ impl Case {
         (velocity - self.velocity).norm() / self.impact.velocity().norm()
     }
 
-    /// What may be left off the line falls with the cube of the resolution.
+    /// The error of a line of anchors decreases with the cube of the resolution.
     fn by_line(&self, asked: f64) -> Result<Vector3<f64>, Failure> {
         let coarse = SlipLines::new(self.stiffness, self.friction, 0.75)?;
         let law = |n: usize| coarse.refined(n.saturating_pow(3));

@@ -10,7 +10,7 @@ use crate::{Absolute, Failure, Figure, FigureResult, Panel, Series};
 
 const FRICTION: f64 = 0.3;
 const KAPPA: f64 = 1.5;
-/// Of the ball, in metres and kilograms: they cancel.
+/// Radius and mass of the ball, in metres and kilograms: they cancel.
 const RADIUS: f64 = 0.02;
 const MASS: f64 = 0.04;
 
@@ -22,7 +22,8 @@ struct Ball {
 }
 
 impl Ball {
-    /// After a bounce below (`side` = 1) or above (-1) with R_x of the sliding velocity there.
+    /// The ball after a bounce on the table (`side` = 1) or the book (-1), with R_x of the sliding velocity
+    /// there.
     fn bounce(self, side: f64, restitution: impl Fn(f64) -> f64) -> Self {
         // Contact velocity s = v - side R omega; s' = -R_x s by an impulse at the rim.
         let slip = self.velocity - side * self.rim;
@@ -42,8 +43,7 @@ fn flights(restitution: impl Fn(f64) -> f64) -> [Ball; 4] {
     [start, first, second, second.bounce(1.0, &restitution)]
 }
 
-/// The same by collisions of a ball with rigid planes, and the energy that each takes over the
-/// mass of the ball.
+/// The same by collisions of a ball with rigid planes, and the energy lost in each over the mass of the ball.
 fn collisions(friction: f64) -> Result<([Ball; 4], [f64; 3]), Failure> {
     let rubber = Material::from_shear(1e6, 0.5)?;
     let mut motion = Motion::new([1.0, 0.0, -1.0], [0.0; 3])?;
@@ -96,7 +96,8 @@ pub(super) fn draw() -> FigureResult {
     let states = |flights: &[Ball; 4]| -> Vec<f64> {
         flights[1..].iter().flat_map(|ball| [ball.velocity, ball.rim]).collect()
     };
-    // The rim changes by 5/2 of the centre: in the rolling sense below, against it above.
+    // The rim velocity changes by 5/2 of that of the centre: in the sense of rolling on the table, opposite
+    // at the book.
     let velocities = [0.548_29, -0.051_71, -0.174_42];
     let rims = [1.129_275, -0.370_725, -0.063_95];
     let printed = velocities.into_iter().zip(rims).flat_map(|(velocity, rim)| [velocity, rim]);

@@ -16,7 +16,7 @@ use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Relative, Se
 const RATIO: f64 = 20.0;
 const POISSON: f64 = 0.5;
 const STEPS: usize = 300;
-/// Of ξ/ζ.
+/// Values of ξ/ζ.
 const END: f64 = 3.0;
 
 /// ξ/ζ with F_x and F_y over f F_z.
@@ -146,7 +146,7 @@ fn partial_slip_claims(
     Ok(())
 }
 
-/// Energies of both laws at ξ = η = 1.5 ζ beside the work done.
+/// Energies of both laws at ξ = η = 1.5 ζ beside the work.
 fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(), Failure> {
     let mut pairs = Vec::new();
     let mut add = |stored: f64, lost: f64, expected: [f64; 2]| {
@@ -167,7 +167,7 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
         law.advance(Shift { zeta: 1.0, xi: shift, eta: shift, omega: 0.0 })?;
     }
     add(law.stored_energy(), law.dissipated(), [pressed + 0.4 * along, 0.2 * along + slid]);
-    // Rings with one stiffness, along x: the same law, to 1.5 times the shift of sliding.
+    // Annuli with one stiffness, along x: the same law, to 1.5 times the shift of complete sliding.
     let mut rings = SliderLaw::new(500, 1.0, 1.0)?;
     let onset = 0.3 * 1.2 / 0.8;
     rings.advance(1.0, [0.0; 2])?;
@@ -182,7 +182,7 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
     let mut line = SlipLines::new(even, 0.3, 1e-6)?;
     line.advance(Shift { zeta: 1.0, ..Shift::default() })?;
     let limit = line.advance(Shift { zeta: 1.0, xi: 1.5 * onset, ..Shift::default() })?.f_x / force;
-    // Of normalised force and shift.
+    // The product of normalised force and shift.
     let unit = force * onset;
     let (stored, lost) = (4.0 / 15.0 * 1.2 + unit * rings.stored_energy()[0], unit * lost);
     let expected =
@@ -280,8 +280,8 @@ fn dragged_rings(stiffness: &ContactStiffness, coulomb: &Curve) -> Vec<(f64, f64
     pairs
 }
 
-/// The anchor of a ring after a small step of the shift (x, x): it slips by λ t until the
-/// traction t = C (x - W) is back at its limit.
+/// The anchor of an annulus after a small step of the shift (x, x): it slips by λ t until the traction t = C
+/// (x - W) is at its limit again.
 fn dragged(anchor: [f64; 2], shift: f64, c: [f64; 2], limit: f64) -> [f64; 2] {
     let trial = [0, 1].map(|i| c[i] * (shift - anchor[i]));
     let at = |slip: f64| [0, 1].map(|i| trial[i] / (1.0 + slip * c[i]));

@@ -43,7 +43,7 @@ fn rebound(slip: f64) -> Result<Rebound, Failure> {
     Ok(outcome.rebound().ok_or("the balls approach each other")?.clone())
 }
 
-/// The same balls, spinning against each other about the normal.
+/// The same balls with opposite spins about the normal.
 fn spinning(velocity: f64, spin: f64) -> Result<SpinCollision, Failure> {
     let ball = |side: f64| -> Result<Spinner, Failure> {
         Ok(Spinner::solid_sphere(MASS, RADIUS)?.spinning(0.5 * side * spin)?)
@@ -93,7 +93,7 @@ fn sketches(figure: &mut Figure) {
     figure.panel(panel);
 }
 
-/// F_z, F_x and M_z in the course of the three impacts, over their greatest possible values.
+/// F_z, F_x and M_z during the three impacts, over their largest possible values.
 fn loads(figure: &mut Figure) -> Result<(), Failure> {
     let oblique = collision(SLIP)?.history(401)?;
     let peak = rebound(SLIP)?;
@@ -223,7 +223,7 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
             Absolute(5e-6),
         )
         .source("springs with sliders, stepped in time");
-    // The impulse changes the slip by 7/2 of what it changes the velocities by: reduced mass m/2.
+    // The impulse changes the slip velocity by 7/2 of the change of the velocities: reduced mass m/2.
     let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
     let [one, two] = oblique.motions;
     let spin = 2.5 * push / (MASS * RADIUS);
@@ -287,7 +287,7 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The course that is drawn, against the outcome and the springs.
+/// The history that is drawn, compared with the outcome and the springs.
 fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result<(), Failure> {
     let history = collision(SLIP)?.history(4001)?;
     let (mut normal_sum, mut tangential) = (0.0, 0.0);
@@ -300,7 +300,7 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
     let kappa = kappa(POISSON);
     let course = spring_impact::course(3.5 / kappa, 1.0 / kappa);
     let last = history.last().ok_or("an impact has a course")?;
-    // The springs count shifts in f κ ζ_max.
+    // The springs measure shifts in f κ ζ_max.
     let unit = FRICTION * kappa * outcome.maximal_approach;
     let early = &history[200];
     let middle = &history[2000];
@@ -321,7 +321,7 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
     Ok(())
 }
 
-/// The spin ratio by Newton's equations, stepped in time with the law of the torsion.
+/// The spin ratio by Newton's equations, integrated in time with the law of torsion.
 fn stepped_spin(velocity: f64, spin: f64, steps: usize) -> Result<f64, Failure> {
     let hertz = *collision(0.0)?.hertz();
     let mut law = TorsionLaw::new(&hertz, Friction::new(FRICTION)?)?;
@@ -372,7 +372,7 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
             Absolute(1e-3),
         )
         .source("momentum about the normal, with the spin ratio stepped in time");
-    // The same by two bodies in space.
+    // The same for two bodies in space.
     let ball = |side: f64| -> Result<Body, Failure> {
         let motion =
             Motion::new([0.0, 0.0, -0.5 * side * APPROACH], [0.0, 0.0, 0.5 * side * SPIN])?;
@@ -393,7 +393,7 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
             Absolute(1e-3),
         )
         .source("momentum about the normal, with the spin ratio stepped in time");
-    // Omega, the spin over the velocity times the contact radius, is kept.
+    // Omega, the spin over the velocity times the contact radius, is the same.
     let base = spinning(APPROACH, SPIN)?;
     let loss = |velocity: f64| -> Result<(f64, f64), Failure> {
         let radius = spinning(velocity, SPIN)?.contact_radius();

@@ -27,7 +27,7 @@ fn by_law(poisson: f64, x: f64, y: f64) -> Result<[f64; 2], Failure> {
     Ok(displacement.map(|u| u / (PI / 32.0)))
 }
 
-/// The same from rectangles of constant traction: points (x, y, u, v) of a square mesh.
+/// The same by rectangles of constant traction: points (x, y, u, v) of a square mesh.
 fn by_rectangles(poisson: f64, cells: usize) -> Result<Vec<[f64; 4]>, Failure> {
     let body = Material::from_shear(1.0, poisson)?;
     let pair = MaterialPair::new(body, Material::RIGID)?;
@@ -112,7 +112,7 @@ pub(super) fn draw() -> FigureResult {
     Ok(figure)
 }
 
-/// The field of the law, which is drawn, against numbers and the closed form.
+/// The field of the law, which is drawn, compared with values and the closed form.
 fn law_claims(figure: &mut Figure) -> Result<(), Failure> {
     let corners = [(0.0, 0.0, 6.0), (1.0, 0.0, 3.5), (0.0, 1.0, 2.5)];
     let corners: Result<Vec<(f64, f64)>, Failure> =
@@ -148,7 +148,7 @@ fn law_claims(figure: &mut Figure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Holds the law against values of 70 digits for circles.
+/// Compares the law with values of 70 digits for circles.
 fn reference_claim(figure: &mut Figure) -> Result<(), Failure> {
     let text = include_str!("../../../data/halfspace/ellipsoid_traction.csv");
     let rows = rows::<8>(text)?;

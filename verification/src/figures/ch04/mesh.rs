@@ -1,4 +1,4 @@
-//! Fig. 4.1: the mesh of the contact area, and what it costs to store its coefficients.
+//! Fig. 4.1: the mesh of the contact area, and the memory for its coefficients.
 
 use std::f64::consts::PI;
 
@@ -59,7 +59,7 @@ fn mesh() -> Panel {
     let arrow = |tail: (f64, f64), head: (f64, f64)| Arrow { tail: tail.into(), head: head.into() };
     let offset = [arrow(centre(SOURCE), centre(RECEIVER))];
     panel.add(Series::arrows("offset of the coefficient", offset).coloured(2));
-    // The size of a cell, as a pair of arrows along two of its sides.
+    // The size of a cell, as double arrows along two of its sides.
     let (left, below) = (-0.2, -0.15);
     panel.add(
         Series::arrows(
@@ -99,7 +99,7 @@ pub(super) fn draw() -> FigureResult {
 fn kernel(x: f64, y: f64) -> [[f64; 3]; 3] {
     let [[g_1, nu_1], [g_2, nu_2]] = BODIES;
     let (flexible, lateral) = (1.0 / g_1 + 1.0 / g_2, nu_1 / g_1 + nu_2 / g_2);
-    // The spread (1 - 2 ν)/(2 G) of one body works against that of the other.
+    // The coupling (1 - 2 ν)/(2 G) of the two bodies has opposite signs.
     let spread = 0.5 * ((1.0 - 2.0 * nu_1) / g_1 - (1.0 - 2.0 * nu_2) / g_2);
     let square = x * x + y * y;
     let r = square.sqrt();
@@ -210,7 +210,7 @@ fn own_cell_claim(figure: &mut Figure, table: &CoefficientTable) {
         .source("(4.4) to (4.6) in polar coordinates: ∫x²/r³ dS = 4 Δy arsinh(Δx/Δy)");
 }
 
-/// How many values that differ in size, zero left out, the nine coefficients have.
+/// Number of values of different magnitude, zero excluded, among the nine coefficients.
 fn distinct(coefficients: &Coefficients) -> usize {
     let mut sizes: Vec<f64> =
         coefficients.rows.iter().flatten().map(|a| a.abs()).filter(|a| *a > 1e-12).collect();

@@ -103,7 +103,7 @@ fn symmetry_claims(figure: &mut Figure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The law of a contact that cannot slip: each disc that joins twists from there on.
+/// The law of a contact that cannot slip: each disc added by compression twists from then on.
 fn law_claim(figure: &mut Figure) -> Result<(), Failure> {
     let body = Material::from_shear(2.0, 0.3)?;
     let pair = MaterialPair::new(body, body)?;
@@ -124,7 +124,7 @@ fn law_claim(figure: &mut Figure) -> Result<(), Failure> {
     at(0.02, 1e-3)?;
     let load = at(0.02, 3e-3)?;
     pairs.push((load.m_z / (1e-3 * first + 2e-3 * second), 1.0));
-    // Discs of the first compression carry 3e-3, those that joined 2e-3.
+    // Discs of the first compression carry 3e-3, those added later 2e-3.
     let energy = 0.5 * (9e-6 * first + 4e-6 * (second - first));
     pairs.push((law.law().twist_energy() / energy, 1.0));
     pairs.push((law.dissipated() / energy, 0.0));

@@ -16,7 +16,7 @@ const RADII: [f64; 2] = [1.0, 1.6];
 struct Spheres {
     hertz: Hertz,
     state: HertzState,
-    /// Share of each body in the deformation.
+    /// Fraction of the deformation that each body takes.
     shares: [f64; 2],
 }
 
@@ -98,8 +98,8 @@ pub(super) fn contact() -> FigureResult {
         let ([z_1, z_2], z) = (Spheres::undeformed(x), spheres.contact_surface(x));
         (z - z_1).min(APPROACH - z_2 - z)
     });
-    // Nearest to z_1, that of the softer body's share, at the edge: one or the other of the shares of
-    // the gap ζ - z_1 - z_2, which is half of ζ there.
+    // The distance of the contact surface from z_1 and from ζ - z_2 at the edge, where the gap ζ - z_1 - z_2
+    // is ζ/2: it divides that gap in the ratio of the compliances.
     let [one, two] = spheres.shares;
     figure
         .close(

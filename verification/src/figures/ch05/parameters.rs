@@ -85,7 +85,7 @@ fn limit_claims(figure: &mut Figure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What the parameters are for: (5.14) holds for a contact computed from its curvatures.
+/// The use of the parameters: (5.14) holds for a contact computed from its curvatures.
 fn definition_claims(figure: &mut Figure) -> Result<(), Failure> {
     let body = Material::from_shear(80_000.0, 0.3)?;
     let materials = MaterialPair::new(body, body)?;

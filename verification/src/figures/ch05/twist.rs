@@ -93,7 +93,7 @@ fn table_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure> 
     Ok(())
 }
 
-/// The claim of the text, "the maximal error is 3 %", in its two readings.
+/// The claim of the text, "the maximal error is 3 %", in its two interpretations.
 fn error_claims(figure: &mut Figure) -> Result<(), Failure> {
     let mut errors = Vec::new();
     for twist in linspace(1e-4, 2.0, 20_000) {
@@ -153,8 +153,7 @@ fn traction_claims(figure: &mut Figure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The memory of a twisted contact in its first loading: M_z is 2 mu f F_z a, G a² β/(f F_z) is
-/// 3/8 of its twist.
+/// The law of torsion in its first loading: M_z is 2 mu f F_z a, and G a² β/(f F_z) is 3/8 of its twist.
 fn history_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure> {
     let mut pairs = Vec::new();
     for &[stick, twist, torque, _] in table {
@@ -174,8 +173,8 @@ fn history_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure
     Ok(())
 }
 
-/// Energies of a first twist in physical units. Friction is constant and slip goes one way: the
-/// heat is 2 ∫M dβ - M β, what is stored M β - ∫M dβ.
+/// Energies of a first twist in physical units. Friction is constant and slip has one direction: the heat is
+/// 2 ∫M dβ - M β, the stored energy M β - ∫M dβ.
 fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
     let body = Material::from_shear(3.0, 0.3)?;
     let gap = RelativeCurvature::from_coefficients(1.0, 1.0)?;
@@ -208,7 +207,7 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// (5.41), corrected, from the integrals that define it.
+/// (5.41), corrected, from its defining integrals.
 fn formula(stick: f64) -> Result<f64, Failure> {
     let within = Within::relative(1e-12)?;
     let m = 1.0 - stick * stick;

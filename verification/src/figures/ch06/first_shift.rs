@@ -80,7 +80,7 @@ pub(super) fn stress_after_shift() -> FigureResult {
     let stick = memory.stick_radius();
     figure.close("a₁*/a₁", stick, 0.5_f64.sqrt(), Absolute(1e-15)).source("(6.13)");
     let slope = |rho: f64| (stress(&memory, rho) - stress(&memory, rho - 1e-7)) / 1e-7;
-    // Over h inside the break sqrt(2 a* h) is lost; outside the slope is that of f p_z.
+    // At the distance h inside the kink sqrt(2 a* h) is lost; outside the slope is that of f p_z.
     let (inside, h) = ((2.0 * stick / 1e-7).sqrt(), 1e-7);
     let outside = -stick / (1.0 - stick * stick).sqrt();
     figure
@@ -112,7 +112,7 @@ fn displacement(stick: f64, x: f64, y: f64, nu: f64) -> Result<[f64; 2], Failure
     Ok(memory_displacement(&memory, 1.0, 1.0, &pair, [x, y]))
 }
 
-/// The stick circle moves as a whole, by the shift of the history.
+/// The stick circle moves as a rigid body, by the shift of the history.
 fn rigid_claims(figure: &mut Figure, inner: f64) -> Result<(), Failure> {
     let (nu, friction) = (0.3, 0.4);
     let pair = MaterialPair::new(Material::from_shear(1.0, nu)?, Material::RIGID)?;
@@ -143,8 +143,8 @@ fn rigid_claims(figure: &mut Figure, inner: f64) -> Result<(), Failure> {
 }
 
 fn slip_claims(figure: &mut Figure) -> Result<(), Failure> {
-    // A shrinking stick circle lets the ring slip at the rate ds = a* arccos(a*/ρ) da*: summed
-    // from where it passed ρ.
+    // While the stick circle shrinks, the annulus slips at the rate ds = a* arccos(a*/ρ) da*, summed from the
+    // instant at which its edge passed ρ.
     let stick = 0.5_f64.sqrt();
     let middle = displacement(stick, 0.0, 0.0, 0.0)?[0];
     let mut slips = Vec::new();
@@ -248,8 +248,8 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
         let end = f * c_z * zeta / c_x;
         law.advance(Shift { zeta, xi: share * end, ..Shift::default() })?;
         let force = 2.0 / 3.0 * f * c_z * zeta * zeta.sqrt();
-        // ∫ [1 - (1 - X)^(3/2)] dX, and twice it less the force times the shift: friction is
-        // constant, so that it takes twice the work less what a spring of the last force would.
+        // ∫ [1 - (1 - X)^(3/2)] dX, and twice it minus the force times the shift: friction is constant, so
+        // that the heat is twice the difference of the work and the energy of a spring with the last force.
         let rest = 1.0 - share;
         let done = share - 0.4 * (1.0 - rest * rest * rest.sqrt());
         let lost = 2.0 * done - share * (1.0 - rest * rest.sqrt());

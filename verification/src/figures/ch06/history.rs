@@ -1,4 +1,4 @@
-//! What the figures of the chapter share: histories, their stresses, and how both are checked.
+//! Common functions of the figures of the chapter: histories, their stresses, and how both are checked.
 //!
 //! Approaches and shifts are in units of the first approach, `zeta/zeta_1` and
 //! `X = xi/(f kappa zeta_1)`; radii in a_1, so that `(a/a_1)^2 = zeta/zeta_1`; stresses in mu a_1,
@@ -92,7 +92,7 @@ pub(super) fn ends(terms: Terms<'_>) -> Vec<f64> {
     terms.iter().flat_map(|&(_, outer, inner)| [outer, inner]).collect()
 }
 
-/// Draws the terms (broken lines), each with its name, and their sum.
+/// Draws the terms (dashed lines), each with its name, and their sum.
 pub(super) fn add_terms(panel: &mut Panel, names: &[&str], terms: Terms<'_>, total: &str) {
     for (name, term) in names.iter().zip(terms) {
         let term = std::slice::from_ref(term);
@@ -101,8 +101,8 @@ pub(super) fn add_terms(panel: &mut Panel, names: &[&str], terms: Terms<'_>, tot
     panel.add(Series::line(total, profile(&ends(terms), |rho| sum(terms, rho))));
 }
 
-/// Claims for a stress distribution: it is the thesis's sum, respects Coulomb's law, and by
-/// quadrature alone carries the force and makes the shift of the history.
+/// Claims for a stress distribution: it equals the sum of the thesis, obeys Coulomb's law, and its quadrature
+/// gives the force and the shift of the history.
 pub(super) fn stress_claims(
     figure: &mut Figure,
     name: &str,
@@ -157,7 +157,7 @@ pub(super) fn reference_claim(figure: &mut Figure, name: &str, csv: &str) -> Res
     Ok(())
 }
 
-/// Forces, stored and dissipated energies at the corners of a history are those of a bed of
+/// Claims that forces, stored and dissipated energies at the corners of a history equal those of a bed of
 /// springs.
 pub(super) fn springs_claim(
     figure: &mut Figure,

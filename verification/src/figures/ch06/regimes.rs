@@ -1,4 +1,4 @@
-//! Figs. 6.13 and 6.14: which regime follows which increment.
+//! Figs. 6.13 and 6.14: the regime that follows each increment.
 
 use carom_laws::memory::{MemoryRegime, ScalarMemory};
 use carom_special::RangeError;
@@ -7,7 +7,7 @@ use carom_special::roots::try_bisect;
 use super::history::{Place, follow};
 use crate::{Absolute, Axis, Claim, Failure, Figure, FigureResult, Panel, Series, linspace};
 
-/// What a step leads to.
+/// The regime after a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     /// Complete adhesion.
@@ -23,7 +23,7 @@ fn kind(memory: &ScalarMemory) -> Kind {
         (MemoryRegime::Sliding, _) => Kind::Sliding,
         (MemoryRegime::Adhesion, _) => Kind::Adhesion,
         (_, Some(sign)) => Kind::Decrease(memory.decrease(), if sign > 0.0 { 1 } else { -1 }),
-        // A receding edge without slip: the running decrease stays.
+        // A receding edge without slip: the present decrease continues.
         (_, None) => Kind::Decrease(memory.decrease(), 0),
     }
 }
@@ -74,8 +74,8 @@ impl Bar {
         Ok(memory.stick_depth() / self.zeta)
     }
 
-    /// Draws the regimes as stripes behind the size of the stick area; `name` says what each
-    /// regime is called, `marks` names places on the abscissa.
+    /// Draws the regimes as stripes behind the size of the stick area; `name` gives the names of the regimes,
+    /// `marks` the names of points on the abscissa.
     fn panel(
         &self,
         title: &str,
@@ -102,7 +102,7 @@ impl Bar {
         }
         let mut curve = Vec::new();
         for (_, low, high) in self.pieces()? {
-            // Short of the ends, where the size may jump.
+            // Not quite up to the ends, where the size may jump.
             for part in linspace(1e-6, 1.0 - 1e-6, 41) {
                 let at = low + part * (high - low);
                 curve.push((at, self.stick(at)?));
@@ -116,7 +116,7 @@ impl Bar {
         Ok(panel)
     }
 
-    /// The size of the stick area beside that expected, all over the bar.
+    /// The size of the stick area beside the expected one, along the whole bar.
     fn stick_claim(
         &self,
         name: &str,
@@ -232,7 +232,7 @@ impl Sequence {
     }
 }
 
-/// How many of 5000 random second steps contradict the conditions of the thesis.
+/// Number of 5000 random second steps that contradict the conditions of the thesis.
 fn random_second() -> Result<Claim, RangeError> {
     let mut sequence = Sequence(613);
     let mut wrong = 0.0;
@@ -245,7 +245,7 @@ fn random_second() -> Result<Claim, RangeError> {
         } else if change.abs() < grown {
             Kind::Adhesion
         } else if zeta < 1.0 - first {
-            // The edge recedes behind a_1*: nothing of the first ring is left.
+            // The edge recedes inside a_1*: the first slip annulus has left the contact.
             Kind::Decrease(1, if shift > 0.0 { 1 } else { -1 })
         } else if change >= -grown.abs() {
             Kind::Decrease(1, 1)
@@ -317,7 +317,7 @@ pub(super) fn nth() -> FigureResult {
             Kind::Sliding => 0.0,
             Kind::Adhesion => zeta,
             Kind::Decrease(3, _) => 0.5 * (zeta + second - (to - shift)),
-            // It goes on from P_1 as if there had been no second step.
+            // It continues from P_1 as if there had been no second step.
             Kind::Decrease(2, _) => 0.5 * (zeta + 1.0 + (to - 0.6)),
             Kind::Decrease(..) => zeta - to.abs(),
         };
@@ -341,7 +341,7 @@ pub(super) fn nth() -> FigureResult {
     Ok(figure)
 }
 
-/// (6.51) at random, and the receding edge that the thesis leaves out.
+/// (6.51) for random steps, and the receding edge, which the thesis omits.
 fn nth_claims(figure: &mut Figure) -> Result<(), Failure> {
     let mut sequence = Sequence(614);
     let (mut wrong, mut tried) = (0.0, 0.0);
@@ -369,7 +369,7 @@ fn nth_claims(figure: &mut Figure) -> Result<(), Failure> {
         }
     }
     figure.at_most("of 5000 random steps another regime follows in", wrong, 0.0).source("(6.51)");
-    // The edge recedes behind zeta_2* = 0.95 with little shift: P_1 is erased.
+    // The edge recedes inside zeta_2* = 0.95 with a small shift: P_1 is erased.
     let receding: [Place; 4] = [(1.0, 0.0), (1.0, 0.6), (1.0, 0.5), (0.7, 0.48)];
     let memory = follow(&receding)?;
     figure

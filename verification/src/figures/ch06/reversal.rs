@@ -32,7 +32,7 @@ fn force(place: Place) -> f64 {
     first + power(place.0) - 1.0 - 2.0 * power(place.0) + 2.0 * power(depth(place))
 }
 
-/// Parts of the stress with their names, and what they must add up to.
+/// Parts of the stress with their names, and the equation of their sum.
 struct Case<'a> {
     title: &'a str,
     names: &'a [&'a str],

@@ -1,9 +1,10 @@
-//! A bed of independent springs with friction: the same problem without memory of its own.
+//! A bed of independent springs with friction, which solves the same problem without a stored history of
+//! reversals.
 //!
-//! The spring at depth s touches when the approach exceeds s. Its deflection is limited by friction
-//! to `zeta - s`; beyond that it slides. With the density `(3/4) s^(-1/2)` the bed carries the
-//! normal force `zeta^(3/2)` and the stiffness of a Hertz contact, and it follows any path by small
-//! steps, knowing nothing of stick areas and points of instantaneous adhesion.
+//! The spring at depth s touches when the approach exceeds s. Friction limits its deflection to `zeta - s`;
+//! beyond that it slides. With the density `(3/4) s^(-1/2)` the bed carries the normal force `zeta^(3/2)` and
+//! has the stiffness of a Hertz contact. It follows any path by small steps, without stick areas and points
+//! of instantaneous adhesion.
 
 const SPRINGS: usize = 2000;
 const STEPS: usize = 1000;
@@ -36,7 +37,7 @@ impl Springs {
         }
     }
 
-    /// Goes straight to a new place and returns the tangential force.
+    /// Moves straight to a new approach and shift, and returns the tangential force.
     pub(super) fn advance(&mut self, (zeta, shift): Place) -> f64 {
         let (from_zeta, from_shift) = self.place;
         for step in 1..=STEPS {
@@ -68,7 +69,7 @@ impl Springs {
         1.5 * self.spacing * touching.map(|(_, anchor)| shift - anchor).sum::<f64>()
     }
 
-    /// `int (3/8) u^2 s^(-1/2) ds`, what the springs hold.
+    /// `int (3/8) u^2 s^(-1/2) ds`, the energy stored by the springs.
     pub(super) fn energy(&self) -> f64 {
         let (zeta, shift) = self.place;
         let touching = self.depths.iter().zip(&self.anchors).filter(|(depth, _)| **depth < zeta);

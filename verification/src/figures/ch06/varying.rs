@@ -1,4 +1,4 @@
-//! Figs. 6.6 to 6.10: the shift grows while the approach grows or falls.
+//! Figs. 6.6 to 6.10: the shift increases while the approach increases or decreases.
 
 use super::history::{
     Place, add_terms, follow, force_panel, path, profile, reference_claim, springs_claim, stress,
@@ -65,7 +65,7 @@ pub(super) fn within_cone() -> FigureResult {
     figure
         .close("(a*/a₁)² = (ζ - ΔX)/ζ₁", memory.stick_depth(), 1.1, Absolute(1e-15))
         .source("(6.23)");
-    // The adhesive step: dF/dX is that of the discs that joined, (6.27).
+    // The step in adhesion: dF/dX is that of the added discs, (6.27).
     let tangent = straight.tangent();
     let chord = (libm::pow(1.2, 1.5) - 1.0) / 0.2;
     figure
@@ -225,7 +225,7 @@ pub(super) fn force_shrinking() -> FigureResult {
     figure.assumed("ξ/(f κ ζ₁)", "0.6 at 3");
     let zeta = 0.8_f64;
     let one = virgin_force(1.0, 0.5);
-    // sigma' alone takes the force and the shift of the ring that opens, (6.5).
+    // sigma' alone has the force and the shift of the annulus that leaves contact, (6.5).
     let two = (0.5 - (1.0 - zeta), one - (1.0 - zeta * zeta.sqrt()));
     let direct = path(&follow(&FIRST)?, (zeta, 0.6))?;
     let mut panel = force_panel("ζ falls while ξ grows");

@@ -1,5 +1,5 @@
-//! Fig. 7.15: directions of slip and stress over the contact, by rings that slip each along its own
-//! traction.
+//! Fig. 7.15: directions of slip and stress over the contact, computed with rings that slip along their own
+//! tractions.
 
 use carom_laws::memory::{Lateral, VectorMemory};
 use carom_laws::sliders::SliderLaw;
@@ -11,12 +11,12 @@ use super::ring_contact::RingContact;
 use crate::{Absolute, Arrow, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
 
 const RINGS: usize = 80;
-/// Parts of each step; the slip is that of the last one.
+/// Number of parts of each step; the slip is that of the last part.
 const PARTS: usize = 4;
 /// Meshes along a diameter, as in the thesis.
 const MESH: usize = 10;
 
-/// Radius over a and angle of slip in degrees of a half-space of 200 rings, 4 parts a step.
+/// Radius over a and angle of slip in degrees, for a half-space with 200 rings and 4 parts per step.
 const HALF_SPACE: [[f64; 2]; 8] = [
     [0.997, -18.82],
     [0.903, -19.21],
@@ -32,7 +32,7 @@ fn degrees(v: [f64; 2]) -> f64 {
     libm::atan2(v[1], v[0]).to_degrees()
 }
 
-/// A quantity of the rings at a radius, straight between them.
+/// A quantity of the rings at a radius, interpolated linearly.
 fn at(rings: &RingContact, values: &[[f64; 2]], radius: f64) -> [f64; 2] {
     let radii = rings.radii();
     let above = radii.partition_point(|r| *r < radius).clamp(1, radii.len() - 1);
@@ -68,7 +68,7 @@ fn map(rings: &RingContact) -> Panel {
     panel
 }
 
-/// The angles of vectors turned round, by the radius of their rings.
+/// The angles of the reversed vectors, by the radius of their rings.
 fn angles(rings: &RingContact, values: &[[f64; 2]]) -> Vec<(f64, f64)> {
     let pairs = rings.radii().iter().zip(values);
     pairs.map(|(&radius, v)| (radius, degrees(v.times(-1.0)))).collect()
@@ -123,7 +123,7 @@ fn numerical(figure: &mut Figure) -> Result<(), Failure> {
     panel.add(last.arrows("slip of body 1", 0.2, |cell| cell.slip).coloured(0));
     panel.add(last.arrows("stress on body 1", 0.2, |cell| cell.traction).coloured(1));
     figure.panel(panel);
-    // The slip of body 2 against body 1 less 180 degrees, from the rim to the middle.
+    // The slip of body 2 against body 1, minus 180 degrees, from the rim to the centre.
     let range = |elements: usize| -> Result<[f64; 2], Failure> {
         let run = example.numerical(elements)?;
         let angles: Vec<f64> =
@@ -185,7 +185,7 @@ fn ring_claims(figure: &mut Figure, rings: &RingContact, slip: &[(f64, f64)]) {
         .source("Coulomb's law");
 }
 
-/// The library's springs with sliders, which are no half-space, come close to the rings' stress.
+/// Claims that the springs with sliders, which are not a half-space, approximate the stress of the rings.
 fn slider_claim(
     figure: &mut Figure,
     path: &[[f64; 2]],

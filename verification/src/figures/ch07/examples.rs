@@ -1,4 +1,4 @@
-//! Figs. 7.12 to 7.14: three histories of turning shifts.
+//! Figs. 7.12 to 7.14: three histories in which the direction of the shift turns.
 
 use super::super::mesh::{APPROACH, Mesh, Step};
 use super::led::{distance, polar};
@@ -8,15 +8,15 @@ use carom_laws::law::Shift;
 use carom_laws::memory::{Lateral, MemoryRegime, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
-/// A path of the thesis: so many steps to e_1, then so many of the second direction.
+/// A path of the thesis: a number of steps to e_1, then a number in the second direction.
 pub(super) struct Example {
     first: [f64; 2],
     second: [f64; 2],
     steps: usize,
-    /// End of the closed theory and of a half-space of rings.
+    /// Final state by the closed theory, and of a half-space with rings.
     theory: [f64; 2],
     rings: [f64; 2],
-    /// End on a mesh of 60 by 60, by an independent half-space program.
+    /// Final state on a mesh of 60 by 60, by an independent half-space program.
     mesh: [f64; 2],
 }
 
@@ -50,7 +50,7 @@ impl Example {
         }
     }
 
-    /// All points e, the first being the compression.
+    /// All points e; the first is the compression.
     pub(super) fn path(&self) -> Vec<[f64; 2]> {
         let n = self.steps;
         let part = |i: usize| i as f64 / n as f64;
@@ -178,7 +178,7 @@ fn mesh_force(step: &Step) -> [f64; 2] {
     [step.load.f_x / step.load.f_z, step.load.f_y / step.load.f_z]
 }
 
-/// The numerical solution on a finer mesh against another program's.
+/// The numerical solution on a finer mesh compared with that of another program.
 fn numerical_claims(figure: &mut Figure, example: &Example, number: usize) -> Result<(), Failure> {
     let (run, source) = (example.numerical(40)?, "an independent half-space program, 60 by 60");
     let end = mesh_force(&run[run.len() - 1]);
@@ -189,7 +189,7 @@ fn numerical_claims(figure: &mut Figure, example: &Example, number: usize) -> Re
             Absolute(2e-3),
         )
         .source(source);
-    // Parts of the contact that stick before the turn, after it, and at the end.
+    // Fraction of the contact that sticks before the turn, after it, and at the end.
     let turn = example.steps;
     let sticks = [turn, turn + 1, 2 * turn].map(|i| run[i].stick());
     let known = match number {
@@ -220,7 +220,7 @@ impl Example {
     }
 }
 
-/// Work of the force along the path against what the memory stores and turns into heat.
+/// Work of the force along the path, compared with the stored energy and the heat of the law.
 fn work_claim(example: &Example) -> Result<Claim, carom_special::RangeError> {
     const PARTS: usize = 400;
     let (mut whole, mut fine) = (VectorMemory::new(), VectorMemory::new());

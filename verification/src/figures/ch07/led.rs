@@ -1,4 +1,4 @@
-//! A contact led along a path of two directions.
+//! A contact that is shifted along a path of two directions.
 
 use carom_laws::memory::{Lateral, VectorMemory};
 

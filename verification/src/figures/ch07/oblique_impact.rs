@@ -83,8 +83,8 @@ pub(super) fn draw() -> FigureResult {
     Ok(figure)
 }
 
-/// Shift and velocity in the adhesion of the compression, in closed form and summed from the
-/// equation of motion.
+/// Shift and velocity during adhesion in compression, in closed form and integrated from the equation of
+/// motion.
 fn adhesion_claim(figure: &mut Figure, groups: Groups, end: f64) -> Result<(), Failure> {
     let motion = AdhesiveCompression::new(groups.chi())?;
     let velocities = [0.99, 0.95, 0.9, 0.8, 0.5 * (1.0 + end)];
@@ -114,7 +114,8 @@ fn summed(chi: f64, w: f64) -> [f64; 2] {
     let end = normal::time(w);
     let steps = 4000;
     let dt = end / f64::from(steps);
-    // Near touch zeta = t and P = t^(3/2): start there, a little later, with the first terms.
+    // Near first contact zeta = t and P = t^(3/2): the integration starts a little later, with the first
+    // terms.
     let mut t = dt;
     let mut state = [1.0 - 0.5 * chi * libm::pow(dt, 2.5), libm::pow(dt, 1.5), dt];
     let rate = |t: f64, [u, p, _]: [f64; 3]| {

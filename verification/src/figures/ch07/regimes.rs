@@ -14,7 +14,7 @@ fn arrow(tail: [f64; 2], head: [f64; 2]) -> Arrow {
     Arrow { tail: Point::from((tail[0], tail[1])), head: Point::from((head[0], head[1])) }
 }
 
-/// The way from the origin through all shifts, as arrows with names at their ends.
+/// The path from the origin through all shifts, as arrows with names at their ends.
 fn path(panel: &mut Panel, shifts: &[[f64; 2]], names: &[&str]) {
     let tails = std::iter::once([0.0; 2]).chain(shifts.iter().copied());
     let arrows: Vec<Arrow> = tails.zip(shifts).map(|(tail, head)| arrow(tail, *head)).collect();
@@ -68,8 +68,7 @@ fn regime(
     Ok(memory.regime())
 }
 
-/// Counts the steps on a grid about a state whose regime is not the expected one; None is not
-/// tested.
+/// Counts the steps on a grid about a state whose regime differs from the expected one; None is not tested.
 fn disagreements(
     state: &VectorMemory,
     zeta: f64,
@@ -97,8 +96,8 @@ fn agreement(statement: &str, (wrong, tested): (u32, u32)) -> Claim {
     )
 }
 
-/// Heat of a step that turns the slip ring, found from the slip, against the work of the force in
-/// small parts less what is stored.
+/// Heat of a step that turns the slip annulus, from the slip, compared with the work of the force in small
+/// parts minus the change of stored energy.
 fn turning_claim(from: [f64; 2], to: [f64; 2]) -> Result<Claim, carom_special::RangeError> {
     const PARTS: usize = 4000;
     let mut fine = led(1.0, &[(1.0, from)])?;
@@ -182,7 +181,7 @@ pub(super) fn draw_reflection() -> FigureResult {
         let step = end.minus(first);
         let depth = 1.0 + first.length() * step.dot(step) / (2.0 * first.dot(step));
         depths.push((memory.stick_depth(), depth));
-        // Body 1 slips against the traction that it feels.
+        // Body 1 slips against the traction that acts on it.
         arrows.push(arrow(end, end.minus(m.times(0.1))));
     }
     let mut panel = e_plane().titled("Slip of body 1 after e₁ at 20° and de₂ at 170°");
@@ -283,7 +282,7 @@ pub(super) fn draw_varying() -> FigureResult {
         panel.add(Series::dotted("|e₂| = ζ₂: complete sliding", limit).coloured(1));
         path(&mut panel, &[e_1], &["e₁"]);
         figure.panel(panel);
-        // Between the circles, on the far side and on the near one.
+        // Between the circles, on the far and the near side.
         let mut depths = Vec::new();
         for degrees in [30.0, 100.0, 180.0, 250.0] {
             for share in [0.3, 0.7, 0.95] {
@@ -339,9 +338,9 @@ pub(super) fn draw_equal_radii() -> FigureResult {
         }
         self::path(&mut panel, &path.map(|(_, e)| e), &["e₁", "e₂"]);
         figure.panel(panel);
-        // On the circle the new ring is exactly as deep as the old one.
+        // On the circle the new slip annulus is exactly as deep as the old one.
         let mut pairs = Vec::new();
-        // Of (7.20), not of the state itself.
+        // By (7.20), not from the state itself.
         let [first, second] = path.map(|(_, e)| e);
         let turn = second.minus(first);
         let old = 1.0 + first.length() * turn.dot(turn) / (2.0 * first.dot(turn));

@@ -1,9 +1,9 @@
-//! A circular contact as a half-space with Coulomb's law ring by ring, for ν = 0.
+//! A circular contact of half-spaces with Coulomb's law on rings, for ν = 0.
 //!
-//! Without Poisson's effect a traction that is constant along circles displaces them as a whole, in
-//! its own direction. Tractions between rings are sums of semispheres; the displacement of each
-//! comes from the field of the contact law. Every step is solved by Gauss and Seidel's method with
-//! the traction of each ring held within its own limit.
+//! Without Poisson's effect a traction that is constant along circles displaces them rigidly, in its own
+//! direction. Tractions between rings are superpositions of semispheres; the displacement of each comes from
+//! the field of the contact law. Every step is solved by the Gauss-Seidel method, with the traction of each
+//! ring kept within its own limit.
 
 use crate::Failure;
 use carom_halfspace::{Material, MaterialPair};
@@ -11,11 +11,11 @@ use carom_laws::field::circular_shear;
 use carom_laws::memory::Lateral;
 
 const MAX_SWEEPS: usize = 20_000;
-/// Change of a traction, over the greatest friction, at which a step is done.
+/// A step is converged if no traction changes by more than this, relative to the largest friction limit.
 const SETTLED: f64 = 1e-7;
 
-/// Rings on a contact of radius 1; tractions over f p_z of the centre, shifts over the one at which
-/// the contact slides.
+/// Rings on a contact of radius 1. Tractions are divided by f p_z at the centre, shifts by that of complete
+/// sliding.
 #[derive(Debug, Clone)]
 pub(super) struct RingContact {
     radii: Vec<f64>,
@@ -24,13 +24,13 @@ pub(super) struct RingContact {
     /// Force over f F_z under a traction on ring j.
     share: Vec<f64>,
     traction: Vec<[f64; 2]>,
-    /// Slip so far, and that of the last step.
+    /// Accumulated slip, and slip of the last step.
     slid: Vec<[f64; 2]>,
     slip: Vec<[f64; 2]>,
 }
 
 impl RingContact {
-    /// A contact at rest of so many rings, as wide as each other.
+    /// A contact in its initial state, with rings of equal width.
     pub(super) fn new(count: usize) -> Result<Self, Failure> {
         let pair = MaterialPair::new(Material::from_shear(1.0, 0.0)?, Material::RIGID)?;
         let edges: Vec<f64> = (1..=count).map(|k| k as f64 / count as f64).collect();
@@ -90,7 +90,7 @@ impl RingContact {
         Err("the rings do not settle".into())
     }
 
-    /// What ring i lacks to the shift.
+    /// The difference between the displacement of ring i and the shift.
     fn lag(&self, i: usize, shift: [f64; 2]) -> [f64; 2] {
         let pairs = self.compliance[i].iter().zip(&self.traction);
         let sum = pairs.fold([0.0; 2], |sum, (c, t)| [sum[0] + c * t[0], sum[1] + c * t[1]]);

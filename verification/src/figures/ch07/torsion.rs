@@ -209,7 +209,7 @@ pub(super) fn draw_reversals() -> FigureResult {
     Ok(figure)
 }
 
-/// (7.65), (7.66) written out: torque, slope and energies of loading, unloading and beyond.
+/// (7.65), (7.66) written out: torque, slope and energies of loading, unloading and beyond the reversal.
 fn exponential_claims(figure: &mut Figure) -> Result<(), Failure> {
     // By 40-digit arithmetic, a/b = 0.1: M_zS over f F_z b, and M_zA' = (3/8) E δ_T.
     let sliding = 0.380_997_579_384_459;
@@ -236,7 +236,7 @@ fn exponential_claims(figure: &mut Figure) -> Result<(), Failure> {
     torsion.advance(0.5)?;
     energies.push((torsion.stored_energy(), 0.5 * first(0.5) - work));
     energies.push((torsion.dissipated(), 5.0 * heat));
-    // Beyond the turning points the first loading goes on, in either sense.
+    // Beyond the reversal points the first loading continues, in either direction.
     torsion.advance(0.7)?;
     torques.extend([(torsion.torque(), first(0.7)), (torsion.tangent(), slope * decay(0.7))]);
     torsion.advance(-0.9)?;

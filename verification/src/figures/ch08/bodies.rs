@@ -33,7 +33,7 @@ fn body(
     Ok(Body::new(surface, steel, inertia).turned(attitude).at((-point).into())?.moving(motion))
 }
 
-/// Outline of a body in the parallel projection along y, by its supports.
+/// Outline of a body in the parallel projection along y, by its support function.
 fn outline(body: &Body, axes: [f64; 3], shift: &Vector3<f64>) -> Vec<Point> {
     linspace(0.0, 2.0 * std::f64::consts::PI, 181)
         .into_iter()
@@ -132,7 +132,7 @@ fn claims(figure: &mut Figure, encounter: &Collision, rebound: &Rebound) {
             Absolute(1e-13),
         )
         .source("m v²/2 and θ ω²/2 of both bodies");
-    // Pressed together to rest at the contact point, the bodies would lose v D^-1 v/2.
+    // Pressed together to zero relative velocity at the contact point, the bodies would lose v D^-1 v/2.
     let approach = encounter.frame().to_contact(&rebound.contact_velocity_before);
     let most =
         d.try_inverse().map_or(f64::NAN, |inverse| 0.5 * approach.dot(&(inverse * approach)));
@@ -146,8 +146,8 @@ fn claims(figure: &mut Figure, encounter: &Collision, rebound: &Rebound) {
         .source("v D⁻¹ v/2");
 }
 
-/// The forces of the course add up to the impulse, their work along the slip to the heat; without
-/// friction the impulse is that along the normal.
+/// Claims that the forces add up to the impulse and their work along the slip to the heat, and that without
+/// friction the impulse is along the normal.
 fn course_claims(
     figure: &mut Figure,
     encounter: &Collision,
@@ -213,7 +213,7 @@ pub(super) fn draw() -> FigureResult {
     let deepest =
         history.iter().fold(history[0], |a, b| if b.shift.z > a.shift.z { *b } else { a });
 
-    // Deformation enlarged so that it shows.
+    // The deformation is enlarged to be visible.
     let shift = encounter.frame().to_space(&deepest.shift) * 40.0;
     let panels = [("first touch", Vector3::zeros()), ("at the greatest approach, 40 times", shift)];
     for (title, shift) in panels {
@@ -236,7 +236,7 @@ pub(super) fn draw() -> FigureResult {
     figure
         .at_most("e_z is the common normal into body 1", (z - up).norm(), 1e-9)
         .source("both bodies were placed with it upright");
-    // From the supports of the two ellipsoids, turned back.
+    // From the support points of the two ellipsoids, rotated back.
     let arms = encounter.levers().each_ref().map(Lever::arm);
     let mut pairs = Vec::new();
     for (i, (axes, normal)) in [(UPPER, -up), (LOWER, up)].into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Fig. 8.1: the three rotations of the contact axes against the body's axes.
+//! Fig. 8.1: the three rotations of the contact axes relative to the axes of the body.
 
 use carom_geometry::{Attitude, BodySide, Surface, angle_matrix};
 use nalgebra::{Matrix3, Vector3};
@@ -26,7 +26,7 @@ fn base(panel: &mut Panel, colour: usize, label: &str, columns: &Matrix3<f64>, n
     }
 }
 
-/// The way of the tips from one base to the other, about `axis`.
+/// The path of the tips from one basis to the next, about `axis`.
 fn arcs(
     panel: &mut Panel,
     from: &Attitude,
@@ -46,7 +46,7 @@ fn arcs(
     Ok(())
 }
 
-/// Elementary turns about x, y and z, as they stand in every textbook.
+/// Elementary rotations about x, y and z, as in textbooks.
 fn elementary(axis: usize, angle: f64) -> Matrix3<f64> {
     let (s, c) = (angle.sin(), angle.cos());
     match axis {
@@ -56,7 +56,7 @@ fn elementary(axis: usize, angle: f64) -> Matrix3<f64> {
     }
 }
 
-/// Names of the axes that a stage takes over.
+/// Names of the axes of a stage.
 const INHERITED: [[&str; 3]; 2] = [["e_x'", "e_y'", "e_z"], ["e_x''", "e_y'", "e_z''"]];
 
 /// (8.5) as printed: the third row of the first column with a minus.

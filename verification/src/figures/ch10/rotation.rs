@@ -70,7 +70,7 @@ fn course(epsilon: f64, omega: f64) -> Result<Vec<TorsionalPoint>, Failure> {
     Ok(TorsionalImpact::trace(TorsionalGroups::new(epsilon, omega)?, &velocities)?)
 }
 
-/// Without slip, the rotation's excess over the mirror image runs as 2 y_1 times the odd solution.
+/// Without slip, the difference of the rotation and its mirror image is 2 y_1 times the odd solution.
 fn reversal() -> Result<Claim, Failure> {
     let course = course(0.5, 0.0)?;
     let end = course.last().map_or(f64::NAN, |p| p.spin);
@@ -81,7 +81,7 @@ fn reversal() -> Result<Claim, Failure> {
         .source("Wronskian of the two halves"))
 }
 
-/// Extremes of an impact stepped in time.
+/// Extremes of an impact integrated in time.
 struct Stepped {
     twist: f64,
     torque: f64,

@@ -1,4 +1,4 @@
-//! Figs 11.2 and 11.3: the processes NORM and TANG, drawn from what runs and held against a run.
+//! Figs 11.2 and 11.3: the processes NORM and TANG, drawn from the running code and compared with a run.
 
 use super::super::mesh::Mesh;
 use super::super::structure;
@@ -38,7 +38,7 @@ fn inputs(figure: &mut Figure) {
     figure.assumed("ζ, ξ, η", "0.1, 0.02, 0.01 mm");
 }
 
-/// What was done in a run, as a table, and that it follows the chart.
+/// The steps of a run as a table, and the claim that it follows the chart.
 fn trace<S: Step>(
     figure: &mut Figure,
     name: &str,

@@ -1,4 +1,4 @@
-//! Figs. 14.15, 14.16: dissimilar bodies pressed together and let go.
+//! Figs. 14.15, 14.16: dissimilar bodies pressed together and released.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
 use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
@@ -55,7 +55,7 @@ pub(super) fn angle() -> FigureResult {
     let run = mesh.follow(&history()[..10])?;
     let last = &run[9];
     let quarter = |cell: &Touching| cell.x > 0.0 && cell.y > 0.0;
-    // The traction on body 1 points inwards or outwards: the line counts.
+    // The traction on body 1 points inwards or outwards: only its line is compared.
     let points = last.touching().filter(quarter).map(|cell| {
         let angle = cell.angle();
         (law_angle(&cell, mesh.semi_axes, 1.0), angle - 180.0 * (angle / 180.0).floor())

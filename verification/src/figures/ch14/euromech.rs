@@ -1,4 +1,4 @@
-//! Figs. 14.17 to 14.21: pressed, shifted along x, along y, and back the same ways.
+//! Figs. 14.17 to 14.21: pressed, shifted along x, along y, and back on the same path.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
 use super::dissimilar::{law_angle, misfit};
@@ -58,7 +58,7 @@ pub(super) fn path() -> FigureResult {
     panel.add(Series::line("ξ", by_step(|shift| shift.xi)));
     panel.add(Series::line("η", by_step(|shift| shift.eta)));
     figure.panel(panel);
-    // Forces of the history, and that the last step does not bring them back.
+    // Forces of the history; the last step does not restore them.
     let run = mesh(1.0).follow(&path)?;
     let force = |value: fn(&Step) -> f64| -> Vec<(f64, f64)> {
         run.iter().enumerate().map(|(i, step)| ((i + 1) as f64, value(step))).collect()
@@ -162,7 +162,7 @@ pub(super) fn pressing() -> FigureResult {
     figure
         .at_most("while pressed the angle is (14.1)'s within degrees, root mean square", worst, 6.0)
         .source("the thesis, (14.1), in coordinates over the semi-axes");
-    // All act inwards or all outwards.
+    // All tractions point inwards or all outwards.
     let sign = |cell: &Touching| (cell.traction[0] * cell.x + cell.traction[1] * cell.y).signum();
     let sum: f64 = run[9].touching().map(|cell| sign(&cell)).sum();
     let count = run[9].touching().count() as f64;

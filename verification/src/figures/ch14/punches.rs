@@ -1,4 +1,4 @@
-//! Figs. 14.33 to 14.37: flat punches, pressed and shifted, or of other stuff than the half-space.
+//! Figs. 14.33 to 14.37: flat punches, pressed and shifted, or of another material than the half-space.
 
 use super::super::mesh::{APPROACH, Mesh, SHEAR_MODULUS, Shape, Step, steps};
 use crate::{Absolute, Failure, Figure, FigureResult, Panel, Relative, Series};
@@ -18,7 +18,7 @@ fn shifted(xi: f64) -> Vec<Shift> {
     path
 }
 
-/// Where a punch is.
+/// The region of a punch.
 type Outline = fn(f64, f64) -> bool;
 
 fn square(_: f64, _: f64) -> bool {
@@ -128,7 +128,7 @@ fn flat_ellipse(x: f64, y: f64) -> bool {
     x * x + (y / 0.3).powi(2) < 1.0
 }
 
-/// Five steps of pressing, three of letting go.
+/// Five steps of pressing, three of releasing.
 fn pressed() -> Result<(Mesh, Vec<Step>), Failure> {
     let mesh = Mesh {
         poisson: [0.0, 0.5],

@@ -1,4 +1,4 @@
-//! Figs. 14.25 to 14.29, 14.31, 14.32: an ellipse shifted and twisted at once.
+//! Figs. 14.25 to 14.29, 14.31, 14.32: an ellipse shifted and twisted at the same time.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};

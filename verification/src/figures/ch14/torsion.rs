@@ -1,4 +1,4 @@
-//! Figs. 14.22 to 14.24: torque of ellipses that are twisted, and where they stick.
+//! Figs. 14.22 to 14.24: torque and stick area of ellipses that are twisted.
 
 use super::super::mesh::{APPROACH, Mesh, Step, steps};
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};

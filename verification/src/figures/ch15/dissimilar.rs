@@ -39,7 +39,7 @@ pub(super) fn forces() -> FigureResult {
     let limit = |at: &Instant| 1e-3 * spheres.friction * at.load.f_z;
     force.add(Series::dotted("±f F_z", line(&|at| limit(at))));
     force.add(Series::dotted("", line(&|at| -limit(at))).coloured(2));
-    // The thesis's picture shows no such limit; where F_x is small beside it nothing slides.
+    // The thesis's picture shows no such limit; where F_x is small compared with it nothing slides.
     force.y = force.y.between(-0.35, 0.35);
     figure.panel(force);
     let mut shift = Panel::new("t in ms", "shifts in µm");
@@ -78,7 +78,7 @@ fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(),
     figure
         .close("greatest F_z in kN", 1e-3 * peak(&|at| at.load.f_z), 16.2, Absolute(0.1))
         .source(INDEPENDENT);
-    // Momentum: what F did is what the velocities changed by.
+    // Momentum: the impulse of F equals the change of velocity.
     let impulse = |of: &dyn Fn(&Instant) -> f64| {
         run.windows(2)
             .map(|pair| 0.5 * (pair[1].time - pair[0].time) * (of(&pair[0]) + of(&pair[1])))
@@ -103,7 +103,7 @@ fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(),
     Ok(())
 }
 
-/// Steps of fig. 15.5: during compression, and while the bodies part.
+/// Steps of fig. 15.5: during compression and during restitution.
 const SHOWN: [usize; 4] = [20, 28, 32, 38];
 
 pub(super) fn areas() -> FigureResult {

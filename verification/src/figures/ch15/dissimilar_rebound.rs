@@ -60,7 +60,7 @@ pub(super) fn draw() -> FigureResult {
     claims(&mut figure, &curves)?;
     let last: Vec<[f64; 2]> =
         both.chunks(LAMBDAS.len()).map(|curve| curve[LAMBDAS.len() - 1]).collect();
-    // (9.33) with the normal impulse: what friction can do at most.
+    // (9.33) with the normal impulse: the largest effect of friction.
     let below: Vec<f64> =
         last.iter().map(|[r_x, e_z]| 3.5 * (1.0 + e_z) / 8.0 - 1.0 - r_x).collect();
     figure
@@ -99,7 +99,7 @@ fn claims(figure: &mut Figure, curves: &[&[f64]]) -> Result<(), Failure> {
     figure
         .at_most("f/γ > 1 raises R_x little", rise(curves[1]).abs(), 0.1)
         .source("section 15.2: only f/γ < 1 changes R_x");
-    // The bodies exchanged: gamma changes its sign.
+    // With exchanged bodies gamma changes its sign.
     let lambdas = [0.5, 2.0];
     let pairs: Result<Vec<_>, Failure> = lambdas
         .iter()

@@ -1,4 +1,4 @@
-//! Fig. 15.8: an upright ellipsoid that falls on a plane.
+//! Fig. 15.8: an upright ellipsoid that hits a plane.
 
 use carom_geometry::Surface;
 use carom_halfspace::Material;
@@ -279,7 +279,7 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
             Absolute(2e-3),
         )
         .source("∫F dt of 200 instants; one axis of the contact lies along the slip");
-    // A twist as well: the heat is what the bodies lose.
+    // With a twist as well: the heat equals the energy lost by the bodies.
     let rubber = Material::from_shear(1e6, 0.5)?;
     let surface = Surface::sphere(0.02)?;
     let inertia = surface.solid(MASS)?;

@@ -1,4 +1,4 @@
-//! Fig. 15.1: which gamma and kappa two materials can make together.
+//! Fig. 15.1: the values of gamma and kappa that two materials can have together.
 
 use crate::{Absolute, Figure, FigureResult, Panel, Series, linspace};
 use carom_halfspace::{Material, MaterialPair};

@@ -13,7 +13,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// 82000 N/mm^2, in Pa.
 pub(super) const SHEAR_MODULUS: f64 = 82e9;
-/// To which each step is solved.
+/// Tolerance of each step.
 const TOLERANCE: f64 = 1e-7;
 
 /// Two spheres of the same size and mass; SI units.
@@ -34,7 +34,7 @@ pub(super) struct Instant {
     pub(super) shift: Shift,
     pub(super) rate: [f64; 4],
     pub(super) load: ContactLoad,
-    /// None where the bodies are apart.
+    /// None if the bodies are separated.
     pub(super) contact: Option<ContactState>,
 }
 
@@ -98,8 +98,8 @@ impl Spheres {
         Ok(self.restitutions(lambda, cells, steps)?[0])
     }
 
-    /// The instants of an impact, touch and separation included, with this many steps of equal time
-    /// in Hertz's duration; `spin` is the relative spin about the normal, in radians.
+    /// The impact from first contact to separation, with this many equal time steps in Hertz's duration;
+    /// `spin` is the relative spin about the normal, in radians.
     pub(super) fn follow(
         &self,
         lambda: f64,
@@ -129,7 +129,7 @@ impl Spheres {
             let half = combined(now.rate, pull, -0.5 * step);
             let to = moved(now.shift, half, step);
             if to.zeta <= 0.0 {
-                // The force falls to zero with the power 3/2 of the time left: its mean is 2/5.
+                // The force decreases with the power 3/2 of the remaining time: its mean is 2/5.
                 let part = now.shift.zeta / -half[2];
                 let rate = combined(now.rate, pull, -0.4 * part);
                 let shift = moved(now.shift, half, part);
@@ -144,7 +144,7 @@ impl Spheres {
         }
     }
 
-    /// What a load takes off the rates: the mobility of two solid spheres times the load.
+    /// The change of the rates by a load: the mobility of two solid spheres times the load.
     fn pull(&self, load: &ContactLoad) -> [f64; 4] {
         let unit = 2.0 / self.mass;
         let spin = 2.5 * unit / (self.radius * self.radius); // 2/theta
@@ -165,7 +165,7 @@ fn moved(from: Shift, rate: [f64; 4], time: f64) -> Shift {
     }
 }
 
-/// The part of the contact that sticks; none where there is no contact.
+/// The fraction of the contact that sticks; None if the bodies are separated.
 pub(super) fn stick(contact: &ContactState) -> f64 {
     let [sticks, slips] = [CellState::Stick, CellState::Slip].map(|cell| contact.count(cell));
     sticks as f64 / (sticks + slips).max(1) as f64

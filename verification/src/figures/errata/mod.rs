@@ -1,5 +1,5 @@
-//! Equations that the thesis prints wrong, beside what is right, and the function that implements
-//! it held against another way to the same number: not in the thesis.
+//! Equations that the thesis misprints, with the correction and the function that implements it, compared
+//! with another way to the same number: not in the thesis.
 
 use crate::catalogue::Entry;
 use crate::{Cell, Claim, Figure, FigureResult, Relative, Table};
@@ -16,12 +16,12 @@ pub(super) const ENTRIES: &[Entry] =
 #[derive(Clone)]
 struct Correction {
     equation: &'static str,
-    /// What the print says, and what is right.
+    /// The printed and the correct formula.
     printed: &'static str,
     corrected: &'static str,
-    /// What is compared.
+    /// The quantity that is compared.
     check: &'static str,
-    /// The function's value, the one by another way, and what the printed formula would give.
+    /// The value of the function, the value by another way, and the value of the printed formula.
     value: f64,
     expected: f64,
     as_printed: Option<f64>,

@@ -1,5 +1,5 @@
-//! Coefficients of eleven pairs: the measured beta_0 of sticking impacts beside the one that the
-//! elastic theory has on average.
+//! Coefficients of eleven pairs: the measured beta_0 of sticking impacts beside the mean one of the elastic
+//! theory.
 
 use carom_halfspace::{Material, MaterialPair};
 

@@ -1,5 +1,5 @@
-//! What measurement says: published impacts beside the exact elastic theory, beside constant
-//! coefficients and beside the laws of particle codes; not in the thesis.
+//! Comparison with measurements: published impacts beside the exact elastic theory, constant coefficients and
+//! the laws of particle codes; not in the thesis.
 
 use crate::catalogue::Entry;
 

@@ -1,13 +1,13 @@
-//! Ways to say what an oblique impact of a sphere does, each as -(slip after)/(slip before), by
-//! kappa and lambda = v_t/(f v_n).
+//! Models of an oblique impact of a sphere, each as -(slip after)/(slip before) over kappa and lambda =
+//! v_t/(f v_n).
 
 use carom_impact::normal::DURATION;
 use carom_impact::restitution::of_spheres;
 
 use crate::{Failure, Series};
 
-/// The exact elastic theory. A normal restitution below 1 enters by the friction impulse, which
-/// falls to (1 + e)/2 of the elastic one; what sticks stays elastic.
+/// The exact elastic theory. A normal restitution below 1 reduces the friction impulse to (1 + e)/2 of the
+/// elastic one; sticking impacts stay elastic.
 pub(super) fn elastic(kappa: f64, lambda: f64, normal: f64) -> Result<f64, Failure> {
     Ok(of_spheres(kappa, 2.0 * lambda / (1.0 + normal))?)
 }

@@ -55,7 +55,7 @@ fn exact(angle: f64) -> Result<After, Failure> {
     Ok(After { tangential: ball.velocity.x, normal: ball.velocity.z, spin: ball.spin.y })
 }
 
-/// The same with a normal restitution, by its engineering rule.
+/// The same with a normal restitution, by the rule of engineering textbooks.
 fn inelastic(angle: f64) -> Result<After, Failure> {
     let [tangential, normal] = speeds(angle);
     let groups = Groups::of_spheres(
@@ -63,7 +63,7 @@ fn inelastic(angle: f64) -> Result<After, Failure> {
         tangential / (FRICTION * normal),
     )?;
     let restitution = with_normal_restitution(groups, MEASURED_RESTITUTION)?;
-    // The impulse changes the slip by 7/2 of what it changes the velocity.
+    // The impulse changes the slip velocity by 7/2 of the change of the velocity.
     let change = 2.0 / 7.0 * (1.0 + restitution) * tangential;
     Ok(After {
         tangential: tangential - change,
@@ -135,7 +135,7 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Straight between the points; none outside.
+/// Linear interpolation between the points; None outside.
 fn interpolated(points: &[[f64; 2]], x: f64) -> Option<f64> {
     let pair = points.windows(2).find(|pair| pair[0][0] <= x && x <= pair[1][0])?;
     let part = (x - pair[0][0]) / (pair[1][0] - pair[0][0]);

@@ -1,5 +1,5 @@
-//! Two balls, or a ball and a plane, stepped in time as a particle code does it, with textbook
-//! constants and a bed of springs for the contact: nothing of carom's laws and impacts.
+//! Two balls, or a ball and a plane, integrated in time like a particle code, with textbook constants and a
+//! bed of springs for the contact: independent of carom's laws and impacts.
 
 use super::super::spring_impact::SpringBed;
 

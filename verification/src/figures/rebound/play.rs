@@ -1,13 +1,13 @@
-//! How far the table of the report's page to play with is off.
+//! The error of the table behind the interactive impact of the report.
 
 use crate::play::{Instant, Table, exact, lambda_of_sliding, restitution};
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Series, linspace};
 
-/// Between the entries of the table, as far from them as can be.
+/// Points between the entries of the table, as far from them as possible.
 const POISSONS: [f64; 4] = [0.025, 0.175, 0.325, 0.475];
 const LAMBDAS: usize = 160;
 
-/// Differences at one place: of the force the greatest, of the stick radius the mean over the instants.
+/// Differences at one point: for the force the largest, for the stick radius the mean over the instants.
 struct Off {
     lambda: f64,
     restitution: f64,
@@ -58,7 +58,7 @@ pub(super) fn draw() -> FigureResult {
         figure.at_most(statement, found, bound).source(source);
     }
     let mean = all.iter().map(|off| off.stick).sum::<f64>() / all.len() as f64;
-    // Where sticking begins or ends its radius jumps, and a mean of two jumps is none.
+    // The stick radius jumps where sticking begins or ends, and its mean across the jump is meaningless.
     let statement =
         "its stick radius over that of the greatest contact, off in the mean by at most";
     figure.at_most(statement, mean, 0.02).source(source);

@@ -12,7 +12,7 @@ use crate::{
     Absolute, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table, linspace,
 };
 
-/// Degrees; of the grid.
+/// Angles in degrees for the grid.
 const ON_GRID: [f64; 3] = [2.5, 7.5, 20.0];
 const CELLS: usize = 24;
 const STEPS: usize = 96;

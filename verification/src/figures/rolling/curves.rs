@@ -82,17 +82,17 @@ fn draw_curve(
     panel.add(Series::dashed(format!("{label}, FASTSIM"), of(&curve.springs)).coloured(colour));
 }
 
-/// The largest distance of the springs' force from the solver's.
+/// The largest difference between the forces of FASTSIM and of the solver.
 fn springs_off(curves: &[&Curve]) -> f64 {
     let pairs = curves.iter().flat_map(|curve| curve.solver.iter().zip(&curve.springs));
     let off = pairs.map(|(solver, springs)| (solver[0] - springs[0]).hypot(solver[1] - springs[1]));
     off.fold(0.0, f64::max)
 }
 
-/// A little creepage or spin, as a part of what would slide if nothing slipped.
+/// A small creepage or spin, as a fraction of that of complete sliding without partial slip.
 const LITTLE: f64 = 0.005;
 
-/// The forces by a little creepage, extrapolated from two meshes of first order.
+/// The forces at a small creepage, extrapolated from two meshes of first order.
 fn start(creepage: Creepage) -> Result<[f64; 2], Failure> {
     let on = |elements: usize| -> Result<[f64; 2], Failure> {
         let load = roll(&problem(elements)?, creepage)?.state.load();
@@ -102,7 +102,7 @@ fn start(creepage: Creepage) -> Result<[f64; 2], Failure> {
     Ok([0, 1].map(|axis| 2.0 * fine[axis] - coarse[axis]))
 }
 
-/// How far rolling on from rest is from steady rolling, over f F_z.
+/// The difference between rolling from rest after a long distance and steady rolling, over f F_z.
 fn left_of_the_start(creepage: Creepage) -> Result<f64, Failure> {
     let problem = problem(10)?;
     let method = Frictional::default().within(1e-11)?;
