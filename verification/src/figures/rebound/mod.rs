@@ -15,7 +15,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("rebound.angles", "Angle of rebound against angle of incidence").by(angles::draw),
     Entry::check("rebound.unlike", "Eight pairs of unlike materials: what coupling changes")
         .slowly_by(unlike::draw),
-    Entry::check("rebound.slip", "Why unlike bodies come back better: radial slip")
+    Entry::check("rebound.slip", "Why dissimilar bodies rebound better: radial slip")
         .by(radial_slip::draw),
     Entry::check("rebound.play", "The table under the impact to play with").by(play::draw),
 ];

@@ -1,5 +1,5 @@
-//! Why unlike bodies come back better: pressing makes them slip radially, and friction has turned away from the
-//! shift when the shift swings back.
+//! Why dissimilar bodies rebound better: compression makes them slip radially, which turns friction away from the
+//! direction of the shift.
 
 use carom_halfspace::Material;
 use carom_impact::{
