@@ -1,4 +1,4 @@
-//! What the command reads: units, mistyped cases, files that are none, and results that are none.
+//! Input of the command: units, misspelt cases, files that are not cases, and results that are not finite.
 
 use crate::common::{carom, case, example, folder, json, stdout};
 use std::process::Output;

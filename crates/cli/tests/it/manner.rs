@@ -1,5 +1,4 @@
-//! How every command runs and speaks: threads, colours, silence, standard input; completions and manual
-//! pages.
+//! Global options: threads, colours, quiet, standard input; completions and manual pages.
 
 use crate::common::{carom, case, example, stdout};
 use std::io::Write as _;
