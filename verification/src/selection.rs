@@ -11,7 +11,7 @@ pub struct Selection {
     pub ids: Vec<String>,
     /// Chapters, as `5`.
     pub chapters: Vec<String>,
-    /// Only those whose name or title matches.
+    /// Selects only entries whose name or title matches this filter.
     pub filter: Option<Filter>,
     /// Whether slow entries are computed.
     pub slow: Slow,

@@ -1,7 +1,7 @@
 //! **carom**: elastic impact with friction.
 //!
 //! What happens when two elastic bodies touch, slip, stick, twist and rebound, after
-//! J. Jaeger, *Elastic Impact with Friction* (TU Delft, 1992). This crate re-exports the floors,
+//! J. Jaeger, *Elastic Impact with Friction* (TU Delft, 1992). This crate re-exports the layers,
 //! each of which uses only those below it:
 //!
 //! | floor | module | thesis |

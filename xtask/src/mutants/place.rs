@@ -11,7 +11,7 @@ use syn::visit::{self, Visit};
 pub(super) struct Source {
     /// Path below the root of the workspace.
     pub(super) path: PathBuf,
-    /// Its text.
+    /// Text of the file.
     pub(super) text: String,
     functions: Vec<Function>,
 }

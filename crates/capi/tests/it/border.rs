@@ -1,4 +1,4 @@
-//! What crosses the border: results, and every way to call wrongly.
+//! Calls of the C interface: results, and errors of all kinds.
 
 use std::mem::{MaybeUninit, zeroed};
 use std::ptr::{null, null_mut};

@@ -1,4 +1,4 @@
-//! Bytes that were changed behind an intact mark, a word at a time: each call ends with a status.
+//! Bytes that were changed while the mark is intact, one word at a time: each call ends with a status.
 
 use std::mem::{MaybeUninit, zeroed};
 use std::ptr::null_mut;

@@ -1,5 +1,5 @@
-//! Grains through the C border: an impact of spheres stepped as a particle code does, against the exact
-//! one; and what is kept elsewhere in its middle.
+//! Grains through the C interface: an impact of spheres stepped like a particle code, compared with the exact
+//! one, also with the contact packed and unpacked in the middle.
 
 use std::mem::{MaybeUninit, zeroed};
 use std::ptr::{null, null_mut};

@@ -1,4 +1,4 @@
-//! The header is the one that the sources make.
+//! The header in the repository is the one generated from the sources.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What the bodies' material takes of an impact: across the border as inside.
+//! Dissipation in the material: the C interface gives the same as the library.
 
 use std::mem::zeroed;
 use std::ptr::null;

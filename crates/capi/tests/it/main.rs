@@ -1,4 +1,4 @@
-//! The tests of `carom-capi` that see it as its users do: one executable, a module for each subject.
+//! Tests of `carom-capi` through its public interface: one executable with a module for each subject.
 
 mod border;
 mod garbled;

@@ -1,4 +1,4 @@
-//! Every number of an impact and of a pair, by mechanics and Hertz's closed forms.
+//! Every number of an impact and of a pair, compared with mechanics and Hertz's closed forms.
 
 use std::mem::zeroed;
 use std::ptr::{null, null_mut};

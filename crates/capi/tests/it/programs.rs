@@ -1,6 +1,6 @@
-//! The examples in C and Fortran, compiled and run against the static library; C under valgrind too.
+//! The examples in C and Fortran, compiled and run with the static library; C also under valgrind.
 //!
-//! Where a compiler or valgrind is not installed, its test does nothing; in CI (`CI` is set) it fails.
+//! Without a compiler or valgrind the test does nothing; in CI (`CI` is set) it fails.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

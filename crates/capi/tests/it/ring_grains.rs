@@ -1,5 +1,5 @@
-//! Grains with the law of rings through the C border: impacts of unlike spheres, stepped as a particle code does,
-//! against those of the library.
+//! Grains with the law of rings through the C interface: impacts of dissimilar spheres, stepped like a
+//! particle code, compared with those of the library.
 
 use std::mem::{MaybeUninit, zeroed};
 use std::ptr::null_mut;

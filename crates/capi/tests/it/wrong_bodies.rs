@@ -1,5 +1,5 @@
-//! Any number in any field of a body, of a pair or of a ratio: a result in finite numbers or a status with a
-//! field, and no fault inside.
+//! Any number in any field of a body, of a pair or of a ratio: finite results, or a status that names a
+//! field, never an internal error.
 
 use std::mem::{size_of, zeroed};
 use std::ptr::null;

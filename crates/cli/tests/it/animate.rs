@@ -1,4 +1,4 @@
-//! `carom impact --animate`: what moves, moves as the impact says.
+//! `carom impact --animate`: the animation agrees with the impact.
 
 use crate::common::{carom, example, fresh, json, stdout};
 

@@ -1,4 +1,4 @@
-//! Impacts of bodies of any smooth shape: what the command gives.
+//! Impacts of bodies of any smooth shape: results of the command.
 
 use crate::common::pebble::{CASE, all_close, changed, numbers, solved};
 use crate::common::{carom, case, example, json, stdout};

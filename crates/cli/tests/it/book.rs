@@ -1,5 +1,5 @@
-//! The book: its commands run and draw its pictures, and its case reference is what the tables of fields
-//! say. `cargo xtask generate` writes both anew.
+//! The book: its commands run and draw its pictures, and its case reference agrees with the tables of fields.
+//! `cargo xtask generate` writes both.
 
 use crate::common::{folder, stdout};
 use carom_cases::case::{CaseKind, Entry, Need};

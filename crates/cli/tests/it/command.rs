@@ -1,4 +1,4 @@
-//! The command as a user meets it: results on standard output, exit codes, files.
+//! The command from the outside: results on standard output, exit codes, files.
 
 use crate::common::{carom, case, close, example, fresh, json, stdout};
 use std::path::{Path, PathBuf};

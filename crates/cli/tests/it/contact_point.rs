@@ -1,4 +1,4 @@
-//! Where the bodies of an impact touch: given, searched for, or nowhere.
+//! The contact point of an impact: given, found by a search, or missing.
 
 use crate::common::pebble::{CASE, GIVEN, all_close, changed, numbers, refused, solved};
 

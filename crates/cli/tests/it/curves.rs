@@ -1,4 +1,4 @@
-//! Curves in pictures are computed, not drawn straight between what was given.
+//! Curves in pictures are computed, not interpolated linearly between the given values.
 
 use crate::common::{case, example, fresh, stdout};
 

@@ -1,4 +1,4 @@
-//! The tables of fields: what reads a case, its errors, the examples and new cases agree with them.
+//! The tables of fields: the reader, its errors, the examples and new cases agree with them.
 
 use crate::common::{carom, case, examples, stdout};
 use carom_cases::case::{CaseKind, Entry, Form, Need};

@@ -1,4 +1,4 @@
-//! Files of heights that no one may trust: their sizes are held against the grid first.
+//! Invalid files of heights: their sizes are compared with the grid before anything is read.
 
 use crate::common::{carom, case, fresh};
 use std::io::Write as _;

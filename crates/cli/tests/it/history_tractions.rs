@@ -1,4 +1,4 @@
-//! `carom history --tractions`: over the contact they add up to the loads.
+//! `carom history --tractions`: integrated over the contact they give the loads.
 
 use crate::common::{case, json};
 use serde_json::Value;

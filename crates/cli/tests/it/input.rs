@@ -1,4 +1,4 @@
-//! What the command reads: units, mistyped cases, files that are none, and results that are none.
+//! Input of the command: units, misspelt cases, files that are not cases, and results that are not finite.
 
 use crate::common::{carom, case, example, folder, json, stdout};
 use std::process::Output;
@@ -192,15 +192,15 @@ fn what_is_no_text_of_an_allowed_size_ends_with_code_2() {
         (
             "impact",
             write("binary.toml", &[0x7f, b'E', b'L', b'F', 0xff, 0]),
-            "byte 5 is no UTF-8 text",
+            "byte 5 is not UTF-8 text",
         ),
-        ("hertz", write("latin.toml", b"# \xb5m"), "byte 3 is no UTF-8 text"),
+        ("hertz", write("latin.toml", b"# \xb5m"), "byte 3 is not UTF-8 text"),
         ("scene", write("nul.toml", b"a = 1\0"), "line 1"),
         ("impact", write("large.toml", &vec![b'#'; (1 << 20) + 1]), "a text file of at most 1 MiB"),
         (
             "history",
             table("binary.csv", b"zeta,xi,eta\n\xfe\xff"),
-            "binary.csv: byte 13 is no UTF-8",
+            "binary.csv: byte 13 is not UTF-8",
         ),
         (
             "history",

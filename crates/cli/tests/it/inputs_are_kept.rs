@@ -1,4 +1,4 @@
-//! No input is ever overwritten: each way in which one was, and many others.
+//! No input is ever overwritten: each way in which one once was, and many others.
 #![cfg(unix)]
 
 use crate::common::{contents, folder, grey_heights, heights, rough};

@@ -1,4 +1,4 @@
-//! The folder of `--keep` belongs to one case and one run at a time, whatever is in it.
+//! The folder of `--keep` belongs to one case and one run at a time, whatever it contains.
 #![cfg(unix)]
 
 use crate::common;

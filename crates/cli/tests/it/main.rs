@@ -1,4 +1,4 @@
-//! The tests of `carom-cli` that see it as its users do: one executable, a module for each subject.
+//! Tests of `carom-cli` from the outside: one executable with a module for each subject.
 
 mod animate;
 mod bodies;

@@ -1,5 +1,4 @@
-//! How every command runs and speaks: threads, colours, silence, standard input; completions and manual
-//! pages.
+//! Global options: threads, colours, quiet, standard input; completions and manual pages.
 
 use crate::common::{carom, case, example, stdout};
 use std::io::Write as _;
@@ -126,7 +125,7 @@ fn a_case_may_come_on_standard_input() {
         stderr(&bad)
     );
     let no_text = fed(&["impact", "-"], b"\xff\xfe");
-    assert!(stderr(&no_text).contains("-: byte 1 is no UTF-8 text"));
+    assert!(stderr(&no_text).contains("-: byte 1 is not UTF-8 text"));
     let long = fed(&["check", "-"], &vec![b'#'; (1 << 20) + 1]);
     assert!(stderr(&long).contains("the file is larger"), "{}", stderr(&long));
 }

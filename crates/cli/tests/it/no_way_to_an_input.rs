@@ -1,4 +1,4 @@
-//! Every input of every command against every output, by every way to write a name: none is overwritten.
+//! Every input of every command with every output, by every way to write a path: none is overwritten.
 #![cfg(unix)]
 
 use crate::common;

@@ -1,4 +1,4 @@
-//! Where results go: no input is overwritten, nothing is half written, nobody needs to listen.
+//! Destinations of results: no input is overwritten, no file is half written, and the reader may stop early.
 
 use crate::common::{carom, case, example, folder, fresh, stdout};
 use std::fs::File;

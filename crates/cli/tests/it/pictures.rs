@@ -1,4 +1,4 @@
-//! What pictures show is what the results say: every curve of every panel, by the numbers of the rows.
+//! Pictures agree with the results: every curve of every panel is compared with the rows.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! A sphere that is given a place gives what it gives without: columns, signs, regimes, numbers.
+//! A sphere with an explicit position gives the same results as without: columns, signs, regimes, numbers.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! The commands of the README, and those that `carom --help` begins with, run.
+//! The commands of the README, and those at the beginning of `carom --help`, run.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Fields and numbers of an impact that are refused, by line, value and range.
+//! Fields and numbers of an impact that are rejected, with line, value and range.
 
 use crate::common::pebble::{changed, refused};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! `carom roll`: what is told beside the loads follows from them.
+//! `carom roll`: the columns beside the loads follow from them.
 
 use crate::common::{case, json};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! Many rows go out as they come: what is in memory does not grow with them.
+//! Many rows are written as they are computed: memory does not grow with them.
 #![cfg(target_os = "linux")]
 
 use crate::common::{carom, case, example, fresh, stdout};

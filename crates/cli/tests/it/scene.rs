@@ -96,12 +96,12 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         ("young_modulus = 20e6, poisson = 0.5", "rigid = true", "wall 0: shear_modulus = inf"),
         ("density = 1000", "mass = inf", "`ball.mass` = inf is out of range"),
         ("density = 1000", "fixed = true", "unknown field `ball.fixed`"),
-        ("density = 1000", "mass = 1\nposition = [0, 0, 1]", "beside `scene.start`: give one"),
+        ("density = 1000", "mass = 1\nposition = [0, 0, 1]", "excludes `scene.start`: give one"),
         ("start = [-0.06, 0, 0.09]", "", "`scene.start` is missing"),
         (
             "shape = \"sphere\"\nradius = 0.022",
             "shape = \"ellipsoid\"\nsemi_axes = [1, 1, 1]",
-            "`ball.shape` = \"ellipsoid\" is out of range: must be \"sphere\" (the turning of other",
+            "`ball.shape` = \"ellipsoid\" is out of range: must be \"sphere\" (a scene computes",
         ),
         (
             "density = 1000",

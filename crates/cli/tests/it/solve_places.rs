@@ -1,4 +1,4 @@
-//! `carom solve`: the way between two steps, and where the cells of a grid lie.
+//! `carom solve`: the path between two steps, and the position of the cells of a grid.
 
 use crate::common::{case, close, folder, stdout};
 use std::collections::BTreeMap;

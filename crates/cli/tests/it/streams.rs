@@ -1,4 +1,4 @@
-//! Standard output that is closed, links to nothing, and limits of memory.
+//! Standard output that is closed, dangling links, and limits of memory.
 #![cfg(unix)]
 
 use crate::common;

@@ -1,4 +1,4 @@
-//! `carom stress`: against Hertz's closed form, the traction on the surface, and what a case may not say.
+//! `carom stress`: compared with Hertz's closed form and the surface traction; invalid cases.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Every unit that a case may name, by what it stands for.
+//! Every unit of case files, compared with its base unit.
 
 use carom_cases::case::Dimension;
 use std::f64::consts::PI;

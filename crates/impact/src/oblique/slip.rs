@@ -43,11 +43,11 @@ pub(super) struct Slip<'a> {
     pub(super) stretch: &'a Stretch,
     /// The unit of the small unknowns: psi, at most 1.
     pub(super) unit: f64,
-    /// The unit of E is this times `unit`: q^2 where the integration began.
+    /// q^2 at the start of the integration; `square * unit` is the unit in which E is integrated.
     pub(super) square: f64,
-    /// -(5/2) s (chi - 1) over that.
+    /// -(5/2) s (chi - 1), divided by `square`.
     drive: f64,
-    /// Where slip entered a frozen stretch, and q^2 there.
+    /// Position at which slip entered a frozen stretch, and q^2 there.
     pub(super) entry: (Position, f64),
 }
 

@@ -146,7 +146,7 @@ impl Wall {
         self.friction
     }
 
-    /// The dissipation in the material at a bounce.
+    /// The coefficient of normal restitution of a bounce.
     #[must_use]
     pub const fn normal_restitution(&self) -> NormalRestitution {
         self.normal_restitution

@@ -1,4 +1,4 @@
-//! Scenes and studies choose the contact law of each impact; like bodies notice nothing of it.
+//! Scenes and studies choose the contact law of each impact; results for similar bodies do not change by it.
 
 use carom_halfspace::Material;
 use carom_impact::scene::{Ball, Limits, Path, Scene, Wall};

@@ -1,4 +1,4 @@
-//! Each column of the results: its place, its name, its unit, and the field that it shows.
+//! Each column of the results: its place, its name, its unit, and its field.
 
 use carom_halfspace::Material;
 use carom_impact::scene::{Ball, Bounce, Limits, PathPoint, Scene, Wall};

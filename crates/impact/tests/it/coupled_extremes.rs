@@ -1,4 +1,4 @@
-//! Coupled impacts far from the usual: sliding that drives the bodies together or apart, stiff
+//! Coupled impacts with extreme parameters: sliding that drives the bodies together or apart, stiff
 //! tangential motion, high friction, oblique mobilities, ties.
 
 use carom_impact::coupled::{CoupledError, CoupledImpact, CoupledOutcome, TurningLaw};

@@ -1,4 +1,4 @@
-//! Invariants of whole encounters of random ellipsoids.
+//! Invariants of impacts of random ellipsoids.
 
 use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;

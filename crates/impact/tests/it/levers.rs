@@ -1,4 +1,4 @@
-//! Mobilities against rigid-body mechanics, and what a search leaves in the outcome.
+//! Mobilities compared with rigid-body mechanics, and the outcome after a search of the contact point.
 
 use crate::random::Numbers;
 use carom_geometry::{Attitude, Inertia, Surface};

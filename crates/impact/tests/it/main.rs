@@ -1,4 +1,4 @@
-//! The tests of `carom-impact` that see it as its users do: one executable, a module for each subject.
+//! Tests of `carom-impact` through its public interface: one executable with a module for each subject.
 
 mod bodies;
 mod closed_form;

@@ -1,4 +1,4 @@
-//! What the bodies' material takes of an impact: closed forms, energy, friction limit.
+//! Dissipation in the material: closed forms, energy, friction limit.
 
 use approx::assert_relative_eq;
 use carom_geometry::{Attitude, Surface};

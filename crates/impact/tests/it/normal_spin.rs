@@ -1,4 +1,4 @@
-//! The spin about the common normal: left alone, or with the torsional impact.
+//! The spin about the common normal: unchanged, or changed by the torsional impact.
 
 use approx::assert_relative_eq;
 use carom_geometry::{Attitude, Inertia, Surface};

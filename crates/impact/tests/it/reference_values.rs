@@ -1,5 +1,5 @@
-//! Reference values that belong to no other test: special functions of chapter 9, peaks and
-//! events of the oblique impact, contact constants, energies of coupled impacts.
+//! Further reference values: special functions of chapter 9, peaks and events of the oblique impact, contact
+//! constants, energies of coupled impacts.
 
 use approx::assert_relative_eq;
 use carom_geometry::{Attitude, Surface, angle_matrix};

@@ -1,4 +1,4 @@
-//! Impacts of spheres: everyday pairs, alike bodies, spin about the normal, limits.
+//! Impacts of spheres by rings: common pairs of materials, similar bodies, spin about the normal, limits.
 
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, RingImpact, Warning};

@@ -1,4 +1,4 @@
-//! Torsional impacts of nearly no spin against the slope from larger ones; the gap beside a plate.
+//! Torsional impacts with very small spin, compared with the slope at larger ones; the gap beside a plate.
 
 use approx::assert_relative_eq;
 use carom_halfspace::Material;

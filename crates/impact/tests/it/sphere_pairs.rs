@@ -1,4 +1,5 @@
-//! Invariants of random pairs of spheres: the same by every way, exchanged, mirrored, turned, parting.
+//! Invariants of random pairs of spheres: all entry points agree; exchanged, mirrored, rotated and separating
+//! bodies.
 
 use crate::spheres::{chi_of_sphere, collided, friction, same};
 use carom_geometry::{Attitude, Surface};

@@ -1,5 +1,5 @@
-//! What the symmetry of the bodies keeps apart stays apart: normal incidence, extreme ratios of size
-//! and mass, places far from the origin, the same by every way of asking.
+//! Couplings that vanish by symmetry stay exactly zero: normal incidence, extreme ratios of size and mass,
+//! positions far from the origin, all entry points.
 
 use crate::spheres::{chi_of_sphere, collided, conserves, friction, met, same};
 use carom_geometry::{Attitude, Inertia, Surface};

@@ -1,7 +1,7 @@
-//! The torsional impact by another way: collocation in Chebyshev points and Picard's iteration on
-//! pieces where all is analytic, instead of steps. It shares the law, (5.36)-(5.42) and (10.25), with
-//! the library, but neither its integration nor its way to find the stick radius, and has Lubkin's
-//! torque by quadrature of `dM/d ln k' = -(4/pi) k'^3 E`.
+//! The torsional impact by another method: collocation at Chebyshev points with Picard iteration on analytic
+//! pieces, instead of time steps. It shares the law, (5.36)-(5.42) and (10.25), with the library, but neither
+//! its integration nor its search for the stick radius, and computes Lubkin's torque by quadrature of `dM/d
+//! ln k' = -(4/pi) k'^3 E`.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 

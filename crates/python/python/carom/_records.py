@@ -37,15 +37,15 @@ HertzState._vectors = frozenset([])
 class HistoryPoint(Record):
     """Instants of an impact, in contact axes.
 
-    time          since touch, s
+    time          since first contact, s
     xi            shift of body 2 against body 1 along x, m
     eta           the same along y, m
     zeta          approach, m
     v             rate of xi, eta, zeta, m/s
     F             force on body 1, N
-    semi_axis_a   of the contact along x, m
-    semi_axis_b   of the contact along y, m
-    stick_radius  of the stick area of spheres, m
+    semi_axis_a   semi-axis of the contact along x, m
+    semi_axis_b   semi-axis of the contact along y, m
+    stick_radius  radius of the stick area of spheres, m
     regime        sign: traction on body 1 along the first slip
     """
 
@@ -62,7 +62,7 @@ class HistoryPoint(Record):
 
 
 HistoryPoint.units = {'time': 's', 'xi': 'm', 'eta': 'm', 'zeta': 'm', 'v': 'm/s', 'F': 'N', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_radius': 'm', 'regime': ''}
-HistoryPoint.meanings = {'time': 'since touch', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'of the contact along x', 'semi_axis_b': 'of the contact along y', 'stick_radius': 'of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip'}
+HistoryPoint.meanings = {'time': 'since first contact', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'semi-axis of the contact along x', 'semi_axis_b': 'semi-axis of the contact along y', 'stick_radius': 'radius of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip'}
 HistoryPoint._vectors = frozenset(['v', 'F'])
 
 
@@ -77,17 +77,17 @@ class HistoryStep(Record):
     F_x                      force on body 1 along x, N
     F_y                      the same along y, N
     F_z                      normal force, N
-    regime                   what the step did
-    semi_axis_a              of the contact ellipse along x, m
+    regime                   regime of the last step
+    semi_axis_a              semi-axis of the contact ellipse along x, m
     semi_axis_b              the same along y, m
-    stick_semi_axis_a        of the stick area along x, m
+    stick_semi_axis_a        semi-axis of the stick area along x, m
     stick_semi_axis_b        the same along y, m
     stored_energy            elastic energy of the contact, J
     dissipated               friction heat since the start, J
     omega                    twist about the normal, rad
     M_z                      torque on body 1, N m
-    twist_regime             what the twist does
-    twist_stick_semi_axis_a  of the twist's stick area along x, m
+    twist_regime             regime of the twist
+    twist_stick_semi_axis_a  semi-axis of the stick area of the twist along x, m
     twist_stick_semi_axis_b  the same along y, m
     """
 
@@ -113,7 +113,7 @@ class HistoryStep(Record):
 
 
 HistoryStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'regime': '', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_semi_axis_a': 'm', 'stick_semi_axis_b': 'm', 'stored_energy': 'J', 'dissipated': 'J', 'omega': 'rad', 'M_z': 'N m', 'twist_regime': '', 'twist_stick_semi_axis_a': 'm', 'twist_stick_semi_axis_b': 'm'}
-HistoryStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'what the step did', 'semi_axis_a': 'of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'what the twist does', 'twist_stick_semi_axis_a': "of the twist's stick area along x", 'twist_stick_semi_axis_b': 'the same along y'}
+HistoryStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
 HistoryStep._vectors = frozenset([])
 
 
@@ -201,20 +201,20 @@ class Rebound(Record):
     impulse                  on body 1, N s
     contact_velocity_before  of body 2 against body 1, m/s
     contact_velocity_after   of body 2 against body 1, m/s
-    duration                 from touch to separation, s
+    duration                 from first contact to separation, s
     maximal_force            normal, N
     maximal_approach         of distant points, m
-    maximal_semi_axis_a      of the contact along x, m
-    maximal_semi_axis_b      of the contact along y, m
-    energy_before            kinetic, without bodies held fast, J
-    energy_after             kinetic, without bodies held fast, J
+    maximal_semi_axis_a      semi-axis of the contact along x, m
+    maximal_semi_axis_b      semi-axis of the contact along y, m
+    energy_before            kinetic, without fixed bodies, J
+    energy_after             kinetic, without fixed bodies, J
     energy_dissipated        by friction, J
-    energy_lost              in the bodies' material, J
+    energy_lost              in the material of the bodies, J
     regimes                  in order; sign: traction on body 1 along the first slip
-    method                   how it was solved
-    compressions             how often the approach grew
+    method                   solution method
+    compressions             number of compression phases
     error_estimate           of the contact velocity, over that before
-    warnings                 what limits the validity
+    warnings                 limits of validity that the impact exceeds
     """
 
     outcome: str | list[str]
@@ -243,5 +243,5 @@ class Rebound(Record):
 
 
 Rebound.units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
-Rebound.meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from touch to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'of the contact along x', 'maximal_semi_axis_b': 'of the contact along y', 'energy_before': 'kinetic, without bodies held fast', 'energy_after': 'kinetic, without bodies held fast', 'energy_dissipated': 'by friction', 'energy_lost': "in the bodies' material", 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'how it was solved', 'compressions': 'how often the approach grew', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'what limits the validity'}
+Rebound.meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
 Rebound._vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])

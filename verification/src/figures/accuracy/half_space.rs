@@ -8,7 +8,7 @@ use carom_halfspace::{
 };
 use carom_special::RangeError;
 
-/// 1e-14 in eps.
+/// Largest allowed error of the coefficients: 1e-14, in units of eps.
 const COEFFICIENTS: f64 = 1e-14 / f64::EPSILON;
 
 type Done = Result<(), Failure>;

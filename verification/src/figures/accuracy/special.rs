@@ -7,7 +7,7 @@ use carom_special::gamma::{gamma, ln_gamma};
 use carom_special::hypergeometric::{Gauss, HypergeometricError, ThreeFTwo, UnitArgument};
 use carom_special::{AxisRatio, RangeError};
 
-/// 1e-13 in eps.
+/// Largest allowed error of hypergeometric functions: 1e-13, in units of eps.
 const HYPERGEOMETRIC: f64 = 1e-13 / f64::EPSILON;
 
 /// Near their zeros 2F1 and 3F2 are checked against an absolute error below this size.

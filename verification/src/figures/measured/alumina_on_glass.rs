@@ -11,10 +11,10 @@ use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, lins
 const RADIUS: f64 = 0.0025;
 const SPEED: f64 = 3.9;
 const FRICTION: f64 = 0.092;
-/// Of glass on glass, which the constant model is given.
+/// The tangential restitution of glass on glass, for the model with constant coefficients.
 const BETA: f64 = 0.44;
 
-/// What is measured, and its uncertainty as the bars show it.
+/// The measured quantity, and its uncertainty by the error bars.
 struct Quantity {
     title: &'static str,
     axis: &'static str,
@@ -65,7 +65,7 @@ fn kappa(glass: Material) -> Result<f64, Failure> {
     Ok(MaterialPair::new(Material::from_young(380e9, 0.23)?, glass)?.kappa())
 }
 
-/// R_x where the coupling of both materials counts.
+/// R_x with the coupling of the two materials.
 fn coupled(lambda: f64) -> Result<f64, Failure> {
     let [ball, glass] = [Material::from_young(380e9, 0.23)?, Material::from_young(70e9, 0.25)?];
     let motion = Motion::new([lambda * FRICTION, 0.0, -1.0], [0.0; 3])?;
@@ -165,7 +165,7 @@ pub(super) fn draw() -> FigureResult {
     Ok(figure)
 }
 
-/// Against the measurements, and against an independent program for the same bodies.
+/// Comparison with the measurements, and with an independent program for the same bodies.
 fn measured_claims(figure: &mut Figure, all: &[Quantity; 4], kappa: f64) -> Result<(), Failure> {
     // Root mean square and largest deviation, as far as the readings reach.
     let bounds = [(0.0145, 0.04), (17.0, 40.0), (0.2, 0.5), (1.5, 3.0)];
@@ -192,7 +192,7 @@ fn measured_claims(figure: &mut Figure, all: &[Quantity; 4], kappa: f64) -> Resu
     Ok(())
 }
 
-/// How far the others are from the measured v_t'/v_t.
+/// Deviations of the other models from the measured v_t'/v_t.
 fn other_models(figure: &mut Figure, share: &Quantity, kappa: f64) -> Result<(), Failure> {
     let mut table =
         crate::Table::new("Measured v_t'/v_t against each model", ["model", "rms", "largest"]);
@@ -223,10 +223,10 @@ fn other_models(figure: &mut Figure, share: &Quantity, kappa: f64) -> Result<(),
     Ok(())
 }
 
-/// Angle from which the ball slides at first, degrees: there coupling hardly counts.
+/// Angle in degrees above which the ball starts with sliding, where coupling has little effect.
 const STEEP: f64 = 13.0;
 
-/// What the coupling of both materials changes of that.
+/// Claims about the effect of the coupling of the two materials.
 fn coupling_claims(
     figure: &mut Figure,
     share: &Quantity,

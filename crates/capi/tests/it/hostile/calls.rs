@@ -1,4 +1,4 @@
-//! One random call of the border.
+//! One random call of the C interface.
 
 use std::ffi::CStr;
 use std::mem::{MaybeUninit, size_of, zeroed};

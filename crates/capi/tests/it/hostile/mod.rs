@@ -1,8 +1,8 @@
-//! Random calls of the whole C border: valid, extreme and meaningless arguments, null and misaligned pointers, and
-//! bytes garbled anywhere in what the caller keeps. Each ends with a status.
+//! Random calls of the whole C interface: valid, extreme and meaningless arguments, null and misaligned
+//! pointers, and bytes changed anywhere in the caller's data. Each ends with a status.
 //!
-//! The long form is run under the address sanitizer and valgrind by `sanitize.sh`; `CAROM_CALLS` says how many, and
-//! `CAROM_SEED` which.
+//! `sanitize.sh` runs the long form under the address sanitizer and valgrind; `CAROM_CALLS` sets the number
+//! of calls, `CAROM_SEED` the seed.
 
 mod calls;
 mod world;

@@ -1,4 +1,4 @@
-//! What a hostile caller keeps, and the numbers and pointers that he hands in.
+//! The data of a hostile caller, and the numbers and pointers that it passes.
 
 use std::collections::BTreeSet;
 use std::mem::{MaybeUninit, size_of, zeroed};

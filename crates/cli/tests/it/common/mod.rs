@@ -1,4 +1,4 @@
-//! The command as a user meets it, and files for it.
+//! Runs the command, and files for it.
 pub(crate) mod pebble;
 pub(crate) mod picture;
 mod rough;

@@ -1,4 +1,4 @@
-//! An ellipsoid that falls on a plane, and what the command says of it.
+//! An ellipsoid that hits a plane, and the results of the command for it.
 
 use super::{carom, case, fresh, stdout};
 

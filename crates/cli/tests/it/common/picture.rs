@@ -1,4 +1,4 @@
-//! A picture read back: panels with their axes, and the curves in the units of the axes' ticks.
+//! Reads a picture: panels with their axes, and the curves in the units of the ticks.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Cases on a grid whose heights stand in a file of their own.
+//! Cases on a grid with heights in a file.
 
 /// A ball on a rough plane of 8 x 8 cells, its heights in `file`; two steps.
 pub(crate) fn rough(file: &str) -> String {

@@ -1,4 +1,4 @@
-//! One encounter of spheres held against the collision of the same.
+//! One impact of spheres in contact axes, compared with the collision of the bodies.
 
 use carom_impact::coupled::{CoupledImpact, TurningLaw};
 use carom_impact::{Collision, Rebound};

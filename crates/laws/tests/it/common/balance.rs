@@ -1,5 +1,5 @@
-//! Work of a law on a straight step, by Gauss between the events of the step, and paths that look
-//! for trouble.
+//! Work of a law on a straight step, by Gauss quadrature between the events of the step, and paths that
+//! provoke errors.
 //!
 //! The work is found from the loads alone: copies of the law go part of the way. The events
 //! are those of the friction cone and the polyline: the cone meets or leaves a vertex, the edge

@@ -1,5 +1,5 @@
-//! Rings of sliders, each dragged by itself along straight steps: Coulomb's law, refined at will.
-//! It shares no code with the laws.
+//! Independent sliders, advanced by small straight steps: a reference for Coulomb's law that can be refined
+//! at will. It shares no code with the laws.
 
 /// Rings of equal stiffness, their touch at the squares of equally spaced roots.
 pub(crate) struct Rings {

@@ -1,4 +1,4 @@
-//! What sticks from touch on has closed forms.
+//! Contacts that stick from the first contact on have closed forms.
 
 use super::common::{alike, law, law_of, shift};
 use carom_laws::law::ContactLaw;

@@ -1,4 +1,4 @@
-//! Work is what is stored and what is dissipated; nothing gains.
+//! Work equals stored energy plus heat; nothing gains energy.
 
 use super::common::{Random, alike, hertz, law, unlike};
 use carom_laws::accounted::Accounted;

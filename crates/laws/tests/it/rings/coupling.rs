@@ -1,4 +1,4 @@
-//! Pressing unlike bodies: slip from the rim inwards, and which way it goes.
+//! Compression of dissimilar bodies: slip from the rim inwards, and its direction.
 
 use super::common::{hertz, law, law_of, shift};
 use carom_halfspace::{Force, Material, Point, PointLoad};

@@ -1,4 +1,4 @@
-//! What must not change: frames, reflections, the exchange of bodies, a shift of the origin.
+//! Invariance under rotations, reflections, the exchange of bodies, and a shift of the origin.
 
 use super::common::{Random, law, law_of, shift, unlike};
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};

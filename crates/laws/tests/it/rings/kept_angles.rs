@@ -1,4 +1,4 @@
-//! Motions in a plane by half and by a quarter of the angles, against all of them.
+//! Motions in a plane with half and a quarter of the angles, compared with all of them.
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Dissipative, Shift};

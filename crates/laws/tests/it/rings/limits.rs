@@ -1,4 +1,4 @@
-//! Limits of friction, coupling and steps; what is refused.
+//! Limits of friction, coupling and steps; invalid input.
 
 use super::common::{Random, alike, hertz, law, law_of, shift};
 use carom_halfspace::{Material, MaterialPair};
