@@ -76,11 +76,14 @@ impl Problem {
         best.ok_or(RingImpactError::NoSeparation)
     }
 
-    /// The impact, and R_x where that is the limit for vanishing tangential velocities.
+    /// The impact, and R_x and its estimated error where that is the limit for vanishing tangential velocities.
     ///
     /// The tangential velocity after the impact is linear in a small one before, so that one below [`PROBE`] is scaled
     /// from the impact at `PROBE`.
-    pub(super) fn followed(&self, tolerance: f64) -> Result<(Found, Option<f64>), RingImpactError> {
+    pub(super) fn followed(
+        &self,
+        tolerance: f64,
+    ) -> Result<(Found, Option<[f64; 2]>), RingImpactError> {
         let [speed, xi, eta, omega] = self.motion.before;
         let (size, probe) = (xi.hypot(eta), PROBE * self.scale() * speed);
         if size >= probe {
@@ -93,8 +96,9 @@ impl Problem {
         let mut found = probed;
         found.passage.after =
             [speed_after, -limit * xi - side * eta, -limit * eta + side * xi, omega_after];
+        let estimate = found.estimate / PROBE;
         found.estimate *= size / probe;
-        Ok((found, Some(limit)))
+        Ok((found, Some([limit, estimate])))
     }
 
     /// R_x of small tangential velocities: that of like bodies and what coupling adds to it at one of this size
@@ -157,7 +161,7 @@ impl Problem {
     /// What all rings leave out, in the tangential velocity over f v_z (over v_z where f > 1): the contact area is
     /// not Hertz's. It was measured against a grid of 64 cells in 256 steps, |gamma| f from 0.2 to 1.1, f to 2.9:
     /// all of 30 impacts were nearer.
-    fn left_out(&self) -> f64 {
+    pub(super) fn left_out(&self) -> f64 {
         let strength = self.strength() * self.friction.get().clamp(1.0, STRONGEST);
         LEFT_OUT * strength * strength * self.reached()
     }

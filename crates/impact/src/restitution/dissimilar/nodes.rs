@@ -132,33 +132,41 @@ impl Nodes {
         }
     }
 
-    /// The value between entries; none out of their range. It allocates nothing.
-    pub(super) fn value(&self, entries: &[f32], groups: &DissimilarGroups) -> Option<f64> {
+    /// The value between entries, less `part` of the value at Gamma = 0; none out of their range.
+    pub(super) fn value(
+        &self,
+        entries: &[f32],
+        groups: &DissimilarGroups,
+        part: f64,
+    ) -> Option<f64> {
         let spread = groups.spread();
-        if spread > MOST_SPREAD || groups.lambda > MOST_LAMBDA {
+        if spread > MOST_SPREAD || groups.lambda > MOST_LAMBDA || groups.friction.get() > 1.0 {
             return None;
         }
         let ratio = place(RATIO, groups.ratio)?;
-        let kappa = place(KAPPA, groups.kappa)?;
-        let most = (KAPPA[1] - groups.kappa).min(spread);
+        // Computed from nu, 3/2 may come out above itself by round-off.
+        let kappa = groups.kappa.min(KAPPA[1]);
+        let most = (KAPPA[1] - kappa).min(spread);
+        let kappa = place(KAPPA, kappa)?;
         // Where materials leave no choice of gamma any will do.
-        let part = if most > 0.0 { (groups.gamma / most) * (groups.gamma / most) } else { 0.0 };
-        let square = place([0.0, 1.0 + ROUNDING], part)?;
+        let of_most = if most > 0.0 { groups.gamma / most } else { 0.0 };
+        let square = place([0.0, 1.0 + ROUNDING], of_most * of_most)?;
         let even = |value: f64, most: f64, middle: f64| {
             (value / (value + middle) * ((most + middle) / most)).min(1.0)
         };
         let (spread, by_spread) = near::<SPREADS>(even(spread, MOST_SPREAD, MIDDLE_SPREAD));
         let (lambda, by_lambda) = near::<LAMBDAS>(even(groups.lambda, MOST_LAMBDA, MIDDLE_LAMBDA));
         let mut sums = [0.0_f32; PLANE];
-        for (i, of_spread) in by_spread.into_iter().enumerate() {
+        let at = (spread..).zip(by_spread).chain([(0, -part)]);
+        for (spread, of_spread) in at {
             for (j, of_lambda) in by_lambda.into_iter().enumerate() {
-                let first = ((spread + i) * LAMBDAS + lambda + j) * PLANE;
+                let first = (spread * LAMBDAS + lambda + j) * PLANE;
                 let weight = (of_spread * of_lambda) as f32;
                 let plane = entries.get(first..first + PLANE)?;
                 sums.iter_mut().zip(plane).for_each(|(sum, x)| *sum += weight * x);
             }
         }
-        Some(self.across(&sums, [ratio, kappa, square]).clamp(-1.0, 1.0))
+        Some(self.across(&sums, [ratio, kappa, square]))
     }
 
     /// The value of one Gamma and lambda at places of the other coordinates.
