@@ -15,8 +15,12 @@ pub(super) const LAMBDAS: usize = 25;
 pub(super) const RATIOS: usize = 9;
 pub(super) const KAPPAS: usize = 5;
 pub(super) const SQUARES: usize = 4;
+/// Entries of one Gamma, one lambda and one ratio.
+const LINE: usize = KAPPAS * SQUARES;
 /// Entries of one Gamma and one lambda.
-pub(super) const PLANE: usize = RATIOS * KAPPAS * SQUARES;
+pub(super) const PLANE: usize = RATIOS * LINE;
+/// Pairs of Gamma and lambda that count between entries.
+const PLANES: usize = 5 * 4;
 /// All entries: by Gamma, lambda, ratio, kappa and gamma^2, the last fastest.
 pub(super) const ENTRIES: usize = SPREADS * LAMBDAS * PLANE;
 
@@ -156,32 +160,41 @@ impl Nodes {
         };
         let (spread, by_spread) = near::<SPREADS>(even(spread, MOST_SPREAD, MIDDLE_SPREAD));
         let (lambda, by_lambda) = near::<LAMBDAS>(even(groups.lambda, MOST_LAMBDA, MIDDLE_LAMBDA));
-        let mut sums = [0.0_f32; PLANE];
+        // Four by four entries of the table, and the four at Gamma = 0.
+        let mut planes = [(&[0.0; PLANE], 0.0); PLANES];
         let at = (spread..).zip(by_spread).chain([(0, -part)]);
-        for (spread, of_spread) in at {
-            for (j, of_lambda) in by_lambda.into_iter().enumerate() {
-                let first = (spread * LAMBDAS + lambda + j) * PLANE;
-                let weight = (of_spread * of_lambda) as f32;
-                let plane = entries.get(first..first + PLANE)?;
-                sums.iter_mut().zip(plane).for_each(|(sum, x)| *sum += weight * x);
-            }
+        let pairs = at.flat_map(|at| (lambda..).zip(by_lambda).map(move |to| (at, to)));
+        for (plane, ((spread, of_spread), (lambda, of_lambda))) in planes.iter_mut().zip(pairs) {
+            let first = (spread * LAMBDAS + lambda) * PLANE;
+            let entries = entries.get(first..first + PLANE)?;
+            *plane = (entries.try_into().ok()?, (of_spread * of_lambda) as f32);
         }
-        Some(self.across(&sums, [ratio, kappa, square]))
+        Some(self.across(&planes, [ratio, kappa, square]))
     }
 
-    /// The value of one Gamma and lambda at places of the other coordinates.
+    /// The weighted sum of planes at places of the other coordinates.
     #[inline]
-    fn across(&self, sums: &[f32; PLANE], [ratio, kappa, square]: [f64; 3]) -> f64 {
+    fn across(
+        &self,
+        planes: &[(&[f32; PLANE], f32); PLANES],
+        [ratio, kappa, square]: [f64; 3],
+    ) -> f64 {
         let by_ratio = weights(&self.ratio[0], &self.ratio[1], ratio);
         let by_kappa = weights(&self.kappa[0], &self.kappa[1], kappa);
         let by_square = weights(&self.square[0], &self.square[1], square);
-        let mut lines = [0.0; KAPPAS * SQUARES];
-        for (plane, weight) in sums.chunks_exact(KAPPAS * SQUARES).zip(by_ratio) {
-            lines.iter_mut().zip(plane).for_each(|(sum, &x)| *sum += weight * f64::from(x));
+        let mut line = [0.0_f32; LINE];
+        for (i, of_ratio) in by_ratio.into_iter().enumerate() {
+            // Few enough to stay in registers.
+            let mut sums = [0.0_f32; LINE];
+            for (plane, weight) in planes {
+                let entries = &plane[i * LINE..(i + 1) * LINE];
+                sums.iter_mut().zip(entries).for_each(|(sum, x)| *sum += weight * x);
+            }
+            line.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio as f32 * sum);
         }
-        let rows = lines.chunks_exact(SQUARES).zip(by_kappa);
+        let rows = line.chunks_exact(SQUARES).zip(by_kappa);
         rows.map(|(row, weight)| {
-            weight * row.iter().zip(by_square).map(|(x, w)| x * w).sum::<f64>()
+            weight * row.iter().zip(by_square).map(|(&x, w)| f64::from(x) * w).sum::<f64>()
         })
         .sum()
     }
