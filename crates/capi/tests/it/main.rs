@@ -1,6 +1,7 @@
 //! The tests of `carom-capi` that see it as its users do: one executable, a module for each subject.
 
 mod border;
+mod dissimilar;
 mod garbled;
 mod grains;
 mod header;
