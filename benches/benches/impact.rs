@@ -1,10 +1,13 @@
-//! Cost of an impact: exact, from the table, and a map of it.
+//! Cost of an impact: exact, from the table, and a map of it; of alike spheres and of dissimilar ones.
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use carom_impact::oblique::{Groups, ObliqueImpact};
-use carom_impact::restitution::{RestitutionTable, restitution_map};
+use carom_impact::restitution::{
+    DissimilarGroups, DissimilarTable, RestitutionTable, of_dissimilar, of_spheres, restitution_map,
+};
+use carom_laws::friction::Friction;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// Spheres of Poisson's ratio 0.3 from grazing stick to sliding throughout.
@@ -53,5 +56,46 @@ fn table(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, exact, table);
+/// Solid spheres of kappa, gamma, f and lambda all over the table, so that its entries come from all its memory.
+fn dissimilar_spheres() -> Vec<(DissimilarGroups, [f64; 2])> {
+    let part = |i: usize, step: f64| (i as f64 * step).fract();
+    let spheres = |i: usize| {
+        // Parts of the golden ratio and its like do not repeat.
+        let (kappa, lambda) = (1.0 + 0.45 * part(i, 0.618_034), 7.9 * part(i, 0.754_878));
+        let gamma = (1.5 - kappa) * (0.1 + 0.9 * part(i, 0.569_840));
+        let friction = Friction::new((gamma / 10.0).max(0.9 * part(i, 0.819_173)));
+        let friction = friction.expect("in range");
+        let groups = DissimilarGroups::of_spheres(kappa, gamma, friction, lambda);
+        (groups.expect("in range"), [kappa, lambda])
+    };
+    (1..=1024).map(spheres).collect()
+}
+
+fn dissimilar(c: &mut Criterion) {
+    let table = DissimilarTable::shared();
+    let spheres = dissimilar_spheres();
+    assert!(spheres.iter().all(|(groups, _)| table.stored(groups).is_some()), "all in the table");
+    let mut group = c.benchmark_group("restitution of dissimilar spheres");
+    let mut next = 0;
+    let mut turn = || {
+        next = (next + 1) % spheres.len();
+        black_box(spheres[next])
+    };
+    group.bench_function("table, one R_x (mean of 1024)", |b| {
+        b.iter(|| table.restitution(&turn().0));
+    });
+    group.bench_function("exact, one R_x of alike spheres (mean of 1024)", |b| {
+        b.iter(|| {
+            let [kappa, lambda] = turn().1;
+            of_spheres(kappa, lambda)
+        });
+    });
+    group.sample_size(10);
+    group.bench_function("rings, one R_x (mean of 1024)", |b| {
+        b.iter(|| of_dissimilar(&turn().0, 1e-2));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, exact, table, dissimilar);
 criterion_main!(benches);

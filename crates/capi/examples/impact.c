@@ -80,6 +80,14 @@ static void restitution(void) {
     must(fabs(table[i] - exact) < 1e-8, "the table is within 1e-8");
   }
   printf("R_x(1.214, 0.96) = %.8f\n", table[11]);
+  /* A rigid sphere on one of nu = 0.3 with f = 0.1: coupling throws it back. */
+  double estimate;
+  uint32_t method;
+  must(carom_restitution_dissimilar(kappa, 1.5 - kappa, 0.1, 2.0, 3.5, &exact, &estimate, &method,
+                                    NULL) == CAROM_STATUS_OK &&
+           method == CAROM_BY_TABLE && estimate < 0.02,
+       "R_x of dissimilar spheres");
+  printf("dissimilar: R_x(1.214, 2) = %.3f, within %.3f\n", exact, estimate);
 }
 
 /* ANCHOR: contacts */

@@ -112,6 +112,9 @@
 // R_x by the exact impact, in microseconds.
 #define CAROM_EXACT 1
 
+// R_x of dissimilar spheres by rings, in milliseconds.
+#define CAROM_BY_RINGS 2
+
 // Number of 8-byte words in a `carom_ring_touch`, without its mark.
 #define CAROM_RING_TOUCH_WORDS 420
 
@@ -811,6 +814,30 @@ carom_status carom_restitution_many(size_t count,
                                     double *restitution,
                                     size_t restitution_stride,
                                     struct carom_error *error);
+
+// R_x of spheres or planes of dissimilar materials without spin about the normal.
+//
+// `gamma`, of either sign, is the coupling (15.2) of the materials, at most 3/2 - `kappa`, which is in
+// [0.75, 1.5]. `friction` is f, from 0 to infinity; `lambda` >= 0 as for `carom_restitution`, 0 where f is
+// infinite. `mobility_ratio`, in (0, 75], is D_xx/D_zz: 3.5 of solid spheres, 2.5 of hollow ones.
+//
+// `method` tells how it was found, and `error_estimate` how far it may be off; each may be null:
+// - CAROM_EXACT: gamma = 0, with the bits of `carom_restitution`, or no friction.
+// - CAROM_BY_TABLE: in half a microsecond, for kappa from 1, lambda to 8, f to 1, |gamma|/f to 12 and
+//   mobility_ratio from 1 to 6.
+// - CAROM_BY_RINGS: elsewhere.
+//
+// # Safety
+// `restitution` may be written; `error_estimate`, `method` and `error` are null or may be written.
+carom_status carom_restitution_dissimilar(double kappa,
+                                          double gamma,
+                                          double friction,
+                                          double lambda,
+                                          double mobility_ratio,
+                                          double *restitution,
+                                          double *error_estimate,
+                                          uint32_t *method,
+                                          struct carom_error *error);
 
 // One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
 // the torque about the normal. `rings` are those of `grains->unit`. `heats` may be null; here it costs

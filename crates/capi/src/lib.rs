@@ -64,7 +64,10 @@ pub use pair::{
     CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, CaromPair,
     carom_pair_of_curvatures, carom_pair_of_spheres, carom_pair_of_stiffness,
 };
-pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_many};
+pub use restitution::{
+    CAROM_BY_RINGS, CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_dissimilar,
+    carom_restitution_many,
+};
 pub use ring_touch::{
     CAROM_RING_TOUCH_MARK, CAROM_RING_TOUCH_NUMBERS, CAROM_RING_TOUCH_WORDS, CaromRingTouch,
     carom_ring_touch_energy, carom_ring_touch_grains, carom_ring_touch_grains_load,

@@ -28,6 +28,22 @@ pub(crate) unsafe fn write<'a, T>(
     Ok(unsafe { &mut *pointer })
 }
 
+/// A thing to be written; none where the pointer is null.
+///
+/// # Safety
+/// As [`write()`].
+#[inline]
+pub(crate) unsafe fn write_or_null<'a, T>(
+    pointer: *mut T,
+    name: &'static str,
+) -> Result<Option<&'a mut T>, Failure> {
+    if pointer.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: the caller's promise.
+    unsafe { write(pointer, name) }.map(Some)
+}
+
 /// Whether a pointer is neither null nor misaligned.
 #[inline]
 pub(crate) fn is_place<T>(pointer: *const T) -> bool {

@@ -1,15 +1,20 @@
 //! The tangential coefficient of restitution of spheres.
 
 use carom_impact::oblique::{Groups, ObliqueError, ObliqueImpact};
-use carom_impact::restitution::RestitutionTable;
+use carom_impact::restitution::{
+    DissimilarGroups, DissimilarMethod, DissimilarTable, RestitutionTable,
+};
+use carom_laws::friction::Friction;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::pointers::{Strided, write};
+use crate::pointers::{Strided, write, write_or_null};
 
 /// R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
 pub const CAROM_BY_TABLE: u32 = 0;
 /// R_x by the exact impact, in microseconds.
 pub const CAROM_EXACT: u32 = 1;
+/// R_x of dissimilar spheres by rings, in milliseconds.
+pub const CAROM_BY_RINGS: u32 = 2;
 
 /// R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
 ///
@@ -69,6 +74,61 @@ pub unsafe extern "C" fn carom_restitution_many(
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
+}
+
+/// R_x of spheres or planes of dissimilar materials without spin about the normal.
+///
+/// `gamma`, of either sign, is the coupling (15.2) of the materials, at most 3/2 - `kappa`, which is in
+/// [0.75, 1.5]. `friction` is f, from 0 to infinity; `lambda` >= 0 as for `carom_restitution`, 0 where f is
+/// infinite. `mobility_ratio`, in (0, 75], is D_xx/D_zz: 3.5 of solid spheres, 2.5 of hollow ones.
+///
+/// `method` tells how it was found, and `error_estimate` how far it may be off; each may be null:
+/// - CAROM_EXACT: gamma = 0, with the bits of `carom_restitution`, or no friction.
+/// - CAROM_BY_TABLE: in half a microsecond, for kappa from 1, lambda to 8, f to 1, |gamma|/f to 12 and
+///   mobility_ratio from 1 to 6.
+/// - CAROM_BY_RINGS: elsewhere.
+///
+/// # Safety
+/// `restitution` may be written; `error_estimate`, `method` and `error` are null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_restitution_dissimilar(
+    kappa: f64,
+    gamma: f64,
+    friction: f64,
+    lambda: f64,
+    mobility_ratio: f64,
+    restitution: *mut f64,
+    error_estimate: *mut f64,
+    method: *mut u32,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let place = write(restitution, "restitution")?;
+        let estimate = write_or_null(error_estimate, "error_estimate")?;
+        let by = write_or_null(method, "method")?;
+        let friction = Friction::new(friction)?;
+        let groups = DissimilarGroups::new(kappa, gamma, friction, lambda, mobility_ratio)?;
+        let found = DissimilarTable::shared().restitution(&groups)?;
+        *place = found.r_x;
+        if let Some(estimate) = estimate {
+            *estimate = found.error_estimate;
+        }
+        if let Some(by) = by {
+            *by = method_of(found.method);
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+fn method_of(method: DissimilarMethod) -> u32 {
+    match method {
+        DissimilarMethod::Frictionless | DissimilarMethod::Uncoupled => CAROM_EXACT,
+        DissimilarMethod::Table => CAROM_BY_TABLE,
+        DissimilarMethod::Rings => CAROM_BY_RINGS,
+    }
 }
 
 fn one(kappa: f64, lambda: f64, method: u32) -> Result<f64, Failure> {

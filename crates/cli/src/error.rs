@@ -1,6 +1,7 @@
 //! The errors of a command and their exit codes.
 
 use carom_cases::{Error, is_bad_collision};
+use carom_impact::RingImpactError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
@@ -61,6 +62,9 @@ pub enum CliError {
     /// The impact could not be solved to separation.
     #[error(transparent)]
     Impact(#[from] ObliqueError),
+    /// The impact of dissimilar spheres could not be followed by rings.
+    #[error(transparent)]
+    Rings(#[from] RingImpactError),
     /// A result is not finite, since numbers of the case are too large or too small.
     #[error(
         "{}: {quantity} = {value} is not finite: numbers of the case are too large or too small",
@@ -114,6 +118,7 @@ impl CliError {
                 RollingError::Range(_) => 2,
                 _ => 1,
             },
+            Self::Rings(source) => 1 + u8::from(matches!(source, RingImpactError::Range(_))),
             Self::Overflow { .. }
             | Self::Messages { .. }
             | Self::Destination { .. }

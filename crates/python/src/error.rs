@@ -98,6 +98,7 @@ fault_of! {
     carom::impact::CollisionError: carom::impact::CollisionError::Range(error) => error;
     carom::numerical::CollisionLawError:
         carom::numerical::CollisionLawError::Collision(carom::impact::CollisionError::Range(error)) => error;
+    carom::impact::RingImpactError: carom::impact::RingImpactError::Range(error) => error;
     carom::impact::restitution::RestitutionError:
         carom::impact::restitution::RestitutionError::Range(error) => error;
     carom::laws::curvature::CurvatureError: carom::laws::curvature::CurvatureError::Range(error) => error;

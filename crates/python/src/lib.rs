@@ -44,7 +44,7 @@ mod _carom {
     #[pymodule_export]
     use super::records::columns;
     #[pymodule_export]
-    use super::restitution::{restitution, restitution_of_groups};
+    use super::restitution::{restitution, restitution_of_dissimilar, restitution_of_groups};
     #[pymodule_export]
     use super::room::available_room;
     #[pymodule_export]

@@ -1,5 +1,6 @@
 //! Results as columns; their names, units and meanings come from the tables beside the Rust results.
 
+use carom::impact::restitution::DissimilarRestitution;
 use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::hertz::HertzState;
 use carom::table::{Column, Quantity as _, Value};
@@ -18,6 +19,7 @@ pub(crate) fn columns(
     record: &str,
 ) -> PyResult<Vec<(&'static str, &'static str, &'static str, usize)>> {
     match record {
+        "DissimilarRestitution" => Ok(about(DissimilarRestitution::COLUMNS)),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),

@@ -1,12 +1,24 @@
 //! The tangential coefficient of restitution over arrays.
 
+use carom::impact::RingImpact;
 use carom::impact::oblique::{Groups, ObliqueImpact};
-use carom::impact::restitution::RestitutionTable;
+use carom::impact::restitution::{
+    DissimilarGroups, DissimilarMethod, DissimilarRestitution, DissimilarTable, RestitutionTable,
+    of_dissimilar,
+};
+use carom::laws::friction::Friction;
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-use crate::arrays::{Numbers, of_two};
+use crate::arrays::{Numbers, map_by, of_two, same_length};
 use crate::error::Fault;
+use crate::records::arrays;
+
+/// Entries that a thread takes at least: an impact by rings takes milliseconds.
+const SHARE: usize = 16;
+/// What the table of alike spheres is within.
+const ALIKE: f64 = 1e-8;
 
 /// R_x of solid spheres.
 #[pyfunction]
@@ -41,4 +53,43 @@ fn answer(exact: bool, groups: MakeGroups) -> impl Fn(f64, f64) -> Result<f64, F
             false => Ok(table.restitution(groups)?),
         }
     }
+}
+
+/// R_x of spheres of dissimilar materials, how it was found and how far it may be off.
+#[pyfunction]
+pub(crate) fn restitution_of_dissimilar<'py>(
+    py: Python<'py>,
+    numbers: [Numbers<'py>; 5],
+    exact: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let [kappa, lambda, gamma, friction, ratio] = &numbers;
+    let [kappa, lambda, gamma, friction, ratio] = [
+        kappa.as_slice()?,
+        lambda.as_slice()?,
+        gamma.as_slice()?,
+        friction.as_slice()?,
+        ratio.as_slice()?,
+    ];
+    for other in [lambda, gamma, friction, ratio] {
+        same_length("an argument", other.len(), kappa.len())?;
+    }
+    let found = map_by(SHARE, py, kappa.len(), |i| {
+        let friction = Friction::new(friction[i])?;
+        let groups = DissimilarGroups::new(kappa[i], gamma[i], friction, lambda[i], ratio[i])?;
+        if exact {
+            return Ok(of_dissimilar(&groups, RingImpact::TOLERANCE)?);
+        }
+        if gamma[i] == 0.0 && friction != Friction::NONE {
+            return of_alike(Groups::new(ratio[i] / kappa[i], lambda[i] / kappa[i])?);
+        }
+        Ok(DissimilarTable::shared().restitution(&groups)?)
+    })?;
+    arrays(py, DissimilarRestitution::COLUMNS, &found)
+}
+
+/// By the table of alike bodies.
+fn of_alike(groups: Groups) -> Result<DissimilarRestitution, Fault> {
+    let r_x = RestitutionTable::shared().restitution(groups)?;
+    let method = DissimilarMethod::Table;
+    Ok(DissimilarRestitution { r_x, method, error_estimate: ALIKE })
 }

@@ -35,6 +35,48 @@ def test_restitution_of_the_table_is_exact_to_1e_8():
     assert caught.value.index == 1
 
 
+def test_dissimilar_restitution_is_that_of_collisions():
+    rng = np.random.default_rng(4)
+    methods = set()
+    for _ in range(20):
+        one, two = (carom.Material(e, nu) for e, nu in zip(rng.uniform(1e9, 1e11, 2), rng.uniform(0, 0.5, 2), strict=True))
+        pair, friction, lam = carom.MaterialPair(one, two), rng.uniform(0.05, 0.5), rng.uniform(0.2, 9)
+        ball = carom.sphere(0.01, one, 0.033, velocity=(2 * friction * lam, 0, -2.0))
+        rings = carom.collide(ball, carom.plane(two), friction, law="rings", tolerance=1e-3).R_x
+        found = carom.restitution_of_dissimilar(pair.kappa, lam, pair.gamma, friction)
+        assert abs(found.R_x - rings) <= 1e-2
+        assert found.R_x == carom.restitution(pair.kappa, lam, gamma=pair.gamma, friction=friction)
+        followed = carom.restitution_of_dissimilar(pair.kappa, lam, pair.gamma, friction, exact=True)
+        assert followed.method == "rings" and abs(followed.R_x - rings) <= 1e-2
+        methods.add(found.method)
+    assert methods == {"table", "rings"}
+
+
+def test_gamma_0_is_alike_materials_bit_for_bit():
+    kappa, lam = np.array([[1.0], [1.2], [1.5]]), np.linspace(0, 9, 50)
+    for exact in (False, True):
+        alike = carom.restitution(kappa, lam, exact=exact)
+        zero = carom.restitution(kappa, lam, gamma=0.0, friction=0.2, exact=exact)
+        np.testing.assert_array_equal(zero, alike)
+    found = carom.restitution_of_dissimilar([1.2, 1.2, 1.2], 2.0, [0.0, 0.1, 0.1], [0.2, 0.0, 0.2], exact=True)
+    assert found.method == ["uncoupled", "frictionless", "rings"]
+    assert list(found.error_estimate[:2]) == [0.0, 0.0] and found.R_x[1] == -1.0
+
+
+def test_bad_numbers_of_dissimilar_spheres_are_named():
+    good = {"kappa": 1.2, "lam": 1.0, "gamma": 0.1, "friction": 0.1, "mobility_ratio": 3.5}
+    bad = [("kappa", 1.6), ("gamma", 0.31), ("gamma", math.nan), ("friction", -0.1), ("mobility_ratio", 0.0)]
+    for name, value in [*bad, ("lam", -1.0)]:
+        with pytest.raises(carom.RangeError) as told:
+            carom.restitution(**good | {name: [good[name], value]})
+        assert (told.value.field, told.value.index) == ("lambda" if name == "lam" else name, 1)
+    with pytest.raises(carom.RangeError, match="lambda = 1 .* 0 where friction is infinite"):
+        carom.restitution(**good | {"friction": math.inf})
+    for some in ({"gamma": 0.1}, {"friction": 0.1}, {"mobility_ratio": 2.5}):
+        with pytest.raises(TypeError, match="gamma and friction together"):
+            carom.restitution(1.2, 1.0, **some)
+
+
 def test_balances():
     rebound = carom.collide(BALL, PLATE, 0.15)
     lost = rebound.energy_before - rebound.energy_after

@@ -1,6 +1,6 @@
 //! `carom restitution` as a user meets it.
 
-use crate::common::{carom, close, fresh, json, stdout};
+use crate::common::{carom, case, close, fresh, json, stdout};
 
 #[test]
 fn restitution_gives_an_array_of_objects() {
@@ -142,4 +142,101 @@ fn tensors_are_given_by_name() {
     let csv = stdout(&[&sliding[..], &["--tensor", "secant", "--format", "csv"]].concat());
     assert!(csv.starts_with("chi,psi,R_x,regimes,tensor,R_xx,R_xy,R_xz,R_yx"));
     assert!(csv.ends_with("secant,-0.5,0,0,0,-0.5,0,0,0,1\n"), "{csv}");
+}
+
+/// R_x of a ball of Poisson's ratio 0.22 that meets a rigid plane with f = 0.1, by `carom impact`.
+fn collided(lambda: f64) -> f64 {
+    let angle = libm::atan(0.1 * lambda).to_degrees();
+    let text = format!(
+        "body_1 = {{ shape = 'sphere', radius = 0.01, density = 2500, spin = [0, 0, 0], \
+         material = {{ young_modulus = 70e9, poisson = 0.22 }} }}\n\
+         body_2 = {{ shape = 'plane', fixed = true, material = {{ rigid = true }} }}\n\
+         contact = {{ friction = 0.1, law = 'rings' }}\n\
+         approach = {{ speed = 1, angle = {angle} }}\n"
+    );
+    let outcome = json(&["impact", &case("dissimilar.toml", &text)]);
+    assert_eq!(outcome["method"], "rings", "{outcome}");
+    outcome["R_x"].as_f64().unwrap()
+}
+
+#[test]
+fn dissimilar_spheres_are_answered_by_table_or_rings() {
+    // kappa and gamma of nu = 0.22 against what is rigid.
+    let (kappa, gamma) = ((0.89 / 0.78_f64).to_string(), (-0.28 / 0.78_f64).to_string());
+    let of = ["restitution", "--kappa", &kappa, "--gamma", &gamma, "--friction", "0.1"];
+    let rows = json(&[&of[..], &["--lambda", "2,9,inf"]].concat());
+    for (row, method, r_x, within) in [
+        (0, "table", collided(2.0), 3e-3),
+        (1, "rings", collided(9.0), 1e-9),
+        (2, "frictionless", -1.0, 0.0),
+    ] {
+        assert_eq!(rows[row]["method"], method);
+        close(&rows[row]["R_x"], r_x, within);
+        let estimate = rows[row]["error_estimate"].as_f64().unwrap();
+        assert!(estimate < 0.02 && (estimate == 0.0) == (method == "frictionless"), "{estimate}");
+        close(&rows[row]["gamma"], -0.28 / 0.78, 0.0);
+        close(&rows[row]["friction"], 0.1, 0.0);
+        assert!(rows[row].get("regimes").is_none());
+    }
+    let csv = stdout(&[&of[..], &["--lambda", "2", "--format", "csv"]].concat());
+    assert!(csv.starts_with("kappa,gamma,friction,lambda,R_x,method,error_estimate\n"), "{csv}");
+    assert!(csv.contains(",0.1,2,") && csv.contains(",table,"), "{csv}");
+}
+
+#[test]
+fn spheres_of_gamma_0_are_alike_spheres() {
+    let of = ["restitution", "--kappa", "1.2", "--lambda", "0:9:19"];
+    let alike = json(&of);
+    let zero = json(&[&of[..], &["--gamma", "0", "--friction", "0.3"]].concat());
+    for (alike, zero) in alike.as_array().unwrap().iter().zip(zero.as_array().unwrap()) {
+        assert_eq!(alike["R_x"], zero["R_x"]);
+        assert_eq!(zero["method"], "uncoupled");
+    }
+    let hollow = ["--gamma", "0", "--friction", "0.3", "--mobility-ratio", "2.5"];
+    let hollow = json(&[&of[..], &hollow].concat());
+    // Sliding throughout: R_x = -1 + 5/lambda.
+    close(&hollow[18]["R_x"], -1.0 + 5.0 / 9.0, 1e-15);
+}
+
+#[test]
+fn dissimilar_spheres_are_drawn() {
+    let dissimilar = ["restitution", "--gamma", "0.1", "--friction", "0.05", "--format", "none"];
+    for (option, kappa) in [("--plot", "1,1.2"), ("--map", "1:1.4:11")] {
+        let picture = fresh(&format!("dissimilar{option}.svg"));
+        let spans = ["--kappa", kappa, "--lambda", "0.1:7:12", option, picture.to_str().unwrap()];
+        assert_eq!(stdout(&[&dissimilar[..], &spans].concat()), "");
+        let svg = std::fs::read_to_string(&picture).unwrap();
+        assert!(svg.contains("Dissimilar spheres, γ = 0.1, f = 0.05") && !svg.contains("NaN"));
+    }
+}
+
+#[test]
+fn bad_numbers_of_dissimilar_spheres_name_their_option() {
+    for (arguments, expected) in [
+        (
+            &["--gamma", "0.4", "--friction", "0.1"][..],
+            "--gamma = 0.4 is out of range: must be |gamma| <= 3/2 - kappa",
+        ),
+        (&["--gamma", "nan", "--friction", "0.1"], "--gamma = NaN is out of range"),
+        (&["--gamma", "0.1", "--friction", "-1"], "--friction = -1 is out of range"),
+        (
+            &["--gamma", "0.1", "--friction", "inf"],
+            "--lambda = 1 is out of range: must be 0 where friction is infinite",
+        ),
+        (
+            &["--gamma", "0.1", "--friction", "0.1", "--mobility-ratio", "0"],
+            "--mobility-ratio = 0 is out of range",
+        ),
+        (&["--gamma", "0.1"], "--friction <VALUE>"),
+        (&["--friction", "0.1"], "--gamma <VALUE>"),
+        (&["--mobility-ratio", "2.5"], "--gamma <VALUE>"),
+        (&["--gamma", "0.1", "--friction", "0.1", "--tensor", "secant"], "cannot be used with"),
+    ] {
+        let spheres = ["restitution", "--kappa", "1.2", "--lambda", "1"];
+        let output = carom(&[&spheres[..], arguments].concat());
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains(expected), "{stderr}");
+        assert!(output.stdout.is_empty());
+    }
 }

@@ -10,7 +10,8 @@ mod table;
 mod tensor;
 
 pub use dissimilar::{
-    DissimilarGroups, DissimilarTable, check_dissimilar, fill_dissimilar, of_dissimilar,
+    DissimilarGroups, DissimilarMethod, DissimilarRestitution, DissimilarTable, check_dissimilar,
+    fill_dissimilar, of_dissimilar,
 };
 pub use map::restitution_map;
 pub use table::RestitutionTable;

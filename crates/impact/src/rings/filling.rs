@@ -53,25 +53,3 @@ impl Filling {
         Ok(restitution + self.exact - self.followed)
     }
 }
-
-/// R_x and its estimated error, refined until that of the velocity over f v_z is below the tolerance.
-pub(crate) fn by_groups(
-    pair: [f64; 2],
-    friction: Friction,
-    lambda: f64,
-    ratio: f64,
-    tolerance: f64,
-) -> Result<[f64; 2], RingImpactError> {
-    let problem = Problem::of_groups(pair, friction, lambda, ratio);
-    if pair[1] == 0.0 {
-        return Ok([problem.exact_restitution()?, 0.0]);
-    }
-    let (found, limit) = problem.followed(tolerance)?;
-    let before = problem.motion.before[1];
-    let restitution = match limit {
-        Some(limit) => limit,
-        None => -found.passage.after[1] / before,
-    };
-    let size = before.max(PROBE * problem.scale());
-    Ok([restitution, found.estimate * problem.scale() / size])
-}

@@ -1,5 +1,6 @@
 //! Impacts of spheres and planes of dissimilar materials, with spin about the normal, by the law of rings.
 
+mod by_groups;
 mod filling;
 mod levels;
 mod motion;
@@ -18,7 +19,8 @@ use crate::outcome::{HistoryPoint, Outcome, Torsion, TorsionMode};
 use motion::Motion;
 use problem::Problem;
 
-pub(crate) use filling::{Filling, by_groups};
+pub(crate) use by_groups::{GroupImpact, by_groups, left_out};
+pub(crate) use filling::Filling;
 
 /// Mobilities along two tangents with a smaller relative difference are equal.
 const EVEN: f64 = 1e-12;
@@ -103,7 +105,7 @@ impl<'a> RingImpact<'a> {
     /// tangents; else as [`Collision::solve`].
     pub fn solve(&self) -> Result<Outcome, RingImpactError> {
         let Some(problem) = self.problem()? else { return Ok(self.collision.missed()) };
-        let (found, r_x) = problem.followed(self.tolerance)?;
+        let (found, limit) = problem.followed(self.tolerance)?;
         let [speed, xi, eta, omega] = problem.motion.before;
         let [zeta_after, xi_after, eta_after, omega_after] = found.passage.after;
         let before = Vector3::new(xi, eta, speed);
@@ -120,7 +122,7 @@ impl<'a> RingImpact<'a> {
             error_estimate: (found.estimate * scale).hypot(found.normal * speed) / before.norm(),
             warning: None,
         };
-        let mut known = Known { r_x, ..Known::default() };
+        let mut known = Known { r_x: limit.map(|[r_x, _]| r_x), ..Known::default() };
         let about = problem.motion.mobility[2];
         if omega != 0.0 && about > 0.0 {
             let torque_impulse = (omega_after - omega) / about;

@@ -1,6 +1,9 @@
 //! R_x of dissimilar spheres by table and by rings, against finer rings and a grid.
 
-use carom_impact::restitution::{DissimilarGroups, DissimilarTable, of_dissimilar, of_groups};
+use carom_impact::restitution::{
+    DissimilarGroups, DissimilarMethod, DissimilarTable, of_dissimilar, of_groups, of_spheres,
+};
+use carom_impact::{Body, Collision, Motion, RingImpact};
 use carom_laws::friction::Friction;
 
 fn groups([kappa, gamma, f, lambda, ratio]: [f64; 5]) -> DissimilarGroups {
@@ -31,9 +34,8 @@ const STRONG: [[f64; 5]; 16] = [
 #[test]
 fn estimates_say_what_rings_leave_out_at_strong_friction() {
     for [kappa, gamma, f, lambda, after] in STRONG {
-        let [restitution, estimate] =
-            of_dissimilar(&groups([kappa, gamma, f, lambda, 3.5]), 1e-2).unwrap();
-        let off = (restitution + after / lambda).abs();
+        let found = of_dissimilar(&groups([kappa, gamma, f, lambda, 3.5]), 1e-2).unwrap();
+        let (off, estimate) = ((found.r_x + after / lambda).abs(), found.error_estimate);
         assert!(off <= estimate, "gamma {gamma}, f {f}, lambda {lambda}: {off} {estimate}");
     }
 }
@@ -107,10 +109,9 @@ fn the_estimate_covers_the_change_to_the_finest_rings_in_95_of_100_drawn_impacts
     let mut covered = 0;
     for _ in 0..100 {
         let groups = groups(random.groups());
-        let finest = of_dissimilar(&groups, 1e-9).unwrap()[0];
-        let [restitution, estimate] = of_dissimilar(&groups, 1e-2).unwrap();
-        let off = (restitution - finest).abs();
-        covered += i32::from(off <= estimate);
+        let finest = of_dissimilar(&groups, 1e-9).unwrap().r_x;
+        let found = of_dissimilar(&groups, 1e-2).unwrap();
+        covered += i32::from((found.r_x - finest).abs() <= found.error_estimate);
     }
     assert!(covered >= 95, "{covered}");
 }
@@ -120,7 +121,7 @@ fn the_table_is_what_the_grid_finds() {
     let (mut sum, mut worst) = (0.0, 0.0_f64);
     for [kappa, gamma, f, lambda, after] in WEAK {
         let groups = groups([kappa, gamma, f, lambda, 3.5]);
-        let off = (DissimilarTable::shared().stored(&groups).unwrap() + after / lambda).abs();
+        let off = (DissimilarTable::shared().stored(&groups).unwrap().r_x + after / lambda).abs();
         sum += off;
         worst = worst.max(off);
     }
@@ -136,7 +137,7 @@ fn the_table_is_near_the_law_between_its_entries() {
         let [kappa, gamma, f, lambda, ratio] = random.groups();
         let groups = groups([kappa, gamma, f.min(0.1 / gamma.abs()), lambda.max(0.2), ratio]);
         let Some(stored) = DissimilarTable::shared().stored(&groups) else { continue };
-        let off = (stored - of_dissimilar(&groups, 2e-3).unwrap()[0]).abs();
+        let off = (stored.r_x - of_dissimilar(&groups, 2e-3).unwrap().r_x).abs();
         sum += off;
         worst = worst.max(off);
     }
@@ -144,12 +145,34 @@ fn the_table_is_near_the_law_between_its_entries() {
 }
 
 #[test]
-fn without_coupling_the_answer_is_that_of_alike_bodies() {
+fn without_coupling_the_answer_is_that_of_alike_bodies_bit_for_bit() {
     for lambda in [0.0, 0.5, 3.0, 20.0] {
-        let groups = groups([1.2, 0.0, 0.3, lambda, 3.0]);
-        let exact = of_groups(3.0 / 1.2, lambda / 1.2).unwrap();
-        assert_eq!(DissimilarTable::shared().restitution(&groups).unwrap(), exact);
-        assert_eq!(of_dissimilar(&groups, 1e-2).unwrap(), [exact, 0.0]);
+        for f in [1e-3, 0.3, 7.0] {
+            for kappa in [1.0, 1.7 / 1.4, 1.5] {
+                let exact = of_spheres(kappa, lambda).unwrap();
+                let groups = groups([kappa, 0.0, f, lambda, 3.5]);
+                let found = DissimilarTable::shared().restitution(&groups).unwrap();
+                assert_eq!((found.r_x, found.error_estimate), (exact, 0.0));
+                assert_eq!(found.method, DissimilarMethod::Uncoupled);
+                assert_eq!(of_dissimilar(&groups, 1e-2).unwrap(), found);
+            }
+        }
+        let found = of_dissimilar(&groups([1.2, 0.0, 0.3, lambda, 3.0]), 1e-2).unwrap();
+        assert_eq!(found.r_x, of_groups(3.0 / 1.2, lambda / 1.2).unwrap());
+    }
+}
+
+#[test]
+fn little_coupling_changes_little() {
+    let mut random = Random(5);
+    for _ in 0..300 {
+        let (kappa, f) = (1.0 + 0.49 * random.part(), random.from(0.01, 1.0));
+        let (lambda, ratio) = (8.0 * random.part(), 1.0 + 5.0 * random.part());
+        let found = DissimilarTable::shared().stored(&groups([kappa, 1e-6 * f, f, lambda, ratio]));
+        let alike = of_groups(ratio / kappa, lambda / kappa).unwrap();
+        // Entries have seven digits.
+        let off = (found.unwrap().r_x - alike).abs();
+        assert!(off < 3e-5, "{kappa} {f} {lambda} {ratio}: {off}");
     }
 }
 
@@ -157,29 +180,111 @@ fn without_coupling_the_answer_is_that_of_alike_bodies() {
 fn the_sense_of_gamma_makes_no_difference_and_out_of_range_rings_answer() {
     let table = DissimilarTable::shared();
     let at = |gamma: f64, lambda: f64| groups([1.15, gamma, 0.1, lambda, 3.5]);
-    assert_eq!(table.stored(&at(0.2, 1.0)).unwrap(), table.stored(&at(-0.2, 1.0)).unwrap());
-    for outside in
-        [at(0.2, 9.0), groups([0.9, 0.2, 0.1, 1.0, 3.5]), groups([1.1, 0.2, 0.01, 1.0, 3.5])]
-    {
+    assert_eq!(table.restitution(&at(0.2, 1.0)), table.restitution(&at(-0.2, 1.0)));
+    assert_eq!(table.restitution(&at(0.2, 1.0)).unwrap().method, DissimilarMethod::Table);
+    for outside in [
+        at(0.2, 9.0),
+        groups([0.9, 0.2, 0.1, 1.0, 3.5]),
+        groups([1.1, 0.2, 0.01, 1.0, 3.5]),
+        groups([1.1, 0.2, 1.1, 1.0, 3.5]),
+        groups([1.1, 0.2, 0.1, 1.0, 6.5]),
+    ] {
         assert_eq!(table.stored(&outside), None);
-        let rings = of_dissimilar(&outside, 1e-2).unwrap()[0];
+        let rings = of_dissimilar(&outside, 1e-2).unwrap();
+        assert_eq!(rings.method, DissimilarMethod::Rings);
         assert_eq!(table.restitution(&outside).unwrap(), rings);
     }
 }
 
 #[test]
+fn the_estimate_of_the_table_covers_the_finest_rings_in_95_of_100_drawn_impacts() {
+    let mut random = Random(31);
+    let (mut covered, mut count) = (0, 0);
+    while count < 100 {
+        let [kappa, gamma, f, lambda, ratio] = random.groups();
+        // Every tenth touches without tangential velocity.
+        let lambda = if count % 10 == 0 { 0.0 } else { lambda };
+        let groups = groups([kappa, gamma, f, lambda, ratio]);
+        let Some(found) = DissimilarTable::shared().stored(&groups) else { continue };
+        let finest = of_dissimilar(&groups, 1e-9).unwrap().r_x;
+        covered += i32::from((found.r_x - finest).abs() <= found.error_estimate);
+        count += 1;
+    }
+    assert!(covered >= 95, "{covered}");
+}
+
+/// R_x of a ball of these materials against a plane, by [`RingImpact`], and the groups of that impact.
+fn collided(random: &mut Random) -> (f64, DissimilarGroups) {
+    use carom_halfspace::{Material, MaterialPair};
+    let mut material =
+        || Material::from_shear(random.from(1e9, 1e11), 0.5 * random.part()).unwrap();
+    let (ball, plane) = (material(), material());
+    let pair = MaterialPair::new(ball, plane).unwrap();
+    let (f, lambda) = (random.from(0.05, 0.6), random.from(0.2, 7.5));
+    let ball = Body::sphere(0.02, ball, 0.3).unwrap();
+    let ball = ball.moving(Motion::new([1.5 * f * lambda, 0.0, -1.5], [0.0; 3]).unwrap());
+    let friction = Friction::new(f).unwrap();
+    let collision = Collision::new(ball, Body::plane(plane), friction).unwrap();
+    let outcome = RingImpact::new(&collision).within(1e-3).unwrap().solve().unwrap();
+    let groups = DissimilarGroups::of_spheres(pair.kappa(), pair.gamma(), friction, lambda);
+    (outcome.rebound().unwrap().r_x.unwrap(), groups.unwrap())
+}
+
+#[test]
+fn the_answer_is_that_of_collisions_of_balls() {
+    let (mut random, mut by_table, mut sum) = (Random(77), 0, 0.0);
+    for _ in 0..40 {
+        let (rings, groups) = collided(&mut random);
+        let found = DissimilarTable::shared().restitution(&groups).unwrap();
+        by_table += i32::from(found.method == DissimilarMethod::Table);
+        let off = (found.r_x - rings).abs();
+        sum += off;
+        assert!(off <= 1e-2, "{groups:?}: {off}");
+    }
+    assert!(by_table >= 30 && sum / 40.0 <= 2e-3, "{by_table} {}", sum / 40.0);
+}
+
+#[test]
 fn limits_are_finite() {
     let table = DissimilarTable::shared();
-    for f in [1e-30, 1e-12, 1e-3, 1.0, 30.0] {
-        for lambda in [0.0, 1e-9, 0.01, 1e6] {
+    for f in [0.0, 1e-30, 1e-12, 1e-3, 1.0, 30.0] {
+        for lambda in [0.0, 1e-9, 0.01, 1e6, 1e308, f64::INFINITY] {
             for [kappa, gamma] in [[1.0, 0.5], [1.0, -0.5], [1.5, 0.0], [1.499, 9e-4], [1.2, 1e-12]]
             {
-                let restitution =
-                    table.restitution(&groups([kappa, gamma, f, lambda, 3.5])).unwrap();
-                assert!((-1.0..=1.0).contains(&restitution), "{f} {lambda} {gamma}: {restitution}");
+                let groups = groups([kappa, gamma, f, lambda, 3.5]);
+                let found = table.restitution(&groups).unwrap();
+                assert!((-1.0..=1.0).contains(&found.r_x), "{f} {lambda} {gamma}: {found:?}");
+                assert!((0.0..=2.0).contains(&found.error_estimate), "{f} {lambda}: {found:?}");
+                if f == 0.0 || lambda.is_infinite() {
+                    assert_eq!((found.r_x, found.method), (-1.0, DissimilarMethod::Frictionless));
+                }
             }
         }
     }
+}
+
+#[test]
+fn fast_impacts_slide_along_the_shift() {
+    // R_x = -1 + 2 D_xx/(D_zz lambda).
+    for lambda in [1e3, 1e5, 1e9] {
+        let found = of_dissimilar(&groups([1.0, 0.5, 0.1, lambda, 3.5]), 1e-2).unwrap();
+        let off = ((1.0 + found.r_x) * lambda - 7.0).abs();
+        assert!(off < 5e-3 && found.error_estimate * lambda < 1e-2, "{lambda}: {off} {found:?}");
+    }
+}
+
+#[test]
+fn bodies_that_never_slip_are_the_limit_of_strong_friction() {
+    let at = |friction| DissimilarGroups::of_spheres(1.1, 0.3, friction, 0.0).unwrap();
+    let table = DissimilarTable::shared();
+    let never = table.restitution(&at(Friction::INFINITE)).unwrap();
+    let strong = table.restitution(&at(Friction::new(1e6).unwrap())).unwrap();
+    assert_eq!(never.method, DissimilarMethod::Rings);
+    assert!((never.r_x - strong.r_x).abs() < 1e-5, "{never:?} {strong:?}");
+    // Coupling that vanishes.
+    let little = DissimilarGroups::of_spheres(1.1, 1e-9, Friction::INFINITE, 0.0).unwrap();
+    let alike = of_spheres(1.1, 0.0).unwrap();
+    assert!((table.restitution(&little).unwrap().r_x - alike).abs() < 1e-6);
 }
 
 #[test]
@@ -193,6 +298,11 @@ fn what_no_materials_have_is_refused() {
     refused(1.2, 0.4, 1.0, 3.5, "gamma");
     refused(1.2, f64::NAN, 1.0, 3.5, "gamma");
     refused(1.2, 0.1, -1.0, 3.5, "lambda");
-    refused(1.2, 0.1, 1.0, 0.0, "D_xx/D_zz");
-    assert!(DissimilarGroups::of_spheres(1.2, 0.1, Friction::NONE, 1.0).is_err());
+    refused(1.2, 0.1, f64::NAN, 3.5, "lambda");
+    refused(1.2, 0.1, 1.0, 0.0, "mobility_ratio");
+    refused(1.2, 0.1, 1.0, 76.0, "mobility_ratio");
+    refused(1.2, 0.1, 1.0, f64::NAN, "mobility_ratio");
+    let error = DissimilarGroups::of_spheres(1.2, 0.1, Friction::INFINITE, 1.0).unwrap_err();
+    assert_eq!(error.field, "lambda");
+    assert!(error.to_string().contains("0 where friction is infinite"), "{error}");
 }

@@ -73,12 +73,13 @@ from ._contact_theory import (
     lubkin_stick_radius,
     lubkin_torque,
     restitution,
+    restitution_of_dissimilar,
     restitution_of_groups,
     stress,
     von_mises,
 )
 from ._impact import collide, collide_many, history, plane, sphere
-from ._records import HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
+from ._records import DissimilarRestitution, HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
 from ._solver import Solver, cells
 
 #: The material of a rigid body.
@@ -90,6 +91,7 @@ __all__ = [
     "CaromError",
     "Contact",
     "Contacts",
+    "DissimilarRestitution",
     "Hertz",
     "HertzState",
     "HistoryPoint",
@@ -114,6 +116,7 @@ __all__ = [
     "lubkin_torque",
     "plane",
     "restitution",
+    "restitution_of_dissimilar",
     "restitution_of_groups",
     "special",
     "sphere",

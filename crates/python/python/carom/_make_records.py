@@ -5,6 +5,7 @@ from __future__ import annotations
 from . import _carom
 
 RESULTS = {
+    "DissimilarRestitution": "R_x of spheres of dissimilar materials.",
     "HertzState": "A Hertz contact under load.",
     "HistoryPoint": "Instants of an impact, in contact axes.",
     "HistoryStep": "A contact after each step of a history case. SI units; loads act on body 1.",

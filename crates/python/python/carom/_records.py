@@ -9,6 +9,25 @@ from ._record import Record
 
 
 @dataclass(frozen=True, eq=False)
+class DissimilarRestitution(Record):
+    """R_x of spheres of dissimilar materials.
+
+    R_x             tangential restitution
+    method          how it was found
+    error_estimate  how far R_x may be off
+    """
+
+    R_x: Numbers
+    method: str | list[str]
+    error_estimate: Numbers
+
+
+DissimilarRestitution.units = {'R_x': '', 'method': '', 'error_estimate': ''}
+DissimilarRestitution.meanings = {'R_x': 'tangential restitution', 'method': 'how it was found', 'error_estimate': 'how far R_x may be off'}
+DissimilarRestitution._vectors = frozenset([])
+
+
+@dataclass(frozen=True, eq=False)
 class HertzState(Record):
     """A Hertz contact under load.
 

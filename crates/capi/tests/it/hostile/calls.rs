@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 44] = [
+pub(crate) const NAMES: [&str; 45] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -54,6 +54,7 @@ pub(crate) const NAMES: [&str; 44] = [
     "carom_version",
     "carom_abi_version",
     "carom_rings_of",
+    "carom_restitution_dissimilar",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -65,7 +66,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     let which = match world.pick(400) {
         0 => 38 + world.pick(2),
         1 => 36 + world.pick(2),
-        2 => 40 + world.pick(4),
+        2 => 40 + world.pick(5),
         3..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
@@ -80,6 +81,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         29..=31 => touch_twist(world, which),
         32..=35 => constants(world, which),
         36..=37 => restitution(world, which),
+        44 => dissimilar(world),
         38 => collide(world),
         43 => rings(world),
         _ => words(world, which),
@@ -348,6 +350,21 @@ fn restitution(world: &mut World, which: usize) -> CaromStatus {
                 carom_restitution_many(2, kappa.as_ptr(), 8, &lambda, 0, method, to, stride, error)
             }
         }
+    }
+}
+
+fn dissimilar(world: &mut World) -> CaromStatus {
+    let (kappa, gamma) = (world.number(0.75, 1.5), world.number(-0.2, 0.2));
+    let (friction, lambda) = (world.number(0.05, 1.0), world.number(0.0, 7.0));
+    let (ratio, error) = (world.number(1.0, 6.0), world.error());
+    let (mut answer, mut estimate, mut method) = (0.0, 0.0, 0);
+    let (to, method) = (world.point(&raw mut answer), world.point(&raw mut method));
+    let estimate = world.point(&raw mut estimate);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        carom_restitution_dissimilar(
+            kappa, gamma, friction, lambda, ratio, to, estimate, method, error,
+        )
     }
 }
 

@@ -1,5 +1,6 @@
 //! `carom restitution`: R_x of spheres by kappa and lambda, of any bodies by chi and psi.
 
+mod plane;
 mod plot;
 mod rows;
 mod tensor;
@@ -11,10 +12,9 @@ use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
 use crate::range::Values;
 use crate::rows::{BLOCK, Rows, check_count, indented};
-use carom_impact::oblique::Groups;
-use carom_special::RangeError;
-use carom_table::{Column, row};
+use carom_table::row;
 use indicatif::ProgressBar;
+use plane::Plane;
 use rayon::prelude::*;
 use rows::Row;
 use std::path::PathBuf;
@@ -23,12 +23,17 @@ use tensor::Tensor;
 /// Impacts from which on a bar on standard error, if that is a terminal, shows the progress.
 const MANY: usize = 2000;
 
-/// Tangential restitution R_x of solid spheres (--kappa, --lambda) or of any bodies whose normal
-/// and tangential motions are uncoupled (--chi, --psi).
+/// Tangential restitution R_x of solid spheres (--kappa, --lambda), of spheres of dissimilar
+/// materials (with --gamma and --friction) or of any bodies whose normal and tangential motions are
+/// uncoupled (--chi, --psi).
 ///
 /// R_x is the tangential velocity of the contact points after the impact over that before,
 /// reversed: 1 rebounds elastically, 0 stops, -1 slides on unhindered. Lists give every pair; two
 /// ranges can be drawn as a map.
+///
+/// Of dissimilar spheres a table answers where it reaches (kappa from 1, lambda to 8, f to 1,
+/// |gamma|/f to 12), elsewhere the impact is followed by rings; error_estimate says how far R_x may
+/// be off.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
@@ -46,6 +51,19 @@ pub(super) struct Arguments {
     /// c_x/c_z times tangential over normal velocity, over friction: values as for lambda.
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true, requires = "chi")]
     psi: Option<Values>,
+    /// Coupling of dissimilar materials by (15.2), of either sign, at most 3/2 - kappa; 0 is alike
+    /// materials.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    #[arg(requires = "friction", conflicts_with_all = ["chi", "psi", "tensor"])]
+    gamma: Option<f64>,
+    /// Coefficient of friction, on which R_x of dissimilar spheres depends besides lambda; inf is
+    /// no slip, where lambda is 0.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true, requires = "gamma")]
+    friction: Option<f64>,
+    /// Ratio of mobility D_xx/D_zz of dissimilar spheres: 3.5 solid, 2.5 hollow.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true, requires = "gamma")]
+    #[arg(default_value_t = 3.5)]
+    mobility_ratio: f64,
     /// Format of the results.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -69,61 +87,10 @@ pub(super) struct Arguments {
 /// What the rows hold.
 fn help() -> String {
     let spheres = columns::help("A row for each pair, with --kappa and --lambda", rows::OF_SPHERES);
+    let dissimilar = columns::help("with --gamma", rows::OF_DISSIMILAR);
     let any = columns::help("with --chi and --psi", rows::OF_ANY);
     let tensor = columns::help("with --tensor also", rows::OF_TENSOR);
-    format!("{spheres}{any}{tensor}")
-}
-
-/// The two numbers that span the results: columns, symbols, values and meaning.
-struct Plane<'a> {
-    columns: &'static [Column<Row>],
-    symbols: [char; 2],
-    title: &'static str,
-    values: [&'a [f64]; 2],
-    groups: fn(f64, f64) -> Result<Groups, RangeError>,
-}
-
-fn list(values: &Option<Values>) -> &[f64] {
-    values.as_ref().map_or(&[], |values| &values.0)
-}
-
-impl Plane<'_> {
-    fn of(arguments: &Arguments) -> Plane<'_> {
-        if arguments.kappa.is_some() {
-            Plane {
-                columns: rows::OF_SPHERES,
-                symbols: ['κ', 'λ'],
-                title: "Tangential restitution of spheres",
-                values: [list(&arguments.kappa), list(&arguments.lambda)],
-                groups: Groups::of_spheres,
-            }
-        } else {
-            Plane {
-                columns: rows::OF_ANY,
-                symbols: ['χ', 'ψ'],
-                title: "Tangential restitution",
-                values: [list(&arguments.chi), list(&arguments.psi)],
-                groups: Groups::new,
-            }
-        }
-    }
-
-    fn count(&self) -> usize {
-        self.values[0].len().saturating_mul(self.values[1].len())
-    }
-
-    /// The pair in this place, the second number running fastest.
-    fn pair(&self, place: usize) -> [f64; 2] {
-        let [first, second] = self.values;
-        [first[place / second.len()], second[place % second.len()]]
-    }
-
-    /// Whether all pairs are allowed. Each number has a range of its own.
-    fn check(&self) -> Result<(), RangeError> {
-        let [first, second] = self.values;
-        first.iter().try_for_each(|a| (self.groups)(*a, second[0]).map(|_| ()))?;
-        second.iter().try_for_each(|b| (self.groups)(first[0], *b).map(|_| ()))
-    }
+    format!("{spheres}{dissimilar}{any}{tensor}")
 }
 
 pub(super) fn run(
@@ -131,7 +98,7 @@ pub(super) fn run(
     messages: &Messages,
     results: &mut Results,
 ) -> Result<Answer, CliError> {
-    let plane = Plane::of(arguments);
+    let plane = Plane::of(arguments)?;
     let mut outputs = Outputs::of_command(arguments.format)?;
     let mut to = |option, path: &Option<PathBuf>| {
         let to = |path: &PathBuf| outputs.picture(option, path, arguments.format);

@@ -4,7 +4,6 @@ use super::Plane;
 use crate::command::plot::{MOST_MARKS, add_curve};
 use crate::error::CliError;
 use crate::output::{Picture, short};
-use carom_impact::oblique::ObliqueImpact;
 use carom_plot::{Axis, Field, Marker, Panel, Series};
 use carom_special::linspace;
 use rayon::prelude::*;
@@ -48,10 +47,7 @@ fn points(
     numbers: &[f64],
     pair: impl Fn(f64) -> [f64; 2] + Sync,
 ) -> Result<Vec<(f64, f64)>, CliError> {
-    let point = |at: &f64| {
-        let [a, b] = pair(*at);
-        Ok((*at, ObliqueImpact::new((plane.groups)(a, b)?)?.restitution()))
-    };
+    let point = |at: &f64| Ok((*at, plane.restitution(pair(*at))?));
     numbers.par_iter().map(point).collect()
 }
 
@@ -94,5 +90,5 @@ pub(super) fn map(values: Vec<f64>, plane: &Plane<'_>) -> Result<Picture, CliErr
     let [first, second] = plane.values;
     let field = Field::new("R_x", second.to_vec(), first.to_vec(), values)?;
     let [symbol, other] = plane.symbols.map(|symbol| Axis::linear(symbol.to_string()));
-    Ok(Picture::new(plane.title, [Panel::new(other, symbol).over(field)]))
+    Ok(Picture::new(&plane.title, [Panel::new(other, symbol).over(field)]))
 }

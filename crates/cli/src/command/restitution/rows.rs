@@ -1,10 +1,12 @@
 //! R_x of a pair of numbers, and its columns.
 
+use super::Tensor;
+use super::plane::{Bodies, Coupling, Plane};
 use super::tensor::TensorRecord;
-use super::{Plane, Tensor};
 use crate::columns::Record;
 use crate::error::CliError;
 use carom_impact::oblique::{ObliqueImpact, Regime};
+use carom_impact::restitution::DissimilarRestitution;
 use carom_table::Column;
 use serde::Serialize;
 
@@ -15,8 +17,15 @@ pub(super) struct Row {
     pub(super) restitution: f64,
     regimes: Vec<&'static str>,
     tensor: Option<TensorRecord>,
+    dissimilar: Option<(Coupling, DissimilarRestitution)>,
 }
 
+const KAPPA: Column<Row> =
+    Column::new("kappa", "", "ratio of stiffness c_z/c_x", |row| row.numbers[0].into());
+const LAMBDA: Column<Row> =
+    Column::new("lambda", "", "tangential over normal velocity, over friction", |row| {
+        row.numbers[1].into()
+    });
 const RESTITUTION: Column<Row> =
     Column::new("R_x", "", "tangential restitution", |row| row.restitution.into());
 const REGIMES: Column<Row> =
@@ -25,13 +34,25 @@ const REGIMES: Column<Row> =
     });
 
 /// The columns of spheres.
-pub(super) const OF_SPHERES: &[Column<Row>] = &[
-    Column::new("kappa", "", "ratio of stiffness c_z/c_x", |row| row.numbers[0].into()),
-    Column::new("lambda", "", "tangential over normal velocity, over friction", |row| {
-        row.numbers[1].into()
+pub(super) const OF_SPHERES: &[Column<Row>] = &[KAPPA, LAMBDA, RESTITUTION, REGIMES];
+
+/// The columns of dissimilar spheres.
+pub(super) const OF_DISSIMILAR: &[Column<Row>] = &[
+    KAPPA,
+    Column::new("gamma", "", "coupling of dissimilar materials", |row| {
+        row.dissimilar.map(|(coupling, _)| coupling.gamma).into()
     }),
+    Column::new("friction", "", "coefficient of friction", |row| {
+        row.dissimilar.map(|(coupling, _)| coupling.friction.get()).into()
+    }),
+    LAMBDA,
     RESTITUTION,
-    REGIMES,
+    Column::new("method", "", "table, rings, uncoupled (gamma = 0) or frictionless", |row| {
+        row.dissimilar.map(|(_, found)| found.method.name()).into()
+    }),
+    Column::new("error_estimate", "", "how far R_x may be off", |row| {
+        row.dissimilar.map(|(_, found)| found.error_estimate).into()
+    }),
 ];
 
 /// The columns of any bodies.
@@ -81,12 +102,21 @@ impl Row {
         tensor: Option<Tensor>,
         ratio: f64,
     ) -> Result<Self, CliError> {
-        let groups = (plane.groups)(numbers[0], numbers[1])?;
+        if let Bodies::Dissimilar(coupling) = plane.bodies {
+            return Self::dissimilar(coupling, numbers);
+        }
+        let groups = plane.bodies.groups(numbers)?;
         let impact = ObliqueImpact::new(groups)?;
         let regimes = impact.regimes().map(Regime::name).collect();
         let restitution = impact.restitution();
         let tensor = tensor.map(|tensor| tensor.record(groups, ratio)).transpose()?;
-        Ok(Self { numbers, restitution, regimes, tensor })
+        Ok(Self { numbers, restitution, regimes, tensor, dissimilar: None })
+    }
+
+    fn dissimilar(coupling: Coupling, numbers: [f64; 2]) -> Result<Self, CliError> {
+        let found = coupling.found(numbers)?;
+        let dissimilar = Some((coupling, found));
+        Ok(Self { numbers, restitution: found.r_x, regimes: Vec::new(), tensor: None, dissimilar })
     }
 
     /// As it stands in JSON, with these columns.

@@ -15,8 +15,12 @@ pub(super) const LAMBDAS: usize = 25;
 pub(super) const RATIOS: usize = 9;
 pub(super) const KAPPAS: usize = 5;
 pub(super) const SQUARES: usize = 4;
+/// Entries of one Gamma, one lambda and one ratio.
+const LINE: usize = KAPPAS * SQUARES;
 /// Entries of one Gamma and one lambda.
-pub(super) const PLANE: usize = RATIOS * KAPPAS * SQUARES;
+pub(super) const PLANE: usize = RATIOS * LINE;
+/// Pairs of Gamma and lambda that count between entries.
+const PLANES: usize = 5 * 4;
 /// All entries: by Gamma, lambda, ratio, kappa and gamma^2, the last fastest.
 pub(super) const ENTRIES: usize = SPREADS * LAMBDAS * PLANE;
 
@@ -132,48 +136,65 @@ impl Nodes {
         }
     }
 
-    /// The value between entries; none out of their range. It allocates nothing.
-    pub(super) fn value(&self, entries: &[f32], groups: &DissimilarGroups) -> Option<f64> {
+    /// The value between entries, less `part` of the value at Gamma = 0; none out of their range.
+    pub(super) fn value(
+        &self,
+        entries: &[f32],
+        groups: &DissimilarGroups,
+        part: f64,
+    ) -> Option<f64> {
         let spread = groups.spread();
-        if spread > MOST_SPREAD || groups.lambda > MOST_LAMBDA {
+        if spread > MOST_SPREAD || groups.lambda > MOST_LAMBDA || groups.friction.get() > 1.0 {
             return None;
         }
         let ratio = place(RATIO, groups.ratio)?;
-        let kappa = place(KAPPA, groups.kappa)?;
-        let most = (KAPPA[1] - groups.kappa).min(spread);
+        // Computed from nu, 3/2 may come out above itself by round-off.
+        let kappa = groups.kappa.min(KAPPA[1]);
+        let most = (KAPPA[1] - kappa).min(spread);
+        let kappa = place(KAPPA, kappa)?;
         // Where materials leave no choice of gamma any will do.
-        let part = if most > 0.0 { (groups.gamma / most) * (groups.gamma / most) } else { 0.0 };
-        let square = place([0.0, 1.0 + ROUNDING], part)?;
+        let of_most = if most > 0.0 { groups.gamma / most } else { 0.0 };
+        let square = place([0.0, 1.0 + ROUNDING], of_most * of_most)?;
         let even = |value: f64, most: f64, middle: f64| {
             (value / (value + middle) * ((most + middle) / most)).min(1.0)
         };
         let (spread, by_spread) = near::<SPREADS>(even(spread, MOST_SPREAD, MIDDLE_SPREAD));
         let (lambda, by_lambda) = near::<LAMBDAS>(even(groups.lambda, MOST_LAMBDA, MIDDLE_LAMBDA));
-        let mut sums = [0.0_f32; PLANE];
-        for (i, of_spread) in by_spread.into_iter().enumerate() {
-            for (j, of_lambda) in by_lambda.into_iter().enumerate() {
-                let first = ((spread + i) * LAMBDAS + lambda + j) * PLANE;
-                let weight = (of_spread * of_lambda) as f32;
-                let plane = entries.get(first..first + PLANE)?;
-                sums.iter_mut().zip(plane).for_each(|(sum, x)| *sum += weight * x);
-            }
+        // Four by four entries of the table, and the four at Gamma = 0.
+        let mut planes = [(&[0.0; PLANE], 0.0); PLANES];
+        let at = (spread..).zip(by_spread).chain([(0, -part)]);
+        let pairs = at.flat_map(|at| (lambda..).zip(by_lambda).map(move |to| (at, to)));
+        for (plane, ((spread, of_spread), (lambda, of_lambda))) in planes.iter_mut().zip(pairs) {
+            let first = (spread * LAMBDAS + lambda) * PLANE;
+            let entries = entries.get(first..first + PLANE)?;
+            *plane = (entries.try_into().ok()?, (of_spread * of_lambda) as f32);
         }
-        Some(self.across(&sums, [ratio, kappa, square]).clamp(-1.0, 1.0))
+        Some(self.across(&planes, [ratio, kappa, square]))
     }
 
-    /// The value of one Gamma and lambda at places of the other coordinates.
+    /// The weighted sum of planes at places of the other coordinates.
     #[inline]
-    fn across(&self, sums: &[f32; PLANE], [ratio, kappa, square]: [f64; 3]) -> f64 {
+    fn across(
+        &self,
+        planes: &[(&[f32; PLANE], f32); PLANES],
+        [ratio, kappa, square]: [f64; 3],
+    ) -> f64 {
         let by_ratio = weights(&self.ratio[0], &self.ratio[1], ratio);
         let by_kappa = weights(&self.kappa[0], &self.kappa[1], kappa);
         let by_square = weights(&self.square[0], &self.square[1], square);
-        let mut lines = [0.0; KAPPAS * SQUARES];
-        for (plane, weight) in sums.chunks_exact(KAPPAS * SQUARES).zip(by_ratio) {
-            lines.iter_mut().zip(plane).for_each(|(sum, &x)| *sum += weight * f64::from(x));
+        let mut line = [0.0_f32; LINE];
+        for (i, of_ratio) in by_ratio.into_iter().enumerate() {
+            // Few enough to stay in registers.
+            let mut sums = [0.0_f32; LINE];
+            for (plane, weight) in planes {
+                let entries = &plane[i * LINE..(i + 1) * LINE];
+                sums.iter_mut().zip(entries).for_each(|(sum, x)| *sum += weight * x);
+            }
+            line.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio as f32 * sum);
         }
-        let rows = lines.chunks_exact(SQUARES).zip(by_kappa);
+        let rows = line.chunks_exact(SQUARES).zip(by_kappa);
         rows.map(|(row, weight)| {
-            weight * row.iter().zip(by_square).map(|(x, w)| x * w).sum::<f64>()
+            weight * row.iter().zip(by_square).map(|(&x, w)| f64::from(x) * w).sum::<f64>()
         })
         .sum()
     }

@@ -1,0 +1,134 @@
+//! The two numbers that span the results, and R_x of a pair of them.
+
+use super::{Arguments, rows, rows::Row};
+use crate::error::CliError;
+use crate::output::short;
+use crate::range::Values;
+use carom_impact::oblique::{Groups, ObliqueImpact};
+use carom_impact::restitution::{DissimilarGroups, DissimilarRestitution, DissimilarTable};
+use carom_laws::friction::Friction;
+use carom_special::RangeError;
+use carom_table::Column;
+
+/// Which bodies meet.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Bodies {
+    /// Alike solid spheres, by kappa and lambda.
+    Spheres,
+    /// Any whose normal and tangential motions are uncoupled, by chi and psi.
+    Any,
+    /// Spheres of dissimilar materials, by kappa and lambda.
+    Dissimilar(Coupling),
+}
+
+/// What the impact of dissimilar spheres depends on besides kappa and lambda.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Coupling {
+    pub(super) gamma: f64,
+    pub(super) friction: Friction,
+    /// D_xx/D_zz.
+    pub(super) ratio: f64,
+}
+
+impl Coupling {
+    fn groups(&self, [kappa, lambda]: [f64; 2]) -> Result<DissimilarGroups, RangeError> {
+        let groups = DissimilarGroups::new(kappa, self.gamma, self.friction, lambda, self.ratio);
+        groups.map_err(|error| match error.field {
+            "mobility_ratio" => RangeError { field: "mobility-ratio", ..error },
+            _ => error,
+        })
+    }
+
+    pub(super) fn found(&self, pair: [f64; 2]) -> Result<DissimilarRestitution, CliError> {
+        Ok(DissimilarTable::shared().restitution(&self.groups(pair)?)?)
+    }
+}
+
+impl Bodies {
+    fn of(arguments: &Arguments) -> Result<Self, RangeError> {
+        match (arguments.gamma, arguments.friction, &arguments.kappa) {
+            (Some(gamma), Some(friction), _) => {
+                let friction = Friction::new(friction)?;
+                let ratio = arguments.mobility_ratio;
+                Ok(Self::Dissimilar(Coupling { gamma, friction, ratio }))
+            }
+            (_, _, Some(_)) => Ok(Self::Spheres),
+            _ => Ok(Self::Any),
+        }
+    }
+
+    /// The groups of alike bodies.
+    pub(super) fn groups(&self, [a, b]: [f64; 2]) -> Result<Groups, RangeError> {
+        match self {
+            Self::Any => Groups::new(a, b),
+            Self::Spheres | Self::Dissimilar(_) => Groups::of_spheres(a, b),
+        }
+    }
+
+    fn check(&self, pair: [f64; 2]) -> Result<(), RangeError> {
+        match self {
+            Self::Dissimilar(coupling) => coupling.groups(pair).map(|_| ()),
+            _ => self.groups(pair).map(|_| ()),
+        }
+    }
+}
+
+/// The two numbers that span the results: columns, symbols, values and meaning.
+#[derive(Debug)]
+pub(super) struct Plane<'a> {
+    pub(super) columns: &'static [Column<Row>],
+    pub(super) symbols: [char; 2],
+    pub(super) title: String,
+    pub(super) values: [&'a [f64]; 2],
+    pub(super) bodies: Bodies,
+}
+
+fn list(values: &Option<Values>) -> &[f64] {
+    values.as_ref().map_or(&[], |values| &values.0)
+}
+
+impl Plane<'_> {
+    pub(super) fn of(arguments: &Arguments) -> Result<Plane<'_>, RangeError> {
+        let bodies = Bodies::of(arguments)?;
+        let spheres = [list(&arguments.kappa), list(&arguments.lambda)];
+        let any = [list(&arguments.chi), list(&arguments.psi)];
+        let (columns, symbols, values) = match bodies {
+            Bodies::Spheres => (rows::OF_SPHERES, ['κ', 'λ'], spheres),
+            Bodies::Any => (rows::OF_ANY, ['χ', 'ψ'], any),
+            Bodies::Dissimilar(_) => (rows::OF_DISSIMILAR, ['κ', 'λ'], spheres),
+        };
+        let title = match bodies {
+            Bodies::Spheres => "Tangential restitution of spheres".to_owned(),
+            Bodies::Any => "Tangential restitution".to_owned(),
+            Bodies::Dissimilar(Coupling { gamma, friction, .. }) => {
+                let (gamma, f) = (short(gamma), short(friction.get()));
+                format!("Dissimilar spheres, γ = {gamma}, f = {f}")
+            }
+        };
+        Ok(Plane { columns, symbols, title, values, bodies })
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.values[0].len().saturating_mul(self.values[1].len())
+    }
+
+    /// The pair in this place, the second number running fastest.
+    pub(super) fn pair(&self, place: usize) -> [f64; 2] {
+        let [first, second] = self.values;
+        [first[place / second.len()], second[place % second.len()]]
+    }
+
+    /// Whether all pairs are allowed. Each number has a range of its own.
+    pub(super) fn check(&self) -> Result<(), RangeError> {
+        let [first, second] = self.values;
+        first.iter().try_for_each(|a| self.bodies.check([*a, second[0]]))?;
+        second.iter().try_for_each(|b| self.bodies.check([first[0], *b]))
+    }
+
+    pub(super) fn restitution(&self, pair: [f64; 2]) -> Result<f64, CliError> {
+        match self.bodies {
+            Bodies::Dissimilar(coupling) => Ok(coupling.found(pair)?.r_x),
+            bodies => Ok(ObliqueImpact::new(bodies.groups(pair)?)?.restitution()),
+        }
+    }
+}
