@@ -20,6 +20,7 @@ mod reference_values;
 mod restitution;
 mod restitution_dissimilar;
 mod ring_impacts;
+mod ring_impacts_known;
 mod scene;
 mod small_spin;
 mod sphere_pairs;
