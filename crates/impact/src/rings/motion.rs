@@ -132,3 +132,35 @@ impl Motion {
         std::array::from_fn(|i| rates[i] - time * pushes[i])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::normal::DURATION;
+    use carom_laws::friction::Friction;
+    use carom_laws::shift_law::ShiftLaw;
+    use carom_laws::stiffness::ContactStiffness;
+
+    /// Hertz's impact has a known end; steps need not divide its duration.
+    #[test]
+    fn an_impact_ends_where_hertzs_does_within_a_step() {
+        let stiffness = ContactStiffness::new(4.0, 4.0, 4.0).unwrap();
+        let law = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(0.0).unwrap());
+        for told in [1.0, 1.2345, 1.51, 1.7] {
+            // D_zz at which the greatest approach is 1.
+            let motion = Motion {
+                mobility: [15.0 / 32.0, 1.0, 1.0],
+                before: [1.0, 0.3, -0.2, 0.1],
+                duration: told * DURATION,
+            };
+            let passage = motion.follow(law.clone(), 128, |_, _| ()).unwrap().unwrap();
+            assert!((passage.duration / DURATION - 1.0).abs() < 2e-4, "{told}: {passage:?}");
+            assert!((passage.after[0] + 1.0).abs() < 1e-4, "{told}: {passage:?}");
+            assert_eq!(passage.after[1..], motion.before[1..]);
+            assert_eq!(passage.compressions, 1);
+            let off =
+                (passage.maximal_approach - 1.0).hypot(passage.maximal_force / (8.0 / 3.0) - 1.0);
+            assert!(off < 1e-3, "{told}: {passage:?}");
+        }
+    }
+}

@@ -134,3 +134,23 @@ impl Problem {
         Ok(Some(Slide { passage, estimate: elastic + LEFT, normal: friction * friction }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_cosine_is_that_over_all_directions() {
+        let count = 100_000;
+        for [v, h] in
+            [[1.0, 0.3], [0.3, 1.0], [2.0, 2.0], [1.0, 1.0 + 1e-9], [1.0, 0.0], [1.0, 50.0]]
+        {
+            let cosine = |i: i32| {
+                let (sine, cosine) = (2.0 * PI * (f64::from(i) + 0.5) / f64::from(count)).sin_cos();
+                (v + h * cosine) / (v + h * cosine).hypot(h * sine)
+            };
+            let mean = (0..count).map(cosine).sum::<f64>() / f64::from(count);
+            assert!((mean_cosine(v, h) - mean).abs() < 1e-8, "{v} {h}: {mean}");
+        }
+    }
+}

@@ -22,6 +22,7 @@ mod memory_reference;
 mod merging;
 mod outside;
 mod packed;
+mod parting;
 mod parts_known;
 mod rings;
 mod settled_bed;

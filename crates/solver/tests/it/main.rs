@@ -23,6 +23,7 @@ mod pulled;
 mod results;
 mod rough_waves;
 mod same_grid;
+mod second_axis;
 mod slender_periods;
 mod strong_coupling;
 mod summary;

@@ -7,6 +7,7 @@ mod balance;
 mod coupling;
 mod invariance;
 mod kept_angles;
+mod known_sums;
 mod limits;
 mod packed;
 mod partial_slip;

@@ -1,0 +1,32 @@
+//! What an impact on the grid says of itself: its error, from a run with half of cells and steps, and its compressions.
+
+use carom_halfspace::Material;
+use carom_impact::{Body, Collision, Motion, Rebound};
+use carom_laws::friction::Friction;
+use carom_numerical::NumericalImpact;
+
+fn collision() -> Collision {
+    let material = |shear, poisson| Material::from_shear(shear, poisson).unwrap();
+    let ball = Body::sphere(0.01, material(40e9, 0.2), 0.03).unwrap();
+    // Far from 1 m/s: an error is a part of the velocity.
+    let ball = ball.moving(Motion::new([0.8, 0.3, -16.0], [0.0; 3]).unwrap());
+    let plane = Body::plane(material(160e9, 0.3));
+    Collision::new(ball, plane, Friction::new(0.1).unwrap()).unwrap()
+}
+
+fn rebound(cells: usize, steps: usize) -> Rebound {
+    let collision = collision();
+    let outcome = NumericalImpact::new(&collision).with(cells, steps).unwrap().solve().unwrap();
+    outcome.rebound().unwrap().clone()
+}
+
+#[test]
+fn the_error_is_the_change_from_half_of_cells_and_steps() {
+    let (fine, coarse) = (rebound(16, 48), rebound(8, 24));
+    let change = (fine.contact_velocity_after - coarse.contact_velocity_after).norm();
+    let want = change / fine.contact_velocity_before.norm();
+    assert!((fine.error_estimate / want - 1.0).abs() < 1e-9, "{} {want}", fine.error_estimate);
+    assert!(want > 1e-5);
+    // An impact of spheres presses them together once.
+    assert_eq!([fine.compressions, coarse.compressions], [1, 1]);
+}

@@ -1,0 +1,74 @@
+//! The second axis and the twist: a turned problem has the turned solution.
+
+use carom_halfspace::{Field, Grid, Material, MaterialPair};
+use carom_laws::curvature::RelativeCurvature;
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_laws::law::{ContactLaw, Shift};
+use carom_solver::{ContactState, NumericalLaw};
+
+fn law(cells: usize) -> NumericalLaw {
+    let body = |poisson| Material::from_shear(1.0, poisson).unwrap();
+    let pair = MaterialPair::new(body(0.3), body(0.3)).unwrap();
+    let hertz = Hertz::new(RelativeCurvature::from_coefficients(0.5, 0.5).unwrap(), pair).unwrap();
+    let law = NumericalLaw::new(hertz, Friction::new(0.4).unwrap(), 1.0, cells).unwrap();
+    law.within(1e-9).unwrap()
+}
+
+/// A contact that grows while it twists has tractions around its middle: t_y along x is -t_x along y.
+#[test]
+fn tractions_of_a_growing_twisted_contact_go_around() {
+    let mut law = law(16);
+    for (zeta, omega) in [(0.3, 0.0), (0.6, 0.2), (1.0, 0.5)] {
+        law.advance(Shift { zeta, omega, ..Shift::default() }).unwrap();
+    }
+    let state = law.state().unwrap();
+    let grid = state.pressure.grid();
+    let peak = state.pressure.values().iter().copied().fold(0.0, f64::max);
+    let mut largest = 0.0_f64;
+    for row in 0..grid.ny() {
+        for column in 0..grid.nx() {
+            let along = state.traction_y.values()[grid.index(column, row)];
+            let turned = state.traction_x.values()[grid.index(row, column)];
+            assert!((along + turned).abs() < 1e-6 * peak, "{column} {row}: {along} {turned}");
+            largest = largest.max(along.abs());
+        }
+    }
+    assert!(largest > 0.05 * peak, "{largest} {peak}");
+}
+
+/// Of a step that closes the gap only the part in contact counts, of each motion.
+#[test]
+fn only_the_part_of_a_step_in_contact_counts() {
+    for motion in [[0.3, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3], [0.2, -0.1, 0.2]] {
+        let at = |zeta: f64, part: f64| {
+            let [xi, eta, omega] = motion.map(|way| part * way);
+            Shift { zeta, xi, eta, omega }
+        };
+        let [mut one, mut two] = [law(8), law(8)];
+        one.advance(at(-3.0, 0.0)).unwrap();
+        let got = one.advance(at(1.0, 1.0)).unwrap();
+        two.advance(at(0.0, 0.75)).unwrap();
+        let want = two.advance(at(1.0, 1.0)).unwrap();
+        let off = (got.f_x - want.f_x).hypot(got.f_y - want.f_y) + (got.m_z - want.m_z).abs();
+        assert!(off < 1e-9 * want.f_z, "{motion:?}: {got:?} {want:?}");
+        assert!(want.f_x.hypot(want.f_y) + want.m_z.abs() > 1e-2 * want.f_z, "{want:?}");
+    }
+}
+
+/// A paraboloid of pressure has its peak between the centres of cells, along either axis.
+#[test]
+fn the_peak_between_cells_is_found_along_both_axes() {
+    let grid = Grid::new(9, 7, 0.2, 0.3).unwrap();
+    for (x_0, y_0) in [(0.0, 0.0), (0.07, 0.0), (0.0, 0.11), (-0.06, 0.13), (0.09, -0.14)] {
+        let mut state = ContactState::apart(grid);
+        let pressure =
+            |x: f64, y: f64| (3.0 - (x - x_0).powi(2) - 0.5 * (y - y_0).powi(2)).max(0.0);
+        state.pressure = Field::from_function(grid, pressure);
+        assert!(
+            (state.peak_pressure() - 3.0).abs() < 1e-14,
+            "{x_0} {y_0}: {}",
+            state.peak_pressure()
+        );
+    }
+}
