@@ -1,0 +1,7 @@
+//! The integration tests of `carom-shells`: one executable with a module for each subject.
+
+mod flange_closed;
+mod flange_limits;
+mod flange_reference;
+mod fourier;
+mod reference;
