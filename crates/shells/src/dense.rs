@@ -1,6 +1,6 @@
 //! Dense linear systems, solved by elimination with row exchange.
 
-use faer::linalg::solvers::Solve as _;
+use faer::linalg::solvers::{PartialPivLu, Solve as _};
 use faer::{Mat, c64};
 
 /// A matrix without an inverse, in floating point.
@@ -9,6 +9,42 @@ use faer::{Mat, c64};
 pub struct Singular {
     /// Number of unknowns.
     pub unknowns: usize,
+}
+
+/// A factorised real matrix.
+pub(crate) struct Factors(PartialPivLu<f64>);
+
+impl Factors {
+    pub(crate) fn new(matrix: &Mat<f64>) -> Self {
+        Self(matrix.partial_piv_lu())
+    }
+
+    /// Whether the determinant is negative.
+    pub(crate) fn is_negative(&self) -> bool {
+        let diagonal = self.0.U();
+        let minus = (0..diagonal.nrows()).filter(|&i| diagonal[(i, i)] < 0.0).count();
+        let (forward, _) = self.0.P().arrays();
+        let mut seen = vec![false; forward.len()];
+        let mut exchanges = 0;
+        for start in 0..forward.len() {
+            let mut at = start;
+            while !seen[at] {
+                seen[at] = true;
+                at = forward[at];
+                exchanges += usize::from(at != start);
+            }
+        }
+        (minus + exchanges) % 2 == 1
+    }
+
+    /// The solution for one right-hand side.
+    pub(crate) fn solve(&self, right: &[f64]) -> Result<Vec<f64>, Singular> {
+        let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
+        let solution = self.0.solve(&right);
+        let found: Vec<f64> = (0..solution.nrows()).map(|i| solution[(i, 0)]).collect();
+        let is_finite = found.iter().all(|x| x.is_finite());
+        if is_finite { Ok(found) } else { Err(Singular { unknowns: found.len() }) }
+    }
 }
 
 /// The solution of a complex system.

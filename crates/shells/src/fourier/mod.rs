@@ -23,6 +23,7 @@ mod sector;
 pub use complex::ComplexSeries;
 pub(crate) use complex::toeplitz;
 pub use real::{EvenSeries, OddSeries};
+pub(crate) use real::{HalfCircle, MOST_SAMPLES};
 pub use sector::{PiecewiseConstant, Sector};
 
 pub use crate::dense::Singular;

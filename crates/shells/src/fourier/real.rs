@@ -1,5 +1,7 @@
 //! Series of cosines and of sines, with the matrices of their products.
 
+use std::f64::consts::TAU;
+
 use carom_special::RangeError;
 
 /// An even function f = sum of f_k cos k xi, k from 0.
@@ -23,6 +25,10 @@ impl EvenSeries {
     /// [`RangeError`] if one is not finite.
     pub fn new(coefficients: &[f64]) -> Result<Self, RangeError> {
         finite(coefficients).map(|coefficients| Self { coefficients })
+    }
+
+    pub(crate) const fn from_coefficients(coefficients: Vec<f64>) -> Self {
+        Self { coefficients }
     }
 
     /// Coefficient of cos k xi; 0 beyond the order.
@@ -93,6 +99,10 @@ impl OddSeries {
         finite(coefficients).map(|coefficients| Self { coefficients })
     }
 
+    pub(crate) const fn from_coefficients(coefficients: Vec<f64>) -> Self {
+        Self { coefficients }
+    }
+
     /// Coefficient of sin k xi; 0 for k = 0 and beyond the order.
     #[must_use]
     pub fn coefficient(&self, k: usize) -> f64 {
@@ -143,4 +153,107 @@ impl OddSeries {
 
 fn finite(coefficients: &[f64]) -> Result<Vec<f64>, RangeError> {
     coefficients.iter().map(|value| RangeError::finite("coefficient", *value)).collect()
+}
+
+/// The most samples around a circle.
+pub(crate) const MOST_SAMPLES: usize = 1 << 14;
+
+/// Samples of even and odd functions at xi_j = 2 pi j/m, j from 0 to m/2: the other half follows
+/// from symmetry.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct HalfCircle {
+    /// cos and sin of 2 pi j/m for j from 0 to m - 1.
+    cosines: Vec<f64>,
+    sines: Vec<f64>,
+}
+
+impl HalfCircle {
+    /// `around` = m, even.
+    pub(crate) fn new(around: usize) -> Self {
+        let angle = |j: usize| TAU * j as f64 / around as f64;
+        Self {
+            cosines: (0..around).map(|j| libm::cos(angle(j))).collect(),
+            sines: (0..around).map(|j| libm::sin(angle(j))).collect(),
+        }
+    }
+
+    fn around(&self) -> usize {
+        self.cosines.len()
+    }
+
+    /// Number of samples, m/2 + 1.
+    pub(crate) fn count(&self) -> usize {
+        self.around() / 2 + 1
+    }
+
+    /// Angle of sample j.
+    pub(crate) fn angle(&self, j: usize) -> f64 {
+        TAU * j as f64 / self.around() as f64
+    }
+
+    /// Weight of a sample and its image in a mean over the circle.
+    pub(crate) fn weight(&self, j: usize) -> f64 {
+        let is_end = j == 0 || 2 * j == self.around();
+        (if is_end { 1.0 } else { 2.0 }) / self.around() as f64
+    }
+
+    /// The mean over the circle of an even function.
+    pub(crate) fn mean(&self, samples: &[f64]) -> f64 {
+        samples.iter().enumerate().map(|(j, f)| self.weight(j) * f).sum()
+    }
+
+    /// Coefficients of the cosines from 0 to `order` of the sampled even function.
+    pub(crate) fn even(&self, samples: &[f64], order: usize) -> EvenSeries {
+        let coefficients = self.project(&self.cosines, samples, 0..=order);
+        let mut coefficients: Vec<f64> = coefficients.collect();
+        coefficients[0] *= 0.5;
+        EvenSeries::from_coefficients(coefficients)
+    }
+
+    /// Coefficients of the sines from 1 to `order` of the sampled odd function.
+    pub(crate) fn odd(&self, samples: &[f64], order: usize) -> OddSeries {
+        OddSeries::from_coefficients(self.project(&self.sines, samples, 1..=order).collect())
+    }
+
+    fn project<'a>(
+        &'a self,
+        wave: &'a [f64],
+        samples: &'a [f64],
+        orders: std::ops::RangeInclusive<usize>,
+    ) -> impl Iterator<Item = f64> + 'a {
+        let around = self.around();
+        let weighted: Vec<f64> =
+            samples.iter().enumerate().map(|(j, f)| 2.0 * self.weight(j) * f).collect();
+        orders.map(move |k| {
+            let mut place = 0;
+            let mut sum = 0.0;
+            for f in &weighted {
+                sum += f * wave[place];
+                place += k;
+                if place >= around {
+                    place %= around;
+                }
+            }
+            sum
+        })
+    }
+
+    /// Samples of sum f_k cos k xi.
+    pub(crate) fn cosine_sum(&self, coefficients: &[f64]) -> Vec<f64> {
+        self.sum(&self.cosines, coefficients, 0)
+    }
+
+    /// Samples of sum f_k sin k xi, that of sin xi first.
+    pub(crate) fn sine_sum(&self, coefficients: &[f64]) -> Vec<f64> {
+        self.sum(&self.sines, coefficients, 1)
+    }
+
+    fn sum(&self, wave: &[f64], coefficients: &[f64], first: usize) -> Vec<f64> {
+        let around = self.around();
+        let at = |j: usize| -> f64 {
+            let each = coefficients.iter().enumerate();
+            each.map(|(i, f)| f * wave[j * (i + first) % around]).sum()
+        };
+        (0..self.count()).map(at).collect()
+    }
 }

@@ -6,6 +6,10 @@ pub(crate) fn flange() -> Value {
     serde_json::from_str(include_str!("../data/flange.json")).unwrap()
 }
 
+pub(crate) fn bellows() -> Value {
+    serde_json::from_str(include_str!("../data/bellows.json")).unwrap()
+}
+
 pub(crate) fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {value}"))
 }
