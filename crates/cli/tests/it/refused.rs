@@ -154,7 +154,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "friction = 0.2",
             "friction = 0.2\nnormal_restitution = 0.9\nwave_loss = true",
-            "line 19: `contact.normal_restitution` excludes `contact.wave_loss`: it is what",
+            "line 19: `contact.normal_restitution` excludes `contact.wave_loss`: the loss by",
         ),
         (
             "friction = 0.2",

@@ -351,7 +351,7 @@ fn heights_are_the_same_from_every_kind_of_file() {
     let text = "[gap]\nshape = \"heights\"\nfile = \"solve_kinds.png\"\n[grid]\ncells = [4, 3]\n\
                 size = [4, 3]\n[contact]\nfriction = 0\n[[step]]\nzeta = 0.1\n";
     let said = refused("solve_no_png.toml", text);
-    assert!(said.contains("no PNG"), "{said}");
+    assert!(said.contains("not a PNG"), "{said}");
 }
 
 #[test]
