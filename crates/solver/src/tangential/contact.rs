@@ -92,7 +92,7 @@ impl Contact {
         }
     }
 
-    /// Copies their values to a field of the box.
+    /// Copies the values of the cells in contact to a field of the subwindow.
     fn fill(&self, own: &[f64], field: &mut [f64]) {
         let mut from = 0;
         for [_, at, length] in &self.runs {

@@ -30,7 +30,7 @@ pub(crate) struct LimitSurface {
 /// The fraction of the limit that given loads use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Used {
-    /// The part.
+    /// The fraction of the limit, 1 where the contact slides.
     pub(crate) part: f64,
     /// The velocity of rigid sliding that is closest to these loads, scaled to unit power.
     pub(crate) motion: Vector3<f64>,
