@@ -9,4 +9,5 @@ mod losses;
 mod mechanics;
 mod programs;
 mod ring_grains;
+mod told;
 mod wrong_bodies;
