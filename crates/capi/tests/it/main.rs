@@ -10,4 +10,5 @@ mod losses;
 mod mechanics;
 mod programs;
 mod ring_grains;
+mod told;
 mod wrong_bodies;

@@ -177,3 +177,76 @@ fn the_share_of_waves_is_that_of_one_body() {
     let [pair, half] = [pair, half].map(|collision| share(&collision.unwrap()));
     assert!((pair / (0.5 * half) - 1.0).abs() < 1e-12, "{pair} {half}");
 }
+
+/// The sign of a regime is that of the traction along the slip before the impact, also of a ball that comes back.
+#[test]
+fn regimes_have_the_sign_of_the_exact_impact() {
+    let friction = 0.1;
+    for lambda in [3.0, 4.0, 5.0] {
+        let velocity = [0.6 * friction * lambda, -0.8 * friction * lambda, -1.0];
+        let ball = Body::sphere(2.5e-3, alumina(), 2.6e-4).unwrap();
+        let ball = ball.moving(Motion::new(velocity, [0.0; 3]).unwrap());
+        let collision =
+            Collision::new(ball, Body::plane(alumina()), Friction::new(friction).unwrap()).unwrap();
+        let exact = collision.solve().unwrap().rebound().unwrap().clone();
+        assert!(exact.r_x.unwrap() > 0.05, "it comes back");
+        let first = |rebound: &Rebound| {
+            let names = rebound.log.iter().map(|entry| entry.regime.name());
+            names.filter_map(|name| name.chars().last()).find(|sign| ['+', '-'].contains(sign))
+        };
+        assert_eq!(first(&rebound(&collision)), first(&exact), "{lambda}");
+        assert!(first(&exact).is_some());
+    }
+}
+
+/// At so little friction that nothing sticks, a fast spin alone has the torque of sliding.
+#[test]
+fn a_fast_spin_that_slides_has_the_torque_of_sliding() {
+    let ball = Body::sphere(2.5e-3, alumina(), 2.6e-4).unwrap();
+    // At the edge of the contact some hundred times as fast as the surfaces spread.
+    let ball = ball.moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, 1e6]).unwrap());
+    let collision =
+        Collision::new(ball, Body::plane(glass()), Friction::new(1e-5).unwrap()).unwrap();
+    let sliding = collision.clone().with_torsion().solve().unwrap();
+    let [rings, sliding] = [rebound(&collision), sliding.rebound().unwrap().clone()]
+        .map(|rebound| rebound.torsion.unwrap().torque_impulse);
+    assert!((rings / sliding - 1.0).abs() < 2e-3, "{rings} {sliding}");
+}
+
+/// Straight down, only the normal velocity can be off: the estimate says by how much.
+#[test]
+fn the_estimate_of_a_normal_impact_is_of_the_normal_velocity() {
+    for friction in [0.05, 0.1, 0.3] {
+        let ball = Body::sphere(2.5e-3, alumina(), 2.6e-4).unwrap();
+        let ball = ball.moving(Motion::new([0.0, 0.0, -1.0], [0.0; 3]).unwrap());
+        let collision =
+            Collision::new(ball, Body::plane(glass()), Friction::new(friction).unwrap()).unwrap();
+        let [coarse, fine] = [1.0, 1e-5].map(|tolerance| {
+            let impact = RingImpact::new(&collision).within(tolerance).unwrap();
+            impact.solve().unwrap().rebound().unwrap().clone()
+        });
+        let change = (coarse.contact_velocity_after - fine.contact_velocity_after).norm();
+        assert!(change > 0.0 && change < 3.0 * coarse.error_estimate, "{friction}: {change}");
+    }
+}
+
+/// Of like bodies without tangential motion what is left of the spin is known: the estimate covers what rings miss.
+#[test]
+fn the_estimate_of_the_spin_covers_what_rings_miss() {
+    let rubber = Material::from_shear(1e6, 0.5).unwrap();
+    for spin in [2.0, 20.0, 60.0, 100.0, 200.0, 400.0] {
+        let ball = Body::sphere(0.02, rubber, 0.0369).unwrap();
+        let ball = ball.moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, spin]).unwrap());
+        let collision =
+            Collision::new(ball, Body::plane(rubber), Friction::new(0.5).unwrap()).unwrap();
+        let exact = collision.clone().with_torsion().solve().unwrap();
+        let exact = exact.rebound().unwrap().torsion.unwrap().spin_ratio;
+        for tolerance in [1.0, 1e-3] {
+            let impact = RingImpact::new(&collision).within(tolerance).unwrap();
+            let torsion = impact.solve().unwrap().rebound().unwrap().torsion.unwrap();
+            let off = (torsion.spin_ratio - exact).abs();
+            assert!(off < torsion.error_estimate, "{spin} {tolerance}: {off} {torsion:?} {exact}");
+            assert!(torsion.error_estimate < 0.02);
+        }
+    }
+}
