@@ -225,16 +225,20 @@ impl HalfCircle {
         let weighted: Vec<f64> =
             samples.iter().enumerate().map(|(j, f)| 2.0 * self.weight(j) * f).collect();
         orders.map(move |k| {
-            let mut place = 0;
-            let mut sum = 0.0;
-            for f in &weighted {
-                sum += f * wave[place];
-                place += k;
-                if place >= around {
-                    place %= around;
+            // Four sums at once: additions of one would wait for each other.
+            let mut sums = [0.0; 4];
+            let mut places = [0, k, 2 * k, 3 * k].map(|place| place % around);
+            let step = 4 * k % around;
+            for four in weighted.chunks(4) {
+                for ((f, place), sum) in four.iter().zip(&mut places).zip(&mut sums) {
+                    *sum += f * wave[*place];
+                    *place += step;
+                    if *place >= around {
+                        *place -= around;
+                    }
                 }
             }
-            sum
+            (sums[0] + sums[1]) + (sums[2] + sums[3])
         })
     }
 
@@ -251,8 +255,16 @@ impl HalfCircle {
     fn sum(&self, wave: &[f64], coefficients: &[f64], first: usize) -> Vec<f64> {
         let around = self.around();
         let at = |j: usize| -> f64 {
-            let each = coefficients.iter().enumerate();
-            each.map(|(i, f)| f * wave[j * (i + first) % around]).sum()
+            let mut place = j * first;
+            let mut sum = 0.0;
+            for f in coefficients {
+                sum += f * wave[place];
+                place += j;
+                if place >= around {
+                    place -= around;
+                }
+            }
+            sum
         };
         (0..self.count()).map(at).collect()
     }
