@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-use crate::surface::perpendicular;
+use crate::direction::perpendicular;
 
 /// Greatest deviation of the norm of a quaternion from one; a smaller one is normalised.
 const NORM_TOLERANCE: f64 = 1e-6;

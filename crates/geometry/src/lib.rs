@@ -27,6 +27,7 @@ pub use nalgebra;
 
 mod attitude;
 mod contact_point;
+mod direction;
 mod frame;
 mod inertia;
 mod nearest;
@@ -37,8 +38,9 @@ pub mod curvature;
 
 pub use attitude::{Attitude, angle_matrix};
 pub use contact_point::{ContactPoint, TOUCH_TOLERANCE};
+pub use direction::perpendicular;
 pub use frame::{ContactFrame, FrameError};
 pub use inertia::Inertia;
 pub use nearest::{Certainty, NearestPoints, SearchError, nearest_points};
 pub use placed::Placed;
-pub use surface::{BodySide, Height, LocalSurface, Surface, SurfaceError, perpendicular};
+pub use surface::{BodySide, Height, LocalSurface, Surface, SurfaceError};

@@ -4,8 +4,7 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::attitude::Attitude;
-use crate::nearest::{SearchError, nearest_points};
-use crate::surface::{Kind, LocalSurface, Surface, SurfaceError, support_of_ellipsoid};
+use crate::surface::{LocalSurface, Surface, SurfaceError};
 
 /// The first step of a search along a line, relative to the size of the body.
 const FIRST_STEP: f64 = 1e-8;
@@ -79,38 +78,6 @@ impl Placed {
     pub fn local(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
         let local = self.surface.local(&self.body_point(in_space))?;
         Ok(local.placed(&self.centre, &self.attitude))
-    }
-
-    /// The support point in a unit direction, in the axes of the surface.
-    fn farthest(&self, direction: &Vector3<f64>) -> Result<Vector3<f64>, SearchError> {
-        let own = self.attitude.to_body(direction);
-        match self.surface.kind() {
-            Kind::Sphere { radius } => Ok(own * *radius),
-            Kind::Ellipsoid { semi_axes } => Ok(support_of_ellipsoid(semi_axes, &own).point),
-            Kind::Plane => Ok(Vector3::zeros()),
-            _ => {
-                // The point nearest to a plane beyond the body.
-                let beyond = self.centre + direction * (2.0 * self.surface.size());
-                let attitude = Attitude::along(&-direction);
-                let plane = Self { surface: Surface::plane(), centre: beyond, attitude };
-                Ok(self.body_point(&nearest_points(self, &plane)?.points[0]))
-            }
-        }
-    }
-
-    /// Orients the surface for contact with its outward normal along a unit vector: a plane is
-    /// rotated, any other surface stays. Returns also the point that touches, in the axes of the
-    /// surface.
-    pub(crate) fn facing(
-        &self,
-        outward: &Vector3<f64>,
-    ) -> Result<(Self, Vector3<f64>), SearchError> {
-        let turned = match self.surface.is_plane() {
-            true => self.clone().turned(Attitude::along(outward)),
-            false => self.clone(),
-        };
-        let point = turned.farthest(outward)?;
-        Ok((turned, point))
     }
 
     /// The distance along `direction` from a point near the surface to the place where the line

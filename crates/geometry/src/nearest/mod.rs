@@ -10,7 +10,9 @@ mod parts;
 mod scan;
 mod separate;
 mod slide;
+mod support;
 mod target;
+mod touch;
 
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -21,6 +23,7 @@ use crate::surface::{Kind, SurfaceError};
 use parts::Face;
 use scan::Rail;
 use target::Target;
+use touch::{Nearest, Touch};
 
 /// Why two surfaces have no contact point.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -154,34 +157,6 @@ fn certainty(one: &Placed, two: &Placed) -> Certainty {
     let round = |p: &Placed| matches!(p.surface().kind(), Kind::Sphere { .. } | Kind::Plane);
     let hollow = (torus(one) && !round(two)) || (torus(two) && !round(one));
     if hollow || unknown(one) || unknown(two) { Certainty::Sampled } else { Certainty::Proven }
-}
-
-/// The nearest points of two bodies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Nearest {
-    /// On body 1 and on body 2.
-    pub(crate) points: [Vector3<f64>; 2],
-    pub(crate) gap: f64,
-}
-
-impl Nearest {
-    fn exchanged(self) -> Self {
-        Self { points: [self.points[1], self.points[0]], gap: self.gap }
-    }
-}
-
-/// Nearest points of two parts of bodies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Touch {
-    near: Nearest,
-    /// Whether they lie inside both parts, not at the border of one.
-    within: bool,
-}
-
-impl Touch {
-    fn exchanged(self) -> Self {
-        Self { near: self.near.exchanged(), within: self.within }
-    }
 }
 
 /// The nearest points of two bodies, by the search for their kinds.

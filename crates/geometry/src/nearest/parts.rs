@@ -4,9 +4,10 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 use super::scan::{Curve, Rail};
-use super::{Nearest, Touch};
+use super::touch::{Nearest, Touch};
+use crate::direction::perpendicular;
 use crate::placed::Placed;
-use crate::surface::{Kind, perpendicular};
+use crate::surface::Kind;
 
 /// Faces at a smaller angle than this touch over an area, radians.
 const PARALLEL: f64 = 1e-7;

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 use super::target::Target;
-use super::{Nearest, Touch};
+use super::touch::{Nearest, Touch};
 use crate::placed::Placed;
 
 /// Slopes of the distance along the curve below this count as zero: parallel lines.

@@ -2,8 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::local::{LocalSurface, perpendicular};
+use super::local::LocalSurface;
 use super::{Kind, Surface, evaluate};
+use crate::direction::perpendicular;
 
 const MAX_STEPS: usize = 100;
 

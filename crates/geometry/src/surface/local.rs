@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::attitude::Attitude;
+use crate::direction::perpendicular;
 
 /// The point is an umbilic if the principal curvatures differ by less than this, relative to their
 /// size.
@@ -120,11 +121,4 @@ impl LocalSurface {
             direction: attitude.to_space(&self.direction),
         }
     }
-}
-
-/// A unit vector perpendicular to a given one.
-#[must_use]
-pub fn perpendicular(normal: &Vector3<f64>) -> Vector3<f64> {
-    let axis = Vector3::ith(normal.iamin(), 1.0);
-    (axis - normal * normal.dot(&axis)).normalize()
 }

@@ -16,7 +16,7 @@ mod volume;
 
 pub use error::SurfaceError;
 pub use jet::Height;
-pub use local::{LocalSurface, perpendicular};
+pub use local::LocalSurface;
 
 pub(crate) use closest::{Closest, invert_in_plane, support_of_ellipsoid};
 pub(crate) use least::Objective;

@@ -1,7 +1,6 @@
 //! Lengths for which the Fourier transform is fast.
 
-use super::Threads;
-use super::plan::BLOCK;
+use super::threads::Threads;
 use crate::Grid;
 
 /// The transform length for a grid of `cells` along one axis: at least `2 cells - 1`, so that the
@@ -53,6 +52,9 @@ fn cost(length: usize) -> f64 {
 
 /// Work per point outside the transform (copies, transposition, product), in units of a factor 2.
 const OVERHEAD: f64 = 4.0;
+
+/// Columns transformed together: eight complex numbers fill two cache lines of each row.
+pub(crate) const BLOCK: usize = 8;
 
 /// The lengths of a grid and of its padded transforms.
 #[derive(Debug, Clone, Copy)]

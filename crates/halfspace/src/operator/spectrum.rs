@@ -2,7 +2,8 @@
 
 use rustfft::num_complex::Complex64;
 
-use super::plan::{BLOCK, Plan};
+use super::length::BLOCK;
+use super::plan::Plan;
 use super::workspace::{Lane, each};
 
 /// Symmetry of a kernel in one coordinate.

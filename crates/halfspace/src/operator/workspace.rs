@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
-use super::Threads;
-use super::plan::{BLOCK, Plan};
+use super::length::BLOCK;
+use super::plan::Plan;
+use super::threads::Threads;
 
 /// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
 ///

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::pack::{HEAD_NUMBERS, NUMBERS_PER_VERTEX, node_of};
+use super::format::{HEAD_NUMBERS, NUMBERS_PER_VERTEX, node_of};
 use super::piece::{End, Piece};
 use crate::memory::Lateral;
 

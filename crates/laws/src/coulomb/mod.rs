@@ -26,10 +26,12 @@
 //! 7, not in lengths. [`crate::sliders`] makes the distinction.
 
 mod capacity;
+mod chain;
 mod check;
 mod drag;
 mod energy;
 mod fit;
+mod format;
 mod heat;
 mod join;
 mod pack;
@@ -41,7 +43,7 @@ mod storage;
 mod zones;
 
 pub(crate) use drag::Step;
-pub use pack::packed_numbers;
+pub use format::packed_numbers;
 pub use piece::Node;
 pub use report::Arc;
 

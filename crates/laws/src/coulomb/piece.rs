@@ -1,8 +1,7 @@
 //! A piece of the curve W(s): a parabola on its chord.
 
-use super::CoulombMemory;
 use super::drag::Step;
-use crate::memory::{Lateral, Nodes};
+use crate::memory::Lateral;
 
 /// The lower end of a piece of the curve W(s).
 ///
@@ -173,22 +172,4 @@ pub(super) fn weights<V>(low: &End<V>, high: &End<V>) -> [f64; 2] {
     let inverse = 1.0 / sum;
     let product = a * b * inverse;
     [sum - product, 0.8 * (high.depth - low.depth) * inverse * (1.0 + product * inverse)]
-}
-
-impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
-    /// The pieces of the curve, from the centre to the edge.
-    pub(super) fn chain(&self) -> impl Iterator<Item = Piece<V>> + '_ {
-        self.chain_to(End { depth: self.zeta, root: self.root, anchor: self.shift })
-    }
-
-    /// The same, with another upper end.
-    pub(super) fn chain_to(&self, tip: End<V>) -> impl Iterator<Item = Piece<V>> + '_ {
-        (0..self.stack.len()).map(move |i| {
-            let end = match i + 1 < self.stack.len() {
-                true => (*self.stack.get(i + 1)).end(),
-                false => tip,
-            };
-            Piece::new(self.stack.get(i), end)
-        })
-    }
 }

@@ -4,11 +4,9 @@ use std::mem::offset_of;
 
 use carom_special::RangeError;
 
+use super::load::{GrainLoad, drag, elastic, load_in};
 use super::meeting::Meeting;
-use super::step::{
-    Before, Step, drag, elastic, first_step, leaves, load_in, mean_about, on_the_way,
-    one_step_before,
-};
+use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{Fixed, Growing, VertexStack};
@@ -50,16 +48,6 @@ pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
     pub(super) lead: [f64; 2],
     /// The damping force divided by `sqrt(zeta) dzeta/dt`.
     pub(super) viscosity: f64,
-}
-
-/// The load that body 2 exerts on body 1.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[repr(C)]
-pub struct GrainLoad {
-    /// The force on body 1, N; the force on body 2 is the opposite.
-    pub force: [f64; 3],
-    /// The torque on each body about its centre, `-arm normal x force`, N m; zero for a wall.
-    pub torques: [[f64; 3]; 2],
 }
 
 /// Dissipated energy, by cause, J.

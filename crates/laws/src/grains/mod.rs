@@ -26,6 +26,7 @@
 //! ```
 
 mod contact;
+mod load;
 mod meeting;
 mod number;
 mod pack;
@@ -36,7 +37,8 @@ mod together;
 mod twist;
 mod vector;
 
-pub use contact::{GrainContact, GrainLoad, Heats};
+pub use contact::{GrainContact, Heats};
+pub use load::GrainLoad;
 pub use meeting::{Grain, Meeting, Wall, compliance_shares};
 pub use pack::grain_numbers;
 pub use rings::GrainRings;

@@ -2,12 +2,10 @@
 
 use carom_special::RangeError;
 
-use super::contact::{GrainLoad, Heats};
+use super::contact::Heats;
+use super::load::{GrainLoad, drag, elastic, load_in};
 use super::meeting::Meeting;
-use super::step::{
-    Before, Step, drag, elastic, first_step, leaves, load_in, mean_about, on_the_way,
-    one_step_before,
-};
+use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
 use crate::law::{ContactLoad, Shift};
 use crate::rings::{RingMemory, Rings};

@@ -1,6 +1,5 @@
 //! A step of two grains: rotation of their axes, and the shift at its end.
 
-use super::contact::GrainLoad;
 use super::meeting::Meeting;
 use super::number::Number;
 use super::vector::{Vector, cross, dot, minus, plus, times};
@@ -71,49 +70,6 @@ impl<T: Number> Before<T> {
         // one Newton step restores unit length.
         times(turned, T::of(1.5) - T::of(0.5) * dot(turned, turned))
     }
-}
-
-/// Hertz's force (5.27).
-#[inline(always)]
-pub(super) fn elastic<T: Number>(c_z: T, zeta: T) -> T {
-    let zeta = zeta.larger(T::of(0.0));
-    T::of(2.0 / 3.0) * c_z * (zeta * zeta.sqrt())
-}
-
-/// The damping force; its sum with Hertz's force is never tensile.
-#[inline(always)]
-pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) -> T {
-    let speed = dot(meeting.velocity, meeting.normal);
-    let root = meeting.zeta.larger(T::of(0.0)).sqrt();
-    (viscosity * root * speed).larger(T::of(0.0) - elastic)
-}
-
-/// The force on body 1 and the torques on both bodies, in the axes of tangent and normal.
-#[inline(always)]
-pub(super) fn forces<T: Number>(
-    [tangent, normal]: [Vector<T>; 2],
-    arms: [T; 2],
-    normal_force: T,
-    [x, y]: [T; 2],
-) -> [Vector<T>; 3] {
-    let along = cross(normal, tangent);
-    let friction = plus(times(tangent, x), times(along, y));
-    // normal x tangent is the second axis, normal x second axis is minus the tangent; the torque on
-    // body 1 is - arm normal x force.
-    let couple = minus(times(tangent, y), times(along, x));
-    let [torque_1, torque_2] = arms.map(|arm| times(couple, arm));
-    [plus(times(normal, normal_force), friction), torque_1, torque_2]
-}
-
-#[inline]
-pub(super) fn load_in(
-    axes: [Vector; 2],
-    arms: [f64; 2],
-    normal_force: f64,
-    friction: [f64; 2],
-) -> GrainLoad {
-    let [force, torque_1, torque_2] = forces(axes, arms, normal_force, friction);
-    GrainLoad { force, torques: [torque_1, torque_2] }
 }
 
 /// Whether the gap opens within a few steps.

@@ -4,10 +4,11 @@ use std::array::from_fn;
 
 use carom_special::RangeError;
 
-use super::contact::{GrainContact, GrainLoad};
+use super::contact::GrainContact;
+use super::load::{GrainLoad, drag, elastic, forces};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
-use super::step::{Before, Step, drag, elastic, forces, parting};
+use super::step::{Before, Step, parting};
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
 use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;

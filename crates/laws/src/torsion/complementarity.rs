@@ -9,6 +9,28 @@ const SWEEPS: usize = 5000;
 /// The sweeps end when tractions change by less than this fraction of their limits.
 const TOLERANCE: f64 = 1e-7;
 
+/// Changes of the densities, from the edge inwards, and the slipping rings.
+pub(super) struct RingSolution {
+    pub(super) changes: Vec<f64>,
+    /// Change of the twist inside the rings; zero if the innermost ring sticks.
+    pub(super) core: f64,
+    /// +1 or -1 for rings that slip, 0 for those that stick.
+    pub(super) slips: Vec<f64>,
+}
+
+impl Rings {
+    /// The state after the twist of all discs has changed by `turned`, from the densities before;
+    /// `None` if neither method converges.
+    pub(super) fn turn(&self, densities: &[f64], turned: f64) -> Option<RingSolution> {
+        let before = self.tractions(densities);
+        let (tractions, slips) = Friction::new(self, &before, turned).solve()?;
+        let changes: Vec<f64> = tractions.iter().zip(&before).map(|(now, old)| now - old).collect();
+        let changes = self.densities(&changes);
+        let core = turned - self.twist(&changes);
+        Some(RingSolution { changes, core, slips })
+    }
+}
+
 /// A step of the rings: all are rotated by `turned`, and the tractions resist by their compliance.
 pub(super) struct Friction<'a> {
     rings: &'a Rings,

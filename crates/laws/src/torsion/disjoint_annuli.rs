@@ -5,10 +5,11 @@
 //! satisfies it, the rings themselves are solved for any pattern of slip, and their densities
 //! replace those of the stack.
 
+use super::complementarity::RingSolution;
 use super::heat::{Meter, RingHeat};
 use super::history::{SlipPath, TwistHistory};
 use super::recede::lowest_rate;
-use super::rings::{RingSolution, Rings};
+use super::rings::Rings;
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist};
 

@@ -10,10 +10,11 @@ use std::f64::consts::FRAC_2_PI;
 
 use carom_special::quadrature::FixedRule;
 
-use super::heat::mean_of_fourth_powers;
 use super::history::TwistHistory;
 use super::segment::{Density, Segment};
-use super::sliding::{DEEP, Sloped, heat_of_growth, heat_of_twist, twist_of_depth};
+use super::sliding::{
+    DEEP, Sloped, heat_of_growth, heat_of_twist, mean_of_fourth_powers, twist_of_depth,
+};
 
 /// Number of Gauss nodes of a panel.
 const NODES: usize = 8;

@@ -12,7 +12,7 @@ use carom_special::quadrature::FixedRule;
 use super::front::Front;
 use super::history::{SlipPath, TwistHistory};
 use super::rings::Rings;
-use super::sliding::{heat_of_growth, heat_of_twist};
+use super::sliding::{heat_of_growth, heat_of_twist, mean_of_fourth_powers};
 
 /// Gauss nodes and weights on (0, 1).
 const GAUSS: [(f64, f64); 6] = FixedRule::parts();
@@ -63,12 +63,6 @@ fn of_steady_ring(before: &TwistHistory, after: &TwistHistory, depth: f64) -> f6
     let (grown, turned) = (after.radius - before.radius, (after.twist - before.twist).abs());
     let rate = heat_of_twist(depth) * turned - heat_of_growth(depth) * grown;
     mean_of_fourth_powers(before.radius, after.radius) * rate.max(0.0)
-}
-
-/// The mean of `al^4` between two radii.
-pub(super) fn mean_of_fourth_powers(a: f64, b: f64) -> f64 {
-    let (square_a, square_b) = (a * a, b * b);
-    0.2 * ((square_a + square_b) * (square_a + a * b) + square_b * square_b)
 }
 
 /// A substep with one slip annulus that spreads inwards.

@@ -5,6 +5,7 @@
 //! (y t_x - x t_y) dS`, and have the same sign. G and nu are the combined constants (4.7).
 
 pub mod adhesion;
+mod advance;
 mod check;
 mod complementarity;
 mod disjoint_annuli;
@@ -15,9 +16,7 @@ mod heat;
 pub mod history;
 pub mod law;
 pub mod lubkin;
-mod pack;
 mod recede;
 mod rings;
 mod segment;
-mod shift_twist;
 mod sliding;

@@ -11,7 +11,6 @@
 use std::f64::consts::FRAC_2_PI;
 use std::sync::OnceLock;
 
-use super::complementarity::Friction;
 use super::sliding::sliding_twist;
 
 /// The least ring width that may be requested, and by how many levels rings at the edge itself are
@@ -66,15 +65,6 @@ fn slip_integral(x: f64) -> f64 {
     // The integral of the bracket decreases as x^3 towards the centre, below everything that
     // matters there.
     x - FRAC_2_PI * (x * libm::asin(x) + root + (root * root * root - 4.0) / 3.0)
-}
-
-/// Changes of the densities, from the edge inwards, and the slipping rings.
-pub(super) struct RingSolution {
-    pub(super) changes: Vec<f64>,
-    /// Change of the twist inside the rings; zero if the innermost ring sticks.
-    pub(super) core: f64,
-    /// +1 or -1 for rings that slip, 0 for those that stick.
-    pub(super) slips: Vec<f64>,
 }
 
 static INFLUENCES: [OnceLock<Influence>; LEVELS] = [const { OnceLock::new() }; LEVELS];
@@ -155,7 +145,7 @@ impl Rings {
     }
 
     /// Densities, from tractions divided by radius.
-    fn densities(&self, tractions: &[f64]) -> Vec<f64> {
+    pub(super) fn densities(&self, tractions: &[f64]) -> Vec<f64> {
         let n = tractions.len();
         let mut densities = Vec::with_capacity(n);
         for (i, traction) in tractions.iter().enumerate() {
@@ -191,19 +181,8 @@ impl Rings {
         row
     }
 
-    /// The state after the twist of all discs has changed by `turned`, from the densities before;
-    /// `None` if neither method converges.
-    pub(super) fn turn(&self, densities: &[f64], turned: f64) -> Option<RingSolution> {
-        let before = self.tractions(densities);
-        let (tractions, slips) = Friction::new(self, &before, turned).solve()?;
-        let changes: Vec<f64> = tractions.iter().zip(&before).map(|(now, old)| now - old).collect();
-        let changes = self.densities(&changes);
-        let core = turned - self.twist(&changes);
-        Some(RingSolution { changes, core, slips })
-    }
-
     /// The twist of the rings, from their densities.
-    fn twist(&self, densities: &[f64]) -> f64 {
+    pub(super) fn twist(&self, densities: &[f64]) -> f64 {
         let widths = self.edges.windows(2).map(|pair| pair[0] - pair[1]);
         widths.zip(densities).map(|(width, density)| width * density).sum()
     }

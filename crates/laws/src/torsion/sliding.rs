@@ -208,6 +208,12 @@ pub(super) fn threshold(stick: f64) -> f64 {
     FRAC_2_PI * with_ratio(stick, complete::k) - integral / w_stick
 }
 
+/// The mean of `al^4` between two radii.
+pub(super) fn mean_of_fourth_powers(a: f64, b: f64) -> f64 {
+    let (square_a, square_b) = (a * a, b * b);
+    0.2 * ((square_a + square_b) * (square_a + a * b) + square_b * square_b)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,8 +3,9 @@
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 
+use super::error::converged;
 use super::pass::Pass;
-use super::{FrictionalError, FrictionalScratch, converged};
+use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Residuals, Stop};
 use crate::drive::Driven;
 use crate::normal::Target;

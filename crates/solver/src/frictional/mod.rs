@@ -5,30 +5,19 @@ mod anderson;
 mod boxed;
 mod cone;
 mod coupled;
+mod cut;
 mod displacements;
+mod error;
 mod limits;
 mod pass;
+mod scratch;
 mod sliding;
+mod step;
 
-use std::sync::Arc;
+pub use error::FrictionalError;
+pub use scratch::FrictionalScratch;
 
-use carom_halfspace::operator::{OperatorError, SurfaceOperator};
-use carom_laws::law::Shift;
 use carom_special::RangeError;
-
-use crate::convergence::{Convergence, Observer, Products, Stop};
-use crate::drive::{Drive, Driven};
-use crate::frictional::anderson::Mixing;
-use crate::frictional::coupled::Coupled;
-use crate::frictional::limits::FrictionLimits;
-use crate::method::Method;
-use crate::nested;
-use crate::normal::NormalGrids;
-use crate::problem::{ContactProblem, PeriodError};
-use crate::state::ContactState;
-use crate::tangential::{LimitSurface, Rigid, TangentialScratch};
-use boxed::{Boxed, InBox};
-use pass::Pass;
 
 /// Contact with Coulomb friction, one step of a load history at a time. Pressures are solved at the
 /// last tractions, tractions at these pressures, and so on until both converge (Panagiotopoulos);
@@ -91,59 +80,6 @@ pub struct Frictional {
     passes: usize,
 }
 
-/// Why a step with friction failed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum FrictionalError {
-    /// A value out of range.
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// The operator failed.
-    #[error(transparent)]
-    Operator(#[from] OperatorError),
-    /// No load on a periodic surface gives the prescribed shift.
-    #[error(transparent)]
-    Period(#[from] PeriodError),
-    /// The prescribed tangential force exceeds what friction can hold: the bodies slide.
-    #[error(
-        "the tangential force {force} is not below the friction limit {limit}: the bodies slide"
-    )]
-    Slides {
-        /// The tangential force.
-        force: f64,
-        /// The greatest force that friction can hold, the sum of f p over the cells; relative error
-        /// 1e-12.
-        limit: f64,
-    },
-    /// The prescribed torque, alone or with a force, exceeds what friction can hold: the bodies
-    /// rotate on each other.
-    #[error(
-        "friction can hold less than {part} times the torque {torque} and the tangential force {force}: \
-         the bodies slide"
-    )]
-    Turns {
-        /// The torque.
-        torque: f64,
-        /// The tangential force.
-        force: f64,
-        /// The fraction of the prescribed loads that friction can hold; at most 1.
-        part: f64,
-    },
-    /// The iterations ended before the tolerance was reached.
-    #[error(
-        "the {what} did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
-         {} iterations ({:?})",
-        .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
-    )]
-    NotConverged {
-        /// The unknowns that did not converge: pressures, tractions, or both together.
-        what: &'static str,
-        /// The tolerance.
-        tolerance: f64,
-        /// The convergence up to then.
-        reached: Convergence,
-    },
-}
-
 impl Default for Frictional {
     /// Tolerance 1e-9, relative to the greatest displacement and to the greatest friction limit.
     fn default() -> Self {
@@ -171,145 +107,5 @@ impl Frictional {
         RangeError::check("iterations", iterations as f64, iterations > 0, "at least 1")?;
         RangeError::check("passes", passes as f64, passes > 0, "at least 1")?;
         Ok(Self { iterations, passes, ..self })
-    }
-}
-
-/// The working memory of [`Frictional`].
-#[derive(Clone)]
-pub struct FrictionalScratch {
-    normal: NormalGrids,
-    tangential: TangentialScratch,
-    limits: FrictionLimits,
-    /// Tangential displacement due to pressure; this and the next two fields are empty without
-    /// coupling.
-    by_pressure: [Vec<f64>; 2],
-    offset: [Vec<f64>; 2],
-    /// Normal displacement due to tangential tractions, in this pass and in the last one.
-    by_traction: Vec<f64>,
-    last: Vec<f64>,
-    mixing: Mixing,
-    /// Cells at kinetic friction: they have slipped since they last stuck.
-    kinetic: Vec<bool>,
-    /// The solver for pressures and tractions together, built when first needed.
-    coupled: Option<Box<Coupled>>,
-    /// The loads that friction can hold under the pressures of this pass.
-    surface: LimitSurface,
-    /// The last box that was used, and the normal displacements of all cells.
-    boxed: Option<Box<Boxed>>,
-    sunk: Vec<f64>,
-}
-
-impl Method for Frictional {
-    type Error = FrictionalError;
-    type Scratch = FrictionalScratch;
-
-    fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
-        self.scratch_with(problem, &nested::coarser_operators(problem.operator())?)
-    }
-
-    fn step(
-        &self,
-        problem: &ContactProblem,
-        from: &ContactState,
-        drive: &Drive,
-        to: &mut ContactState,
-        scratch: &mut FrictionalScratch,
-        observer: &mut dyn Observer,
-    ) -> Result<Convergence, FrictionalError> {
-        drive.check()?;
-        from.check_grid(problem.grid())?;
-        if let Some(zeta) = problem.apart(drive.normal) {
-            refuse_tangential_loads(drive)?;
-            *to = ContactState::apart(problem.grid());
-            to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
-            let (products, residuals) = Default::default();
-            return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
-        }
-        problem.check_approach(drive.normal)?;
-        match self.step_in_a_box(problem, from, drive, to, scratch, observer)? {
-            InBox::Solved(convergence) => Ok(convergence),
-            InBox::NotWorthIt | InBox::Escaped => {
-                self.step_on_all(problem, from, drive, to, scratch, observer)
-            }
-        }
-    }
-}
-
-impl Frictional {
-    fn scratch_with(
-        &self,
-        problem: &ContactProblem,
-        coarser: &[Arc<dyn SurfaceOperator>],
-    ) -> Result<FrictionalScratch, FrictionalError> {
-        let operator = problem.operator();
-        let zero = || vec![0.0; problem.grid().cells()];
-        let heights = problem.gap().heights().values();
-        let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
-        Ok(FrictionalScratch {
-            normal: NormalGrids::new(operator, heights, || Ok(coarser.to_vec()))?,
-            tangential: TangentialScratch::new(operator, coarser),
-            limits: FrictionLimits::new(problem.grid().cells()),
-            by_pressure: [coupling(), coupling()],
-            offset: [zero(), zero()],
-            by_traction: coupling(),
-            last: coupling(),
-            mixing: Mixing::default(),
-            kinetic: vec![false; problem.grid().cells()],
-            coupled: None,
-            surface: LimitSurface::default(),
-            boxed: None,
-            sunk: Vec::new(),
-        })
-    }
-
-    /// A step with contact, solved on all cells.
-    fn step_on_all(
-        &self,
-        problem: &ContactProblem,
-        from: &ContactState,
-        drive: &Drive,
-        to: &mut ContactState,
-        scratch: &mut FrictionalScratch,
-        observer: &mut dyn Observer,
-    ) -> Result<Convergence, FrictionalError> {
-        let area = problem.grid().cell_area();
-        let load = |driven| match driven {
-            Driven::Shift(_) => None,
-            Driven::Load(load) => Some(load / area),
-        };
-        let loads = [load(drive.x), load(drive.y), load(drive.twist)];
-        let (cost, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
-        let (together, slides) = (false, None);
-        let mut pass =
-            Pass { method: self, problem, from, drive, rigid, observer, cost, together, slides };
-        pass.solve_with_static_friction(to, scratch)
-    }
-}
-
-/// Separated bodies cannot hold a tangential load.
-fn refuse_tangential_loads(drive: &Drive) -> Result<(), FrictionalError> {
-    let [x, y, torque] = [drive.x, drive.y, drive.twist].map(|driven| match driven {
-        Driven::Load(load) => load,
-        Driven::Shift(_) => 0.0,
-    });
-    let force = x.hypot(y);
-    if torque != 0.0 {
-        return Err(FrictionalError::Turns { torque, force, part: 0.0 });
-    }
-    if force != 0.0 {
-        return Err(FrictionalError::Slides { force, limit: 0.0 });
-    }
-    Ok(())
-}
-
-fn converged(
-    what: &'static str,
-    tolerance: f64,
-    reached: Convergence,
-) -> Result<Convergence, FrictionalError> {
-    if reached.stop == Stop::Converged {
-        Ok(reached)
-    } else {
-        Err(FrictionalError::NotConverged { what, tolerance, reached })
     }
 }

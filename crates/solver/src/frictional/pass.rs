@@ -2,7 +2,7 @@
 
 use super::{Frictional, FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Observer, Products};
-use crate::drive::Drive;
+use crate::drive::{Drive, Driven};
 use crate::friction::COEFFICIENT_FOR_INFINITE;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
@@ -145,5 +145,30 @@ impl Pass<'_> {
         scratch: &mut FrictionalScratch,
     ) {
         (self.rigid, *to, scratch.by_traction) = kept;
+    }
+}
+
+impl Frictional {
+    /// A step with contact, solved on all cells.
+    pub(super) fn step_on_all(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, FrictionalError> {
+        let area = problem.grid().cell_area();
+        let load = |driven| match driven {
+            Driven::Shift(_) => None,
+            Driven::Load(load) => Some(load / area),
+        };
+        let loads = [load(drive.x), load(drive.y), load(drive.twist)];
+        let (cost, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
+        let (together, slides) = (false, None);
+        let mut pass =
+            Pass { method: self, problem, from, drive, rigid, observer, cost, together, slides };
+        pass.solve_with_static_friction(to, scratch)
     }
 }

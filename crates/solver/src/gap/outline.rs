@@ -1,9 +1,6 @@
 //! Flat punches, given by their outline.
 
-use carom_halfspace::Grid;
 use carom_special::RangeError;
-
-use super::{Gap, Shape};
 
 /// The outline of a flat punch, about the centre of the grid. Cells whose centre lies outside
 /// cannot come into contact.
@@ -83,17 +80,6 @@ impl Outline {
             Self::Triangle(corners) => check_corners(corners),
             Self::Polygon(corners) => check_corners(corners),
         }
-    }
-}
-
-impl Gap {
-    /// A flat punch: zero gap inside the outline, no body outside.
-    ///
-    /// # Errors
-    /// [`RangeError`] for lengths that are not positive, corners that are not finite, fewer than
-    /// three corners or corners on one line, and if no cell centre lies inside.
-    pub fn punch(grid: Grid, outline: &Outline) -> Result<Self, RangeError> {
-        Self::of_shape(grid, &Shape::Punch(outline.clone()))
     }
 }
 

@@ -126,6 +126,15 @@ impl Shape {
 }
 
 impl Gap {
+    /// A flat punch: zero gap inside the outline, no body outside.
+    ///
+    /// # Errors
+    /// [`RangeError`] for lengths that are not positive, corners that are not finite, fewer than
+    /// three corners or corners on one line, and if no cell centre lies inside.
+    pub fn punch(grid: Grid, outline: &Outline) -> Result<Self, RangeError> {
+        Self::of_shape(grid, &Shape::Punch(outline.clone()))
+    }
+
     /// A shape above a plane, with its origin at the centre of the grid.
     ///
     /// ```

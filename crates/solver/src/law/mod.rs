@@ -2,7 +2,10 @@
 
 mod cells;
 mod entry;
+mod error;
 mod window;
+
+pub use error::NumericalLawError;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -12,25 +15,10 @@ use carom_laws::law::{ContactLaw, ContactLoad, ImpactLaw, Shift};
 use carom_special::RangeError;
 
 use crate::convergence::Convergence;
-use crate::frictional::{Frictional, FrictionalError};
-use crate::problem::ProblemError;
+use crate::frictional::Frictional;
 use crate::state::{CellState, ContactState};
 use cells::Cells;
 use window::Windows;
-
-/// Why a step of the numerical law failed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum NumericalLawError {
-    /// A value out of range.
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// The contact problem could not be built.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
-    /// The step could not be solved.
-    #[error(transparent)]
-    Step(#[from] FrictionalError),
-}
 
 /// The contact of two paraboloids, solved on a grid, as a [`ContactLaw`]: for any pair of materials
 /// and any history of approach, shifts and twist.

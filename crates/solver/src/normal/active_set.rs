@@ -16,34 +16,12 @@ use carom_halfspace::operator::{
 };
 
 use super::iteration_state::IterationState;
-use super::signs::finish;
+use super::task::{Limits, NormalTask, finish};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
 
 /// A relative error of the force above this means that the force was lost to rounding.
 const LARGEST_FORCE_ERROR: f64 = 1e-9;
-
-/// Stopping criteria.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
-    /// Greatest violation relative to the greatest displacement.
-    pub(super) tolerance: f64,
-    /// The iteration also stops when correction and violation, in norm, fall below this fraction of
-    /// the pressure; zero: it stops at the tolerance only.
-    pub(super) change: f64,
-    pub(super) iterations: usize,
-}
-
-/// The problem and its solution: pressure and approach.
-pub(super) struct NormalTask<'a> {
-    pub(super) operator: &'a dyn SurfaceOperator,
-    /// Distances of the surfaces at zero approach.
-    pub(super) heights: &'a [f64],
-    pub(super) driven: Driven,
-    /// The initial pressure, positive somewhere, and the solution.
-    pub(super) pressure: &'a mut [f64],
-    pub(super) approach: f64,
-}
 
 /// One grid of the normal problem, with its working memory.
 #[derive(Clone)]

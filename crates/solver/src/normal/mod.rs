@@ -3,6 +3,7 @@
 mod active_set;
 mod iteration_state;
 mod signs;
+mod task;
 
 use std::sync::Arc;
 
@@ -12,7 +13,8 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator, Workspace};
 use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::drive::Driven;
 use crate::nested;
-use active_set::{ActiveSet, Limits, NormalTask};
+use active_set::ActiveSet;
+use task::{Limits, NormalTask};
 
 /// The iteration on coarse grids stops when a correction changes the pressure by less than this
 /// fraction, on the coarsest grid by less than a tenth of it.

@@ -1,8 +1,8 @@
 //! Violations of the inequalities: tension, and overlap.
 
-use super::active_set::{ActiveSet, NormalTask};
+use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
-use crate::drive::Driven;
+use super::task::NormalTask;
 
 impl ActiveSet {
     /// The norm of the violations, tension inside the set and overlap outside, as pressures.
@@ -48,20 +48,5 @@ impl ActiveSet {
         }
         let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
         state.step < norm && self.violation(task) < norm
-    }
-}
-
-/// Removes tension within the tolerance, and scales the pressures to a prescribed force.
-pub(super) fn finish(task: &mut NormalTask<'_>) {
-    for pressure in task.pressure.iter_mut() {
-        *pressure = pressure.max(0.0);
-    }
-    if let Driven::Load(force) = task.driven {
-        let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
-        if sum > 0.0 {
-            for pressure in task.pressure.iter_mut() {
-                *pressure *= force / sum;
-            }
-        }
     }
 }

@@ -10,63 +10,30 @@
 //!
 //! All fields are compressed to the cells of the contact; products use the box that contains them.
 
-use std::ops::ControlFlow;
-
 use carom_halfspace::Grid;
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::Vector3;
 
 use super::compressed::Compressed;
 use super::contact::ContactInfluence;
-use super::descent::Descent;
 use super::iteration_state::IterationState;
-use super::law::{Violation, ViolationSums, force_scale, is_lost};
-use super::rigid::{self, Deflation, Rigid};
-use super::search::Search;
-use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+use super::law::{REACHED, Violation, ViolationSums, project_to_disc};
+use super::plane::Plane;
+use super::rigid::{self, Deflation};
+use super::search_scratch::Search;
+use super::task::TangentialTask;
+use crate::convergence::Products;
 use crate::state::CellState;
-
-/// The problem and its solution. All fields are on the operator's grid or, once compressed, on the
-/// cells of the contact.
-pub(crate) struct TangentialTask<'a> {
-    pub(crate) operator: &'a dyn SurfaceOperator,
-    /// Traction bounds: zero outside the contact, infinite where the surfaces cannot slip.
-    pub(crate) limits: &'a [f64],
-    /// The displacement c without tangential tractions, minus the prescribed shifts.
-    pub(crate) offset: [&'a [f64]; 2],
-    /// Prescribed loads, and the shifts found for them.
-    pub(crate) rigid: Rigid,
-    /// The greatest pressure: a bound above it may never be reached.
-    pub(crate) pressure: f64,
-    /// Initial tractions and solution.
-    pub(crate) traction: [&'a mut [f64]; 2],
-    /// Initial states of the cells and those of the solution.
-    pub(crate) cells: &'a mut [CellState],
-}
-
-/// Stopping criteria.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
-    /// Greatest violation of the friction law relative to the greatest friction bound.
-    pub(super) tolerance: f64,
-    /// The iteration also stops when correction and violation, in norm, fall below this fraction of
-    /// the tractions; zero: it stops at the tolerance only.
-    pub(super) change: f64,
-    pub(super) iterations: usize,
-}
 
 /// Curvature of the objective below this fraction of its diagonal part counts as zero.
 const NEGLIGIBLE_CURVATURE: f64 = 1e-8;
-
-/// Two components in each cell.
-pub(super) type Plane = [Vec<f64>; 2];
 
 /// One grid of the tangential problem with its working memory; fields are on the cells of the
 /// contact.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
     pub(super) influence: ContactInfluence,
-    compressed: Compressed,
+    pub(super) compressed: Compressed,
     pub(super) centres: Plane,
     pub(super) deflation: Deflation,
     /// The influence of a cell's traction on itself, mean of both directions.
@@ -111,55 +78,7 @@ impl ActiveSet {
         }
     }
 
-    /// Solves a task.
-    ///
-    /// # Errors
-    /// The errors of the operator.
-    pub(super) fn solve(
-        &mut self,
-        task: &mut TangentialTask<'_>,
-        limits: Limits,
-        observer: &mut dyn Observer,
-    ) -> Result<Convergence, OperatorError> {
-        self.on_the_contact(task, |set, own, cells| set.iterate(own, limits, cells, observer))
-    }
-
-    /// Solves a task with prescribed loads by iterating on the shifts.
-    ///
-    /// # Errors
-    /// The errors of the operator.
-    pub(super) fn solve_by_motions(
-        &mut self,
-        task: &mut TangentialTask<'_>,
-        limits: Limits,
-        observer: &mut dyn Observer,
-    ) -> Result<Convergence, OperatorError> {
-        self.on_the_contact(task, |set, own, cells| set.search(own, limits, cells, observer))
-    }
-
-    /// Compresses a task to the contact and calls a solver, with the number of cells of the grid.
-    fn on_the_contact(
-        &mut self,
-        task: &mut TangentialTask<'_>,
-        solver: impl FnOnce(
-            &mut Self,
-            &mut TangentialTask<'_>,
-            usize,
-        ) -> Result<Convergence, OperatorError>,
-    ) -> Result<Convergence, OperatorError> {
-        self.influence.enter(task.operator, task.limits);
-        let mut compressed = std::mem::take(&mut self.compressed);
-        compressed.take(task, &self.influence.contact);
-        self.make_room(task.operator.grid());
-        let mut own = compressed.task(task);
-        let convergence = solver(self, &mut own, task.limits.len());
-        task.rigid = own.rigid;
-        compressed.give(task, &self.influence.contact);
-        self.compressed = compressed;
-        convergence
-    }
-
-    fn make_room(&mut self, grid: Grid) {
+    pub(super) fn make_room(&mut self, grid: Grid) {
         self.influence.contact.centres(grid, &mut self.centres);
         let cells = self.influence.contact.cells();
         let planes = [
@@ -176,61 +95,8 @@ impl ActiveSet {
         }
     }
 
-    pub(super) fn iterate(
-        &mut self,
-        task: &mut TangentialTask<'_>,
-        limits: Limits,
-        cells: usize,
-        observer: &mut dyn Observer,
-    ) -> Result<Convergence, OperatorError> {
-        let mut state = IterationState::default();
-        let (scale, touching) = (force_scale(task), task.limits.len());
-        self.begin(task, &mut state)?;
-        let mut iteration = 0;
-        let mut off = self.check_law(task);
-        loop {
-            iteration += 1;
-            if state.slow_changes >= 4 || is_lost(task, off.violation) {
-                Descent::new(task.operator).run(self, task, &mut state.products)?;
-                state = IterationState {
-                    products: state.products,
-                    slow_changes: 2,
-                    ..IterationState::default()
-                };
-                off = self.check_law(task);
-                off = self.change_sets(task, off.violation, &mut state)?;
-            } else if iteration == 1 || state.asks_for_change(off.violation) {
-                off = self.change_sets(task, off.violation, &mut state)?;
-            } else {
-                state.held = state.held.saturating_sub(1);
-                let power = self.precondition(task, &mut state);
-                off = self.gradient_step(task, power, &mut state)?;
-            }
-            let tangential = off.distance.max(self.unbalance(task, touching)) / scale;
-            let tangential = if off.distance.is_nan() { off.distance } else { tangential };
-            let residuals = Residuals { normal: 0.0, tangential };
-            let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if tangential.is_nan() {
-                Some(Stop::Stalled)
-            } else if tangential <= limits.tolerance
-                || is_converged(task, state.step.max(off.violation), limits.change)
-            {
-                Some(Stop::Converged)
-            } else if matches!(seen, ControlFlow::Break(())) {
-                Some(Stop::Observer)
-            } else {
-                (iteration >= limits.iterations).then_some(Stop::Exhausted)
-            };
-            if let Some(stop) = stop {
-                self.finish(task);
-                let products = state.products;
-                return Ok(Convergence { iterations: iteration, products, residuals, stop });
-            }
-        }
-    }
-
     /// The initial slip and the initial rim directions.
-    fn begin(
+    pub(super) fn begin(
         &mut self,
         task: &mut TangentialTask<'_>,
         state: &mut IterationState,
@@ -331,6 +197,35 @@ impl ActiveSet {
         off.all()
     }
 
+    /// The violation of the law.
+    pub(super) fn check_law(&self, task: &TangentialTask<'_>) -> Violation {
+        let (mut off, per_own) = (ViolationSums::default(), 1.0 / self.own);
+        for (i, limit) in task.limits.iter().enumerate() {
+            let traction = [task.traction[0][i], task.traction[1][i]];
+            let slip = [self.slip[0][i] * per_own, self.slip[1][i] * per_own];
+            off.add(task.cells[i], *limit, traction, slip, [self.rim[0][i], self.rim[1][i]]);
+        }
+        off.all()
+    }
+
+    /// Projects tractions onto their discs and sets the states of the cells.
+    pub(super) fn finish(&self, task: &mut TangentialTask<'_>) {
+        for (i, &limit) in task.limits.iter().enumerate() {
+            let slips = task.cells[i] == CellState::Slip;
+            let at = [0, 1].map(|axis| task.traction[axis][i]);
+            let norm = (at[0] * at[0] + at[1] * at[1]).sqrt();
+            let [x, y] = if slips && norm > 0.0 {
+                at.map(|t| limit * (t / norm))
+            } else {
+                project_to_disc(at, limit)
+            };
+            (task.traction[0][i], task.traction[1][i]) = (x, y);
+            let along = self.slip[0][i] * x + self.slip[1][i] * y;
+            let slips = (x * x + y * y).sqrt() >= limit * REACHED && along < 0.0;
+            task.cells[i] = if slips { CellState::Slip } else { CellState::Stick };
+        }
+    }
+
     /// Sets `image` to A times `direction`.
     pub(super) fn multiply(
         &mut self,
@@ -339,18 +234,4 @@ impl ActiveSet {
     ) -> Result<(), OperatorError> {
         self.influence.displace(operator, &self.direction, &mut self.image, products)
     }
-}
-
-/// Whether violation or last step is small relative to the tractions.
-fn is_converged(task: &TangentialTask<'_>, off: f64, change: f64) -> bool {
-    if change == 0.0 {
-        return false;
-    }
-    let square: f64 = task.traction.iter().flat_map(|values| values.iter()).map(|t| t * t).sum();
-    off < change * square.sqrt()
-}
-
-pub(super) fn dot(a: &Plane, b: &Plane) -> f64 {
-    let along = |axis: usize| a[axis].iter().zip(&b[axis]).map(|(a, b)| a * b).sum::<f64>();
-    along(0) + along(1)
 }

@@ -1,7 +1,8 @@
 //! A task compressed to the cells of the contact.
 
-use super::active_set::{Plane, TangentialTask};
 use super::contact::Contact;
+use super::plane::Plane;
+use super::task::TangentialTask;
 use crate::state::CellState;
 
 /// The fields of a task on the cells of the contact.

@@ -7,9 +7,11 @@
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::{Matrix3, Vector3};
 
-use super::active_set::{ActiveSet, Plane, TangentialTask};
+use super::active_set::ActiveSet;
 use super::law::project_to_disc;
+use super::plane::Plane;
 use super::rigid;
+use super::task::TangentialTask;
 use crate::convergence::Products;
 use crate::state::CellState;
 

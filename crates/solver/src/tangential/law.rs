@@ -1,6 +1,6 @@
 //! Coulomb's law in each cell: its violation, and the state of the cell.
 
-use super::active_set::{ActiveSet, TangentialTask};
+use super::task::TangentialTask;
 use crate::state::CellState;
 
 /// A traction above this fraction of its bound has reached it.
@@ -62,37 +62,6 @@ impl ViolationSums {
     pub(super) fn all(&self) -> Violation {
         let distance = if self.all.is_nan() { self.all } else { self.farthest.sqrt() };
         Violation { violation: self.violations.sqrt(), distance }
-    }
-}
-
-impl ActiveSet {
-    /// The violation of the law.
-    pub(super) fn check_law(&self, task: &TangentialTask<'_>) -> Violation {
-        let (mut off, per_own) = (ViolationSums::default(), 1.0 / self.own);
-        for (i, limit) in task.limits.iter().enumerate() {
-            let traction = [task.traction[0][i], task.traction[1][i]];
-            let slip = [self.slip[0][i] * per_own, self.slip[1][i] * per_own];
-            off.add(task.cells[i], *limit, traction, slip, [self.rim[0][i], self.rim[1][i]]);
-        }
-        off.all()
-    }
-
-    /// Projects tractions onto their discs and sets the states of the cells.
-    pub(super) fn finish(&self, task: &mut TangentialTask<'_>) {
-        for (i, &limit) in task.limits.iter().enumerate() {
-            let slips = task.cells[i] == CellState::Slip;
-            let at = [0, 1].map(|axis| task.traction[axis][i]);
-            let norm = (at[0] * at[0] + at[1] * at[1]).sqrt();
-            let [x, y] = if slips && norm > 0.0 {
-                at.map(|t| limit * (t / norm))
-            } else {
-                project_to_disc(at, limit)
-            };
-            (task.traction[0][i], task.traction[1][i]) = (x, y);
-            let along = self.slip[0][i] * x + self.slip[1][i] * y;
-            let slips = (x * x + y * y).sqrt() >= limit * REACHED && along < 0.0;
-            task.cells[i] = if slips { CellState::Slip } else { CellState::Stick };
-        }
     }
 }
 

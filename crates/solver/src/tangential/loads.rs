@@ -2,9 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::active_set::{ActiveSet, TangentialTask, dot};
+use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
+use super::plane::dot;
 use super::rigid;
+use super::task::TangentialTask;
 
 impl ActiveSet {
     pub(super) fn excess(&self, task: &TangentialTask<'_>) -> Vector3<f64> {

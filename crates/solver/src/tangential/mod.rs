@@ -8,10 +8,14 @@ mod iteration_state;
 mod law;
 mod limit_surface;
 mod loads;
+mod plane;
 mod precondition;
 mod rigid;
 mod search;
+mod search_scratch;
 mod sets;
+mod solve;
+mod task;
 
 use std::sync::Arc;
 
@@ -21,12 +25,14 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::nested;
 use crate::state::CellState;
-use active_set::{ActiveSet, Limits, Plane};
+use active_set::ActiveSet;
+use plane::Plane;
+use task::Limits;
 
-pub(crate) use active_set::TangentialTask;
 pub(crate) use law::project_to_disc;
 pub(crate) use limit_surface::LimitSurface;
 pub(crate) use rigid::Rigid;
+pub(crate) use task::TangentialTask;
 
 /// The iteration on coarse grids stops when a correction changes the tractions by less than this
 /// fraction, on the coarsest grid by less than a tenth of it.

@@ -6,8 +6,9 @@
 //! D/a)` keeps it; where D is far above a, 1/D applies. In between, long waves are still governed
 //! by A; there `1/(D + 10 a)` is the better diagonal term.
 
-use super::active_set::{ActiveSet, TangentialTask};
+use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
+use super::task::TangentialTask;
 use crate::state::CellState;
 
 /// Diagonal term that stands for A in slipping cells, relative to the influence of a cell on

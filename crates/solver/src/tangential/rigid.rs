@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::active_set::Plane;
+use super::plane::Plane;
 
 /// Shift along x, shift along y, twist: which of them have a prescribed load, and their values.
 ///

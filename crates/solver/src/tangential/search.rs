@@ -10,11 +10,14 @@
 use carom_halfspace::operator::OperatorError;
 use nalgebra::{Matrix3, Vector3};
 
-use super::active_set::{ActiveSet, Limits, Plane, TangentialTask, dot};
+use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
 use super::law::force_scale;
 use super::limit_surface::LimitSurface;
+use super::plane::dot;
 use super::rigid::{self, Rigid};
+use super::search_scratch::Search;
+use super::task::{Limits, TangentialTask};
 use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::state::CellState;
 
@@ -28,15 +31,6 @@ const INNER_TOLERANCE: f64 = 0.3;
 const RESPONSE_RESIDUAL: f64 = 1e-6;
 /// Greatest number of conjugate-gradient steps for one response.
 const GRADIENT_STEPS: usize = 100;
-
-/// The working memory of a search.
-#[derive(Clone, Default)]
-pub(super) struct Search {
-    surface: LimitSurface,
-    /// Tractions at the beginning of the last step.
-    traction: Plane,
-    cells: Vec<CellState>,
-}
 
 /// Loads L scaled to `L / sqrt(1 - g^2)`, and the derivative of the scaled loads with respect to L.
 struct Stretched {
@@ -269,22 +263,4 @@ fn arms(task: &TangentialTask<'_>) -> Vector3<f64> {
     let grid = task.operator.grid();
     let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
     Vector3::new(1.0, 1.0, arm)
-}
-
-impl Search {
-    fn keep(&mut self, task: &TangentialTask<'_>) {
-        for (kept, traction) in self.traction.iter_mut().zip(&task.traction) {
-            kept.clear();
-            kept.extend_from_slice(traction);
-        }
-        self.cells.clear();
-        self.cells.extend_from_slice(task.cells);
-    }
-
-    fn give_back(&self, task: &mut TangentialTask<'_>) {
-        for (kept, traction) in self.traction.iter().zip(&mut task.traction) {
-            traction.copy_from_slice(kept);
-        }
-        task.cells.copy_from_slice(&self.cells);
-    }
 }

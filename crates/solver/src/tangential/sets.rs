@@ -2,9 +2,10 @@
 
 use carom_halfspace::operator::OperatorError;
 
-use super::active_set::{ActiveSet, TangentialTask};
+use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
 use super::law::{REACHED, Violation};
+use super::task::TangentialTask;
 use crate::state::CellState;
 
 /// Fraction of a preconditioned step that is made together with a projection.

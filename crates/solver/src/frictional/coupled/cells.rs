@@ -2,8 +2,8 @@
 
 use carom_halfspace::operator::SurfaceOperator;
 
-use super::CoupledTask;
 use super::system::System;
+use super::task::CoupledTask;
 use crate::convergence::Residuals;
 use crate::friction::finite_coefficient;
 use crate::state::CellState;

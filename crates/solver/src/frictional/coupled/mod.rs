@@ -10,46 +10,26 @@
 
 mod cells;
 mod krylov;
+mod newton;
 mod system;
+mod task;
 
 use std::ops::ControlFlow;
 
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
 use crate::convergence::{Convergence, Observer, Products, Progress, Stop};
-use crate::drive::Driven;
-use crate::state::CellState;
-use crate::tangential::Rigid;
 use cells::Cells;
 use system::System;
 
-/// Relative residual to which each linear system is solved.
-const LINEAR_RESIDUAL: f64 = 1e-4;
-/// Greatest number of products for one linear system.
-const MOST_PRODUCTS: usize = 240;
+pub(crate) use task::CoupledTask;
+
 /// After this many Newton steps without progress half as many cells may change at once.
 const STEPS_BEFORE_FEWER_CHANGES: usize = 6;
 /// After this many Newton steps without progress the method gives up.
 const STEPS_BEFORE_GIVING_UP: usize = 8;
 /// A start whose gaps exceed this fraction of the greatest displacement is rejected.
 const LARGEST_INITIAL_GAP: f64 = 0.5;
-
-/// The problem and its solution.
-pub(crate) struct CoupledTask<'a> {
-    pub(crate) operator: &'a dyn SurfaceOperator,
-    /// Distances of the surfaces at zero approach, without tractions.
-    pub(crate) heights: &'a [f64],
-    /// Friction coefficient of each cell.
-    pub(crate) friction: &'a [f64],
-    /// The slip of the cells without tractions and without the motions whose loads are prescribed.
-    pub(crate) offset: [&'a [f64]; 2],
-    pub(crate) normal: Driven,
-    pub(crate) approach: f64,
-    pub(crate) rigid: Rigid,
-    pub(crate) pressure: &'a mut [f64],
-    pub(crate) traction: [&'a mut [f64]; 2],
-    pub(crate) cells: &'a mut [CellState],
-}
 
 /// The working memory of Newton's method.
 #[derive(Clone)]

@@ -1,27 +1,16 @@
-//! The linear system of a Newton step.
-//!
-//! Unknowns of a cell: pressure and both tractions if it sticks; the length along its ray and the
-//! traction around the ray if it slips. Further unknowns are the motions whose loads are
-//! prescribed. Equations of a cell: the gap and the slip, or the component of the slip around the
-//! ray.
+//! Gaps and slips of a task, and its loads.
 
 use carom_halfspace::operator::{
     DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
 };
 use nalgebra::{Matrix4, Vector4};
 
-use super::cells::Cells;
-use super::krylov::{self, LinearMap};
-use super::{CoupledTask, LINEAR_RESIDUAL, MOST_PRODUCTS};
+use super::task::CoupledTask;
 use crate::convergence::Products;
 use crate::drive::Driven;
-use crate::state::CellState;
 
-/// Diagonal term of the preconditioner for slipping cells that are treated one by one, relative to
-/// the influence of a cell on itself.
-const ISOLATED_CELL_COMPLIANCE: f64 = 10.0;
 /// Motions: approach, two shifts, twist.
-const MOTIONS: usize = 4;
+pub(super) const MOTIONS: usize = 4;
 
 /// Three values for each cell.
 type Space = [Vec<f64>; 3];
@@ -29,20 +18,20 @@ type Space = [Vec<f64>; 3];
 /// Gaps and slips, with the working memory of the linear system.
 #[derive(Clone)]
 pub(super) struct System {
-    inverse: Option<TorusInverse>,
-    workspace: Workspace,
-    centres: [Vec<f64>; 2],
+    pub(super) inverse: Option<TorusInverse>,
+    pub(super) workspace: Workspace,
+    pub(super) centres: [Vec<f64>; 2],
     /// Influence of a tangential traction on its own cell.
-    own: f64,
+    pub(super) own: f64,
     /// Ratio of the coupling influence to the normal one.
-    gamma: f64,
+    pub(super) gamma: f64,
     pub(super) gap: Vec<f64>,
     pub(super) slip: [Vec<f64>; 2],
-    traction: Space,
-    image: Space,
+    pub(super) traction: Space,
+    pub(super) image: Space,
     /// The preconditioner applied to each unit motion, and the loads of the result.
-    corrections: Vec<Vec<f64>>,
-    answers: Matrix4<f64>,
+    pub(super) corrections: Vec<Vec<f64>>,
+    pub(super) answers: Matrix4<f64>,
 }
 
 impl System {
@@ -100,7 +89,7 @@ impl System {
     }
 
     /// Prescribed loads minus those of the tractions; zero where the shift is prescribed.
-    fn missing(&self, task: &CoupledTask<'_>) -> Vector4<f64> {
+    pub(super) fn missing(&self, task: &CoupledTask<'_>) -> Vector4<f64> {
         let given = given(task);
         let now = self.loads(task.pressure, [task.traction[0], task.traction[1]]);
         Vector4::from_fn(|k, _| given[k].map_or(0.0, |load| load - now[k]))
@@ -115,266 +104,20 @@ impl System {
         let tangential = missing[1].abs().max(missing[2].abs()).max(missing[3].abs() / arm);
         [self.own * missing[0].abs() / touching, tangential / touching]
     }
-
-    /// Makes one Newton step for the given states of the cells.
-    pub(super) fn newton_step(
-        &mut self,
-        task: &mut CoupledTask<'_>,
-        cells: &Cells,
-        products: &mut Products,
-    ) -> Result<(), OperatorError> {
-        let n = task.heights.len();
-        let mut right = vec![0.0; 3 * n + MOTIONS];
-        for (i, state) in cells.states.iter().enumerate() {
-            let slip = [self.slip[0][i], self.slip[1][i]];
-            let rows = equations(cells, i, *state, self.gap[i], slip, 0.0);
-            for (k, row) in rows.into_iter().enumerate() {
-                right[3 * i + k] = -row;
-            }
-        }
-        let missing = self.missing(task);
-        let mut map =
-            Newton { system: self, operator: task.operator, cells, given: given(task), products };
-        map.prepare();
-        for k in 0..MOTIONS {
-            right[3 * n + k] = map.weight(k) * missing[k];
-        }
-        let mut step = vec![0.0; 3 * n + MOTIONS];
-        let least = LINEAR_RESIDUAL * krylov::norm(&right);
-        krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
-        for (i, state) in cells.states.iter().enumerate() {
-            let [t_x, t_y, p] =
-                unknowns(cells, i, *state, [step[3 * i], step[3 * i + 1], step[3 * i + 2]]);
-            task.pressure[i] += p;
-            task.traction[0][i] += t_x;
-            task.traction[1][i] += t_y;
-        }
-        task.approach += step[3 * n];
-        for k in 0..3 {
-            task.rigid.moved[k] += step[3 * n + 1 + k];
-        }
-        Ok(())
-    }
 }
 
-fn count(products: &mut Products) {
+pub(super) fn count(products: &mut Products) {
     products.normal += 1.0;
     products.tangential += 1.0;
     products.coupling += 2.0;
 }
 
 /// Prescribed loads divided by the area of a cell.
-fn given(task: &CoupledTask<'_>) -> [Option<f64>; MOTIONS] {
+pub(super) fn given(task: &CoupledTask<'_>) -> [Option<f64>; MOTIONS] {
     let normal = match task.normal {
         Driven::Shift(_) => None,
         Driven::Load(force) => Some(force / task.operator.grid().cell_area()),
     };
     let [x, y, twist] = task.rigid.loads;
     [normal, x, y, twist]
-}
-
-/// The equations of a cell from its gap and slip; `turned` is its traction around the ray.
-fn equations(
-    cells: &Cells,
-    i: usize,
-    state: CellState,
-    gap: f64,
-    slip: [f64; 2],
-    turned: f64,
-) -> [f64; 3] {
-    match state {
-        CellState::Exterior => [0.0; 3],
-        CellState::Stick => [gap, slip[0], slip[1]],
-        CellState::Slip => {
-            let around = cells.rim[0][i] * slip[1] - cells.rim[1][i] * slip[0];
-            [gap, around + cells.bend[i] * turned, 0.0]
-        }
-    }
-}
-
-/// Tractions x, y and pressure from the unknowns of a cell.
-fn unknowns(cells: &Cells, i: usize, state: CellState, own: [f64; 3]) -> [f64; 3] {
-    match state {
-        CellState::Exterior => [0.0; 3],
-        CellState::Stick => [own[1], own[2], own[0]],
-        CellState::Slip => {
-            let ([cos, sin], e) = (cells.ray[i], [cells.rim[0][i], cells.rim[1][i]]);
-            let (along, around) = (sin * own[0], own[1]);
-            [along * e[0] - around * e[1], along * e[1] + around * e[0], cos * own[0]]
-        }
-    }
-}
-
-/// The linear system for given states of the cells.
-struct Newton<'a> {
-    system: &'a mut System,
-    operator: &'a dyn SurfaceOperator,
-    cells: &'a Cells,
-    given: [Option<f64>; MOTIONS],
-    products: &'a mut Products,
-}
-
-impl Newton<'_> {
-    /// The factor that turns a load equation into a displacement.
-    fn weight(&self, motion: usize) -> f64 {
-        let grid = self.operator.grid();
-        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
-        let touching = self.cells.states.iter().filter(|s| **s != CellState::Exterior).count();
-        let over = if motion == 3 { arm } else { 1.0 };
-        self.system.own / (touching.max(1) as f64).sqrt() / over
-    }
-
-    /// The equations of a cell in a unit motion.
-    fn motion_rows(&self, i: usize, motion: &Vector4<f64>) -> [f64; 3] {
-        let (x, y) = (self.system.centres[0][i], self.system.centres[1][i]);
-        let slip = [-motion[1] - y * motion[3], -motion[2] + x * motion[3]]; // (12.2)
-        equations(self.cells, i, self.cells.states[i], -motion[0], slip, 0.0)
-    }
-
-    /// The loads that the preconditioner gives for each unit motion.
-    fn prepare(&mut self) {
-        let n = self.cells.states.len();
-        self.system.corrections.clear();
-        self.system.answers = Matrix4::identity();
-        for k in 0..MOTIONS {
-            let mut correction = vec![0.0; 3 * n];
-            if self.given[k].is_some() {
-                let unit = Vector4::from_fn(|l, _| f64::from(u8::from(l == k)));
-                let mut rows = vec![0.0; 3 * n];
-                for i in 0..n {
-                    let own = self.motion_rows(i, &unit);
-                    rows[3 * i..3 * i + 3].copy_from_slice(&own.map(|row| -row));
-                }
-                self.invert(&rows, &mut correction);
-                let loads = self.loads_of(&correction);
-                for l in (0..MOTIONS).filter(|&l| self.given[l].is_some()) {
-                    self.system.answers[(l, k)] = loads[l];
-                }
-            }
-            self.system.corrections.push(correction);
-        }
-        self.system.answers = self.system.answers.try_inverse().unwrap_or_else(Matrix4::zeros);
-    }
-
-    fn loads_of(&self, x: &[f64]) -> Vector4<f64> {
-        let mut sums = Vector4::zeros();
-        for (i, state) in self.cells.states.iter().enumerate() {
-            let [t_x, t_y, p] =
-                unknowns(self.cells, i, *state, [x[3 * i], x[3 * i + 1], x[3 * i + 2]]);
-            let torque = self.system.centres[1][i] * t_x - self.system.centres[0][i] * t_y;
-            sums += Vector4::new(p, t_x, t_y, torque);
-        }
-        sums
-    }
-
-    /// The preconditioner of the cells: the normal and the tangential inverse on a torus, applied
-    /// separately and weighted in slipping cells.
-    fn invert(&mut self, rows: &[f64], x: &mut [f64]) {
-        let (n, own) = (self.cells.states.len(), self.system.own);
-        let cells = self.cells;
-        let system = &mut *self.system;
-        for i in 0..n {
-            let [gap, a, b] = [rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]];
-            let (t_x, t_y) = match cells.states[i] {
-                CellState::Slip => {
-                    let part = a / (1.0 + cells.bend[i] / own).sqrt();
-                    (-part * cells.rim[1][i], part * cells.rim[0][i])
-                }
-                _ => (a, b),
-            };
-            system.traction[0][i] = t_x;
-            system.traction[1][i] = t_y;
-            system.traction[2][i] = gap;
-        }
-        let [x_out, y_out, p_out] = &mut system.image;
-        let [x_in, y_in, p_in] = &system.traction;
-        if let Some(inverse) = &system.inverse {
-            inverse.pressure(p_in, p_out, &mut system.workspace);
-            inverse.traction(
-                [Some(x_in), Some(y_in)],
-                [Some(x_out), Some(y_out)],
-                &mut system.workspace,
-            );
-            self.products.preconditioner += 2.0;
-        } else {
-            for (out, values) in [(x_out, x_in), (y_out, y_in), (p_out, p_in)] {
-                out.iter_mut().zip(values).for_each(|(out, value)| *out = value / system.own);
-            }
-        }
-        for i in 0..n {
-            let (t_x, t_y, p) = (system.image[0][i], system.image[1][i], system.image[2][i]);
-            let own = match cells.states[i] {
-                CellState::Exterior => [0.0; 3],
-                CellState::Stick => [p, t_x, t_y],
-                CellState::Slip => {
-                    let [cos, sin] = cells.ray[i];
-                    let bend = cells.bend[i];
-                    let sigma = 1.0 / (1.0 + bend / own);
-                    let around = cells.rim[0][i] * t_y - cells.rim[1][i] * t_x;
-                    let direct =
-                        (1.0 - sigma) / (bend + ISOLATED_CELL_COMPLIANCE * own) * rows[3 * i + 1];
-                    [p / cos.hypot(system.gamma * sin), sigma.sqrt() * around + direct, 0.0]
-                }
-            };
-            x[3 * i..3 * i + 3].copy_from_slice(&own);
-        }
-    }
-}
-
-impl LinearMap for Newton<'_> {
-    type Error = OperatorError;
-
-    fn apply(&mut self, x: &[f64], y: &mut [f64]) -> Result<(), OperatorError> {
-        let n = self.cells.states.len();
-        let system = &mut *self.system;
-        for (i, state) in self.cells.states.iter().enumerate() {
-            let own = unknowns(self.cells, i, *state, [x[3 * i], x[3 * i + 1], x[3 * i + 2]]);
-            for (k, value) in own.into_iter().enumerate() {
-                system.traction[k][i] = value;
-            }
-        }
-        let [t_x, t_y, p] = &system.traction;
-        let [u, v, w] = &mut system.image;
-        let displacements = DisplacementField::full(u, v, w);
-        self.operator.apply(
-            TractionField::full(t_x, t_y, p),
-            displacements,
-            &mut system.workspace,
-        )?;
-        count(self.products);
-        let motion =
-            Vector4::from_fn(|k, _| if self.given[k].is_some() { x[3 * n + k] } else { 0.0 });
-        for (i, state) in self.cells.states.iter().enumerate() {
-            let (u, v, w) =
-                (self.system.image[0][i], self.system.image[1][i], self.system.image[2][i]);
-            let turned = if *state == CellState::Slip { x[3 * i + 1] } else { 0.0 };
-            let own = equations(self.cells, i, *state, w, [u, v], turned);
-            let rigid = self.motion_rows(i, &motion);
-            for k in 0..3 {
-                y[3 * i + k] = own[k] + rigid[k];
-            }
-        }
-        let loads = self.loads_of(x);
-        for k in 0..MOTIONS {
-            y[3 * n + k] =
-                if self.given[k].is_some() { self.weight(k) * loads[k] } else { x[3 * n + k] };
-        }
-        Ok(())
-    }
-
-    fn precondition(&mut self, y: &[f64], x: &mut [f64]) {
-        let n = self.cells.states.len();
-        self.invert(&y[..3 * n], &mut x[..3 * n]);
-        x[3 * n..].fill(0.0);
-        let loads = self.loads_of(x);
-        let wrong = Vector4::from_fn(|k, _| {
-            if self.given[k].is_some() { y[3 * n + k] / self.weight(k) - loads[k] } else { 0.0 }
-        });
-        let motion = self.system.answers * wrong;
-        for k in (0..MOTIONS).filter(|&k| self.given[k].is_some()) {
-            x[3 * n + k] = motion[k];
-            let corrections = &self.system.corrections[k];
-            x[..3 * n].iter_mut().zip(corrections).for_each(|(x, own)| *x += motion[k] * own);
-        }
-    }
 }

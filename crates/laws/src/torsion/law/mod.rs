@@ -1,18 +1,21 @@
 //! The contact law of a twist.
 
+mod shift_twist;
+
+pub use shift_twist::ShiftTwistLaw;
+
 use std::f64::consts::PI;
 
 use carom_special::RangeError;
 
-use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
-use super::history::{self, TwistHistory};
-pub use super::shift_twist::ShiftTwistLaw;
 use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
+use crate::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
+use crate::torsion::history::{self, TwistHistory};
 
 /// Number of values before those of the memory.
 const HEAD: usize = 4;

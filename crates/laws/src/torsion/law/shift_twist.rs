@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::law::TorsionLaw;
+use super::TorsionLaw;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};

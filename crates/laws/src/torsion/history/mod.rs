@@ -6,20 +6,17 @@
 //! E(k)/k'`, `k' = s/al`. A step finds the stick radius c; inside it the density is kept, outside
 //! it the sliding density replaces it (10.25).
 
+mod pack;
+
+pub use pack::packed_numbers;
+
 use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;
 
-use super::heat::{Heat, Unmetered};
-pub use super::pack::packed_numbers;
-use super::rings;
-use super::segment::{Density, Segment};
-pub use super::sliding::sliding_limit;
-use super::sliding::{sliding_torque, sliding_twist};
-use crate::bounds::in_contact;
-
-/// A contact that separates releases its stored energy at these fractions of its radius, with and
-/// without rings: the remaining work is below a fifth of their fifth power.
-const LAST_TOUCH: [f64; 2] = [0.3, 1e-2];
+use crate::torsion::rings;
+use crate::torsion::segment::{Density, Segment};
+pub use crate::torsion::sliding::sliding_limit;
+use crate::torsion::sliding::{sliding_torque, sliding_twist};
 
 /// A slip annulus narrower than this fraction of the radius is left out, and its twist stays at the
 /// edge. The relative error of the torque is the square of this.
@@ -34,7 +31,7 @@ static RULE: FixedRule<16> = FixedRule::fixed();
 
 /// The kind of a path on which the pattern of slip is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum SlipPath {
+pub(in crate::torsion) enum SlipPath {
     /// Growth in complete adhesion.
     Adhere,
     /// One slip annulus from the edge inwards, over the existing densities.
@@ -62,7 +59,6 @@ pub(super) enum SlipPath {
 /// most 4e-4 of the sliding torque; for 300 paths just above the threshold, where the outer annulus
 /// is thin, one step and a thousand differed by at most 1e-3. Such a step takes about 0.2 ms for
 /// each fortieth of the radius; all others take 0.5 us.
-/// each fortieth of the radius; all others 0.5 us.
 ///
 /// ```
 /// use carom_laws::torsion::history::TwistHistory;
@@ -76,14 +72,14 @@ pub(super) enum SlipPath {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TwistHistory {
-    pub(super) radius: f64,
-    pub(super) twist: f64,
-    pub(super) torque: f64,
-    pub(super) stick: f64,
-    pub(super) segments: Vec<Segment>,
-    pub(super) ring_steps: u32,
+    pub(in crate::torsion) radius: f64,
+    pub(in crate::torsion) twist: f64,
+    pub(in crate::torsion) torque: f64,
+    pub(in crate::torsion) stick: f64,
+    pub(in crate::torsion) segments: Vec<Segment>,
+    pub(in crate::torsion) ring_steps: u32,
     /// The level of the ring width at the edge.
-    pub(super) level: usize,
+    pub(in crate::torsion) level: usize,
 }
 
 impl Default for TwistHistory {
@@ -196,80 +192,13 @@ impl TwistHistory {
         1.5 * sum
     }
 
-    /// The energy, conjugate to mu and bh, that a straight step to a new radius and twist would
-    /// dissipate: the work of the torque on that path minus the increase of the stored energy. The
-    /// state does not change.
-    ///
-    /// It is an integral over the path of [`TwistHistory::advance`], exactly 0 without slip and
-    /// never negative. Its error is below 1e-9 of sliding torque times step, `(3 pi/32) max(al)^4
-    /// (|dal| + |dbh|)`, apart from rounding of the twist. Where rings are needed, or disjoint slip
-    /// annuli may occur, it is as accurate as the ring solution: of 240 steps of random paths the
-    /// error of one was 0.04 of the sliding torque times the greater of radius and step; work and
-    /// heat of whole paths in small steps agree to 1e-3. A radius of zero separates the bodies:
-    /// their stored energy is dissipated.
-    ///
-    /// Zero for arguments that [`TwistHistory::advance`] does not accept.
-    #[must_use]
-    pub fn dissipation(&self, radius: f64, twist: f64) -> f64 {
-        self.clone().advance_with_heat(radius, twist).unwrap_or(0.0)
-    }
-
-    /// Advances to a new radius and twist as [`TwistHistory::advance`], and returns the heat.
-    ///
-    /// # Errors
-    /// As [`TwistHistory::advance`].
-    pub(super) fn advance_with_heat(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
-        check(radius, twist)?;
-        let mut heat = Heat::default();
-        if radius > 0.0 {
-            self.travel(radius, twist, &mut heat)?;
-            return Ok(heat.0);
-        }
-        let turned = twist - self.twist;
-        if self.radius > 0.0 && turned != 0.0 {
-            let mut last = self.clone();
-            for part in LAST_TOUCH {
-                let twist = self.twist + (1.0 - part) * turned;
-                last.travel(part * self.radius, twist, &mut heat)?;
-                if last.ring_steps != self.ring_steps {
-                    break;
-                }
-            }
-            // The sliding torque decreases with the fourth power of the radius.
-            let work = 0.2 * last.torque * (twist - last.twist);
-            heat.0 += (last.stored_energy() + work).max(0.0);
-        } else {
-            heat.0 = self.stored_energy();
-        }
-        self.separate(twist);
-        Ok(heat.0)
-    }
-
-    /// Advances on a straight path to a new contact radius and twist and returns the torque.
-    ///
-    /// A radius of zero separates the bodies and clears their history.
-    ///
-    /// # Errors
-    /// [`RangeError`] for a negative radius, for a value that is NaN or above 1e60 in magnitude,
-    /// and if a ring solve did not converge, of which no case is known; the state is then
-    /// unchanged.
-    pub fn advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
-        check(radius, twist)?;
-        if radius == 0.0 {
-            self.separate(twist);
-            return Ok(0.0);
-        }
-        self.travel(radius, twist, &mut Unmetered)?;
-        Ok(self.torque)
-    }
-
     /// Clears the history of the contact.
-    pub(super) fn separate(&mut self, twist: f64) {
+    pub(in crate::torsion) fn separate(&mut self, twist: f64) {
         *self = Self { twist, ring_steps: self.ring_steps, ..Self::at_level(self.level) };
     }
 
     /// A substep whose pattern of slip is known.
-    pub(super) fn follow(&mut self, way: SlipPath, radius: f64, twist: f64) {
+    pub(in crate::torsion) fn follow(&mut self, way: SlipPath, radius: f64, twist: f64) {
         match way {
             SlipPath::Adhere => self.adhere(radius, twist),
             SlipPath::FromRim => self.slip_from_rim(radius, twist),
@@ -291,7 +220,7 @@ impl TwistHistory {
     }
 
     /// Solves for the stick radius, at most `highest`, and sets the sliding density outside it.
-    pub(super) fn cut(&mut self, radius: f64, twist: f64, sign: f64, highest: f64) {
+    pub(in crate::torsion) fn cut(&mut self, radius: f64, twist: f64, sign: f64, highest: f64) {
         self.grow_to(radius);
         let top = if highest < self.radius.min(radius) { highest } else { radius };
         let mut i = self.segments.len();
@@ -327,24 +256,24 @@ impl TwistHistory {
     }
 
     /// Sets the torque, limited to the sliding torque against rounding and the width of rings.
-    pub(super) fn set_torque(&mut self, torque: f64, radius: f64) {
+    pub(in crate::torsion) fn set_torque(&mut self, torque: f64, radius: f64) {
         let limit = sliding_limit(radius);
         self.torque = torque.clamp(-limit, limit);
     }
 
     /// Adds a segment on top of the stack.
-    pub(super) fn push(&mut self, mut segment: Segment) {
+    pub(in crate::torsion) fn push(&mut self, mut segment: Segment) {
         segment.demand = segment.demand.max(self.demand());
         self.segments.push(segment);
     }
 
     /// The contact radius from which all densities are within those of sliding.
-    pub(super) fn demand(&self) -> f64 {
+    pub(in crate::torsion) fn demand(&self) -> f64 {
         self.segments.last().map_or(0.0, |last| last.demand)
     }
 
     /// The sign of the outermost slip annulus, if the contact slips there.
-    pub(super) fn slip_sign(&self) -> Option<f64> {
+    pub(in crate::torsion) fn slip_sign(&self) -> Option<f64> {
         match self.segments.last()?.density {
             Density::Slip { sign, radius } if radius == self.radius => Some(sign),
             _ => None,
@@ -365,7 +294,7 @@ impl TwistHistory {
     }
 
     /// Removes everything outside a radius.
-    pub(super) fn truncate(&mut self, radius: f64) {
+    pub(in crate::torsion) fn truncate(&mut self, radius: f64) {
         while self.segments.len() > 1
             && self.segments.last().is_some_and(|last| last.from >= radius)
         {
@@ -373,28 +302,20 @@ impl TwistHistory {
         }
     }
 
-    pub(super) fn twist_below(&self, s: f64) -> f64 {
+    pub(in crate::torsion) fn twist_below(&self, s: f64) -> f64 {
         self.segment_at(s).map_or(0.0, |segment| segment.twist_to(s))
     }
 
-    pub(super) fn torque_below(&self, s: f64) -> f64 {
+    pub(in crate::torsion) fn torque_below(&self, s: f64) -> f64 {
         self.segment_at(s).map_or(0.0, |segment| segment.torque_to(s))
     }
 
     /// The twist of all discs up to a radius, which may lie outside the contact.
-    pub(super) fn twist_up_to(&self, s: f64) -> f64 {
+    pub(in crate::torsion) fn twist_up_to(&self, s: f64) -> f64 {
         if s >= self.radius { self.twist } else { self.twist_below(s) }
     }
 
     fn segment_at(&self, s: f64) -> Option<&Segment> {
         self.segments.iter().rev().find(|segment| segment.from <= s)
     }
-}
-
-/// Checks the arguments of a step.
-fn check(radius: f64, twist: f64) -> Result<(), RangeError> {
-    RangeError::non_negative("radius", radius)?;
-    in_contact("radius", radius)?;
-    in_contact("twist", twist)?;
-    Ok(())
 }

@@ -4,10 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use carom_special::RangeError;
 
-use super::history::TwistHistory;
-use super::rings;
-use super::segment::{Density, Segment};
+use super::TwistHistory;
 use crate::bounds::in_contact;
+use crate::torsion::rings;
+use crate::torsion::segment::{Density, Segment};
 
 /// The version of the format; the first number is `1e4 version + level of the rings`.
 const VERSION: f64 = 5.0;
