@@ -32,8 +32,8 @@ fn matrices(hertz: &Hertz) -> RingMatrices {
     RingMatrices::new(pair.kappa(), pair.gamma(), friction()).unwrap()
 }
 
-/// Where the gap opens within four steps the torque, as friction, is the mean over half a step before the end and half a
-/// step after it.
+/// Where the gap opens within four steps the torque, as friction, is the mean over half a step before the end
+/// and half a step after it.
 #[test]
 fn the_torque_of_a_grain_that_leaves_is_a_mean_about_the_end() {
     let (hertz, zeta, dt, spin) = (hertz(), 1e-4, 0.1, 2e-3);
@@ -91,7 +91,8 @@ fn the_heat_of_damping_by_rings_is_the_kinetic_energy_lost() {
     assert!((heat / energy - 1.0).abs() < 2e-4, "{heat} {energy}");
 }
 
-/// A wall is a sphere of infinite radius that does not turn: the axes of the contact turn with half of the grain's spin.
+/// A wall is a sphere of infinite radius that does not turn: axes of the contact turn with half of the grain's
+/// spin.
 #[test]
 fn a_wall_is_a_sphere_of_infinite_radius() {
     let (radius, share) = (1e8, 0.5);
