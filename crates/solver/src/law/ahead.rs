@@ -14,7 +14,7 @@ const FARTHEST: f64 = 2.0;
 
 /// The part of the slipping cells that stick after a step from which on it is done without slip ahead: it would have
 /// carried them too far.
-const ENDED: f64 = 0.25;
+const ENDED: f64 = 0.75;
 
 /// The way of a step: approach, shifts over f, and twist times a radius over f.
 #[derive(Debug, Clone, Copy)]
