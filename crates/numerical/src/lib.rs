@@ -5,22 +5,19 @@
 #![forbid(unsafe_code)]
 
 mod law;
+mod peak;
+mod refine;
+mod run;
 
 pub use law::{CollisionLaw, CollisionLawError};
 
-use carom_impact::coupled::{
-    CoupledImpact, CoupledOutcome, ImpactMethod, LawFailure, Point, Sample, Stage, Trajectory,
-};
-use carom_impact::normal::NormalImpact;
+use carom_impact::coupled::{CoupledOutcome, ImpactMethod, LawFailure};
 use carom_impact::{Collision, CollisionError, HistoryPoint, Outcome};
-use carom_solver::{CellState, NumericalLaw, NumericalLawError};
+use carom_solver::NumericalLawError;
 use carom_special::RangeError;
 
-/// To which the solver takes each step.
-const TOLERANCE: f64 = 1e-7;
-/// Cells across the contact of the finer of two runs, and its steps in a free impact.
-const CELLS: usize = 32;
-const STEPS: usize = 128;
+use refine::Found;
+use run::{Fineness, Problem};
 
 /// Why an impact on the numerical contact failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -44,9 +41,18 @@ pub enum NumericalImpactError {
 }
 
 /// A collision whose contact is solved on a grid, where [`Collision::solve`] takes analytic laws:
-/// the coupling of normal and tangential displacements of dissimilar bodies counts.
+/// the coupling of normal and tangential displacements of dissimilar bodies counts, for any shape of the contact
+/// ellipse and any mobility.
 ///
-/// Two runs are made, one with half the cells and steps; how far they differ is the error estimate.
+/// Cells and steps are refined apart. With F the finest run (velocity after the impact), S what it changed
+/// against half of the steps and C what a run changed against half of the cells, the result is
+/// `F + S/3 + 0.27 C`, within the friction limit and the energy before, and the estimate of its error is
+/// the greater of `0.5 |S|` and 0.15 of S of twice the step, with `0.4 |C|` and (7.5e-4 + 0.015 |gamma| f) f v_z. What is
+/// larger is refined next, until the estimate meets the tolerance.
+///
+/// Measured in 30 drawn impacts of balls on planes (|gamma| to 0.42, f from 0.05 to 0.6, tangential velocity from 0.1 to
+/// 5 f v_z) against the finest rings: off in the tangential velocity by 0.0017 f v_z in the median, 0.005 in nine of ten,
+/// 0.014 at worst. The estimate covered 29 of them and was 3 times the difference in the median.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -58,34 +64,45 @@ pub enum NumericalImpactError {
 /// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
 /// let outcome = NumericalImpact::new(&collision).with(12, 40)?.solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
-/// // Alike they would slide back a little; unlike they are thrown back (0.312 on finer grids).
-/// assert!((rebound.r_x.unwrap_or(0.0) - 0.312).abs() < 0.02);
+/// // Alike they would slide back a little; unlike they are thrown back (0.3117 by rings).
+/// assert!((rebound.r_x.unwrap_or(0.0) - 0.3117).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct NumericalImpact<'a> {
     collision: &'a Collision,
-    cells: usize,
-    steps: usize,
+    refinement: Refinement,
 }
 
-/// One run.
-struct Run {
-    end: Point,
-    peak: f64,
-    force: f64,
-    compressions: u32,
-    samples: Vec<Sample>,
+/// How fine an impact is solved.
+#[derive(Debug, Clone, Copy)]
+enum Refinement {
+    Within(f64),
+    At(Fineness),
 }
 
 impl<'a> NumericalImpact<'a> {
-    /// With 32 cells across the contact of the greatest approach and about 128 steps.
+    /// The default tolerance: 1e-2.
+    pub const TOLERANCE: f64 = 1e-2;
+
+    /// With the default tolerance: the tangential velocity may be off by 1e-2 of f times the velocity of approach.
     #[must_use]
     pub const fn new(collision: &'a Collision) -> Self {
-        Self { collision, cells: CELLS, steps: STEPS }
+        Self { collision, refinement: Refinement::Within(Self::TOLERANCE) }
     }
 
-    /// With other numbers of cells and steps.
+    /// With another tolerance of the tangential velocity over f v_z (over v_z where f > 1), and of the normal velocity over
+    /// v_z. Where 64 cells and 512 steps do not meet it, the outcome says so by its error estimate.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is finite and positive.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        RangeError::positive("tolerance", tolerance)?;
+        Ok(Self { refinement: Refinement::Within(tolerance), ..self })
+    }
+
+    /// With given numbers of cells across the contact of the greatest approach and of steps in a free impact,
+    /// whatever the estimate; it takes two runs with half of the steps, one of them with half of the cells, and a short one.
     ///
     /// # Errors
     /// [`RangeError`] unless there are 8 to 512 cells and 16 to 10^5 steps.
@@ -94,81 +111,53 @@ impl<'a> NumericalImpact<'a> {
         RangeError::check("cells", cells as f64, holds, "from 8 to 512")?;
         let holds = (16..=100_000).contains(&steps);
         RangeError::check("steps", steps as f64, holds, "from 16 to 100000")?;
-        Ok(Self { cells, steps, ..self })
+        Ok(Self { refinement: Refinement::At(Fineness { cells, steps }), ..self })
     }
 
     /// Follows the impact to separation. The spin about the normal is left alone.
     ///
     /// # Errors
-    /// [`NumericalImpactError::Law`] for infinite friction and where a step cannot be solved.
+    /// [`NumericalImpactError::Range`] for infinite friction; [`NumericalImpactError::Law`] where a step cannot be
+    /// solved.
     pub fn solve(&self) -> Result<Outcome, NumericalImpactError> {
-        let Some(impact) = self.collision.impact()? else { return Ok(self.collision.missed()) };
-        let coarse = self.run(&impact, self.cells / 2, self.steps / 2)?;
-        let fine = self.run(&impact, self.cells, self.steps)?;
-        let before = impact.velocity();
-        let change = (fine.end.velocity - coarse.end.velocity).norm();
+        let Some(problem) = Problem::new(self.collision)? else {
+            return Ok(self.collision.missed());
+        };
+        let found = self.found(&problem)?;
+        let before = problem.impact.velocity();
+        let tangential = found.tangential * problem.scale();
         let outcome = CoupledOutcome {
-            velocity: fine.end.velocity,
-            impulse: fine.end.impulse,
-            duration: fine.end.time,
-            maximal_approach: fine.peak,
-            maximal_force: fine.force,
-            compressions: fine.compressions,
+            velocity: found.velocity,
+            impulse: found.impulse,
+            duration: found.finest.duration,
+            maximal_approach: found.finest.peak.approach,
+            maximal_force: found.finest.peak.force,
+            compressions: found.finest.compressions,
             method: ImpactMethod::Numerical,
-            error_estimate: change / before.norm(),
+            error_estimate: tangential.hypot(found.normal) * before.z / before.norm(),
             warning: None,
         };
         let rebound = self.collision.rebound_of(outcome, Vec::new())?;
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
-    /// The impact at `count` instants equally spaced in time, straight between those that were
-    /// computed; empty without an impact.
+    /// The impact at `count` instants equally spaced in time, straight between those of the finest run; empty without an
+    /// impact. At separation its velocity differs from that of [`NumericalImpact::solve`] by what the runs are
+    /// extrapolated.
     ///
     /// # Errors
     /// As [`NumericalImpact::solve`]; [`RangeError`] for fewer than two instants.
     pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, NumericalImpactError> {
-        let Some(impact) = self.collision.impact()? else { return Ok(Vec::new()) };
-        let samples = self.run(&impact, self.cells, self.steps)?.samples;
-        Ok(self.collision.sampled(&samples, count, &impact.velocity())?)
+        RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
+        let Some(problem) = Problem::new(self.collision)? else { return Ok(Vec::new()) };
+        let samples = self.found(&problem)?.finest.samples;
+        Ok(self.collision.sampled(&samples, count, &problem.impact.velocity())?)
     }
 
-    fn run(
-        &self,
-        impact: &CoupledImpact,
-        cells: usize,
-        steps: usize,
-    ) -> Result<Run, NumericalImpactError> {
-        let (hertz, velocity) = (*self.collision.hertz(), impact.velocity());
-        let mobility = *self.collision.mobility().matrix();
-        let stiffness = hertz.stiffness();
-        let normal = NormalImpact::new(mobility.m33, stiffness.c_z, velocity.z)?;
-        let peak = normal.maximal_approach();
-        let law = NumericalLaw::new(hertz, self.collision.friction(), peak, cells)?;
-        let mut law = law.within(TOLERANCE)?;
-        let trajectory = Trajectory { mobility, velocity, stiffness, steps, expected: None };
-        let mut samples: Vec<Sample> = Vec::new();
-        let end = trajectory.follow(&mut law, |point, law| samples.push(sample(point, law)))?;
-        let end = end.ok_or(NumericalImpactError::NoSeparation)?;
-        let greatest = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(0.0, f64::max);
-        let (peak, force) = (greatest(|at| at.shift.z), greatest(|at| at.force.z));
-        let turns =
-            samples.windows(2).filter(|pair| pair[0].velocity.z <= 0.0 && pair[1].velocity.z > 0.0);
-        let compressions = 1 + turns.count() as u32;
-        Ok(Run { end, peak, force, compressions, samples })
-    }
-}
-
-fn sample(point: &Point, law: &NumericalLaw) -> Sample {
-    let Point { time, shift, velocity, force, .. } = *point;
-    Sample { time, shift, velocity, force, stage: stage(law) }
-}
-
-/// What slipped in the last step.
-fn stage(law: &NumericalLaw) -> Stage {
-    match (law.count(CellState::Stick), law.count(CellState::Slip)) {
-        (_, 0) => Stage::Adhesion,
-        (0, _) => Stage::Slide,
-        _ => Stage::Slip,
+    fn found(&self, problem: &Problem<'_>) -> Result<Found, NumericalImpactError> {
+        match self.refinement {
+            Refinement::Within(tolerance) => problem.settled(tolerance),
+            Refinement::At(fineness) => problem.at(fineness),
+        }
     }
 }

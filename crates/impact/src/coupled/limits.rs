@@ -3,6 +3,8 @@
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 
+use super::CoupledImpact;
+
 /// Keeps the impulse of an impact within the friction limit and the energy balance.
 ///
 /// A run obeys |J_t| <= f J_z, since |F_t| <= f F_z at every instant. The limit of several runs may
@@ -61,6 +63,16 @@ impl Limits {
             let share = 2.0 * work.max(0.0) / twice;
             *impulse = impulse.zip_map(&free, |j, free| if free > 0.0 { j * share } else { j });
         }
+    }
+}
+
+impl CoupledImpact {
+    /// An impulse that was extrapolated from several runs, reduced along its direction to within the friction
+    /// limit and the energy before the impact.
+    #[must_use]
+    pub fn restricted(&self, impulse: &Vector3<f64>) -> Vector3<f64> {
+        let mobility = self.mobility.matrix();
+        Limits::new(mobility, self.friction, &self.velocity, false).restrict(impulse)
     }
 }
 

@@ -75,9 +75,10 @@ impl CoupledImpact {
         Problem { mobility, velocity, stiffness, expected }
     }
 
-    // Whether the impact resembles a free one: friction hardly drives the normal motion, and the
-    // tangential motion takes at least a third of the time of the normal one.
-    pub(super) fn is_mild(&self) -> bool {
+    /// Whether the impact resembles a free one: friction hardly drives the normal motion, and the
+    /// tangential motion takes at least a third of the time of the normal one.
+    #[must_use]
+    pub fn is_mild(&self) -> bool {
         let d = self.mobility.matrix();
         let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
         let driven = self.friction.get() * libm::hypot(d.m13, d.m23);

@@ -1,6 +1,7 @@
 //! The tests of `carom-numerical` that see it as its users do: one executable, a module for each subject.
 
 mod estimate;
+mod impacts;
 mod law;
 mod numerical_law;
 mod ring_histories;

@@ -1,0 +1,104 @@
+//! One run of an impact on a grid.
+
+use carom_impact::Collision;
+use carom_impact::coupled::{CoupledImpact, Point, Sample, Stage, Trajectory};
+use carom_impact::normal::NormalImpact;
+use carom_solver::{CellState, NumericalLaw};
+use nalgebra::{Matrix3, Vector3};
+
+use crate::NumericalImpactError;
+use crate::peak::Peak;
+
+/// To which the solver takes each step: from 1e-7 to 1e-4 velocities change by 1e-4 f v_z, from 1e-3 on by more.
+const TOLERANCE: f64 = 1e-5;
+
+/// A number of cells across the contact of the greatest approach, and one of steps in a free impact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Fineness {
+    pub(crate) cells: usize,
+    pub(crate) steps: usize,
+}
+
+/// An impact in contact axes.
+pub(crate) struct Problem<'a> {
+    collision: &'a Collision,
+    pub(crate) impact: CoupledImpact,
+    normal: NormalImpact,
+}
+
+/// What a run found.
+pub(crate) struct Run {
+    pub(crate) impulse: Vector3<f64>,
+    pub(crate) duration: f64,
+    pub(crate) peak: Peak,
+    pub(crate) compressions: u32,
+    pub(crate) samples: Vec<Sample>,
+}
+
+impl<'a> Problem<'a> {
+    /// None if the bodies do not meet.
+    pub(crate) fn new(collision: &'a Collision) -> Result<Option<Self>, NumericalImpactError> {
+        let Some(impact) = collision.impact()? else { return Ok(None) };
+        let (mobility, c_z) = (collision.mobility().matrix(), collision.hertz().stiffness().c_z);
+        let normal = NormalImpact::new(mobility.m33, c_z, impact.velocity().z)?;
+        Ok(Some(Self { collision, impact, normal }))
+    }
+
+    pub(crate) fn mobility(&self) -> &Matrix3<f64> {
+        self.collision.mobility().matrix()
+    }
+
+    /// f, or 1 where that is no measure of velocities.
+    pub(crate) fn scale(&self) -> f64 {
+        match self.collision.friction().get() {
+            f if f > 0.0 && f < 1.0 => f,
+            _ => 1.0,
+        }
+    }
+
+    /// |gamma| f (|gamma| where f > 1).
+    pub(crate) fn strength(&self) -> f64 {
+        self.collision.hertz().materials().gamma().abs() * self.scale()
+    }
+
+    /// A run. Steps of an impact that resembles a free one are placed in time: their errors are then smooth.
+    pub(crate) fn run(&self, fineness: Fineness) -> Result<Run, NumericalImpactError> {
+        let (hertz, velocity) = (*self.collision.hertz(), self.impact.velocity());
+        let peak = self.normal.maximal_approach();
+        let law = NumericalLaw::new(hertz, self.collision.friction(), peak, fineness.cells)?;
+        let mut law = law.within(TOLERANCE)?.with_slip_ahead();
+        let trajectory = Trajectory {
+            mobility: *self.mobility(),
+            velocity,
+            stiffness: hertz.stiffness(),
+            steps: fineness.steps,
+            expected: self.impact.is_mild().then(|| self.normal.duration()),
+        };
+        let mut samples: Vec<Sample> = Vec::new();
+        let end = trajectory.follow(&mut law, |point, law| samples.push(sample(point, law)))?;
+        let end = end.ok_or(NumericalImpactError::NoSeparation)?;
+        let turns =
+            samples.windows(2).filter(|pair| pair[0].velocity.z <= 0.0 && pair[1].velocity.z > 0.0);
+        Ok(Run {
+            impulse: end.impulse,
+            duration: end.time,
+            peak: Peak::of(&samples),
+            compressions: 1 + turns.count() as u32,
+            samples,
+        })
+    }
+}
+
+fn sample(point: &Point, law: &NumericalLaw) -> Sample {
+    let Point { time, shift, velocity, force, .. } = *point;
+    Sample { time, shift, velocity, force, stage: stage(law) }
+}
+
+/// What slipped in the last step.
+fn stage(law: &NumericalLaw) -> Stage {
+    match (law.count(CellState::Stick), law.count(CellState::Slip)) {
+        (_, 0) => Stage::Adhesion,
+        (0, _) => Stage::Slide,
+        _ => Stage::Slip,
+    }
+}
