@@ -2,7 +2,9 @@
 
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Relative, Series};
 use carom_shells::Wall;
-use carom_shells::bellows::{Axial, Bellows, BellowsLoad, BellowsState, Meridian, PathEnd};
+use carom_shells::bellows::{
+    Axial, Bellows, BellowsLoad, BellowsState, Meridian, PathEnd, WallPoint,
+};
 use carom_special::quadrature::GaussLegendre;
 use std::f64::consts::{PI, TAU};
 
@@ -73,6 +75,9 @@ fn forces(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
     Ok(())
 }
 
+/// One of the stresses of a place.
+type Stress = fn(&WallPoint) -> f64;
+
 /// P5.3: stresses along the meridian per unit of dilatation.
 fn stresses(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
     let response = bellows.linear_response()?;
@@ -86,7 +91,7 @@ fn stresses(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
         .source("reciprocity: dV/dΔ");
     let mut panel =
         Panel::new(Axis::linear("ξ / π, crest to root"), Axis::linear("σ / (E Δ)")).titled("P5.3");
-    let kinds: [(&str, fn(&carom_shells::bellows::WallPoint) -> f64); 4] = [
+    let kinds: [(&str, Stress); 4] = [
         ("meridional, membrane", |at| at.meridional_membrane),
         ("meridional, bending", |at| at.meridional_bending),
         ("hoop, membrane", |at| at.hoop_membrane),
