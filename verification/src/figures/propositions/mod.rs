@@ -2,11 +2,15 @@
 
 use crate::catalogue::Entry;
 
+mod bellows;
+mod flange;
 mod fourier;
 mod operation_count;
 
 /// The propositions, by number.
 pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("proposition-4", "A flange at the end of a tube").by(flange::draw),
+    Entry::check("proposition-5", "Large deformation of expansion bellows").by(bellows::draw),
     Entry::check("proposition-6", "The half-space by Fourier transforms").by(fourier::draw),
     Entry::check("proposition-8", "Operations of elimination and of fast products")
         .by(operation_count::draw),
