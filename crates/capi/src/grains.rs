@@ -7,10 +7,10 @@ use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::law::Stack;
 use crate::pair::{CAROM_LAW_RINGS, CaromMaterial, CaromPair, materials};
 use crate::pointers::write;
 use crate::state::finite;
-use crate::stored::Stack;
 
 /// The contact of two grains with shift.
 pub(crate) type Contact = GrainContact<Stack>;

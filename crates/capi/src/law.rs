@@ -1,10 +1,8 @@
 //! Input and output of a contact law: shift, load, report.
 
 use carom_laws::law::{ContactLoad, Shift};
-use carom_laws::memory::MemoryRegime;
+use carom_laws::memory::{Fixed, MemoryRegime};
 use carom_laws::shift_law::ShiftLaw;
-
-use crate::stored::Stack;
 
 /// Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -65,6 +63,11 @@ impl CaromReport {
     pub(crate) const APART: Self = Self { sticking: 0.0, regime: CaromRegime::Separated };
 }
 
+/// Capacity of the history of a contact, the same as that of a `carom_state`, so that stored and unstored
+/// contacts agree.
+pub(crate) const VERTICES: usize = 12;
+/// The history of a contact, of fixed capacity.
+pub(crate) type Stack = Fixed<[f64; 2], VERTICES>;
 /// The law of a contact, with a history of fixed capacity.
 pub(crate) type Law = ShiftLaw<[f64; 2], Stack>;
 

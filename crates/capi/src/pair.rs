@@ -13,8 +13,8 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::TorsionConstants;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::law::Stack;
 use crate::pointers::{read, write};
-use crate::stored::Stack;
 
 /// `coulomb`: exact return mapping at each depth of the contact, to a tolerance, for paths that turn.
 pub const CAROM_LAW_COULOMB: u32 = 0;

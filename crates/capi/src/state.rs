@@ -3,8 +3,8 @@
 use carom_laws::coulomb::packed_numbers;
 
 use crate::error::Failure;
+use crate::law::VERTICES;
 use crate::pair::CaromPair;
-use crate::stored::VERTICES;
 
 /// Number of numbers in a `carom_state`.
 pub const CAROM_STATE_NUMBERS: usize = 66;

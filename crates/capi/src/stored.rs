@@ -4,16 +4,9 @@
 use std::mem::MaybeUninit;
 
 use carom_laws::grains::{GrainContact, GrainRings};
-use carom_laws::memory::Fixed;
 
 use crate::error::{CaromStatus, Failure};
-use crate::law::Law;
-
-/// Capacity of the history of a contact, the same as that of a `carom_state`, so that stored and unstored
-/// contacts agree.
-pub(crate) const VERTICES: usize = 12;
-/// The history of a contact, of fixed capacity.
-pub(crate) type Stack = Fixed<[f64; 2], VERTICES>;
+use crate::law::{Law, Stack};
 
 /// A type that may be stored in bytes of the caller: numbers and tags, without pointers.
 ///

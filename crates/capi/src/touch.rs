@@ -8,8 +8,9 @@ use carom_special::RangeError;
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, Contact, relative_radius};
 use crate::law::CaromReport;
+use crate::law::VERTICES;
 use crate::pointers::{read, write};
-use crate::stored::{VERTICES, find, present, present_mut, store};
+use crate::stored::{find, present, present_mut, store};
 
 /// Number of 8-byte words in a `carom_touch`, without its mark.
 pub const CAROM_TOUCH_WORDS: usize = 158;

@@ -6,7 +6,7 @@
 
 use crate::error::CliError;
 use crate::identity::folder;
-use crate::outputs::Place;
+use crate::place::Place;
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
 use std::io::{Error, Write as _};

@@ -1,6 +1,6 @@
 //! Destination of a picture: standard output, or a file whose name gives the format.
 
-use crate::outputs::Place;
+use crate::place::Place;
 use std::path::Path;
 
 /// Format of a picture.

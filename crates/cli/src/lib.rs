@@ -14,6 +14,7 @@ mod identity;
 pub mod manner;
 pub mod output;
 pub mod outputs;
+mod place;
 pub mod range;
 pub mod rows;
 

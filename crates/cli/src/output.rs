@@ -9,7 +9,7 @@ use crate::aside::{self, Aside};
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::manner::Messages;
-use crate::outputs::Place;
+use crate::place::Place;
 use carom_plot::{Panel, PlotError, render, render_png};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;

@@ -10,6 +10,7 @@ use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::identity::{Identity, folder, resolved};
 use crate::output::{Format, is_open};
+pub use crate::place::Place;
 use carom_cases::Error;
 use carom_cases::input::CaseFile;
 use std::fs::Metadata;
@@ -36,23 +37,6 @@ struct Claim {
 impl Claim {
     fn destination_error(&self, reason: &'static str) -> CliError {
         CliError::Destination { option: self.option, path: self.path.clone(), reason }
-    }
-}
-
-/// A path that may be written to, with all links resolved.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place(PathBuf);
-
-impl Place {
-    /// A place in a folder owned by the run.
-    pub(crate) fn owned(folder: &Path, name: &str) -> Self {
-        Self(folder.join(name))
-    }
-
-    /// Its path.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.0
     }
 }
 
@@ -126,7 +110,7 @@ impl Outputs {
             );
         }
         self.files.push(claim);
-        Ok(Place(place))
+        Ok(Place::claimed(place))
     }
 
     /// Claims the folder of `option` for files of this run alone; it need not exist.

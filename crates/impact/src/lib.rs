@@ -33,6 +33,7 @@
 mod body;
 mod collision;
 mod mobility;
+mod motion;
 mod normal_restitution;
 mod normal_spin;
 mod outcome;
@@ -49,11 +50,12 @@ pub mod scene;
 pub mod torsional;
 pub mod uncertain;
 
-pub use body::{Body, Motion};
+pub use body::Body;
 pub use collision::{
     AnalyticOrRings, Collision, CollisionError, CollisionSolver, NeededLaw, TwistBound,
 };
 pub use mobility::{Lever, Mobility};
+pub use motion::Motion;
 pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;
 pub use outcome::{

@@ -4,7 +4,7 @@ use carom_geometry::{Attitude, Inertia};
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::body::Motion;
+use crate::motion::Motion;
 
 /// Couplings below this share of the largest rotational entry of D are round-off: arms are known to
 /// some hundred round-off units of the size of the body.

@@ -4,10 +4,9 @@ use carom_laws::ellipse::ContactEllipse;
 use carom_table::Column;
 use nalgebra::Vector3;
 
-use crate::body::Motion;
 use crate::coupled::ImpactMethod;
+use crate::motion::Motion;
 use crate::oblique::{Event, Regime};
-use crate::outcome_columns::{Columns, Ended};
 
 /// The outcome of a collision of two bodies.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,9 +21,6 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The columns of an outcome. The Python record and the C struct use the same names.
-    pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
-
     /// The motions afterwards, of body 1 and body 2.
     #[must_use]
     pub fn motions(&self) -> [Motion; 2] {
@@ -41,31 +37,6 @@ impl Outcome {
             Self::NoImpact { .. } => None,
             Self::Rebound(rebound) => Some(rebound),
         }
-    }
-}
-
-impl Ended for Outcome {
-    fn motions(&self) -> [Motion; 2] {
-        self.motions()
-    }
-
-    fn rebound(&self) -> Option<&Rebound> {
-        self.rebound()
-    }
-}
-
-impl Rebound {
-    /// The columns of [`Outcome::COLUMNS`].
-    pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
-}
-
-impl Ended for Rebound {
-    fn motions(&self) -> [Motion; 2] {
-        self.motions
-    }
-
-    fn rebound(&self) -> Option<&Rebound> {
-        Some(self)
     }
 }
 

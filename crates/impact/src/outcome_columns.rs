@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 
 use carom_table::{Column, Value};
 
-use crate::body::Motion;
-use crate::outcome::Rebound;
+use crate::motion::Motion;
+use crate::outcome::{Outcome, Rebound};
 
 /// The state of two bodies after a collision, or without one.
 pub(crate) trait Ended {
@@ -13,6 +13,36 @@ pub(crate) trait Ended {
     fn motions(&self) -> [Motion; 2];
     /// The rebound, if there was an impact.
     fn rebound(&self) -> Option<&Rebound>;
+}
+
+impl Ended for Outcome {
+    fn motions(&self) -> [Motion; 2] {
+        self.motions()
+    }
+
+    fn rebound(&self) -> Option<&Rebound> {
+        self.rebound()
+    }
+}
+
+impl Ended for Rebound {
+    fn motions(&self) -> [Motion; 2] {
+        self.motions
+    }
+
+    fn rebound(&self) -> Option<&Rebound> {
+        Some(self)
+    }
+}
+
+impl Outcome {
+    /// The columns of an outcome. The Python record and the C struct use the same names.
+    pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
+}
+
+impl Rebound {
+    /// The columns of [`Outcome::COLUMNS`].
+    pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
 }
 
 /// The columns of an outcome.

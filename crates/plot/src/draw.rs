@@ -1,5 +1,6 @@
 //! Drawing one series.
 
+use crate::look::{MARKER, area_look, arrow, line_look};
 use crate::movement;
 use crate::series::{Marker, Point, Series, Stroke, Style};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
@@ -9,9 +10,6 @@ use std::collections::HashSet;
 /// Okabe and Ito's palette, ordered such that neighbours are easy to distinguish; black last.
 const PALETTE: [&str; 7] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#333333"];
-
-/// Half the size of a marker, in pixels.
-pub(crate) const MARKER: f64 = 3.6;
 
 /// From this number on, markers are drawn as one path, which needs a few bytes each.
 const MARKERS_FOR_ONE_PATH: usize = 40;
@@ -96,21 +94,6 @@ pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame)
 
 fn line(svg: &mut Svg, stroke: Stroke, pixels: impl Iterator<Item = Pixel>, colour: &str) {
     svg.path("polyline", pixels, &line_look(stroke, colour));
-}
-
-pub(crate) fn line_look(stroke: Stroke, colour: &str) -> String {
-    let dashes = match stroke {
-        Stroke::Solid => "",
-        Stroke::Dashed => " stroke-dasharray=\"8 5\"",
-        Stroke::Dotted => " stroke-dasharray=\"1.5 4\" stroke-linecap=\"round\"",
-    };
-    format!(
-        "fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{dashes}"
-    )
-}
-
-pub(crate) fn area_look(colour: &str) -> String {
-    format!("fill=\"{colour}\" fill-opacity=\"0.18\" stroke=\"{colour}\"")
 }
 
 /// Omits points that cannot be distinguished from the one before.
@@ -207,20 +190,6 @@ fn arrows(svg: &mut Svg, ends: &[Pixel]) {
     svg.lines(strokes, "stroke-width=\"1.3\" fill=\"none\"");
 }
 
-pub(crate) fn arrow(tail: Pixel, head: Pixel) -> Vec<Vec<Pixel>> {
-    let (dx, dy) = (head.x - tail.x, head.y - tail.y);
-    let length = libm::hypot(dx, dy);
-    if length < 1.0 {
-        return vec![vec![tail, head]];
-    }
-    let barb = (0.35 * length).min(6.0) / length;
-    let end = |side: f64| Pixel {
-        x: head.x - barb * (dx - side * dy),
-        y: head.y - barb * (dy + side * dx),
-    };
-    vec![vec![tail, head], vec![end(0.5), head, end(-0.5)]]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -242,16 +211,5 @@ mod tests {
         assert_eq!(many.matches("h0").count(), 41);
         let twice = drawn(&[row(41), row(41)].concat());
         assert_eq!(twice.matches("h0").count(), 41, "what covers another is left out");
-    }
-
-    #[test]
-    fn an_arrow_ends_in_its_head() {
-        let (tail, head) = (Pixel { x: 0.0, y: 0.0 }, Pixel { x: 10.0, y: 0.0 });
-        let strokes = arrow(tail, head);
-        assert_eq!(strokes[0], [tail, head]);
-        assert_eq!(strokes[1][1], head);
-        assert!((strokes[1][0].x - strokes[1][2].x).abs() < 1e-12);
-        assert!((strokes[1][0].y + strokes[1][2].y).abs() < 1e-12);
-        assert_eq!(arrow(tail, Pixel { x: 0.5, y: 0.0 }).len(), 1, "a point has no barbs");
     }
 }

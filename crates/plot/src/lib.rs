@@ -23,6 +23,7 @@ mod error;
 mod field;
 mod heat;
 mod legend;
+mod look;
 mod movement;
 mod panel;
 mod raster;

@@ -1,7 +1,7 @@
 //! Animated series: each shape with the list of its positions, played by the browser.
 
-use crate::draw::{MARKER, area_look, arrow, line_look};
 use crate::error::PlotError;
+use crate::look::{MARKER, area_look, arrow, line_look};
 use crate::series::{Marker, Motion, Point, Series, Style};
 use crate::svg::{Anchor, Pixel, Svg};
 use crate::text::Type;

@@ -5,13 +5,13 @@
 //! replaced by several values, a sweep, or by a distribution.
 
 use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, Velocity};
-use super::contact::{Contact, FRICTION, LAW, NORMAL_RESTITUTION, TORSION, WAVE_LOSS};
+use super::contact::Contact;
 use super::error::CaseError;
 use super::field::{Field, Form};
 use super::material::MATERIAL;
 use super::range::Range;
 use super::section::{Section, parse};
-use super::touch::{POINT, POINT_1, POINT_2, SEARCH, Touch};
+use super::touch::{CONTACT, Touch};
 use super::uncertainty::{UNCERTAINTY, Uncertainty};
 use super::unit::Dimension;
 use super::varied::{Input, Varied};
@@ -40,21 +40,6 @@ const APPROACH: Field = Field::new(
     "the velocity of body 1 by speed and angle",
 )
 .may("the velocity is `body_1.velocity`");
-pub(super) const CONTACT: Field = Field::new(
-    "contact",
-    Form::Table(&[
-        FRICTION,
-        LAW,
-        TORSION,
-        NORMAL_RESTITUTION,
-        WAVE_LOSS,
-        POINT,
-        POINT_1,
-        POINT_2,
-        SEARCH,
-    ]),
-    "friction and contact point",
-);
 
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, UNCERTAINTY];

@@ -1,9 +1,9 @@
 //! Where the two bodies of an impact touch.
 
 use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
+use super::contact::{FRICTION, LAW, NORMAL_RESTITUTION, TORSION, WAVE_LOSS};
 use super::error::CaseError;
 use super::field::{AXES, Default, Field, Form};
-use super::impact::CONTACT;
 use super::range::Range;
 use super::section::Section;
 use super::unit::{Dimension, Measure};
@@ -29,6 +29,22 @@ pub(super) const POINT: Field = Field::vector("point", PLACE, "the contact point
     .such_as("[0, 0, 0]");
 pub(super) const POINT_1: Field = own("point_1", "the contact point in the axes of body 1");
 pub(super) const POINT_2: Field = own("point_2", "the contact point in the axes of body 2");
+/// The field `contact` of an impact.
+pub(super) const CONTACT: Field = Field::new(
+    "contact",
+    Form::Table(&[
+        FRICTION,
+        LAW,
+        TORSION,
+        NORMAL_RESTITUTION,
+        WAVE_LOSS,
+        POINT,
+        POINT_1,
+        POINT_2,
+        SEARCH,
+    ]),
+    "friction and contact point",
+);
 const OWN: &str = "three numbers [x, y, z], the contact point in the body's axes";
 
 const fn own(name: &'static str, meaning: &'static str) -> Field {

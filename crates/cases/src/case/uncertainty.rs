@@ -3,9 +3,9 @@
 use super::contact::FRICTION;
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
-use super::impact::CONTACT;
 use super::range::Range;
 use super::section::Section;
+use super::touch::CONTACT;
 use super::varied::Input;
 use carom_impact::uncertain::Sampling;
 

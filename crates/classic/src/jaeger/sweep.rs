@@ -4,9 +4,16 @@ use super::gauss_seidel::SlipStress;
 use super::program::Program;
 use carom_solver::CellState;
 
+impl Program<'_> {
+    pub(super) fn sweep(&mut self) -> f64 {
+        self.sweeps += 1;
+        over(self)
+    }
+}
+
 /// Updates all stresses along x, then along y, then the pressures, each from the newest values of
 /// the others. Returns the largest change relative to the largest pressure.
-pub(super) fn over(program: &mut Program<'_>) -> f64 {
+fn over(program: &mut Program<'_>) -> f64 {
     let own = program.influence.own();
     let relaxation = program.method.relaxation();
     let (mut change, mut top) = (0.0_f64, 0.0_f64);

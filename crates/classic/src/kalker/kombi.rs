@@ -1,63 +1,12 @@
 //! KOMBI: pressures and tractions of dissimilar bodies in one linear system.
 
-use std::fmt;
-
+use super::charts::{KOMBI, KombiStep};
 use super::scratch::{KalkerScratch, Parameters};
 use super::sets::{ROUNDING, Sets};
-use crate::chart::{self, Block, Machine};
+use crate::chart::{self, Machine};
 use crate::direct::dense::Unknown;
 use crate::direct::{DirectError, End};
 use carom_solver::{CellState, ContactProblem, ContactState, Convergence, Drive, Method, Observer};
-
-/// The steps and questions of [`KOMBI`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum KombiStep {
-    /// Solves for pressures and tractions together.
-    Solve,
-    /// Whether the directions of slip have converged.
-    DirectionsStand,
-    /// Removes elements in tension from the contact area, and those with too large a traction from
-    /// the stick area.
-    Shrink,
-    /// Whether none was removed.
-    NoneToShrink,
-    /// Adds elements that overlap to the contact area, and those that slip in the direction of
-    /// their traction to the stick area.
-    Grow,
-    /// Whether none was added.
-    NoneToGrow,
-}
-
-impl fmt::Display for KombiStep {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Solve => "solve for pressures and tractions together",
-            Self::DirectionsStand => "the directions of slip stand",
-            Self::Shrink => "take pᵢ < 0 out of K, |σₜᵢ| > f σₙᵢ out of A",
-            Self::NoneToShrink => "there was none",
-            Self::Grow => "take dᵢ < 0 into K, sᵢ along σₜᵢ into A",
-            Self::NoneToGrow => "there was none",
-        })
-    }
-}
-
-/// The chart of KOMBI.
-pub const KOMBI: &[Block<KombiStep>] = &[Block::Until {
-    body: &[
-        Block::Until {
-            body: &[
-                Block::Until {
-                    body: &[Block::Do(KombiStep::Solve)],
-                    done: KombiStep::DirectionsStand,
-                },
-                Block::Do(KombiStep::Shrink),
-            ],
-            done: KombiStep::NoneToShrink,
-        },
-        Block::Do(KombiStep::Grow),
-    ],
-    done: KombiStep::NoneToGrow,
-}];
 
 /// Largest rotation of a direction in one Newton step, in radians. Where the pressure is nearly
 /// zero, the linearised law could rotate it arbitrarily.

@@ -1,5 +1,6 @@
 //! Kalker's processes of chapter 11: active sets with dense linear systems.
 
+mod charts;
 mod kombi;
 mod norm;
 mod process;
@@ -7,8 +8,9 @@ mod scratch;
 mod sets;
 mod tang;
 
-pub use kombi::{KOMBI, Kombi, KombiStep};
+pub use charts::{JOHNSON, KOMBI, KombiStep, PANAGIOTOPOULOS, ProcessStep};
+pub use kombi::Kombi;
 pub use norm::{NORM, NormStep};
-pub use process::{JOHNSON, Johnson, PANAGIOTOPOULOS, Panagiotopoulos, ProcessStep};
+pub use process::{Johnson, Panagiotopoulos};
 pub use scratch::{KalkerScratch, Traces};
 pub use tang::{TANG, TangStep};

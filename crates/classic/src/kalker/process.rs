@@ -1,44 +1,14 @@
 //! The processes of Johnson and of Panagiotopoulos: NORM and TANG one after the other.
 
-use std::fmt;
-
 use carom_special::RangeError;
 
+use super::charts::{JOHNSON, PANAGIOTOPOULOS, ProcessStep};
 use super::norm::{NORM, Norm};
 use super::scratch::{KalkerScratch, Parameters};
 use super::tang::{TANG, Tang};
 use crate::chart::{self, Block, Machine, Trace};
 use crate::direct::{DirectError, End};
 use carom_solver::{ContactProblem, ContactState, Convergence, Drive, Method, Observer, Stop};
-
-/// The steps and questions of [`JOHNSON`] and [`PANAGIOTOPOULOS`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ProcessStep {
-    /// The normal problem at the last tangential tractions.
-    Norm,
-    /// The tangential problem at these pressures.
-    Tang,
-    /// Whether the pressures still close the gap.
-    PressuresStand,
-}
-
-impl fmt::Display for ProcessStep {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Norm => "NORM",
-            Self::Tang => "TANG",
-            Self::PressuresStand => "the pressures stand",
-        })
-    }
-}
-
-/// The chart of Johnson's process.
-pub const JOHNSON: &[Block<ProcessStep>] =
-    &[Block::Do(ProcessStep::Norm), Block::Do(ProcessStep::Tang)];
-
-/// The chart of Panagiotopoulos's process.
-pub const PANAGIOTOPOULOS: &[Block<ProcessStep>] =
-    &[Block::Until { body: JOHNSON, done: ProcessStep::PressuresStand }];
 
 struct Process<'a> {
     scratch: &'a mut KalkerScratch,

@@ -2,9 +2,8 @@
 
 use carom_special::RangeError;
 
-use super::kombi::KombiStep;
+use super::charts::{KombiStep, ProcessStep};
 use super::norm::NormStep;
-use super::process::ProcessStep;
 use super::sets::Sets;
 use super::tang::TangStep;
 use crate::chart::Trace;

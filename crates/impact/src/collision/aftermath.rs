@@ -6,9 +6,10 @@ use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
-use crate::body::{Body, Motion};
+use crate::body::Body;
 use crate::closed_form::{NOTICEABLE, restitution_without_slip};
 use crate::coupled::{CoupledOutcome, is_coupled};
+use crate::motion::Motion;
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::outcome::{EnergyBudget, LogEntry, Rebound, Torsion, TorsionMode, Warning};

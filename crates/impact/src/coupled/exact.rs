@@ -4,6 +4,7 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
+use super::direction::length_and_direction;
 use super::{CoupledError, CoupledImpact, CoupledOutcome, ImpactMethod, Sample, Stage};
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueImpact, Regime};
@@ -123,19 +124,6 @@ impl CoupledImpact {
         });
         Ok(instants.collect())
     }
-}
-
-/// Length and direction of the tangential part, without under- or overflow of the squares. If it is
-/// zero, any direction.
-pub(super) fn length_and_direction(velocity: &Vector3<f64>) -> (f64, Vector3<f64>) {
-    let tangential = Vector3::new(velocity.x, velocity.y, 0.0);
-    let largest = tangential.amax();
-    if largest == 0.0 {
-        return (0.0, Vector3::x());
-    }
-    let scaled = tangential / largest;
-    let length = scaled.norm();
-    (largest * length, scaled / length)
 }
 
 pub(super) fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::refine::Run;
+use super::run::Run;
 
 /// Runs with twice as many steps and annuli each, and their limit.
 ///

@@ -3,7 +3,7 @@
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
-use super::exact::length_and_direction;
+use super::direction::length_and_direction;
 
 /// Couplings below this share of the largest entry are round-off. Couplings that vanish by the
 /// symmetry of the bodies are already exact zeros, whatever their sizes ([`crate::Mobility::new`]).

@@ -30,6 +30,7 @@
 
 mod adams;
 mod any_law;
+mod direction;
 mod error;
 mod exact;
 mod extrapolation;
@@ -39,9 +40,12 @@ mod log;
 mod method;
 mod outcome;
 mod pace;
+mod point;
 mod refine;
+mod run;
 mod scaled;
 mod schedule;
+mod solve;
 mod stage;
 mod trajectory;
 
@@ -55,5 +59,6 @@ pub(crate) use log::Log;
 pub use method::ImpactMethod;
 pub(crate) use method::is_coupled;
 pub use outcome::{CoupledOutcome, Sample};
+pub use point::Point;
 pub use stage::{Stage, Staged};
-pub use trajectory::{LawFailure, Point, Trajectory};
+pub use trajectory::{LawFailure, Trajectory};

@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::adams::{Adams, Order};
 use super::pace::Pace;
+use super::point::Point;
 use super::schedule::Schedule;
 
 /// The initial value problem of an impact, in any consistent units and contact axes.
@@ -23,22 +24,6 @@ pub struct Trajectory {
     /// The expected duration, if the impact resembles a free one; its steps are then taken in time.
     /// `None`: every step is chosen from the state.
     pub expected: Option<f64>,
-}
-
-/// An instant of an impact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
-    /// Time since first contact.
-    pub time: f64,
-    /// Shift of body 2 against body 1 since first contact: xi, eta, zeta.
-    pub shift: Vector3<f64>,
-    /// Its rate.
-    pub velocity: Vector3<f64>,
-    /// Force on body 1.
-    pub force: Vector3<f64>,
-    /// Impulse since first contact. It is summed, since a difference of velocities would lose the
-    /// digits of a grazing impact.
-    pub impulse: Vector3<f64>,
 }
 
 /// Largest number of steps of a contact, over that of a free impact.

@@ -1,6 +1,7 @@
 //! Impacts of spheres and planes of dissimilar materials, with spin about the normal, by the law of rings.
 
 mod by_groups;
+mod error;
 mod filling;
 mod levels;
 mod motion;
@@ -12,7 +13,7 @@ use carom_laws::rings::RingConstants;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::collision::{Collision, CollisionError, Known};
+use crate::collision::{Collision, Known};
 use crate::coupled::{CoupledOutcome, ImpactMethod};
 use crate::normal::NormalImpact;
 use crate::outcome::{HistoryPoint, Outcome, Torsion, TorsionMode};
@@ -20,24 +21,12 @@ use motion::Motion;
 use problem::Problem;
 
 pub(crate) use by_groups::{GroupImpact, by_groups, left_out};
+pub use error::RingImpactError;
 pub(crate) use filling::Filling;
+pub(crate) use filling::{Filling, by_groups};
 
 /// Mobilities along two tangents with a smaller relative difference are equal.
 const EVEN: f64 = 1e-12;
-
-/// Why an impact by rings failed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum RingImpactError {
-    /// A value out of range, or bodies that are not spheres or planes.
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// The collision itself cannot be computed.
-    #[error(transparent)]
-    Collision(#[from] CollisionError),
-    /// The bodies do not separate.
-    #[error("the bodies do not separate within 64 times the duration of a free impact")]
-    NoSeparation,
-}
 
 /// An impact of spheres or planes with the contact law [`RingLaw`](carom_laws::rings::RingLaw), which
 /// includes the coupling of dissimilar materials and the spin about the normal.

@@ -5,7 +5,7 @@ use carom_table::Column;
 use nalgebra::Vector3;
 
 use super::flight::Flight;
-use crate::body::Motion;
+use crate::motion::Motion;
 use crate::outcome::Rebound;
 
 /// When the computation stops.

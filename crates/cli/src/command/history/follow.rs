@@ -1,7 +1,6 @@
 //! Computes a history, with states between its steps for a picture.
 
-use super::plot;
-use crate::command::plot::MOST_MARKS;
+use crate::command::plot::{MOST_MARKS, Value};
 use crate::command::thinned::Thinned;
 use crate::error::CliError;
 use crate::rows::BLOCK;
@@ -14,6 +13,24 @@ use carom_special::RangeError;
 
 /// Number of radii of a traction in a picture.
 const RADII: usize = 401;
+
+/// The drawn quantities of a step.
+const QUANTITIES: [Value<Step>; 14] = [
+    |s| s.load.f_x,
+    |s| s.load.f_y,
+    |s| s.load.f_z,
+    |s| s.load.m_z,
+    |s| s.shift.xi,
+    |s| s.shift.eta,
+    |s| s.shift.omega,
+    |s| s.semi_axis_a,
+    |s| s.semi_axis_b,
+    |s| s.stick_semi_axis_a,
+    |s| s.stick_semi_axis_b,
+    |s| s.stored_energy,
+    |s| s.dissipated,
+    |s| s.twist.map_or(0.0, |twist| twist.stick_semi_axis_b),
+];
 
 /// What the user requested of a history.
 #[derive(Debug, Clone, Copy)]
@@ -51,7 +68,7 @@ pub(super) fn follow(
     }
     let state = |number, laws: &Laws, radii| history::step(number, laws, friction, radii);
     let mut laws = Laws::new(case, friction, shifts).map_err(&at_fault)?;
-    let (mut course, mut marked) = (Thinned::new(plot::QUANTITIES), Vec::new());
+    let (mut course, mut marked) = (Thinned::new(QUANTITIES), Vec::new());
     let (mut steps, mut last) = (Vec::new(), None);
     for (i, shift) in shifts.iter().enumerate() {
         if wanted.picture {

@@ -6,24 +6,6 @@ use crate::output::Picture;
 use carom_cases::history::{Step, Traction};
 use carom_plot::Panel;
 
-/// The drawn quantities of a step.
-pub(super) const QUANTITIES: [Value<Step>; 14] = [
-    |s| s.load.f_x,
-    |s| s.load.f_y,
-    |s| s.load.f_z,
-    |s| s.load.m_z,
-    |s| s.shift.xi,
-    |s| s.shift.eta,
-    |s| s.shift.omega,
-    |s| s.semi_axis_a,
-    |s| s.semi_axis_b,
-    |s| s.stick_semi_axis_a,
-    |s| s.stick_semi_axis_b,
-    |s| s.stored_energy,
-    |s| s.dissipated,
-    |s| s.twist.map_or(0.0, |twist| twist.stick_semi_axis_b),
-];
-
 /// Loads and sizes against the step, force against shift, torque against twist, and the tractions
 /// after the last step in contact.
 pub(super) fn draw(drawn: &Drawn) -> Picture {

@@ -1,6 +1,6 @@
 //! The stresses at all points as a file for other programs: NumPy arrays or a VTK grid.
 
-use super::StressPoint;
+use super::point::StressPoint;
 use crate::command::npz::{self, Array};
 use crate::error::CliError;
 use crate::outputs::{Outputs, Place};

@@ -1,6 +1,7 @@
 //! `carom stress`: stresses in a body below a contact under normal and tangential load.
 
 mod field;
+mod point;
 
 use crate::columns::{self, Record};
 use crate::command::hertz::smallest_radius;
@@ -15,12 +16,13 @@ use carom_laws::field::partial_slip_stress;
 use carom_laws::hertz::HertzState;
 use carom_plot::{Axis, Field, Panel, PlotError, Series};
 use carom_special::RangeError;
-use carom_table::{Column, Value, row};
+use carom_table::{Value, row};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;
 
 use field::FieldFile;
+use point::StressPoint;
 
 /// Stresses below a contact with normal force (Hertz) and tangential force (Cattaneo and Mindlin).
 ///
@@ -40,34 +42,6 @@ pub(super) struct Arguments {
     /// names of the columns below, if it ends in .npz; as a grid for ParaView if it ends in .vtk.
     #[arg(long, value_name = "FILE")]
     field: Option<PathBuf>,
-}
-
-/// The stress at a point, in the axes of the contact.
-#[derive(Debug, Clone, Copy)]
-struct StressPoint {
-    /// x, y and depth.
-    at: [f64; 3],
-    stress: Stress,
-}
-
-impl StressPoint {
-    const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("x", "m", "along the larger relative curvature", |point| point.at[0].into()),
-        Column::new("y", "m", "perpendicular to x", |point| point.at[1].into()),
-        Column::new("depth", "m", "below the surface", |point| point.at[2].into()),
-        Column::new("s_xx", "Pa", "stress, tension positive; z points into body 1", |p| {
-            p.stress.xx.into()
-        }),
-        Column::new("s_yy", "Pa", "", |point| point.stress.yy.into()),
-        Column::new("s_zz", "Pa", "", |point| point.stress.zz.into()),
-        Column::new("s_xy", "Pa", "", |point| point.stress.xy.into()),
-        Column::new("s_yz", "Pa", "", |point| point.stress.yz.into()),
-        Column::new("s_zx", "Pa", "", |point| point.stress.zx.into()),
-        Column::new("von_mises", "Pa", "equivalent stress", |p| p.stress.von_mises().into()),
-        Column::new("maximum_shear", "Pa", "half of Tresca's equivalent stress", |point| {
-            point.stress.maximum_shear().into()
-        }),
-    ];
 }
 
 /// All of a case: the contact and its points.

@@ -1,8 +1,12 @@
 //! The regions in which R_x is smooth, each mapped to a square.
 
-use super::{CHI, ORDER};
 use crate::normal::fifth_root;
 use crate::oblique::{Groups, ObliqueImpact, Regime};
+
+/// Coefficients in each direction.
+pub(super) const ORDER: usize = 8;
+/// The range of chi in the table.
+pub(super) const CHI: [f64; 2] = [0.5, 6.5];
 
 /// Where R_x is analytic, weak kinks apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -11,16 +11,11 @@ use std::sync::OnceLock;
 use crate::closed_form::restitution_in_sliding;
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
 
-use atlas::{Atlas, Region, chebyshev};
+use atlas::{Atlas, CHI, ORDER, Region, chebyshev};
 
 mod atlas;
 mod build;
 mod stored;
-
-/// Coefficients in each direction.
-const ORDER: usize = 8;
-/// The range of chi in the table.
-const CHI: [f64; 2] = [0.5, 6.5];
 
 /// A table of R_x(chi, psi) for chi in [0.5, 6.5] and any psi.
 ///
