@@ -23,7 +23,6 @@ use problem::Problem;
 pub(crate) use by_groups::{GroupImpact, by_groups, left_out};
 pub use error::RingImpactError;
 pub(crate) use filling::Filling;
-pub(crate) use filling::{Filling, by_groups};
 
 /// Mobilities along two tangents with a smaller relative difference are equal.
 const EVEN: f64 = 1e-12;
