@@ -19,7 +19,8 @@ fn state(bellows: &Bellows, pressure: f64, growth: f64) -> Result<BellowsState, 
 
 /// P5.1: the meridian at rest, stretched, pressed and under pressure.
 fn shapes(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::linear("r"), Axis::linear("z")).titled("P5.1");
+    let mut panel =
+        Panel::new(Axis::linear("r"), Axis::linear("z")).titled("Meridian of one corrugation");
     let loads = [
         ("at rest", 0.0, 0.0),
         ("Δ = 0.6", 0.0, 0.6),
@@ -41,7 +42,8 @@ fn shapes(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
 /// P5.2: force against dilatation, with and without pressure.
 fn forces(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
     let rate = bellows.linear_response()?.spring_rate;
-    let mut panel = Panel::new(Axis::linear("Δ"), Axis::linear("(F - F(0)) / E")).titled("P5.2");
+    let mut panel = Panel::new(Axis::linear("Δ"), Axis::linear("(F - F(0)) / E"))
+        .titled("Axial force over elongation");
     for (name, pressure) in [("p = 0", 0.0), ("p = 0.0002 E", 2e-4)] {
         let rest = state(bellows, pressure, 0.0)?;
         let at = |state: &BellowsState| (state.dilatation(), state.force() - rest.force());
@@ -89,8 +91,8 @@ fn stresses(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
             Relative(1e-8),
         )
         .source("reciprocity: dV/dΔ");
-    let mut panel =
-        Panel::new(Axis::linear("ξ / π, crest to root"), Axis::linear("σ / (E Δ)")).titled("P5.3");
+    let mut panel = Panel::new(Axis::linear("ξ / π, crest to root"), Axis::linear("σ / (E Δ)"))
+        .titled("Stresses over the linear elongation");
     let kinds: [(&str, Stress); 4] = [
         ("meridional, membrane", |at| at.meridional_membrane),
         ("meridional, bending", |at| at.meridional_bending),
@@ -132,7 +134,8 @@ const CODE: [[f64; 4]; 8] = [
 
 /// P5.4: the factors of the codes against mu.
 fn factors(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::linear("μ"), Axis::log("factor")).titled("P5.4");
+    let mut panel = Panel::new(Axis::linear("μ"), Axis::log("factor"))
+        .titled("Factors of a toroidal bellows; circles: the codes' table");
     let mus: Vec<f64> = (1..=40).map(|i| 0.5 * f64::from(i)).collect();
     let found: Result<Vec<_>, _> = mus.iter().map(|&mu| toroidal(mu)).collect();
     let found = found?;
@@ -154,7 +157,8 @@ fn factors(figure: &mut Figure) -> Result<(), Failure> {
 
 /// P5.5: coefficients of the rotation.
 fn coefficients(figure: &mut Figure, bellows: &Bellows) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::linear("k"), Axis::log("|β_k| / |β_1|")).titled("P5.5");
+    let mut panel = Panel::new(Axis::linear("k"), Axis::log("|β_k| / |β_1|"))
+        .titled("Coefficients of the rotation");
     let fold = Meridian::u_shaped(10.0, 0.5, 1.0)?;
     let fold = Bellows::new(fold, Wall::new(1.0, 0.3, 0.05)?, 32)?;
     for (name, bellows) in [("sine", bellows), ("U-shaped", &fold)] {

@@ -35,7 +35,9 @@ fn opening(flange: &Flange) -> Result<f64, Failure> {
 
 /// P4.1: the flange under two forces outward, for four thicknesses of the tube.
 fn deformed(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::linear("x / R"), Axis::linear("y / R")).titled("P4.1");
+    let mut panel = Panel::new(Axis::linear("x / R"), Axis::linear("y / R"))
+        .titled("Pinched flange, exaggerated")
+        .equal_aspect();
     let free = Flange::bare(ring()?);
     let exaggeration = 0.3 / opening(&free)?;
     for (colour, thickness) in [0.0, 0.005, 0.02, 0.05].into_iter().enumerate() {
@@ -58,7 +60,8 @@ fn deformed(figure: &mut Figure) -> Result<(), Failure> {
 
 /// P4.2: bending moment around, uniform, with eight holes, with two stiff sectors.
 fn moments(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::linear("φ / π"), Axis::linear("M / (P R)")).titled("P4.2");
+    let mut panel = Panel::new(Axis::linear("φ / π"), Axis::linear("M / (P R)"))
+        .titled("Bending moment of a pinched flange");
     let holes: Result<Vec<_>, _> =
         (0..8).map(|i| Sector::new((f64::from(i) + 0.5) * PI / 4.0, 0.06, 0.5)).collect();
     let ribs = [Sector::new(0.0, 0.4, 5.0)?, Sector::new(PI, 0.4, 5.0)?];
@@ -109,14 +112,14 @@ fn openings(figure: &mut Figure) -> Result<(), Failure> {
     let mut panel = Panel::new(Axis::log("t / R"), Axis::linear("opening / that of a free ring"));
     panel.add(Series::line("half-momentless", line));
     panel.add(Series::markers("whole shell", Marker::Circle, points));
-    figure.panel(panel.titled("P4.3"));
+    figure.panel(panel.titled("Opening of the pinched flange over the wall of the tube"));
     Ok(())
 }
 
 /// P4.4: lengths over which main and boundary parts decay.
 fn decays(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel =
-        Panel::new(Axis::log("harmonic n"), Axis::log("length of decay / R")).titled("P4.4");
+    let mut panel = Panel::new(Axis::log("harmonic n"), Axis::log("length of decay / R"))
+        .titled("Decay of both parts along the tube; edge effect dashed");
     for (colour, thickness) in [0.005, 0.02, 0.05].into_iter().enumerate() {
         let tube = Tube::half_momentless(1.0, Wall::new(1.0, 0.3, thickness)?)?;
         let main = (2..=20).map(|n| (n as f64, 1.0 / tube.main_decay(n)));
@@ -151,7 +154,8 @@ fn rules(figure: &mut Figure) -> Result<(), Failure> {
         Ok((n as f64, off.sum::<f64>().sqrt()))
     };
     let orders = [8, 16, 32, 64, 128];
-    let mut panel = Panel::new(Axis::log("harmonics"), Axis::log("error of M")).titled("P4.5");
+    let mut panel = Panel::new(Axis::log("harmonics"), Axis::log("error of M"))
+        .titled("Error of both products where EI jumps");
     let mut last = Vec::new();
     for (name, is_inverse) in [("T(1/EI)⁻¹", true), ("T(EI)", false)] {
         let points: Result<Vec<_>, _> = orders.iter().map(|&n| error(n, is_inverse)).collect();
