@@ -380,16 +380,6 @@ typedef struct carom_material {
   double poisson;
 } carom_material;
 
-// A flat wall, which may move.
-typedef struct carom_wall {
-  // Position of any of its points, m.
-  double place[3];
-  // Unit normal, pointing towards the grains.
-  double normal[3];
-  // Its velocity, m/s.
-  double velocity[3];
-} carom_wall;
-
 // A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
 // those of space.
 typedef struct carom_body {
@@ -509,6 +499,16 @@ typedef struct carom_ring_touch {
   // The bytes of the contact.
   uint64_t words[CAROM_RING_TOUCH_WORDS];
 } carom_ring_touch;
+
+// A flat wall, which may move.
+typedef struct carom_wall {
+  // Position of any of its points, m.
+  double place[3];
+  // Unit normal, pointing towards the grains.
+  double normal[3];
+  // Its velocity, m/s.
+  double velocity[3];
+} carom_wall;
 
 // The state of a contact that twists about its normal, as 83 numbers in memory of the caller; zeros stand
 // for two bodies that just touch, without twist. Twist and shift are independent: each law neglects the
@@ -666,63 +666,6 @@ carom_status carom_grains_of(const struct carom_material *material_1,
                              double relaxation,
                              struct carom_grains *grains,
                              struct carom_error *error);
-
-// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
-// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
-// null; computing them costs several times the force.
-//
-// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
-// Grains that are separated and stay so need no call.
-//
-// # Safety
-// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
-// written. The touch is zero or was written by this build of the library; other bytes give an error status
-// or meaningless numbers.
-carom_status carom_touch_grains(const struct carom_grains *grains,
-                                struct carom_touch *touch,
-                                const struct carom_grain *one,
-                                const struct carom_grain *two,
-                                double dt,
-                                struct carom_grain_load *load,
-                                struct carom_heats *heats,
-                                struct carom_error *error);
-
-// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
-//
-// # Safety
-// As `carom_touch_grains`.
-carom_status carom_touch_wall(const struct carom_grains *grains,
-                              struct carom_touch *touch,
-                              const struct carom_grain *one,
-                              const struct carom_wall *wall,
-                              double dt,
-                              struct carom_grain_load *load,
-                              struct carom_heats *heats,
-                              struct carom_error *error);
-
-// The load of two grains after the last step, without a new one: the same bits if the positions are the
-// same. A touch that is zero carries only the force of Hertz.
-//
-// # Safety
-// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
-// written. The touch is as in `carom_touch_grains`.
-carom_status carom_touch_grains_load(const struct carom_grains *grains,
-                                     const struct carom_touch *touch,
-                                     const struct carom_grain *one,
-                                     const struct carom_grain *two,
-                                     struct carom_grain_load *load,
-                                     struct carom_error *error);
-
-// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
-//
-// # Safety
-// As `carom_touch_grains_load`.
-carom_status carom_touch_wall_load(const struct carom_grains *grains,
-                                   const struct carom_touch *touch,
-                                   const struct carom_grain *one,
-                                   const struct carom_wall *wall,
-                                   struct carom_grain_load *load,
-                                   struct carom_error *error);
 
 // Computes the impact of two bodies that touch at their given positions. If `normal` is not null, body 1 is
 // first moved into contact with body 2 such that this is the common normal, from body 2 into body 1.
@@ -960,6 +903,63 @@ carom_status carom_rings_of(const struct carom_pair *pair,
 // # Safety
 // `rings` is null, or was made by `carom_rings_of` and is not used again.
 void carom_rings_free(struct carom_rings *rings);
+
+// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
+// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
+// null; computing them costs several times the force.
+//
+// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
+// Grains that are separated and stay so need no call.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
+// written. The touch is zero or was written by this build of the library; other bytes give an error status
+// or meaningless numbers.
+carom_status carom_touch_grains(const struct carom_grains *grains,
+                                struct carom_touch *touch,
+                                const struct carom_grain *one,
+                                const struct carom_grain *two,
+                                double dt,
+                                struct carom_grain_load *load,
+                                struct carom_heats *heats,
+                                struct carom_error *error);
+
+// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
+//
+// # Safety
+// As `carom_touch_grains`.
+carom_status carom_touch_wall(const struct carom_grains *grains,
+                              struct carom_touch *touch,
+                              const struct carom_grain *one,
+                              const struct carom_wall *wall,
+                              double dt,
+                              struct carom_grain_load *load,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
+// The load of two grains after the last step, without a new one: the same bits if the positions are the
+// same. A touch that is zero carries only the force of Hertz.
+//
+// # Safety
+// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_grains_load(const struct carom_grains *grains,
+                                     const struct carom_touch *touch,
+                                     const struct carom_grain *one,
+                                     const struct carom_grain *two,
+                                     struct carom_grain_load *load,
+                                     struct carom_error *error);
+
+// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
+//
+// # Safety
+// As `carom_touch_grains_load`.
+carom_status carom_touch_wall_load(const struct carom_grains *grains,
+                                   const struct carom_touch *touch,
+                                   const struct carom_grain *one,
+                                   const struct carom_wall *wall,
+                                   struct carom_grain_load *load,
+                                   struct carom_error *error);
 
 // The elastic energy of a contact, compression included, J.
 //
