@@ -17,11 +17,11 @@ pub enum TangStep {
     DirectionsStand,
     /// Removes elements with too large a traction from the stick area.
     LetSlip,
-    /// Whether none was removed.
+    /// Decides by whether an element was removed.
     NoneTooLarge,
     /// Adds elements that slip in the direction of their traction to the stick area.
     LetStick,
-    /// Whether none was added.
+    /// Decides by whether an element was added.
     NoneAlong,
 }
 

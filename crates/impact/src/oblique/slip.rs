@@ -336,7 +336,7 @@ impl<'a> Slip<'a> {
         }
     }
 
-    /// d tau/d tau*, below -1 if the motion is faster than the memory.
+    /// d tau/d tau*: below -1, the shift of the motion changes faster than slip along the memory allows.
     pub(super) fn pace(&self, pair: &Pair) -> f64 {
         let steep = match &self.stretch.shape {
             Shape::Adhesion(segment) => {

@@ -48,7 +48,7 @@ use carom_special::RangeError;
 /// Coulomb's law, computed with the coefficient 1e9. No cell is then in the state
 /// [`CellState::Slip`](crate::CellState::Slip). Cells at the edge that would need tension to stick
 /// are dragged along: the surfaces touch there at a pressure of 1e-9 of the traction, which opposes
-/// their displacement. [`ContactState::slip_since`] gives this displacement, and
+/// their displacement. [`slip_since`](crate::ContactState::slip_since) gives this displacement, and
 /// [`crate::dissipated`] its work.
 ///
 /// ```

@@ -26,7 +26,7 @@ impl Store {
         Self(folder)
     }
 
-    /// The stored steps, on this grid.
+    /// Reads the stored steps; their fields must be on this grid.
     ///
     /// # Errors
     /// If one cannot be read, is damaged or belongs to another case.
