@@ -5,6 +5,7 @@ import copy
 import math
 import os
 import pickle
+import signal
 import threading
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
@@ -187,10 +188,15 @@ def test_a_forked_process_has_threads_of_its_own():
 def test_an_interrupt_does_not_wait_for_the_end():
     # By rings they take a minute or more.
     velocities = np.tile([1.0, 0.0, -2.0], (200_000, 1))
-    timer = threading.Timer(0.3, _thread.interrupt_main)
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        carom.collide_many(BALL, PLATE, 0.15, body_1_velocity=velocities, law="rings")
+    # A shell starts its background jobs with interrupts ignored.
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        timer = threading.Timer(0.3, _thread.interrupt_main)
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            carom.collide_many(BALL, PLATE, 0.15, body_1_velocity=velocities, law="rings")
+    finally:
+        signal.signal(signal.SIGINT, handler)
 
 
 def test_a_sweep_on_dask_has_the_same_bits():
