@@ -20,6 +20,10 @@ const TIMED: Series = Series { first: PILOT, most: 1 << 22 };
 const FROM_STATE: Series = Series { first: FIRST, most: 1 << 26 };
 /// Smallest number of steps of a free impact at which an outcome may count as converged.
 const MIN_STEPS_TO_CONVERGE: usize = 64;
+/// Below this estimate, over |v_A|, round-off outweighs the error of the steps once the estimate
+/// has grown this many times in succession.
+const ROUND_OFF: f64 = 1e-10;
+const GROWTHS_BY_ROUND_OFF: u32 = 2;
 
 /// Runs with doubled numbers of steps and annuli, as long as the next one takes at most `most`
 /// steps.
@@ -70,7 +74,8 @@ pub(super) enum Failure<E: std::error::Error + 'static> {
 
 impl Problem {
     /// Runs with doubled numbers of steps and annuli until the limit has converged to the tolerance
-    /// times |v_A|, or further runs would take too long; then the best one.
+    /// times |v_A|. If round-off grows or further runs would take too long, the limit with the
+    /// smallest estimate.
     ///
     /// `make` returns a fresh law for a level. `restrict` brings the impulse of a limit within its
     /// bounds.
@@ -125,6 +130,8 @@ impl Problem {
         let mut problem = *self;
         let mut level = series.first;
         let mut table = Extrapolation::new(problem.run(level, make, |_, _| ())?);
+        let mut best: Option<Settled> = None;
+        let mut growths = 0;
         loop {
             problem = problem.with_duration_of(table.finest());
             level = level.doubled();
@@ -137,9 +144,20 @@ impl Problem {
             (run.impulse, run.velocity) = (restricted, run.velocity + moved);
             let settled =
                 error <= tolerance && run.velocity.z < 0.0 && level.steps >= MIN_STEPS_TO_CONVERGE;
-            if settled || table.finest().next() > series.most {
-                return Ok(Settled { run, error, level, problem, settled });
+            let limit = Settled { run, error, level, problem, settled };
+            if settled {
+                return Ok(limit);
             }
+            let least = best.filter(|best| best.error <= error).unwrap_or(limit);
+            growths = if least.error < error { growths + 1 } else { 0 };
+            if growths >= GROWTHS_BY_ROUND_OFF && least.error < ROUND_OFF {
+                // Both limits have round-off; the larger estimate holds for either.
+                return Ok(Settled { error, ..least });
+            }
+            if table.finest().next() > series.most {
+                return Ok(least);
+            }
+            best = Some(least);
         }
     }
 

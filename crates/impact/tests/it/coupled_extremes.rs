@@ -229,11 +229,15 @@ fn what_does_not_settle_is_refused_or_marked() {
     else {
         panic!("settled to 1e-18")
     };
-    assert!(error_estimate > tolerance && error_estimate < 1e-8 && steps > 1 << 20);
+    // Where round-off grows, refinement stops, and the best limit is the answer.
+    assert!(error_estimate > tolerance && error_estimate < 1e-12, "{error_estimate:e}");
+    assert!((1 << 16..1 << 21).contains(&steps), "{steps}");
     let accepted = impact.accepting_unsettled().solve(TurningLaw::Coulomb).unwrap();
     assert_eq!(accepted.warning, Some(Warning::NotSettled { error_estimate, tolerance }));
     let usual = planar.impact().accepting_unsettled().solve(TurningLaw::Coulomb).unwrap();
     assert!(usual.warning.is_none() && (usual.velocity - accepted.velocity).norm() < 1e-8);
+    let fine = planar.impact().within(1e-12).unwrap().solve(TurningLaw::Coulomb).unwrap();
+    assert!((fine.velocity - accepted.velocity).norm() < 2e-12, "{fine:?} {accepted:?}");
 }
 
 fn adversarial() -> impl Strategy<Value = Case> {

@@ -209,7 +209,7 @@ fn cell(friction: f64, gravity: [f64; 3]) -> Scene {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
     fn energy_never_grows_and_no_wall_is_passed(

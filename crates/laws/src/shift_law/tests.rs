@@ -33,7 +33,7 @@ fn work_is_stored_or_lost_in_every_limit_of_friction() {
     for friction in [0.0, 0.3, 5.0, f64::INFINITY] {
         balance(accounted(friction), 4000, 3e-7);
         // What joins change is within the tolerance.
-        balance(Accounted::new(turning(friction, 1e-5)), 500, 5e-5);
+        balance(Accounted::new(turning(friction, 1e-5)), 150, 5e-5);
     }
 }
 

@@ -179,8 +179,18 @@ fn every_storage_gives_the_same_bits_while_it_suffices() {
 
 #[test]
 fn work_is_stored_dissipated_or_booked_by_joins() {
+    books_balance(2);
+}
+
+#[test]
+#[ignore = "takes five seconds"]
+fn work_is_stored_dissipated_or_booked_by_joins_on_more_paths() {
+    books_balance(8);
+}
+
+fn books_balance(seeds: u64) {
     let (mut sum, mut joined, mut worst) = (0.0, 0.0_f64, 0.0_f64);
-    paths(8, &[1], |_, path| {
+    paths(seeds, &[1], |_, path| {
         let mut law = law(1e-2);
         for &(zeta, x) in path {
             let heat = law.dissipation(zeta, x);

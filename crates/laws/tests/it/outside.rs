@@ -247,7 +247,7 @@ fn no_garbled_state_exerts_what_it_cannot(cases: u64) {
 
 #[test]
 fn garbled_numbers_are_refused_or_exert_no_more_than_friction_can() {
-    no_garbled_state_exerts_what_it_cannot(3000);
+    no_garbled_state_exerts_what_it_cannot(600);
 }
 
 #[test]
