@@ -96,7 +96,7 @@ fn texts_with_units_give_the_same_bits_as_plain_numbers() {
     assert_eq!(scene(&ball), scene(&[]));
     let glass = |changes: &[(&str, &str)]| {
         let text =
-            changed("glass_scatter.toml", changes).replace("samples = 10000", "samples = 200");
+            changed("glass_scatter.toml", changes).replace("samples = 10000", "samples = 20");
         json(&["impact", &case("unit-glass.toml", &text)])
     };
     let spread = [
@@ -249,7 +249,7 @@ fn a_sweep_warns_once_of_each_kind() {
 #[test]
 fn a_slip_of_units_is_said_first_and_plainly() {
     let slip = |name: &str, old: &str, new: &str| {
-        let few = changed(name, &[(old, new)]).replace("samples = 10000", "samples = 200");
+        let few = changed(name, &[(old, new)]).replace("samples = 10000", "samples = 20");
         case(&format!("slip-{name}"), &few)
     };
     let first = |output: &[u8]| text(output).lines().next().unwrap_or_default().to_owned();

@@ -6,12 +6,16 @@ use crate::command::thinned::{MOST_DRAWN, Thinned};
 use crate::output::Picture;
 use carom_cases::case::Input;
 use carom_impact::HistoryPoint;
+use carom_impact::coupled::ImpactMethod;
 use carom_special::linspace;
 
 /// Number of instants of a drawn history.
 pub(super) const INSTANTS: usize = 401;
-/// Number of values of a drawn sweep.
+/// Number of values of a drawn sweep: of impacts in microseconds, of those by rings (milliseconds), and
+/// of those on a grid (tenths of a second).
 const VALUES: usize = 361;
+const VALUES_BY_RINGS: usize = 121;
+const VALUES_ON_A_GRID: usize = 46;
 
 /// Forces, displacements, velocities and the contact against time.
 pub(super) fn course(history: &[HistoryPoint]) -> Picture {
@@ -46,16 +50,14 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
     Picture::new("History of the impact", panels)
 }
 
-/// The finite values of a sweep, and dense values between the smallest and the largest; none if these are
-/// equal.
-fn between(values: &[f64]) -> Vec<f64> {
-    let values: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
+/// These values, and this number of values from the smallest to the largest; none if these are equal.
+fn between(values: &[f64], count: usize) -> Vec<f64> {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if low >= high {
         return Vec::new();
     }
-    let mut all = [values, linspace(low, high, VALUES)].concat();
+    let mut all = [values, &linspace(low, high, count)].concat();
     all.sort_by(f64::total_cmp);
     all.dedup();
     all
@@ -66,8 +68,10 @@ type Point = [f64; 4];
 
 /// The picture of a sweep, collected impact by impact.
 pub(super) struct Sweep {
-    /// The values at which the lines are computed, in order; none if those of the case are many and in order.
-    between: Vec<f64>,
+    /// The finite values of the case; none if they are many and in order.
+    values: Vec<f64>,
+    /// Number of values at which the lines are computed.
+    count: usize,
     /// Points of the lines.
     line: Thinned<Point>,
     /// Points of the case, only as many as are needed to decide whether they can be marked.
@@ -83,8 +87,10 @@ impl Sweep {
         let is_dense = values.len() > MOST_DRAWN / 2
             && (values.is_sorted() || values.iter().rev().is_sorted());
         let drawn: [Value<Point>; 3] = [|point| point[1], |point| point[2], |point| point[3]];
+        let finite = values.iter().copied().filter(|value| value.is_finite());
         Self {
-            between: if is_dense { Vec::new() } else { between(values) },
+            values: if is_dense { Vec::new() } else { finite.collect() },
+            count: VALUES,
             line: Thinned::new(drawn),
             given: Vec::new(),
             is_dense,
@@ -94,7 +100,10 @@ impl Sweep {
 
     /// Adds impacts of the case.
     pub(super) fn add(&mut self, records: &[Record]) {
-        self.is_any |= records.iter().any(|record| record.rebound().is_some());
+        for rebound in records.iter().filter_map(Record::rebound) {
+            self.is_any = true;
+            self.count = self.count.min(values_of(rebound.method));
+        }
         for point in records.iter().filter_map(point) {
             if self.given.len() <= MOST_MARKS {
                 self.given.push(point);
@@ -105,9 +114,10 @@ impl Sweep {
         }
     }
 
-    /// The values whose impacts are still needed for the lines.
-    pub(super) fn between(&mut self) -> Vec<f64> {
-        if self.is_any { std::mem::take(&mut self.between) } else { Vec::new() }
+    /// The values whose impacts are still needed for the lines: fewer where an impact of the case takes
+    /// long.
+    pub(super) fn between(&self) -> Vec<f64> {
+        if self.is_any { between(&self.values, self.count) } else { Vec::new() }
     }
 
     /// Adds impacts at these values.
@@ -139,6 +149,14 @@ impl Sweep {
             (_, true) => " (dots: the values given)",
         };
         Some(Picture::new(&format!("Sweep over {what}{marks}"), panels))
+    }
+}
+
+const fn values_of(method: ImpactMethod) -> usize {
+    match method {
+        ImpactMethod::Numerical => VALUES_ON_A_GRID,
+        ImpactMethod::Rings => VALUES_BY_RINGS,
+        _ => VALUES,
     }
 }
 
