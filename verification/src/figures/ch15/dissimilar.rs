@@ -39,6 +39,9 @@ pub(super) fn forces() -> FigureResult {
     let limit = |at: &Instant| 1e-3 * spheres.friction * at.load.f_z;
     force.add(Series::dotted("±f F_z", line(&|at| limit(at))));
     force.add(Series::dotted("", line(&|at| -limit(at))).coloured(2));
+    let by_rings = spheres.by_rings(LAMBDA, 0.0, STEPS, |_| ())?;
+    let rings = by_rings.iter().map(|at| (1e3 * at.time, 1e-3 * at.load.f_x));
+    force.add(Series::dashed("F_x, rings", rings).coloured(3));
     // The thesis's picture shows no such limit; where F_x is small compared with it nothing slides.
     force.y = force.y.between(-0.35, 0.35);
     figure.panel(force);
@@ -47,6 +50,7 @@ pub(super) fn forces() -> FigureResult {
     shift.add(Series::line("ξ", line(&|at| 1e6 * at.shift.xi)));
     figure.panel(shift);
     claims(&mut figure, &spheres, &run)?;
+    claim_rings(&mut figure, &run, &by_rings)?;
     Ok(figure)
 }
 
@@ -103,6 +107,21 @@ fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(),
     Ok(())
 }
 
+/// Rings and grid, in the same steps.
+fn claim_rings(figure: &mut Figure, run: &[Instant], by_rings: &[Instant]) -> Result<(), Failure> {
+    let greatest = run.iter().map(|at| at.load.f_x.abs()).fold(0.0, f64::max);
+    let off = run.iter().zip(by_rings).map(|(a, b)| (a.load.f_x - b.load.f_x).abs() / greatest);
+    figure
+        .at_most("F_x by rings over the greatest of the grid", off.fold(0.0, f64::max), 0.02)
+        .source("the grid of this figure");
+    let ratio =
+        |run: &[Instant]| -> Option<f64> { Some(-run.last()?.rate[0] / run.first()?.rate[0]) };
+    let [on_grid, rings] = [run, by_rings].map(ratio);
+    let (on_grid, rings) = (on_grid.ok_or("no impact")?, rings.ok_or("no impact")?);
+    figure.close("R_x by rings", rings, on_grid, Absolute(0.01)).source("the grid of this figure");
+    Ok(())
+}
+
 /// Steps of fig. 15.5: during compression and during restitution.
 const SHOWN: [usize; 4] = [20, 28, 32, 38];
 
@@ -121,6 +140,7 @@ pub(super) fn areas() -> FigureResult {
     for step in SHOWN {
         figure.panel(map(contact(step)?, step));
     }
+    sticking(&mut figure, &spheres, &run)?;
     let part = |step: usize| Ok::<f64, Failure>(stick(contact(step)?));
     let hole = |step: usize| -> Result<f64, Failure> {
         let lines = contact(step)?.stick_outlines();
@@ -168,6 +188,27 @@ pub(super) fn areas() -> FigureResult {
         "50 steps of equal time within Hertz's duration; the thesis's steps are not stated",
     );
     Ok(figure)
+}
+
+/// The part of the contact that sticks, on the grid and by rings.
+fn sticking(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(), Failure> {
+    let seen = std::cell::RefCell::new(Vec::new());
+    spheres.by_rings(LAMBDA, 0.0, STEPS, |law| seen.borrow_mut().push(law.sticking()))?;
+    let rings = seen.into_inner();
+    let on_grid: Vec<f64> = run.iter().filter_map(|at| at.contact.as_ref()).map(stick).collect();
+    let over_time = |parts: &[f64]| -> Vec<(f64, f64)> {
+        parts.iter().zip(run.iter().skip(1)).map(|(part, at)| (1e3 * at.time, *part)).collect()
+    };
+    let mut panel = Panel::new("t in ms", "part of the contact that sticks").titled("all steps");
+    panel.add(Series::line("elements", over_time(&on_grid)));
+    panel.add(Series::dashed("rings", over_time(&rings)));
+    figure.panel(panel);
+    let off = on_grid.iter().zip(&rings).map(|(a, b)| (a - b).abs());
+    let mean = off.sum::<f64>() / on_grid.len().max(1) as f64;
+    figure
+        .at_most("rings and elements: the part that sticks, in the mean", mean, 0.05)
+        .source("16 rings by 16 angles; they share no code with the grid");
+    Ok(())
 }
 
 /// How many cells differ from their mirror images.

@@ -8,6 +8,7 @@ use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::rings::{RingLaw, Tolerance};
 use carom_solver::{CellState, ContactState, NumericalLaw};
 use nalgebra::{Matrix3, Vector3};
 
@@ -15,6 +16,10 @@ use nalgebra::{Matrix3, Vector3};
 pub(super) const SHEAR_MODULUS: f64 = 82e9;
 /// Tolerance of each step.
 const TOLERANCE: f64 = 1e-7;
+const RING_TOLERANCE: f64 = 1e-6;
+
+/// The law of rings beside the grid: as many rings as there are cells along a radius.
+pub(super) type FineRings = RingLaw<16, 16>;
 
 /// Two spheres of the same size and mass; SI units.
 #[derive(Debug, Clone, Copy)]
@@ -111,6 +116,24 @@ impl Spheres {
         let step = self.normal()?.duration() / steps as f64;
         let slip = lambda * self.friction * self.speed;
         self.swing(law, [slip, 0.0, self.speed, spin], step, |law| law.state().cloned())
+    }
+
+    /// The same by rings; `see` sees the law after each step.
+    pub(super) fn by_rings(
+        &self,
+        lambda: f64,
+        spin: f64,
+        steps: usize,
+        see: impl Fn(&FineRings),
+    ) -> Result<Vec<Instant>, Failure> {
+        let tolerance = Tolerance::new(RING_TOLERANCE)?;
+        let law = FineRings::new(&self.hertz()?, Friction::new(self.friction)?, tolerance)?;
+        let step = self.normal()?.duration() / steps as f64;
+        let slip = lambda * self.friction * self.speed;
+        self.swing(law, [slip, 0.0, self.speed, spin], step, |law| {
+            see(law);
+            None
+        })
     }
 
     /// The same with any law.

@@ -57,11 +57,9 @@ pub(super) fn draw() -> FigureResult {
     for (i, (spin, curve)) in SPINS.iter().zip(&curves).enumerate() {
         let points: Vec<_> = LAMBDAS.into_iter().zip(curve.iter().copied()).collect();
         let label = format!("{spin} Hz, ω_N = {:.2}", omega_n(*spin));
-        if i == 2 {
-            panel.add(Series::line("", points.clone()).coloured(i));
-        }
         panel.add(Series::markers(label, Marker::Circle, points).coloured(i));
     }
+    rings(&mut figure, &mut panel, &spheres, &curves)?;
     figure.panel(panel);
     claims(&mut figure, &spheres, &curves)?;
     figure.deviation(
@@ -70,6 +68,36 @@ pub(super) fn draw() -> FigureResult {
         "with ξ̇₀ it would depend on λ; the text speaks of the normal velocity",
     );
     Ok(figure)
+}
+
+/// Lines by rings beside the circles of the grid, in as many steps.
+fn rings(
+    figure: &mut Figure,
+    panel: &mut Panel,
+    spheres: &Spheres,
+    curves: &[&[f64]],
+) -> Result<(), Failure> {
+    let at = |lambda: f64, spin: f64| -> Result<f64, Failure> {
+        let run = spheres.by_rings(lambda, TAU * spin, STEPS, |_| ())?;
+        let [first, .., last] = &run[..] else { return Err("no impact".into()) };
+        Ok(-last.rate[0] / first.rate[0])
+    };
+    let mut off = Vec::new();
+    for (i, (spin, curve)) in SPINS.iter().zip(curves).enumerate().skip(1) {
+        let line = crate::linspace(0.25, 7.0, 55);
+        let line: Result<Vec<_>, Failure> =
+            line.into_par_iter().map(|lambda| Ok((lambda, at(lambda, *spin)?))).collect();
+        let label = if i == 1 { "rings" } else { "" };
+        panel.add(Series::line(label, line?).coloured(i));
+        for (lambda, on_grid) in LAMBDAS.iter().zip(*curve) {
+            off.push((lambda.min(1.0) * (at(*lambda, *spin)? - on_grid)).abs());
+        }
+    }
+    let most = off.iter().copied().fold(0.0, f64::max);
+    figure
+        .at_most("min(λ, 1) R_x by rings, against the circles", most, 0.01)
+        .source("the grid of this figure, 16 × 16 in 50 steps");
+    Ok(())
 }
 
 fn claims(figure: &mut Figure, spheres: &Spheres, curves: &[&[f64]]) -> Result<(), Failure> {

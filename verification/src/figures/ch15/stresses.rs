@@ -5,14 +5,17 @@ use carom_laws::friction::Friction;
 use carom_laws::shift_law::ShiftLaw;
 use carom_solver::{CellState, ContactState};
 
-use super::numerical::{Instant, Spheres, stick};
-use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Series};
+use super::numerical::{FineRings, Instant, Spheres, stick};
+use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
+use std::cell::RefCell;
 
 const SHOWN: [usize; 5] = [10, 25, 35, 40, 45];
 const STEPS: usize = 50;
 const CELLS: usize = 28;
 const LAMBDA: f64 = 1.0;
 const POISSON: f64 = 0.5;
+/// Angles of a ring in a turn.
+const ANGLES: usize = 16;
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
@@ -36,7 +39,15 @@ pub(super) fn draw() -> FigureResult {
         let points = points.into_iter().map(|(x, t, _)| (x / radius, t / unit));
         panel.add(Series::line(format!("step {step}"), points).coloured(colour));
     }
+    let by_rings = rings(&spheres)?;
+    for (colour, step) in SHOWN.into_iter().enumerate() {
+        let label = if colour == 0 { "rings" } else { "" };
+        let points = by_rings.get(step - 1).ok_or("no contact")?;
+        let points = points.iter().map(|(x, t)| (x / radius, t / unit));
+        panel.add(Series::markers(label, Marker::Circle, points).coloured(colour));
+    }
     figure.panel(panel);
+    claim_rings(&mut figure, [unit, radius], &by_rings, &contact)?;
     for step in [25, 35, 40] {
         figure.panel(arrows(contact(step)?, step, radius));
     }
@@ -57,6 +68,67 @@ pub(super) fn draw() -> FigureResult {
         .all_close("where it slips the stress is -f p along x", pairs, Absolute(0.05))
         .source("Coulomb's law; for ν = 1/2 the stress turns by less than 18 degrees");
     Ok(figure)
+}
+
+/// Places along the middle and tractions along x there.
+type Row = Vec<(f64, f64)>;
+
+/// The tractions of rings along the middle, step by step.
+fn rings(spheres: &Spheres) -> Result<Vec<Row>, Failure> {
+    let hertz = spheres.hertz()?;
+    let seen = RefCell::new(Vec::new());
+    let run = spheres.by_rings(LAMBDA, 0.0, STEPS, |law| seen.borrow_mut().push(along(law)))?;
+    let rows = seen.into_inner().into_iter().zip(run.iter().skip(1));
+    rows.map(|(row, at)| {
+        let radius = hertz.ellipse(at.shift.zeta)?.semi_axis_a();
+        Ok(row.into_iter().map(|(x, traction)| (radius * x, traction)).collect())
+    })
+    .collect()
+}
+
+/// The middle of each ring on both sides over the contact radius, and the traction along x there.
+fn along(law: &FineRings) -> Row {
+    let mut inner = 0.0;
+    let mut row = Vec::new();
+    for (ring, (edge, _)) in law.slipping().enumerate() {
+        let middle = 0.5 * (inner + f64::min(edge, 1.0));
+        inner = edge;
+        // Half a turn further, the radial traction points against x.
+        let sides = [(0, 1.0), (ANGLES / 2, -1.0)];
+        let radial = |(angle, sign): (usize, f64)| {
+            Some((sign * middle, sign * law.traction(ring, angle)?[0]))
+        };
+        row.extend(sides.into_iter().filter_map(radial));
+    }
+    row
+}
+
+/// Rings against the cells beside them.
+fn claim_rings<'a>(
+    figure: &mut Figure,
+    [unit, radius]: [f64; 2],
+    by_rings: &[Row],
+    contact: &impl Fn(usize) -> Result<&'a ContactState, Failure>,
+) -> Result<(), Failure> {
+    let mut off = Vec::new();
+    for step in SHOWN {
+        let cells = middle_row(contact(step)?);
+        let width = 2.0 * radius / CELLS as f64;
+        for (x, traction) in by_rings.get(step - 1).ok_or("no contact")? {
+            // At the rim a ring and a cell are means over different places.
+            let beside = cells.windows(2).skip(1).find(|pair| (pair[0].0..pair[1].0).contains(x));
+            if let Some([(x_0, t_0, _), (_, t_1, _)]) = beside {
+                let between = t_0 + (t_1 - t_0) * (x - x_0) / width;
+                off.push((between - traction).abs() / unit);
+            }
+        }
+    }
+    let mean = off.iter().sum::<f64>() / off.len().max(1) as f64;
+    figure.at_least("rings that lie between two cells", off.len() as f64, 100.0).source("a count");
+    figure
+        .at_most("tractions by rings, in the mean of these", mean, 0.02)
+        .source("the grid of this figure");
+    Ok(())
 }
 
 /// x, traction and pressure of the cells in contact along the row above the middle.
