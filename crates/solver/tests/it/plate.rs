@@ -89,7 +89,9 @@ fn paraboloids_press_as_in_an_independent_program() {
         assert!((approach / number("approach") - 1.0).abs() < allowed, "{case}: {approach}");
         let pairs = by_force.pressure.values().iter().zip(state.pressure.values());
         let apart = pairs.map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
-        assert!(apart < 1e-6 * most, "{case}: {apart}");
+        // Pressures lose the digits of the condition, gaps and loads do not.
+        let alike = if stiff { 1e-3 } else { 1e-6 };
+        assert!(apart < alike * most, "{case}: {apart}");
     }
 }
 
