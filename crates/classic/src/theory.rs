@@ -4,7 +4,7 @@
 //! The area is that of a flat punch: all its elements are in contact. Either all stick (13.2) or
 //! all slip along x (13.1), (13.3).
 
-use carom_halfspace::operator::SurfaceOperator;
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use carom_halfspace::{Field, MaterialPair};
 use carom_special::RangeError;
 use faer::Mat;
@@ -22,6 +22,9 @@ pub enum TheoryError {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
+    /// The operator has no table of coefficients.
+    #[error(transparent)]
+    Operator(#[from] OperatorError),
     /// The eigenvalues of a matrix did not converge, or the matrix was singular.
     #[error("the eigenvalues of a matrix with {rows} rows did not converge")]
     NoEigenvalues {
@@ -78,7 +81,7 @@ impl ContactArea {
             (0..touches.values().len()).filter(|&i| touches.values()[i]).collect();
         let holds = (1..=MOST_ELEMENTS).contains(&cells.len());
         RangeError::check("elements", cells.len() as f64, holds, "from 1 to 1000")?;
-        Ok(Self { influence: Influence::new(operator), cells })
+        Ok(Self { influence: Influence::new(operator)?, cells })
     }
 
     /// The number of elements.

@@ -47,7 +47,7 @@ impl Roll {
     /// Solves one step of rolling from one state to the next.
     ///
     /// # Errors
-    /// [`RollingError`] for a distance that is not positive, a contact too close to the leading
+    /// [`RollingError`] for an operator that is not translation-invariant, a distance that is not positive, a contact too close to the leading
     /// border, and if the method fails.
     pub fn step(
         &self,
@@ -58,6 +58,7 @@ impl Roll {
         scratch: &mut FrictionalScratch,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, RollingError> {
+        problem.operator().check_invariant()?;
         self.creepage.check()?;
         let shift = columns(problem, self.distance)?;
         let before = ahead(from, shift);

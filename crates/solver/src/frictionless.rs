@@ -4,6 +4,7 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField,
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
+use crate::accuracy::{GridWarning, Side};
 use crate::convergence::{Convergence, Observer, Stop};
 use crate::drive::{Drive, Driven};
 use crate::method::Method;
@@ -53,6 +54,14 @@ pub enum NormalError {
     /// No load on a periodic surface gives the prescribed approach.
     #[error(transparent)]
     Period(#[from] PeriodError),
+    /// The contact reaches a border along which the body is held, such as the edge of a plate.
+    #[error(
+        "the contact reaches the {side} border, where the body is held and pressure has no meaning"
+    )]
+    HeldBorder {
+        /// The border that it reaches.
+        side: Side,
+    },
     /// The problem has friction, which this method does not treat.
     #[error("the surfaces have friction, which this method does not support")]
     Friction,
@@ -169,6 +178,11 @@ impl Frictionless {
         to.pressure.values_mut().copy_from_slice(pressure);
         for (cell, pressure) in to.cells.values_mut().iter_mut().zip(pressure) {
             *cell = if *pressure > 0.0 { CellState::Slip } else { CellState::Exterior };
+        }
+        if !operator.validity().contact_at_border
+            && let Some(side) = GridWarning::border(to.extent(), to.pressure.grid()).next()
+        {
+            return Err(NormalError::HeldBorder { side });
         }
         if operator.is_coupled() {
             let displacements = DisplacementField::tangential(

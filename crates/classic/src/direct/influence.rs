@@ -1,7 +1,7 @@
 //! The coefficients of every offset, stored so that the rows of the matrix are contiguous.
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::SurfaceOperator;
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
 /// The coefficients (4.14) at all offsets of a grid. By (4.23) they depend on the offset only, so
 /// that a row of the whole matrix is a window of this table.
@@ -16,11 +16,18 @@ impl Influence {
     /// The displacements minus those of the same tractions `shift` columns further along x: the
     /// change of displacement of a particle that comes from there, for steady tractions. Between
     /// two columns they are interpolated.
-    pub(crate) fn rolled(operator: &dyn SurfaceOperator, shift: f64) -> Self {
+    ///
+    /// # Errors
+    /// [`OperatorError::NotInvariant`].
+    pub(crate) fn rolled(
+        operator: &dyn SurfaceOperator,
+        shift: f64,
+    ) -> Result<Self, OperatorError> {
+        operator.check_invariant()?;
         let whole = shift.floor();
         let (columns, part) = (whole as i32, shift - whole);
         let at = |c: i32, r: i32| operator.coefficients(c, r).rows;
-        Self::tabulate(operator.grid(), |c, r| {
+        Ok(Self::tabulate(operator.grid(), |c, r| {
             let (near, far) = (at(c - columns, r), at(c - columns - 1, r));
             let mut rows = at(c, r);
             for axis in 0..2 {
@@ -30,11 +37,15 @@ impl Influence {
                 }
             }
             rows
-        })
+        }))
     }
 
-    pub(crate) fn new(operator: &dyn SurfaceOperator) -> Self {
-        Self::tabulate(operator.grid(), |columns, rows| operator.coefficients(columns, rows).rows)
+    /// # Errors
+    /// [`OperatorError::NotInvariant`].
+    pub(crate) fn new(operator: &dyn SurfaceOperator) -> Result<Self, OperatorError> {
+        operator.check_invariant()?;
+        let rows_at = |columns, rows| operator.coefficients(columns, rows).rows;
+        Ok(Self::tabulate(operator.grid(), rows_at))
     }
 
     fn tabulate(grid: Grid, rows_at: impl Fn(i32, i32) -> [[f64; 3]; 3]) -> Self {
@@ -158,7 +169,7 @@ mod tests {
         let [one, two] = [0.1, 0.45].map(|nu| Material::from_shear(1.0, nu).unwrap());
         let pair = MaterialPair::new(one, two).unwrap();
         let operator = HalfSpaceOperator::new(pair, grid).unwrap();
-        let influence = Influence::new(&operator);
+        let influence = Influence::new(&operator).unwrap();
         let wave = |phase: f64| (0..35).map(|i| (phase + 1.7 * f64::from(i)).sin()).collect();
         let tractions: [Vec<f64>; 3] = [0.0, 1.0, 2.0].map(wave);
         let mut found = [(); 3].map(|()| vec![0.0; 35]);

@@ -148,7 +148,7 @@ impl Method for DiscGaussSeidel {
         Demand::check(problem)?;
         let outcome = Outcome::new(problem.grid().cells());
         Ok(DiscScratch {
-            influence: Influence::new(problem.operator()),
+            influence: Influence::new(problem.operator())?,
             outcome,
             changes: Vec::new(),
         })

@@ -35,7 +35,7 @@ impl Method for GaussSeidel {
         Demand::check(problem)?;
         let cells = problem.grid().cells();
         Ok(GaussSeidelScratch {
-            influence: Influence::new(problem.operator()),
+            influence: Influence::new(problem.operator())?,
             outcome: Outcome::new(cells),
             directions: Directions::new(cells),
             trace: Trace::default(),

@@ -59,7 +59,7 @@ pub struct KalkerScratch {
 
 impl KalkerScratch {
     pub(super) fn new(problem: &ContactProblem) -> Result<Self, DirectError> {
-        Self::with_influence(problem, Influence::new(problem.operator()))
+        Self::with_influence(problem, Influence::new(problem.operator())?)
     }
 
     /// For steady rolling: with the coefficients of u(x) - u(x + columns dx), for a contact that
@@ -68,7 +68,7 @@ impl KalkerScratch {
     /// # Errors
     /// [`DirectError`] for a problem that these processes cannot solve.
     pub fn rolling(problem: &ContactProblem, columns: f64) -> Result<Self, DirectError> {
-        Self::with_influence(problem, Influence::rolled(problem.operator(), columns))
+        Self::with_influence(problem, Influence::rolled(problem.operator(), columns)?)
     }
 
     fn with_influence(problem: &ContactProblem, influence: Influence) -> Result<Self, DirectError> {

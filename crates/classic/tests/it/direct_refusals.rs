@@ -1,9 +1,13 @@
 //! The methods of chapters 11 and 12 return errors for problems that they cannot solve.
 
+use std::sync::Arc;
+
 use carom_classic::DirectError;
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel, Most};
-use carom_classic::kalker::{Johnson, Kombi, Panagiotopoulos};
-use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_classic::kalker::{Johnson, KalkerScratch, Kombi, Panagiotopoulos};
+use carom_classic::theory::{ContactArea, TheoryError};
+use carom_halfspace::operator::{OperatorError, Plate, PlateOperator, PlateSymbol, Threads};
+use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
@@ -110,4 +114,27 @@ fn bodies_apart_need_no_iterations_and_no_friction_no_directions() {
     check(&DiscGaussSeidel::default());
     check(&Panagiotopoulos::default());
     check(&Kombi::default());
+}
+
+/// The influence on a plate is not a function of the offset: every method that tabulates it
+/// refuses.
+#[test]
+fn plates_are_refused() {
+    let plate = Plate::new(1.0, 1.0, 0.1).unwrap();
+    let pane = Material::from_young(1.0, 0.3).unwrap();
+    let pair = MaterialPair::new(Material::RIGID, pane).unwrap();
+    let grid = plate.grid(8, 8).unwrap();
+    let operator = PlateOperator::new(pair, plate, grid, PlateSymbol::Layer, Threads::One).unwrap();
+    let area = ContactArea::new(&operator, &Field::uniform(grid, true));
+    assert_eq!(area.err(), Some(TheoryError::Operator(OperatorError::NotInvariant)));
+    let gap = Gap::sphere(grid, 1.0).unwrap();
+    let problem = ContactProblem::new(gap, Arc::new(operator), Friction::new(0.3).unwrap());
+    let problem = problem.unwrap();
+    let refused = Some(DirectError::Operator(OperatorError::NotInvariant));
+    assert_eq!(GaussSeidel::default().scratch(&problem).err(), refused);
+    assert_eq!(DiscGaussSeidel::default().scratch(&problem).err(), refused);
+    assert_eq!(Johnson::default().scratch(&problem).err(), refused);
+    assert_eq!(Panagiotopoulos::default().scratch(&problem).err(), refused);
+    assert_eq!(Kombi::default().scratch(&problem).err(), refused);
+    assert_eq!(KalkerScratch::rolling(&problem, 0.5).err(), refused);
 }

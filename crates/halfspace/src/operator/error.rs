@@ -45,6 +45,12 @@ pub enum OperatorError {
         /// The traction that was given.
         by: &'static str,
     },
+    /// A method needs influences that depend on the offset of two cells alone.
+    #[error(
+        "the influence of a cell depends on its place, as on a plate: this method needs an operator that is \
+         translation-invariant"
+    )]
+    NotInvariant,
     /// A line of a table of coefficients cannot be read.
     #[error("line {line} of the table: {reason}")]
     Table {

@@ -1,11 +1,11 @@
-//! Translation-invariant influence on a grid: the effect of one cell on another depends on their
-//! offset.
+//! The influence of tractions on displacements on a grid.
 //!
-//! [`SurfaceOperator`] offers two views: `apply`, the product with all cells by zero-padded Fourier
-//! transforms (exact to rounding, not periodic), and `coefficients`, single entries for dense and
-//! Gauss-Seidel solvers. [`HalfSpaceOperator`] is the elastic half-space of (4.14),
-//! [`PeriodicOperator`] the half-space under periodic tractions, [`TabulatedKernel`] a measured or
-//! computed point response of another body (section 16.2).
+//! [`SurfaceOperator`] offers two views: `apply`, the product with all cells by Fourier transforms
+//! (exact to rounding), and, where the effect of one cell on another depends on their offset alone,
+//! `coefficients`, single entries for dense and Gauss-Seidel solvers. [`HalfSpaceOperator`] is the
+//! elastic half-space of (4.14), [`PeriodicOperator`] the half-space under periodic tractions,
+//! [`TabulatedKernel`] a measured or computed point response of another body (section 16.2),
+//! [`PlateOperator`] a rectangular plate (proposition 3), which is not translation-invariant.
 
 mod error;
 mod field;
@@ -15,6 +15,8 @@ mod memory;
 mod passes;
 mod periodic;
 mod plan;
+mod plate;
+mod preconditioner;
 mod product;
 mod spectrum;
 mod table;
@@ -22,6 +24,7 @@ mod tabulated;
 mod threads;
 mod toeplitz;
 mod torus;
+mod validity;
 mod workspace;
 
 pub use error::OperatorError;
@@ -29,16 +32,21 @@ pub use field::{Axis, DisplacementField, TractionField};
 pub use interior::{InteriorStress, StressField};
 pub use length::transform_length;
 pub use periodic::PeriodicOperator;
+pub use plate::{Plate, PlateOperator, PlateSymbol};
+pub use preconditioner::Preconditioner;
 pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{KernelOperator, TabulatedKernel};
 pub use threads::Threads;
 pub use toeplitz::HalfSpaceOperator;
 pub use torus::TorusInverse;
+pub use validity::Validity;
 pub use workspace::Workspace;
+
+use std::sync::Arc;
 
 use crate::{Coefficients, Grid};
 
-/// A translation-invariant influence of tractions on displacements on one grid.
+/// An influence of tractions on displacements on one grid.
 pub trait SurfaceOperator: Send + Sync {
     /// The grid.
     fn grid(&self) -> Grid;
@@ -59,12 +67,32 @@ pub trait SurfaceOperator: Send + Sync {
         true
     }
 
+    /// Whether the influence of one cell on another depends on their offset alone (4.23). If not,
+    /// methods that need [`SurfaceOperator::coefficients`] of all offsets refuse the operator.
+    fn is_invariant(&self) -> bool {
+        true
+    }
+
+    /// Checks that the operator is translation-invariant, for methods that need it.
+    ///
+    /// # Errors
+    /// [`OperatorError::NotInvariant`].
+    fn check_invariant(&self) -> Result<(), OperatorError> {
+        self.is_invariant().then_some(()).ok_or(OperatorError::NotInvariant)
+    }
+
+    /// Where the theory behind the operator ends; without bounds unless overridden.
+    fn validity(&self) -> Validity {
+        Validity::default()
+    }
+
     /// The nine coefficients for a source `columns` cells along x and `rows` cells along y from the
-    /// receiver, n - k and m - j in (4.23); zero beyond the extent of the grid.
+    /// receiver, n - k and m - j in (4.23); zero beyond the extent of the grid. If the operator is
+    /// not [invariant](SurfaceOperator::is_invariant), those of the middle cell, as a scale.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
 
     /// An approximate inverse, used as preconditioner; `None` if the operator has none.
-    fn inverse(&self) -> Option<TorusInverse> {
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
         None
     }
 

@@ -1,6 +1,7 @@
 //! The half-space under tractions that are periodic with the sides of the grid.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use super::length::Sizes;
 use super::memory;
@@ -8,8 +9,8 @@ use super::plan::Plan;
 use super::product::{Term, apply};
 use super::spectrum::{Parity, Spectrum};
 use super::{
-    Axis, DisplacementField, OperatorError, SurfaceOperator, Threads, TorusInverse, TractionField,
-    Workspace,
+    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads, TorusInverse,
+    TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
 use carom_special::RangeError;
@@ -186,8 +187,8 @@ impl SurfaceOperator for PeriodicOperator {
         Coefficients { rows: [0, 1, 2].map(|of| [0, 1, 2].map(|by| entry(of, by))) }
     }
 
-    fn inverse(&self) -> Option<TorusInverse> {
-        Some(self.inverse.clone())
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
+        Some(Arc::new(self.inverse.clone()))
     }
 
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {

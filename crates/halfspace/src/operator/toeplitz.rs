@@ -9,8 +9,8 @@ use super::product::{Term, apply};
 use super::spectrum::Spectrum;
 use super::table::Entry;
 use super::{
-    Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, SurfaceOperator, Threads,
-    TorusInverse, TractionField, Workspace,
+    Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, Preconditioner,
+    SurfaceOperator, Threads, TorusInverse, TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
 use carom_special::RangeError;
@@ -166,8 +166,8 @@ impl SurfaceOperator for HalfSpaceOperator {
         self.table.coefficients(columns, rows)
     }
 
-    fn inverse(&self) -> Option<TorusInverse> {
-        Some(self.inverse.clone())
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
+        Some(Arc::new(self.inverse.clone()))
     }
 
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {

@@ -8,7 +8,7 @@ use super::length::Sizes;
 use super::plan::Plan;
 use super::product::{self, Term};
 use super::spectrum::{Parity, Spectrum};
-use super::{Threads, Workspace};
+use super::{Preconditioner, Threads, Workspace};
 use crate::{Grid, MaterialPair};
 
 /// Tractions from displacements for a half-space that is periodic with the sides of the grid. It is
@@ -54,23 +54,16 @@ impl TorusInverse {
         let (normal, tangential) = (OnceLock::new(), OnceLock::new());
         Self { plan, blocks: Arc::new(TorusBlocks { pair: *pair, grid, normal, tangential }) }
     }
+}
 
-    /// The pressure that causes this normal displacement; both in the order of the grid.
-    ///
-    /// # Panics
-    /// If the length of a field differs from the number of cells.
-    pub fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
+impl Preconditioner for TorusInverse {
+    fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
         let mut terms = [[None; 3]; 3];
         terms[0][0] = Some(term(self.blocks.normal(&self.plan.sizes)));
         self.plan.product(&[displacement], &terms, &mut [pressure], workspace);
     }
 
-    /// The tangential tractions that cause these displacements. Displacements that are `None` are
-    /// zero; tractions that are `None` are not computed.
-    ///
-    /// # Panics
-    /// As [`TorusInverse::pressure`].
-    pub fn traction(
+    fn traction(
         &self,
         displacement: [Option<&[f64]>; 2],
         traction: [Option<&mut [f64]>; 2],

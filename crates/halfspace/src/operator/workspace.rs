@@ -5,6 +5,7 @@ use rustfft::num_complex::Complex64;
 
 use super::length::BLOCK;
 use super::plan::Plan;
+use super::plate::SineSpace;
 use super::threads::Threads;
 
 /// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
@@ -17,6 +18,7 @@ pub struct Workspace {
     /// Column results of the displacements, by column, displacement, row.
     pub(crate) columns: Vec<Complex64>,
     pub(crate) lanes: Vec<Lane>,
+    pub(super) sines: SineSpace,
 }
 
 /// Working memory of one thread.
@@ -67,12 +69,12 @@ fn grow(buffer: &mut Vec<Complex64>, length: usize) {
 }
 
 /// Runs `work(part, lane, share)` for the shares of `data` of length `share`, one a lane.
-pub(crate) fn each<T: Send>(
+pub(crate) fn each<L: Send, T: Send>(
     threads: Threads,
-    lanes: &mut [Lane],
+    lanes: &mut [L],
     data: &mut [T],
     share: usize,
-    work: impl Fn(usize, &mut Lane, &mut [T]) + Sync + Send,
+    work: impl Fn(usize, &mut L, &mut [T]) + Sync + Send,
 ) {
     match threads {
         Threads::One => {

@@ -6,5 +6,6 @@ mod interior;
 mod interior_field;
 mod operator;
 mod periodic;
+mod plate;
 mod point_load;
 mod rectangle;

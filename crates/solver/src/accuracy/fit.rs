@@ -299,7 +299,7 @@ fn pilot<E>(
 pub(crate) fn border(state: &ContactState) -> Option<Side> {
     state.warnings().into_iter().find_map(|grid_warning| match grid_warning {
         GridWarning::Border { side } => Some(side),
-        GridWarning::FewCells { .. } => None,
+        GridWarning::FewCells { .. } | GridWarning::LargeDisplacement { .. } => None,
     })
 }
 

@@ -1,5 +1,10 @@
-//! Warnings about the grid: the window cuts the contact off, or the cells are too coarse.
+//! Warnings about a solution: the window cuts the contact off, the cells are too coarse, or a
+//! displacement is too large for the theory of the operator.
 
+use carom_halfspace::Grid;
+use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
+
+use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
 /// A contact narrower than this number of cells is poorly resolved.
@@ -18,11 +23,22 @@ pub enum Side {
     Top,
 }
 
-/// A reason why the grid may be unsuitable for a solution.
+impl std::fmt::Display for Side {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Bottom => "bottom",
+            Self::Top => "top",
+        })
+    }
+}
+
+/// A reason to distrust a solution.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum GridWarning {
     /// The contact reaches the border of the window and may be cut off.
-    #[error("the contact reaches the {side:?} border of the window")]
+    #[error("the contact reaches the {side} border of the window")]
     Border {
         /// The border that it reaches.
         side: Side,
@@ -33,15 +49,70 @@ pub enum GridWarning {
         /// The number of cells across its narrower direction.
         across: usize,
     },
+    /// The normal displacement is too large for the linear theory of the operator: above half the
+    /// thickness, a plate stretches.
+    #[error("the displacement {displacement} exceeds {allowed}, up to which the theory holds")]
+    LargeDisplacement {
+        /// The greatest normal displacement.
+        displacement: f64,
+        /// Where the theory ends.
+        allowed: f64,
+    },
+}
+
+/// The first and last column and row in contact.
+type Extent = [[usize; 2]; 2];
+
+impl GridWarning {
+    /// The borders of the grid that a contact reaches.
+    pub(crate) fn border(extent: Option<Extent>, grid: Grid) -> impl Iterator<Item = Side> {
+        let sides = extent.map(|[x, y]| {
+            [
+                (x[0] == 0, Side::Left),
+                (x[1] + 1 == grid.nx(), Side::Right),
+                (y[0] == 0, Side::Bottom),
+                (y[1] + 1 == grid.ny(), Side::Top),
+            ]
+        });
+        sides.into_iter().flatten().filter(|(at, _)| *at).map(|(_, side)| side)
+    }
+}
+
+impl ContactProblem {
+    /// Warnings about a state of this problem: those of [`ContactState::warnings`], and a normal
+    /// displacement beyond the [validity](carom_halfspace::operator::Validity) of the operator,
+    /// which costs a product.
+    ///
+    /// # Errors
+    /// [`OperatorError`] if the state is on another grid.
+    pub fn warnings(&self, state: &ContactState) -> Result<Vec<GridWarning>, OperatorError> {
+        let (operator, mut warnings) = (self.operator(), state.warnings());
+        let allowed = operator.validity().displacement;
+        if allowed.is_finite() {
+            let pressure = state.pressure.values();
+            let mut w = vec![0.0; pressure.len()];
+            let displacement = DisplacementField::normal(&mut w);
+            operator.apply(
+                TractionField::normal(pressure),
+                displacement,
+                &mut operator.workspace(),
+            )?;
+            let displacement = w.into_iter().fold(0.0, f64::max);
+            if displacement > allowed {
+                warnings.push(GridWarning::LargeDisplacement { displacement, allowed });
+            }
+        }
+        Ok(warnings)
+    }
 }
 
 impl ContactState {
     /// The first and last column and row of the cells in contact; `None` if the bodies are
     /// separated.
     #[must_use]
-    pub fn extent(&self) -> Option<[[usize; 2]; 2]> {
+    pub fn extent(&self) -> Option<Extent> {
         let grid = self.pressure.grid();
-        let mut extent: Option<[[usize; 2]; 2]> = None;
+        let mut extent: Option<Extent> = None;
         for (i, pressure) in self.pressure.values().iter().enumerate() {
             if *pressure > 0.0 {
                 let at = [i % grid.nx(), i / grid.nx()];
@@ -60,16 +131,8 @@ impl ContactState {
         let (grid, Some([x, y])) = (self.pressure.grid(), self.extent()) else {
             return Vec::new();
         };
-        let sides = [
-            (x[0] == 0, Side::Left),
-            (x[1] + 1 == grid.nx(), Side::Right),
-            (y[0] == 0, Side::Bottom),
-            (y[1] + 1 == grid.ny(), Side::Top),
-        ];
-        let mut warnings: Vec<GridWarning> = sides
-            .iter()
-            .filter(|(at, _)| *at)
-            .map(|(_, side)| GridWarning::Border { side: *side })
+        let mut warnings: Vec<GridWarning> = GridWarning::border(self.extent(), grid)
+            .map(|side| GridWarning::Border { side })
             .collect();
         let across = (x[1] - x[0] + 1).min(y[1] - y[0] + 1);
         if across < FEWEST_CELLS_ACROSS {

@@ -18,6 +18,7 @@ impl Method for Frictional {
     type Scratch = FrictionalScratch;
 
     fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
+        problem.operator().check_invariant()?;
         self.scratch_with(problem, &nested::coarser_operators(problem.operator())?)
     }
 

@@ -10,9 +10,10 @@
 //! displacement fifty times, which would need a line search.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
+    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, TractionField, Workspace,
 };
 
 use super::iteration_state::IterationState;
@@ -26,7 +27,7 @@ const LARGEST_FORCE_ERROR: f64 = 1e-9;
 /// One grid of the normal problem, with its working memory.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
-    pub(super) inverse: Option<TorusInverse>,
+    pub(super) inverse: Option<Arc<dyn Preconditioner>>,
     pub(super) workspace: Workspace,
     /// The influence of a cell on itself.
     pub(super) own: f64,
@@ -76,7 +77,8 @@ impl ActiveSet {
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
-        let mut state = IterationState::default();
+        let patient = !task.operator.is_invariant();
+        let mut state = IterationState { patient, ..IterationState::default() };
         self.begin(task, &mut state)?;
         let normal = self.residual(task);
         if normal <= limits.tolerance && task.pressure.iter().any(|p| *p > 0.0) {
@@ -169,7 +171,7 @@ impl ActiveSet {
         task: &mut NormalTask<'_>,
         state: &mut IterationState,
     ) -> Result<(), OperatorError> {
-        *state = IterationState::rescue(state.products);
+        *state = IterationState::rescue(state.products, state.patient);
         task.pressure.fill(0.0);
         let lowest = task.heights.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         if let Some((cell, _)) = lowest {

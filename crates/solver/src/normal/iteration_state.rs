@@ -5,6 +5,8 @@ use crate::convergence::Products;
 /// The active set changes when the violation of the inequalities exceeds this fraction of the last
 /// step.
 const EAGERNESS: f64 = 0.3;
+/// The same where changes wait for the solution on the present set.
+const PATIENCE: f64 = 100.0;
 /// Fraction of a preconditioned step made when pressures are dropped: a full step overshoots where
 /// the edge moves.
 const DAMPING: f64 = 0.4;
@@ -31,13 +33,18 @@ pub(super) struct IterationState {
     pub(super) held: bool,
     /// Whether the iteration was restarted after losing the contact.
     pub(super) rescued: bool,
+    /// Whether slow changes of the set wait for the solution on the present set, as in Kalker's
+    /// NORM. On a plate one cell moves all others, and an early change of the set may be undone by
+    /// the next one for ever.
+    pub(super) patient: bool,
 }
 
 impl IterationState {
     /// After losing the contact: only pressures are dropped, without a step of the other cells.
-    pub(super) fn rescue(products: Products) -> Self {
+    pub(super) fn rescue(products: Products, patient: bool) -> Self {
         Self {
             products,
+            patient,
             rescued: true,
             slow_changes: CHANGES_BEFORE_DROPPING_ONLY,
             ..Self::default()
@@ -50,11 +57,18 @@ impl IterationState {
 
     /// Fraction of a preconditioned step made when pressures are dropped.
     pub(super) const fn damping(&self) -> f64 {
+        if self.waits() {
+            return 0.0;
+        }
         match self.slow_changes {
             0 | 1 => DAMPING,
             2..CHANGES_BEFORE_DROPPING_ONLY => CAREFUL_DAMPING,
             _ => 0.0,
         }
+    }
+
+    const fn waits(&self) -> bool {
+        self.patient && self.careful()
     }
 
     pub(super) fn changes(&mut self, violation: f64) {
@@ -67,7 +81,11 @@ impl IterationState {
 
     /// Whether the set is to change before the next step.
     pub(super) fn asks_for_change(&self, violation: f64) -> bool {
-        let eagerness = if self.careful() { 1.0 } else { EAGERNESS };
+        let eagerness = match (self.waits(), self.careful()) {
+            (true, _) => PATIENCE,
+            (false, true) => 1.0,
+            (false, false) => EAGERNESS,
+        };
         !self.held && violation > eagerness * self.step
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use carom_halfspace::Grid;
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
+    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, TractionField, Workspace,
     transform_length,
 };
 
@@ -117,7 +117,7 @@ pub(super) struct ContactInfluence {
     pub(super) contact: Contact,
     /// The operator on a box around the contact; `None` if the whole grid is used.
     fewer: Option<Arc<dyn SurfaceOperator>>,
-    inverse: Option<TorusInverse>,
+    inverse: Option<Arc<dyn Preconditioner>>,
     workspace: Workspace,
     /// Fraction of the cells that are in the box.
     part: f64,

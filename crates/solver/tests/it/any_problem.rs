@@ -5,8 +5,8 @@
 use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    DisplacementField, HalfSpaceOperator, OperatorError, PeriodicOperator, SurfaceOperator,
-    Threads, TorusInverse, TractionField, Workspace,
+    DisplacementField, HalfSpaceOperator, OperatorError, PeriodicOperator, Preconditioner,
+    SurfaceOperator, Threads, TractionField, Workspace,
 };
 use carom_halfspace::{Coefficients, Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -60,7 +60,7 @@ impl SurfaceOperator for OneGrid {
         self.0.coefficients(columns, rows)
     }
 
-    fn inverse(&self) -> Option<TorusInverse> {
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
         self.0.inverse()
     }
 

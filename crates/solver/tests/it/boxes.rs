@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    DisplacementField, HalfSpaceOperator, OperatorError, SurfaceOperator, TorusInverse,
+    DisplacementField, HalfSpaceOperator, OperatorError, Preconditioner, SurfaceOperator,
     TractionField, Workspace,
 };
 use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
@@ -30,7 +30,7 @@ impl SurfaceOperator for Whole {
         self.0.coefficients(columns, rows)
     }
 
-    fn inverse(&self) -> Option<TorusInverse> {
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
         self.0.inverse()
     }
 

@@ -18,6 +18,7 @@ mod near_the_limit;
 mod normal;
 mod outlines;
 mod periodic;
+mod plate;
 mod products;
 mod pulled;
 mod results;

@@ -150,7 +150,7 @@ fn follow(
 fn few_cells(followed: &Followed) -> Option<String> {
     let across = followed.state.warnings().into_iter().find_map(|warning| match warning {
         GridWarning::FewCells { across } => Some(across),
-        GridWarning::Border { .. } => None,
+        GridWarning::Border { .. } | GridWarning::LargeDisplacement { .. } => None,
     })?;
     let last = followed.steps.last()?;
     let error = last.estimates.map(|all| Estimates::worst(&[all]));

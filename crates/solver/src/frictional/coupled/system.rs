@@ -1,7 +1,9 @@
 //! Gaps and slips of a task, and its loads.
 
+use std::sync::Arc;
+
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
+    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, TractionField, Workspace,
 };
 use nalgebra::{Matrix4, Vector4};
 
@@ -18,7 +20,7 @@ type Space = [Vec<f64>; 3];
 /// Gaps and slips, with the working memory of the linear system.
 #[derive(Clone)]
 pub(super) struct System {
-    pub(super) inverse: Option<TorusInverse>,
+    pub(super) inverse: Option<Arc<dyn Preconditioner>>,
     pub(super) workspace: Workspace,
     pub(super) centres: [Vec<f64>; 2],
     /// Influence of a tangential traction on its own cell.
