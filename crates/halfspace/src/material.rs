@@ -231,4 +231,15 @@ mod tests {
         }
         assert!(MaterialPair::new(Material::RIGID, Material::RIGID).is_err());
     }
+
+    #[test]
+    fn exchanged_bodies_are_the_pair_in_the_other_order() {
+        let one = Material::from_shear(2.0, 0.1).unwrap();
+        let two = Material::from_shear(5.0, 0.4).unwrap();
+        let (pair, other) =
+            (MaterialPair::new(one, two).unwrap(), MaterialPair::new(two, one).unwrap());
+        assert_eq!(pair.exchanged().body_1(), two);
+        approx::assert_relative_eq!(pair.exchanged().epsilon(), other.epsilon());
+        approx::assert_relative_eq!(pair.exchanged().gamma(), other.gamma());
+    }
 }

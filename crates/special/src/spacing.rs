@@ -42,4 +42,12 @@ mod tests {
         }
         assert_eq!(linspace(2.0, 5.0, 1), [2.0]);
     }
+
+    #[test]
+    fn two_values_are_the_ends() {
+        for stop in [0.7, 3.3, 17.0, 1e-9, 1e23] {
+            assert_eq!(logspace(0.1, stop, 2), [0.1, stop]);
+        }
+        assert_eq!(logspace(0.1, 0.7, 1), [0.1]);
+    }
 }

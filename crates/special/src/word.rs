@@ -86,4 +86,10 @@ mod tests {
         assert_eq!(nearest("F_zx", &["F_x", "F_y", "F_z"]), Some("F_z"));
         assert_eq!(distance("kitten", "sitting"), 3);
     }
+
+    #[test]
+    fn one_wrong_letter_of_a_short_name_is_found() {
+        assert_eq!(nearest("mu", &["nu", "density"]), Some("nu"));
+        assert_eq!(nearest("xy", &["nu", "density"]), None);
+    }
 }

@@ -372,4 +372,12 @@ mod tests {
             ]
         );
     }
+
+    #[test]
+    fn a_renamed_cell_keeps_its_unit_and_several_texts_stay_apart() {
+        let cell = Cell::new("d", "m", "how far", 2.0).named("distance");
+        assert_eq!(labels(&[cell]), ["distance / m"]);
+        let notes = Cell::new("notes", "", "", vec!["a, b".to_owned(), "c".to_owned()]);
+        assert_eq!(texts(&[notes], |x| x.to_string()), ["a, b; c"]);
+    }
 }

@@ -170,3 +170,15 @@ fn boxes_are_what_quadrature_gives() {
     agree(brick.shell(MASS).unwrap(), &faces);
     assert_relative_eq!(brick.volume().unwrap(), whole.measure, max_relative = 1e-13);
 }
+
+#[test]
+fn each_moment_is_at_most_the_sum_of_the_others() {
+    for large in 0..3 {
+        let mut moments = [1.0; 3];
+        moments[large] = 2.1;
+        let error = Inertia::new(MASS, moments).unwrap_err();
+        assert_eq!((error.field, error.value), ("moment of inertia", 2.1));
+        moments[large] = 2.0;
+        assert_eq!(Inertia::new(MASS, moments).unwrap().moments(), moments);
+    }
+}

@@ -457,3 +457,27 @@ fn faces_of_oblong_boxes_meet_where_they_overlap() {
         }
     }
 }
+
+#[test]
+fn the_smaller_of_two_balls_has_the_smallest_radius_and_bounds_the_gap() {
+    let ball = |radius: f64, at: f64| body(Surface::sphere(radius).unwrap(), [0.0, 0.0, at]);
+    for radii in [[2.0, 0.5], [0.5, 2.0]] {
+        let touch = ContactPoint::find(&ball(radii[0], radii[0]), &ball(radii[1], -radii[1]));
+        assert!((touch.unwrap().smallest_radius() - 0.5).abs() < 1e-12);
+    }
+    // A gap of 1e-4 of the small ball, 1e-8 of the large one.
+    let apart = ContactPoint::find(&ball(0.01, 0.01 + 1e-6), &ball(100.0, -100.0));
+    assert!(matches!(apart, Err(SearchError::NotTouching { .. })), "{apart:?}");
+}
+
+#[test]
+fn a_surface_given_at_a_point_bends_by_its_radii() {
+    let radii = PrincipalRadii::new(2.0, 5.0).unwrap();
+    let known = Surface::given([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], radii).unwrap();
+    let below = |x: f64, y: f64| {
+        let met = body(known.clone(), [0.0; 3]).entry(&Vector3::new(x, y, 1.0), &-Vector3::z());
+        met.unwrap() - 1.0
+    };
+    assert!((below(0.1, 0.0) - 0.01 / 4.0).abs() < 1e-9);
+    assert!((below(0.0, 0.1) - 0.01 / 10.0).abs() < 1e-9);
+}

@@ -31,3 +31,19 @@ pub(super) fn of_table(groups: &DissimilarGroups) -> f64 {
         + BY_RINGS * square / (1.0 + square)
         + BY_STRENGTH * strength * strength * REACHED / (lambda + REACHED)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_laws::friction::Friction;
+
+    #[test]
+    fn stronger_coupling_leaves_a_greater_error() {
+        // gamma/f and lambda alike: the error by gamma f is what differs.
+        let of = |size: f64| {
+            let friction = Friction::new(size).unwrap();
+            of_table(&DissimilarGroups::of_spheres(1.0, size, friction, 0.5).unwrap())
+        };
+        assert!(of(0.1) < of(0.25) && of(0.25) < of(0.4));
+    }
+}

@@ -199,3 +199,25 @@ impl Nodes {
         .sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_lies_between_the_middle_two_of_its_four_nodes() {
+        for i in 0..=480 {
+            let part = f64::from(i) / 480.0;
+            let (first, [below, low, high, above]) = near::<25>(part);
+            let x = part * 24.0;
+            if (1.0..=23.0).contains(&x) {
+                // Lagrange's cubic weights have these signs there and nowhere else.
+                assert!(below <= 0.0 && low >= 0.0 && high >= 0.0 && above <= 0.0, "{part}");
+            }
+            // A cubic is met.
+            let cube = |k: usize| ((first + k) as f64).powi(3);
+            let met = below * cube(0) + low * cube(1) + high * cube(2) + above * cube(3);
+            assert!((met - x.powi(3)).abs() < 1e-10 * 24_f64.powi(3), "{part}");
+        }
+    }
+}
