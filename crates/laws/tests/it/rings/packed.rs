@@ -1,6 +1,6 @@
 //! The state as plain numbers.
 
-use super::common::{Random, hertz, law, shift};
+use super::common::{Random, alike, hertz, law, shift, unlike};
 use carom_laws::law::ContactLaw;
 use carom_laws::rings::packed_numbers;
 
@@ -75,4 +75,34 @@ fn numbers_that_are_no_state_are_refused() {
     refuse(6, 30.0, "traction");
     refuse(6, f64::NAN, "slip or traction");
     refuse(6 + 96, 40.0, "traction");
+}
+
+/// Slip and tractions may be kept in single precision: what is lost, over f F_z, is
+/// far below the error of the law.
+#[test]
+fn slip_and_tractions_fit_in_single_precision() {
+    for hertz in [alike(0.3), unlike()] {
+        for twist in [0.0, 0.4] {
+            let (mut kept, mut short) =
+                (law::<6, 8>(&hertz, 0.3, 1e-2), law::<6, 8>(&hertz, 0.3, 1e-2));
+            let mut numbers = vec![0.0; packed_numbers(6, 8)];
+            let mut worst = 0.0_f64;
+            for to in Random(5).path(40, 80, [0.4, twist]) {
+                let expected = kept.advance(to).unwrap();
+                short.advance(to).unwrap();
+                short.pack(&mut numbers).unwrap();
+                for number in &mut numbers[6..] {
+                    *number = f64::from(*number as f32);
+                }
+                short.unpack(&numbers).unwrap();
+                let found = short.load();
+                let limit = 0.3 * expected.f_z;
+                worst =
+                    worst.max((found.f_x - expected.f_x).hypot(found.f_y - expected.f_y) / limit);
+            }
+            // A thousandth of the tolerance to which each step is solved.
+            println!("twist {twist}: {worst:e}");
+            assert!(worst < 1e-5, "{worst:e}");
+        }
+    }
 }
