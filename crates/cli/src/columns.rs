@@ -191,4 +191,20 @@ mod tests {
         assert!(error(&[row(1.0, [0.0; 3]), row(f64::NAN, [0.0; 3])]).contains("x in row 2 = NaN"));
         assert!(check(&[row(1e300, [0.0; 3])]).is_ok());
     }
+
+    #[test]
+    fn a_row_of_a_block_is_counted_from_the_first_of_all() {
+        let row = |x: f64| vec![Cell::new("x", "m", "", x)];
+        let rows = [row(1.0), row(f64::INFINITY), row(2.0)];
+        let error = check_rows(Path::new("a.toml"), &rows, [200, 500], Clone::clone).unwrap_err();
+        assert!(error.to_string().contains("x in row 202 = inf"), "{error}");
+    }
+
+    #[test]
+    fn an_infinity_keeps_its_sign_in_json() {
+        let numbers = [("a", f64::NEG_INFINITY), ("b", f64::INFINITY), ("c", -2.5)];
+        let row = numbers.map(|(name, x)| Cell::new(name, "m", "", x));
+        let written = serde_json::to_value(Fields(&row)).unwrap();
+        assert_eq!(written, serde_json::json!({ "a": "-inf", "b": "inf", "c": -2.5 }));
+    }
 }

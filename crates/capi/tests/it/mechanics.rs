@@ -469,3 +469,23 @@ fn many_restitutions_are_each_of_their_own_pair() {
         assert!(many[0] != many[1] && many[1] != many[2]);
     }
 }
+
+/// The first pair without an answer is named by its place; those before it are written.
+#[test]
+fn an_error_of_many_restitutions_names_its_pair() {
+    let (kappas, lambdas) = ([1.0, 1.2, 3.0, 1.4], [20.0, 35.0, 2.0, 70.0]);
+    for method in [CAROM_BY_TABLE, CAROM_EXACT] {
+        let mut many = [7.0; 4];
+        // SAFETY: plain numbers.
+        let mut error: CaromError = unsafe { zeroed() };
+        // SAFETY: the strides are those of the arrays.
+        let status = unsafe {
+            let (k, l, to) = (kappas.as_ptr(), lambdas.as_ptr(), many.as_mut_ptr());
+            carom_restitution_many(4, k, 8, l, 8, method, to, 8, &mut error)
+        };
+        assert_eq!((status, error.index, error.value), (CaromStatus::OutOfRange, 2, 3.0));
+        near(many[0], -1.0 + 7.0 / 20.0);
+        near(many[1], -1.0 + 7.0 / 35.0);
+        assert_eq!(many[2..], [7.0; 2]);
+    }
+}

@@ -1,6 +1,6 @@
 //! Rigid slip against reference values of chapter 14.
 
-use carom_classic::rigid_slip::{pole_of, spin_about};
+use carom_classic::rigid_slip::{pole_of, rigid_slip, spin_about};
 use carom_laws::ellipse::ContactEllipse;
 
 use crate::reference::{num, tables};
@@ -28,5 +28,24 @@ fn any_pole() {
         let load = spin_about(&circle, 0.0, num(&row["v"])).unwrap();
         assert!((-load.force_x - num(&row["f"])).abs() < 1e-13);
         assert!((load.torque - num(&row["m"])).abs() < 1e-13);
+    }
+}
+
+/// Spin that is slow beside the slip: its tractions lean by x Omega/xi, which makes the torque
+/// f F_z (x^2 in the mean) Omega/xi, of a^2/5 for the pressure of Hertz.
+#[test]
+fn slow_spin_has_a_torque_of_its_own() {
+    for (a, b) in [(1.0_f64, 1.0_f64), (0.2, 3.0), (5.0, 0.4)] {
+        let (ellipse, size) = (ContactEllipse::new(a, b).unwrap(), (a * b).sqrt());
+        for (slow, tolerance) in [(2e-4, 1e-6), (1e-6, 1e-9), (1e-60, 1e-9)] {
+            for (velocity, square) in [([2.0, 0.0], a * a), ([0.0, -2.0], b * b)] {
+                let spin = 2.0 * slow / a.max(b);
+                let load = rigid_slip(&ellipse, velocity, spin).unwrap();
+                let torque = 0.2 * square * (0.5 * spin) / size;
+                assert!((load.torque / torque - 1.0).abs() < tolerance, "{a} {b} {slow}: {load:?}");
+                let sign = 0.5 * (velocity[0] * load.force_x + velocity[1] * load.force_y);
+                assert!((sign - 1.0).abs() < tolerance, "{load:?}");
+            }
+        }
     }
 }

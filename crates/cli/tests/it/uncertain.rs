@@ -59,6 +59,11 @@ fn sliding_follows_the_closed_form() {
     let sd = |spread: &serde_json::Value| spread["sd"].as_f64().unwrap();
     assert!((sd(restitution) / sd(friction) - 7.0).abs() < 1e-10);
     assert!((sd(friction) - 0.1 / 12f64.sqrt()).abs() < 4.0 * 0.45 * 0.0289 / 100.0);
+    // The error of the mean of 10000.
+    for spread in [restitution, friction] {
+        let ratio = spread["standard_error"].as_f64().unwrap() / sd(spread);
+        assert!((ratio - 0.01).abs() < 1e-12, "{ratio}");
+    }
     let counts: u64 = restitution["histogram"]
         .as_array()
         .unwrap()

@@ -43,3 +43,33 @@ fn far_coefficients_are_those_of_the_load_in_a_point() {
         }
     }
 }
+
+/// The error of a point load in the middle falls as the square of width over distance, that of Gauss's four
+/// as its fourth power.
+#[test]
+fn a_thousand_widths_away_a_rectangle_is_more_than_a_point() {
+    let body = Material::from_shear(2.0, 0.3).unwrap();
+    let rectangle = Rectangle::new(WIDTHS[0], WIDTHS[1]).unwrap();
+    let loaded = LoadedRectangle::new(body, rectangle).unwrap();
+    let load = Traction { x: 0.4, y: -0.2, normal: 1.5 };
+    let quarter = 0.25 * WIDTHS[0] * WIDTHS[1];
+    let force = Force { x: 0.4 * quarter, y: -0.2 * quarter, z: 1.5 * quarter };
+    let point = PointLoad::new(body, force).unwrap();
+    let node = 0.5 / f64::sqrt(3.0);
+    for far in [5e2, 2e3, 1e4] {
+        let at = Point { x: 0.5 * far, y: -far, z: 0.7 * far };
+        let nodes = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(|[i, j]| Point {
+            x: at.x + i * node * WIDTHS[0],
+            y: at.y + j * node * WIDTHS[1],
+            z: at.z,
+        });
+        let (stress, moved) = (loaded.stress(load, at).unwrap(), loaded.displacement(load, at));
+        let sum = |of: &dyn Fn(Point) -> f64| nodes.map(of).iter().sum::<f64>();
+        let zz = sum(&|at| point.stress(at).unwrap().zz);
+        let xy = sum(&|at| point.stress(at).unwrap().xy);
+        let w = sum(&|at| point.displacement(at).unwrap().w);
+        assert_relative_eq!(stress.zz, zz, max_relative = 1e-11);
+        assert_relative_eq!(stress.xy, xy, max_relative = 1e-11);
+        assert_relative_eq!(moved.unwrap().w, w, max_relative = 1e-11);
+    }
+}

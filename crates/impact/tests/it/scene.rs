@@ -344,3 +344,15 @@ proptest! {
         }
     }
 }
+
+/// A ball that touches the side of a thin plate has nothing below it.
+#[test]
+fn a_ball_beside_a_plate_falls() {
+    let plate = rigid_wall([0.0; 3], UP, 0.3).rectangle([1.0, 0.0, 0.0], [0.1, 0.3]).unwrap();
+    let scene = Scene::new([0.0, 0.0, -10.0]).unwrap().with(plate);
+    for beside in [[0.1 + RADIUS, 0.0, 0.0], [0.0, -0.3 - RADIUS, 0.0]] {
+        let path = scene.run(&ball(beside, [0.0; 3], [0.0; 3]), limits(0.4, 9)).unwrap();
+        assert_eq!((path.ending(), path.bounces().len()), (Ending::Time, 0), "{beside:?}");
+        assert_relative_eq!(path.last().position.z, -0.8, max_relative = 1e-12);
+    }
+}

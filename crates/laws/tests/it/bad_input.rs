@@ -272,3 +272,22 @@ fn constructors_name_the_wrong_value() {
     }
     assert_eq!(SliderLaw::new(0, 1.0, 1.0).unwrap_err().field, "count");
 }
+
+/// The twist is fine, the shift is not: neither law goes on. In the units of slip it is too large
+/// for a stiff contact of little friction.
+#[test]
+fn a_shift_that_is_refused_leaves_the_twist_too() {
+    let pair = MaterialPair::new(Material::from_shear(1.0, 0.3).unwrap(), Material::RIGID).unwrap();
+    let gap = RelativeCurvature::from_coefficients(0.5, 0.5).unwrap();
+    let hertz = Hertz::new(gap, pair).unwrap();
+    let friction = Friction::new(1e-20).unwrap();
+    let stiff = ContactStiffness::new(1e40, 1e40, 1.0).unwrap();
+    let torsion = TorsionLaw::new(&hertz, Friction::new(0.3).unwrap()).unwrap();
+    let mut law = ShiftTwistLaw::of(ShiftLaw::new(stiff, friction), torsion).unwrap();
+    law.advance(Shift { zeta: 1.0, xi: 0.1, ..Shift::default() }).unwrap();
+    let before = law.clone();
+    let to = Shift { zeta: 1.0, xi: 1e55, eta: 0.0, omega: 1e-3 };
+    assert!(law.torsion().clone().advance(to).is_ok());
+    assert!(law.advance(to).is_err());
+    assert_eq!(law, before);
+}

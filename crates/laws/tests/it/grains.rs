@@ -334,3 +334,31 @@ fn damping_is_ahead_by_the_relaxation_time() {
         assert!((drag / elastic - 1.0).abs() < 1e-5, "{speed}: {drag:e} for {elastic:e}");
     }
 }
+
+/// A pair that accelerates, kept as numbers between any two steps, goes on as the one that was never stored.
+#[test]
+fn a_pair_kept_in_numbers_accelerates_on() {
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let (mut contact, mut numbers) = (fresh(0.1), [0.0; grain_numbers(12)]);
+    let mut place = 0.0;
+    for step in 0..40 {
+        let t = 0.3 * f64::from(step);
+        let velocity = 1e-4 * (t.sin() + 0.5 * (2.3 * t).cos());
+        place += velocity;
+        let body = Grain {
+            place: [place, 0.0, 0.99],
+            velocity: [velocity, -0.4 * velocity, 0.0],
+            spin: [0.0; 3],
+            radius: 1.0,
+        };
+        let meeting = Meeting::on_wall(&body, &wall, 1.0);
+        let load = contact.advance(&meeting, 1.0).unwrap();
+        let mut kept = fresh(0.1);
+        kept.unpack(&numbers).unwrap();
+        let again = kept.advance(&meeting, 1.0).unwrap();
+        kept.pack(&mut numbers).unwrap();
+        for (one, other) in load.force.iter().zip(again.force) {
+            assert!((one - other).abs() <= 1e-12 * load.force[2], "{step}: {load:?} {again:?}");
+        }
+    }
+}

@@ -136,3 +136,35 @@ fn after_separation_a_step_takes_no_work_and_makes_no_heat() {
         assert!((heat - expected).abs() < 1e-9 * expected && expected > 0.0, "{heat} {expected}");
     }
 }
+
+/// A torque is a mean if the gap opens within four steps, and the one at the end if it opens later.
+#[test]
+fn the_torque_is_a_mean_from_four_steps_before_the_gap_opens() {
+    let (hertz, zeta, dt, spin) = (hertz(), 1e-4, 0.1, 2e-3);
+    let matrices = matrices(&hertz);
+    let rings = matrices.contact(hertz.stiffness().c_z, 1.0, Tolerance::PARTICLES).unwrap();
+    for (steps, is_mean) in [(1.5, true), (3.0, true), (3.9, true), (4.1, false), (8.0, false)] {
+        let mut contact = GrainRings::new(&rings, 0.0).unwrap();
+        let mut law = RingLaw::<6, 8>::new(&hertz, friction(), Tolerance::PARTICLES).unwrap();
+        let at = |zeta: f64, t: f64| Shift { zeta, omega: spin * t, ..Shift::default() };
+        law.advance(at(zeta, 0.0)).unwrap();
+        let still = Meeting::on_wall(&grain(1.0 - zeta, 0.0, UP.map(|n| spin * n)), &WALL, 0.5);
+        for k in 1..=10 {
+            contact.advance(&rings, &still, dt).unwrap();
+            law.advance(at(zeta, dt * f64::from(k))).unwrap();
+        }
+        // It rises evenly: gone `steps` after this one.
+        let rise = zeta / (steps + 1.0);
+        let up = grain(1.0 - zeta + rise, rise / dt, UP.map(|n| spin * n));
+        let meeting = Meeting::on_wall(&up, &WALL, 0.5);
+        let got = contact.advance(&rings, &meeting, dt).unwrap().torques[0][2];
+        let mut past = law.clone();
+        let past = past.advance(at(zeta - 0.5 * rise, 10.5 * dt)).unwrap().m_z;
+        let now = law.advance(at(zeta - rise, 11.0 * dt)).unwrap().m_z;
+        let ahead = law.advance(at(zeta - 1.5 * rise, 11.5 * dt)).unwrap().m_z;
+        let mean = 0.5 * now + 0.25 * (past + ahead);
+        assert!((mean / now - 1.0).abs() > 1e-5, "{mean} {now}");
+        let want = if is_mean { mean } else { now };
+        assert!((got / -want - 1.0).abs() < 1e-9, "{steps}: {got} {mean} {now}");
+    }
+}

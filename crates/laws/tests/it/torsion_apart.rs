@@ -4,7 +4,13 @@
 //! Reference torques are those of an independent half-space solver, as in `torsion_rings.rs`: fixed
 //! rings of one width, 0.06 to 0.015 of the radius, extrapolated.
 
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::curvature::RelativeCurvature;
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
+use carom_laws::torsion::law::TorsionLaw;
 
 use crate::common::Random;
 
@@ -172,4 +178,23 @@ fn heat_is_the_same_in_any_steps() {
     let history = TwistHistory::new();
     assert_eq!(history.dissipation(f64::NAN, 0.0), 0.0);
     assert_eq!(history.dissipation(-1.0, 0.0), 0.0);
+}
+
+/// No part of a contact sticks that is none, however the bodies were pressed and twisted before.
+#[test]
+fn separated_bodies_have_no_stick_radius() {
+    let pair = MaterialPair::new(Material::from_shear(1.0, 0.3).unwrap(), Material::RIGID).unwrap();
+    let gap = RelativeCurvature::from_coefficients(0.5, 0.5).unwrap();
+    let hertz = Hertz::new(gap, pair).unwrap();
+    for friction in [0.0, 0.4, f64::INFINITY] {
+        let mut law = TorsionLaw::new(&hertz, Friction::new(friction).unwrap()).unwrap();
+        assert_eq!(law.stick_radius(), 0.0);
+        law.advance(Shift { zeta: 1.0, omega: 0.2, ..Shift::default() }).unwrap();
+        assert_eq!(law.stick_radius() > 0.0, friction > 0.0);
+        for zeta in [0.0, -0.3] {
+            let mut apart = law.clone();
+            apart.advance(Shift { zeta, omega: 0.1, ..Shift::default() }).unwrap();
+            assert_eq!(apart.stick_radius(), 0.0, "f = {friction}, zeta = {zeta}");
+        }
+    }
 }

@@ -214,3 +214,32 @@ fn equal_axes_show_a_circle_as_a_circle_whichever_way_the_data_are_long() {
         assert!((cx[1] - cx[0]).abs() > 200.0 || (cy[1] - cy[0]).abs() > 200.0);
     }
 }
+
+/// Axes fitted to their points leave as much space at one end as at the other, also where they are logarithmic.
+#[test]
+fn fitted_axes_leave_equal_space_at_both_ends() {
+    for (x, y) in [(Axis::log(""), Axis::linear("")), (Axis::linear(""), Axis::log(""))] {
+        let mut panel = Panel::new(x, y);
+        panel.add(Series::markers("", Marker::Dot, [(0.3, 0.02), (5.0, 70.0)]));
+        let (cx, cy, _) = markers(panel);
+        for [low, high] in [[cx[0] - 78.0, 518.0 - cx[1]], [344.0 - cy[0], cy[1] - 34.0]] {
+            assert!(low > 5.0 && (low - high).abs() < 0.03, "{low} {high}");
+        }
+    }
+}
+
+/// The legend names the series from above in the order in which they were added.
+#[test]
+fn the_legend_keeps_the_order_of_the_series() {
+    let mut panel = Panel::new("", "");
+    let labels = ["stick", "slip", "all"];
+    for (i, label) in labels.into_iter().enumerate() {
+        panel.add(Series::line(label, [(0.0, 0.1 * i as f64), (1.0, 0.0)]));
+    }
+    let svg = render("", &[panel]).unwrap();
+    let places = labels.map(|label| {
+        let line = svg.lines().find(|line| line.contains(&format!(">{label}<"))).unwrap();
+        numbers(line, "text", "y", "")[0]
+    });
+    assert!(places[0] < places[1] && places[1] < places[2], "{places:?}");
+}

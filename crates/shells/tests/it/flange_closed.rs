@@ -128,3 +128,22 @@ fn torsion_of_rectangles() {
         assert_eq!(section.in_plane(), turned.out_of_plane());
     }
 }
+
+/// The ring bends more where its stiffness falls, but it does not tear there.
+#[test]
+fn displacement_is_continuous_where_stiffness_jumps() {
+    for kind in [StiffnessKind::InPlane, StiffnessKind::Stretching] {
+        let section = RingStiffness::new(2.0, 0.01, 0.01, 0.01).unwrap();
+        let soft = Sector::new(0.7, 0.4, 0.2).unwrap();
+        let ring = Ring::new(1.0, section).unwrap().with_sectors(kind, &[soft]).unwrap();
+        let solved = Flange::bare(ring).solve(&RingForce::pinch(1.0).unwrap(), 12).unwrap();
+        for border in [0.3, 1.1] {
+            let [before, after] =
+                [-1e-12, 1e-12].map(|beside| solved.displacement(border + beside).radial);
+            assert!(
+                (after - before).abs() < 1e-9 * before.abs(),
+                "{kind:?} {border}: {before} {after}"
+            );
+        }
+    }
+}

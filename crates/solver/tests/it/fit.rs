@@ -156,3 +156,17 @@ fn cones_and_twisted_balls_are_solved_as_asked() {
         assert!(error.abs() < accuracy, "{error}");
     }
 }
+
+/// The first cells are so wide that no centre lies in the contact: it is looked for near the lowest one.
+#[test]
+fn a_small_contact_away_from_the_origin_is_found() {
+    let zeta = 1e-7;
+    let pressed = Drive::by_shift(Shift { zeta, ..Shift::default() });
+    for at in [[0.31, -0.22], [-0.13, 0.42]] {
+        let found = fit(&BALL, at, 0.0, 1.0, 1e-2, &[pressed]).unwrap();
+        let force = 8.0 / 3.0 * f64::powf(zeta, 1.5);
+        assert!((found.history.state().load().f_z / force - 1.0).abs() < 1e-2);
+        let [x, y] = found.window.middle();
+        assert!((x - at[0]).hypot(y - at[1]) < 0.2 * zeta.sqrt(), "{x} {y}");
+    }
+}

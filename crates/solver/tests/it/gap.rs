@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use carom_geometry::{ContactPoint, Placed, Surface};
 use carom_halfspace::{Field, Grid};
 use carom_laws::curvature::RelativeCurvature;
-use carom_solver::{Gap, HeightMap, Outline, SelfAffine};
+use carom_solver::{Gap, HeightMap, Outline, SelfAffine, Shape};
 
 #[test]
 fn columns_lie_along_x_and_rows_along_y() {
@@ -166,4 +166,18 @@ fn formulas_rise_as_they_say() {
     assert_relative_eq!(at(wavy, 7, 5), 0.2 + 0.6, epsilon = 1e-15);
     assert_eq!(Gap::cone(grid, 0.0).unwrap_err().field, "slope");
     assert_eq!(Gap::wavy(grid, [0.1, 0.1], [1.0, 0.0]).unwrap_err().field, "wavelength");
+}
+
+/// A paraboloid of one radius is a cylinder near its axis, and one of two equal radii a ball; the larger radius
+/// does not matter, and a unit of length neither.
+#[test]
+fn a_contact_is_looked_for_within_the_smaller_radius() {
+    for unit in [1e-6, 1.0, 1e3] {
+        let of = |x: f64, y: f64| Shape::Paraboloid { radii: [x * unit, y * unit] }.sides();
+        let cylinder = Shape::Cylinder { radius: 0.3 * unit }.sides();
+        for large in [0.3, 5.0, 1e9, f64::INFINITY] {
+            assert_eq!(of(0.3, large), cylinder);
+            assert_eq!(of(large, 0.3), cylinder);
+        }
+    }
 }

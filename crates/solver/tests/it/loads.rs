@@ -111,3 +111,26 @@ fn a_force_beyond_friction_slides() {
     let went = method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ());
     assert!(matches!(went, Err(FrictionalError::Turns { .. })), "{went:?}");
 }
+
+/// Separated bodies hold neither a force nor a torque; a step that asks for one changes nothing.
+#[test]
+fn separated_bodies_hold_no_load() {
+    let problem = problem(16, 0.3, [0.3, 0.3]);
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let mut to = apart.clone();
+    let (normal, nothing) = (Driven::Shift(-1.0), Driven::Load(0.0));
+    let free = Drive { normal, x: nothing, y: nothing, twist: nothing };
+    let torque = Drive { twist: Driven::Load(-0.2), ..free };
+    let error = method.step(&problem, &apart, &torque, &mut to, &mut scratch, &mut ()).unwrap_err();
+    let FrictionalError::Turns { torque: -0.2, force: 0.0, part: 0.0 } = error else {
+        panic!("{error}")
+    };
+    let force = Drive { x: Driven::Load(0.3), y: Driven::Load(-0.4), ..free };
+    let error = method.step(&problem, &apart, &force, &mut to, &mut scratch, &mut ()).unwrap_err();
+    let FrictionalError::Slides { force: 0.5, limit: 0.0 } = error else { panic!("{error}") };
+    assert_eq!(to, apart);
+    method.step(&problem, &apart, &free, &mut to, &mut scratch, &mut ()).unwrap();
+    assert_eq!(to.shift.zeta, -1.0);
+}

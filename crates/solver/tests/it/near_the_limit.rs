@@ -369,3 +369,24 @@ fn four_cells_with_a_force_a_shift_and_a_twist_are_solved() {
     assert!(left.normal < 1e-8 && left.tangential < 1e-8, "{left:?}");
     assert!((to.load().f_y + 7.9224e-7).abs() < 1e-8 * 7.9224e-7, "{:?}", to.load());
 }
+
+/// Dissimilar bodies made to slide about a pole have some force and torque; these are the limit along their
+/// own direction.
+#[test]
+fn the_limit_of_a_force_and_a_torque_is_what_sliding_about_their_pole_gives() {
+    for kind in 0..2 {
+        for motion in [[1e5, 0.0, 2e4], [0.0, 1e5, 2e4], [4e4, -3e4, -1e4]] {
+            let mut bodies = Bodies::pressed(problem(kind, 0.4, 16, 0.0));
+            let normal = Driven::Load(FORCE);
+            let [x, y, twist] = motion.map(Driven::Shift);
+            let (slid, _) = bodies.solved(&Drive { normal, x, y, twist }).unwrap();
+            let load = slid.load();
+            let [x, y, twist] =
+                [load.f_x, load.f_y, load.m_z].map(|load| Driven::Load(1.25 * load));
+            let error = bodies.step(&Drive { normal, x, y, twist }).map(drop).unwrap_err();
+            let FrictionalError::Turns { part, .. } = error else { panic!("{error}") };
+            println!("pair {kind}, {motion:?}: {load:?} {:.2e}", 1.25 * part - 1.0);
+            assert!((1.25 * part - 1.0).abs() < 1e-3, "pair {kind}: {part}");
+        }
+    }
+}
