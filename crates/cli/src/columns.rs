@@ -1,8 +1,12 @@
 //! Rows of results in every output format, from their columns.
 
 use crate::error::CliError;
-use crate::output::{Format, csv, short, table};
-use carom_table::{Cell, Column, Quantity, Value, cells, described, heads, labels, row, texts};
+use crate::output::{Format, csv, short};
+use crate::page::Page;
+use crate::round_off::{clear_round_off, without_round_off};
+use carom_table::{
+    Cell, Column, Quantity, Value, cells, described, heads, labels, row, texts as texts_of,
+};
 use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::path::Path;
@@ -71,12 +75,15 @@ pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::E
 /// # Errors
 /// If they cannot be written in this format.
 pub fn rows<R>(format: Format, columns: &[Column<R>], records: &[R]) -> Result<String, CliError> {
-    let rows = |number: fn(f64) -> String| -> Vec<Vec<String>> {
-        records.iter().map(|record| cells(columns, record, number)).collect()
-    };
     match format {
-        Format::Csv => csv(&heads(columns), &rows(|value| value.to_string())),
-        Format::Table => Ok(table(&labels(columns), &rows(short))),
+        Format::Csv => {
+            let text = |record: &R| cells(columns, record, |value| value.to_string());
+            csv(&heads(columns), &records.iter().map(text).collect::<Vec<_>>())
+        }
+        Format::Table(page) => {
+            let text = |record: &R| to_read(row(columns, Some(record)));
+            Ok(page.records(&labels(columns), &records.iter().map(text).collect::<Vec<_>>()))
+        }
         Format::Json | Format::None => Ok(String::new()),
     }
 }
@@ -86,41 +93,56 @@ pub fn rows<R>(format: Format, columns: &[Column<R>], records: &[R]) -> Result<S
 /// # Errors
 /// If they cannot be written in this format.
 pub fn cell_rows(format: Format, cells: &[Vec<Cell>]) -> Result<String, CliError> {
-    let rows = |number: fn(f64) -> String| -> Vec<Vec<String>> {
-        cells.iter().map(|row| texts(row, number)).collect()
-    };
     let first = cells.first().map_or(&[][..], Vec::as_slice);
     match format {
-        Format::Csv => csv(&heads(first), &rows(|value| value.to_string())),
-        Format::Table => Ok(table(&labels(first), &rows(short))),
+        Format::Csv => {
+            let text = |row: &Vec<Cell>| texts_of(row, |value| value.to_string());
+            csv(&heads(first), &cells.iter().map(text).collect::<Vec<_>>())
+        }
+        Format::Table(page) => {
+            let text = |row: &Vec<Cell>| to_read(row.clone());
+            Ok(page.records(&labels(first), &cells.iter().map(text).collect::<Vec<_>>()))
+        }
         Format::Json | Format::None => Ok(String::new()),
     }
 }
 
+/// A row to read: numbers with six digits; a component of a vector, a force, a shift or a torque that
+/// is round-off beside the others is written as zero.
+#[must_use]
+pub fn to_read(mut row: Vec<Cell>) -> Vec<String> {
+    clear_round_off(&mut row);
+    texts_of(&row, short)
+}
+
+/// A table to read of few columns with texts, which wrap where the page is too narrow.
+#[must_use]
+pub fn texts<R>(page: Page, columns: &[Column<R>], records: &[R]) -> String {
+    let rows: Vec<_> = records.iter().map(|record| cells(columns, record, short)).collect();
+    page.texts(&labels(columns), &rows)
+}
+
 /// A table to read, with one line for each cell of a row that has a value.
 #[must_use]
-pub fn upright(row: &[Cell]) -> String {
+pub fn upright(page: Page, row: &[Cell]) -> String {
     let line = |cell: &Cell| {
         let value = match cell.value() {
             Value::Absent => return None,
             Value::Undefined => "-".to_owned(),
             Value::Vector(parts) => vector(*parts),
-            _ => texts(std::slice::from_ref(cell), short).concat(),
+            _ => texts_of(std::slice::from_ref(cell), short).concat(),
         };
         Some([cell.name(), &value, cell.unit(), cell.meaning()].map(str::to_owned).to_vec())
     };
-    table(
+    page.texts(
         &["quantity", "value", "unit", "meaning"],
         &row.iter().filter_map(line).collect::<Vec<_>>(),
     )
 }
 
-/// Three components to read; a component within round-off of the largest is written as zero.
+/// Three components to read; one that is round-off beside the largest is written as zero.
 fn vector(value: [f64; 3]) -> String {
-    let largest = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
-    value
-        .map(|part| if part.abs() < 1e-15 * largest { "0".to_owned() } else { short(part) })
-        .join("  ")
+    without_round_off(value).map(short).join("  ")
 }
 
 /// Checks that all numbers are finite.

@@ -10,12 +10,15 @@ pub mod columns;
 pub mod command;
 pub mod destination;
 pub mod error;
+pub mod format;
 mod identity;
 pub mod manner;
 pub mod output;
 pub mod outputs;
+pub mod page;
 mod place;
 pub mod range;
+mod round_off;
 pub mod rows;
 
 /// The examples of the README, run as documentation tests.

@@ -1,5 +1,6 @@
 //! Global options of all commands: threads, colours, quiet.
 
+use crate::page::{fold, width};
 use clap::ColorChoice;
 use clap::builder::styling::{AnsiColor, Style};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -93,7 +94,10 @@ impl Messages {
 
     fn tell(self, colour: AnsiColor, kind: &str, line: &str) {
         let style = if self.is_coloured { colour.on_default().bold() } else { Style::new() };
-        let _ = writeln!(std::io::stderr(), "{style}{kind}:{style:#} {line}");
+        let folded = fold(&format!("{kind}: {line}"), width(&console::Term::stderr()));
+        let text = folded.strip_prefix(kind).and_then(|text| text.strip_prefix(':'));
+        let text = text.unwrap_or(&folded);
+        let _ = writeln!(std::io::stderr(), "{style}{kind}:{style:#}{text}");
     }
 
     /// A progress bar over this number of `what`, with the remaining time; hidden if standard error

@@ -8,27 +8,14 @@
 use crate::aside::{self, Aside};
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
+pub use crate::format::Format;
 use crate::manner::Messages;
+use crate::page::Page;
 use crate::place::Place;
 use carom_plot::{Panel, PlotError, render, render_png};
-use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;
 use std::io::{BufWriter, ErrorKind, Stdout, Write};
 use std::path::Path;
-
-/// Format of the results.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Format {
-    /// A table to read.
-    #[default]
-    Table,
-    /// JSON with full precision.
-    Json,
-    /// Comma-separated values with full precision.
-    Csv,
-    /// No results: only the picture and the warnings.
-    None,
-}
 
 /// The complete output of a command.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -80,7 +67,7 @@ impl Answer {
     /// the first warning.
     #[must_use]
     pub fn cautioned(mut self, caution: Option<String>, format: Format) -> Self {
-        self.caution = caution.map(|line| Caution { line, is_read_first: format == Format::Table });
+        self.caution = caution.map(|line| Caution { line, is_read_first: format.is_table() });
         self
     }
 
@@ -109,7 +96,7 @@ impl Answer {
         }
         match &self.caution {
             Some(Caution { line, is_read_first: true }) => {
-                results.put(format!("{line}\n").as_bytes())?;
+                results.put(Page::of_terminal().fold(&format!("{line}\n")).as_bytes())?;
                 results.finish()?;
             }
             Some(Caution { line, .. }) => messages.warning(line),
@@ -286,26 +273,6 @@ pub fn csv_rows(
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// `rows` as a table to read, with column heads and numbers aligned to the right.
-#[must_use]
-pub fn table(heads: &[impl AsRef<str>], rows: &[Vec<String>]) -> String {
-    let mut table = Table::new();
-    table.load_style(UTF8_FULL_CONDENSED);
-    table.set_header(heads.iter().map(AsRef::as_ref));
-    table.add_rows(rows);
-    for index in 0..heads.len() {
-        let is_numeric = rows.iter().all(|row| {
-            row.get(index).is_some_and(|cell| {
-                matches!(cell.as_str(), "" | "-") || cell.parse::<f64>().is_ok()
-            })
-        });
-        if let (true, Some(column)) = (is_numeric, table.column_mut(index)) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    format!("{table}\n")
-}
-
 /// A number with six significant digits, to read.
 #[must_use]
 pub fn short(value: f64) -> String {
@@ -339,12 +306,5 @@ mod tests {
         let rows = [vec!["1".to_owned(), "a, b".to_owned()]];
         assert_eq!(csv(&["x", "name"], &rows).unwrap(), "x,name\n1,\"a, b\"\n");
         assert!(csv(&["x"], &rows).is_err());
-        insta::assert_snapshot!(table(&["value", "name"], &rows), @r"
-        ┌───────┬──────┐
-        │ value ┆ name │
-        ╞═══════╪══════╡
-        │     1 ┆ a, b │
-        └───────┴──────┘
-        ");
     }
 }

@@ -1,7 +1,8 @@
 //! Writes rows of results block by block. Only tables to read are held in memory.
 
+use crate::columns::to_read;
 use crate::error::CliError;
-use crate::output::{Format, Results, csv_rows, short, table};
+use crate::output::{Format, Results, csv_rows};
 use carom_table::{Cell, Column, heads, labels, texts};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -17,7 +18,7 @@ pub const BLOCK: usize = 1024;
 /// [`CliError::Options`] for more rows than a table to read may have.
 pub const fn check_count(format: Format, count: usize) -> Result<(), CliError> {
     match format {
-        Format::Table if count > MOST_TO_READ => Err(CliError::Options(TOO_MANY_TO_READ)),
+        Format::Table(_) if count > MOST_TO_READ => Err(CliError::Options(TOO_MANY_TO_READ)),
         _ => Ok(()),
     }
 }
@@ -70,7 +71,7 @@ impl Rows {
     /// Rows of records with these columns; the heads are written even without rows.
     #[must_use]
     pub fn of<R>(self, columns: &[Column<R>]) -> Self {
-        let head = if self.format == Format::Table { labels(columns) } else { heads(columns) };
+        let head = if self.format.is_table() { labels(columns) } else { heads(columns) };
         Self { head, ..self }
     }
 
@@ -91,15 +92,14 @@ impl Rows {
         }
         match self.format {
             Format::None => Ok(()),
-            Format::Table => {
+            Format::Table(_) => {
                 check_count(self.format, self.table_rows.len() + rows.len())?;
                 let (all, places) = (self.chosen.is_none(), &self.places);
                 let pick = |texts: Vec<String>| match all {
                     true => texts,
                     false => places.iter().map(|place| texts[*place].clone()).collect(),
                 };
-                self.table_rows
-                    .par_extend(rows.par_iter().map(|row| pick(texts(&cells(row), short))));
+                self.table_rows.par_extend(rows.par_iter().map(|row| pick(to_read(cells(row)))));
                 Ok(())
             }
             Format::Csv => {
@@ -124,7 +124,7 @@ impl Rows {
         self.is_begun = true;
         match self.format {
             Format::Csv => results.put(csv_rows(Some(heads(first).as_slice()), &[])?.as_bytes()),
-            Format::Table => {
+            Format::Table(_) => {
                 let is_chosen =
                     |head: &str| self.chosen.as_ref().is_none_or(|chosen| chosen.contains(&head));
                 let heads = heads(first);
@@ -145,7 +145,7 @@ impl Rows {
     pub fn finish(self) -> Result<String, CliError> {
         match self.format {
             Format::None => Ok(String::new()),
-            Format::Table => Ok(table(&self.head, &self.table_rows)),
+            Format::Table(page) => Ok(page.records(&self.head, &self.table_rows)),
             Format::Csv if self.is_begun => Ok(String::new()),
             Format::Csv => csv_rows(Some(self.head.as_slice()), &[]),
             Format::Json => Ok(self.list.end()),

@@ -194,6 +194,11 @@ impl Cell {
         Self { name: name.into(), unit, meaning, parts: &[], value: value.into() }
     }
 
+    /// Gives the cell another value.
+    pub fn set_value(&mut self, value: Value) {
+        self.value = value;
+    }
+
     /// The value.
     #[must_use]
     pub const fn value(&self) -> &Value {

@@ -3,6 +3,7 @@
 use crate::columns::{self, Record};
 use crate::command::kind;
 use crate::error::CliError;
+use crate::format::Printing;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
 use carom_cases::case::{CaseKind, HistoryCase, SolveCase, Steps, Understood};
@@ -24,9 +25,8 @@ pub(super) struct Arguments {
     /// The kind of case; by default that given by the tables of the file.
     #[arg(long, value_parser = kind())]
     kind: Option<CaseKind>,
-    /// Format of the table.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 /// The kind and the fields.
@@ -37,7 +37,8 @@ struct Checked<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let outputs = Outputs::of_command(arguments.format)?;
+    let format = arguments.printing.format();
+    let outputs = Outputs::of_command(format)?;
     let file = outputs.read_case(&arguments.case)?;
     let kind = match arguments.kind {
         Some(kind) => kind,
@@ -46,14 +47,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     file.parse(|source| kind.check(source))?;
     check_files(&file, kind)?;
     let fields = file.parse(|source| kind.understood(source))?;
-    let rows = |format| columns::rows(format, Understood::COLUMNS, &fields);
-    let text = match arguments.format {
+    let text = match format {
         Format::Json => {
             let records = fields.iter().map(|field| Record::new(Understood::COLUMNS, field));
             json(&Checked { kind: kind.name(), fields: records.collect() })?
         }
-        Format::Table => format!("a case for `carom {}`\n", kind.name()) + &rows(Format::Table)?,
-        format => rows(format)?,
+        Format::Table(page) => {
+            format!("a case for `carom {}`\n", kind.name())
+                + &columns::texts(page, Understood::COLUMNS, &fields)
+        }
+        format => columns::rows(format, Understood::COLUMNS, &fields)?,
     };
     Ok(Answer { text, ..Answer::default() })
 }

@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let excesses: Vec<Excess> =
         states.iter().map(|state| Excess::of_contact(state.approach, radius)).collect();
     columns::check(&file.path, HertzState::COLUMNS, &states)?;
-    let format = arguments.given.format;
+    let format = arguments.given.format();
     let loads = columns::rows(format, HertzState::COLUMNS, &states)?;
     let text = match format {
         Format::Json => {
@@ -64,7 +64,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             let rows: Vec<Row<'_>> = states.iter().zip(&excesses).map(record).collect();
             json(&Report { hertz: &case.hertz, loads: &rows })?
         }
-        Format::Table => columns::upright(&row(Hertz::COLUMNS, Some(&case.hertz))) + &loads,
+        Format::Table(page) => {
+            columns::upright(page, &row(Hertz::COLUMNS, Some(&case.hertz))) + &loads
+        }
         Format::Csv | Format::None => loads,
     };
     let picture = match plot {

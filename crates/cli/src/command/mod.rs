@@ -21,6 +21,7 @@ mod thinned;
 
 use crate::destination::Destination;
 use crate::error::CliError;
+use crate::format::Printing;
 use crate::manner::{Manner, Messages};
 use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
@@ -78,9 +79,8 @@ struct CaseArguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    printing: Printing,
     /// Draw the results into this file, as SVG or PNG according to its ending; - is standard
     /// output.
     #[arg(long, value_name = "FILE")]
@@ -94,6 +94,14 @@ struct Given {
 }
 
 impl CaseArguments {
+    /// The format of the results; with a picture, none by default.
+    fn format(&self) -> Format {
+        match self.plot {
+            Some(_) => self.printing.format_beside_picture(),
+            None => self.printing.format(),
+        }
+    }
+
     /// Reads the case after checking that no output goes to the same file.
     fn read(&self) -> Result<Given, CliError> {
         Ok(self.read_beside(|_| Ok(()))?.0)
@@ -104,10 +112,10 @@ impl CaseArguments {
         &self,
         claims: impl FnOnce(&mut Outputs) -> Result<T, CliError>,
     ) -> Result<(Given, T), CliError> {
-        let mut outputs = Outputs::of_command(self.format)?;
+        let mut outputs = Outputs::of_command(self.format())?;
         // Checked first, so that no other error is written to a stream that goes to the case file.
         outputs.check_input(&self.case)?;
-        let to = |path: &PathBuf| outputs.picture("plot", path, self.format);
+        let to = |path: &PathBuf| outputs.picture("plot", path, self.format());
         let plot = self.plot.as_ref().map(to).transpose()?;
         let claimed = claims(&mut outputs)?;
         Ok((Given { case: outputs.read_case(&self.case)?, plot }, claimed))

@@ -3,6 +3,7 @@
 use crate::columns::{self, Record};
 use crate::command::kind;
 use crate::error::CliError;
+use crate::format::Printing;
 use crate::output::{Answer, Format, json};
 use carom_cases::case::{CaseKind, Entry};
 
@@ -16,19 +17,18 @@ pub(super) struct Arguments {
     /// The kind of case.
     #[arg(value_parser = kind())]
     kind: CaseKind,
-    /// Format of the table.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let entries = arguments.kind.entries();
-    let text = match arguments.format {
+    let text = match arguments.printing.format() {
         Format::Json => {
             let records = entries.iter().map(|entry| Record::new(Entry::COLUMNS, entry));
             json(&records.collect::<Vec<_>>())?
         }
-        Format::Table => columns::rows(Format::Table, Entry::readable(), &entries)?,
+        Format::Table(page) => columns::texts(page, Entry::readable(), &entries),
         format => columns::rows(format, Entry::COLUMNS, &entries)?,
     };
     Ok(Answer { text, ..Answer::default() })

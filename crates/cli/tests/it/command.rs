@@ -1,6 +1,6 @@
 //! The command from the outside: results on standard output, exit codes, files.
 
-use crate::common::{carom, case, close, example, fresh, json, stdout};
+use crate::common::{carom, case, close, example, fresh, json, stdout, stdout_at};
 use std::path::{Path, PathBuf};
 
 #[test]
@@ -76,11 +76,16 @@ fn examples() -> Vec<(PathBuf, &'static str)> {
 fn runs_and_draws((path, command): &(PathBuf, &'static str), format: &str) {
     let plot = fresh(&format!("{}_{format}.svg", path.file_stem().unwrap().to_str().unwrap()));
     let (case, picture) = (path.to_str().unwrap(), plot.to_str().unwrap());
-    let told = stdout(&[command, case, "--format", format, "--plot", picture]);
+    let width = [80, 100, 160][case.len() % 3];
+    let told = stdout_at(width, &[command, case, "--format", format, "--plot", picture]);
     match format {
         "json" => assert!(serde_json::from_str::<serde_json::Value>(&told).is_ok(), "{case}"),
         "csv" => assert!(told.lines().next().unwrap().contains(','), "{case}"),
-        _ => assert!(told.contains('│'), "{case}"),
+        _ => {
+            assert!(told.contains('│'), "{case}");
+            let longest = told.lines().map(|line| line.chars().count()).max();
+            assert!(longest <= Some(width), "{case} at {width}: {longest:?}");
+        }
     }
     assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
 }

@@ -88,7 +88,7 @@ fn names_that_are_no_picture_are_refused() {
     std::fs::create_dir(folder.join("folder.svg")).unwrap();
     let output = carom(&["impact", &balls, "--plot", folder.join("folder.svg").to_str().unwrap()]);
     refused(&output, "this is not a regular file");
-    refused(&carom(&["impact", &balls, "--plot", "-"]), "add --format none");
+    refused(&carom(&["impact", &balls, "--format", "csv", "--plot", "-"]), "add --format none");
     assert!(!Path::new("-").exists());
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
 }
@@ -97,9 +97,9 @@ fn names_that_are_no_picture_are_refused() {
 fn a_picture_on_standard_output_is_alone_there() {
     let file = fresh("alone.svg");
     let balls = example("steel_balls.toml");
-    let picture = stdout(&["impact", &balls, "--format", "none", "--plot", "-"]);
+    let picture = stdout(&["impact", &balls, "--plot", "-"]);
     assert!(picture.starts_with("<svg") && picture.ends_with("</svg>\n"));
-    let none = stdout(&["impact", &balls, "--format", "none", "--plot", file.to_str().unwrap()]);
+    let none = stdout(&["impact", &balls, "--plot", file.to_str().unwrap()]);
     assert!(none.is_empty());
     assert_eq!(std::fs::read_to_string(&file).unwrap(), picture);
 }
@@ -141,7 +141,10 @@ fn a_picture_is_replaced_whole_and_only_after_success() {
     assert_eq!(carom(&["impact", &bad, "--plot", plot]).status.code(), Some(2));
     let balls = example("steel_balls.toml");
     let full = File::options().write(true).open("/dev/full").unwrap();
-    let failed = command(&["impact", &balls, "--plot", plot]).stdout(full).output().unwrap();
+    let failed = command(&["impact", &balls, "--format", "csv", "--plot", plot])
+        .stdout(full)
+        .output()
+        .unwrap();
     assert_eq!(failed.status.code(), Some(1));
     assert!(std::fs::read_to_string(&kept).unwrap().starts_with("what was there before"));
     stdout(&["impact", &balls, "--plot", plot]);

@@ -26,8 +26,8 @@ fn a_closed_standard_output_is_an_error_where_results_go_there() {
     let balls = example("steel_balls.toml");
     for arguments in [
         &format!("impact '{balls}'"),
-        &format!("impact '{balls}' --plot x.svg"),
-        &format!("impact '{balls}' --format none --plot -"),
+        &format!("impact '{balls}' --format csv --plot x.svg"),
+        &format!("impact '{balls}' --plot -"),
         &format!("check '{balls}'"),
         "restitution --kappa 1.2 --lambda 1:2:9 --format csv",
         "new impact",
@@ -47,8 +47,7 @@ fn a_closed_standard_output_is_an_error_where_results_go_there() {
         let _ = std::fs::remove_file(folder.join("x.svg"));
     }
     // Nothing goes there.
-    let output =
-        shell(&folder, &format!("\"$carom\" impact '{balls}' --format none --plot x.svg >&-"));
+    let output = shell(&folder, &format!("\"$carom\" impact '{balls}' --plot x.svg >&-"));
     assert!(output.status.success() && folder.join("x.svg").exists(), "{}", said(&output));
     let mut quiet = Command::new(env!("CARGO_BIN_EXE_carom"));
     assert!(quiet.args(["impact", &balls]).stdout(Stdio::null()).status().unwrap().success());

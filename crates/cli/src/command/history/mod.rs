@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let path = &file.path;
     let case = file.parse(HistoryCase::parse)?;
     let shifts = shifts(&file, &case)?;
-    let format = arguments.given.format;
+    let format = arguments.given.format();
     let radii = arguments.tractions.map_or(0, |count| count as usize);
     check_count(format, shifts.len().saturating_mul(radii.max(1)))?;
     let wanted = Wanted { radii, picture: plot.is_some() };
@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
             let json = |step: &Step, depth| indented(&view::record(&columns, step, radius), depth);
             steps.put(done, cells, json, results)?;
         }
-        if matches!(format, Format::Csv | Format::Table) && radii > 0 {
+        if matches!(format, Format::Csv | Format::Table(_)) && radii > 0 {
             let given: Vec<_> = done.iter().flat_map(|step| &step.tractions).collect();
             let cells = |traction: &&Traction| row(history::TRACTION_COLUMNS, Some(traction));
             tractions.put(&given, cells, |_, _| Ok(String::new()), results)?;
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     })?;
     let text = match (format, radii) {
         (Format::Csv, 1..) => tractions.finish()?,
-        (Format::Table, 1..) => steps.finish()? + &tractions.finish()?,
+        (Format::Table(_), 1..) => steps.finish()? + &tractions.finish()?,
         _ => steps.finish()?,
     };
     let picture = plot.map(|to| (to, plot::draw(&drawn)));

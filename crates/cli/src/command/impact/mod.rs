@@ -49,9 +49,19 @@ pub(super) struct Arguments {
 const ELASTIC_COURSE: &str = "history, duration and maximum force are those of elastic bodies: energy dissipated in the material is taken off at the end";
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
+impl Arguments {
+    /// The format of the results; with a picture, none by default.
+    fn format(&self) -> Format {
+        match self.animate {
+            Some(_) => self.given.printing.format_beside_picture(),
+            None => self.given.format(),
+        }
+    }
+}
+
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
     let (command::Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
-        let to = |path: &PathBuf| outputs.picture("animate", path, arguments.given.format);
+        let to = |path: &PathBuf| outputs.picture("animate", path, arguments.format());
         arguments.animate.as_ref().map(to).transpose()
     })?;
     let plot = moving.or(plot);
@@ -78,7 +88,7 @@ fn single(
     file: &ImpactFile<'_>,
     results: &mut Results,
 ) -> Result<Answer, CliError> {
-    let (path, format) = (&arguments.given.case, arguments.given.format);
+    let (path, format) = (&arguments.given.case, arguments.format());
     check_count(format, arguments.history.map_or(0, |count| count as usize))?;
     let mut record = record(path, None, file.nominal())?;
     if let Some(count) = arguments.history {
@@ -97,7 +107,7 @@ fn single(
             rows.finish()?
         }
         (Format::Csv, None) => columns::cell_rows(format, &[cells])?,
-        (Format::Table, _) => table::one(&record)?,
+        (Format::Table(page), _) => table::one(page, &record)?,
         (Format::None, _) => String::new(),
     };
     let mut warnings = Warnings::default();
@@ -131,7 +141,7 @@ fn sweep(
     (input, values): (&Input, &[f64]),
     results: &mut Results,
 ) -> Result<Answer, CliError> {
-    let (path, format) = (&arguments.given.case, arguments.given.format);
+    let (path, format) = (&arguments.given.case, arguments.format());
     check_count(format, values.len())?;
     let swept = Parameter::of(input, 0.0).name;
     let mut rows = Rows::new(format).showing([&[swept][..], &table::OF_SWEEP].concat());
@@ -214,10 +224,10 @@ fn scatter(
     let excess = uncertain::excess(file);
     let report = uncertain::report(file, uncertainty, &study, excess)?;
     let picture = plot.map(|to| (to, uncertain::draw(&report)));
-    let text = uncertain::render_text(&report, arguments.given.format)?;
+    let text = uncertain::render_text(&report, arguments.format())?;
     let answer =
         Answer { text, warnings: uncertain::warnings(&report), picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&[excess], "means"), arguments.given.format))
+    Ok(answer.cautioned(caution(&[excess], "means"), arguments.format()))
 }
 
 /// The plural of the swept quantity, for warnings.

@@ -4,6 +4,7 @@ use super::view::Record;
 use crate::columns;
 use crate::error::CliError;
 use crate::output::Format;
+use crate::page::Page;
 use carom_impact::{HistoryPoint, LogEntry, Motion};
 use carom_table::{Cell, row};
 
@@ -20,22 +21,22 @@ pub(super) const OF_SWEEP: [&str; 8] = [
 ];
 
 /// One impact in full: contact point, motions, outcome, regimes and history.
-pub(super) fn one(record: &Record) -> Result<String, CliError> {
-    let mut text = columns::upright(&record.contact()) + &motions(record)?;
+pub(super) fn one(page: Page, record: &Record) -> Result<String, CliError> {
+    let mut text = columns::upright(page, &record.contact()) + &motions(page, record)?;
     match record.rebound() {
         None => text.push_str("no impact: the bodies do not approach each other\n"),
         Some(rebound) => {
-            text.push_str(&columns::upright(&record.quantities()));
-            text.push_str(&events(record, rebound.duration)?);
+            text.push_str(&columns::upright(page, &record.quantities()));
+            text.push_str(&events(page, record, rebound.duration)?);
         }
     }
     if let Some(points) = &record.history {
-        text.push_str(&columns::rows(Format::Table, HistoryPoint::COLUMNS, points)?);
+        text.push_str(&columns::rows(Format::Table(page), HistoryPoint::COLUMNS, points)?);
     }
     Ok(text)
 }
 
-fn motions(record: &Record) -> Result<String, CliError> {
+fn motions(page: Page, record: &Record) -> Result<String, CliError> {
     let [before, after] = record.motions();
     let line = |i: usize, when: &'static str, motion: &Motion| {
         let words = [
@@ -46,15 +47,15 @@ fn motions(record: &Record) -> Result<String, CliError> {
     };
     let rows: Vec<Vec<Cell>> =
         (0..2).flat_map(|i| [line(i, "before", &before[i]), line(i, "after", &after[i])]).collect();
-    columns::cell_rows(Format::Table, &rows)
+    columns::cell_rows(Format::Table(page), &rows)
 }
 
-fn events(record: &Record, duration: f64) -> Result<String, CliError> {
+fn events(page: Page, record: &Record, duration: f64) -> Result<String, CliError> {
     let line = |entry: &LogEntry| {
         let mut cells = row(LogEntry::COLUMNS, Some(entry));
         let part = format!("{:.2}", 100.0 * entry.time / duration);
         cells.insert(1, Cell::new("part", "%", "of the duration", part));
         cells
     };
-    columns::cell_rows(Format::Table, &record.events().iter().map(line).collect::<Vec<_>>())
+    columns::cell_rows(Format::Table(page), &record.events().iter().map(line).collect::<Vec<_>>())
 }

@@ -191,7 +191,7 @@ pub(super) fn render_text(report: &Report, format: Format) -> Result<String, Cli
         Format::Json => json(report),
         Format::None => Ok(String::new()),
         Format::Csv => columns::cell_rows(format, &rows(report, |_| true)),
-        Format::Table => {
+        Format::Table(page) => {
             // Quantities that are always zero are omitted.
             let moves = |spread: &Spread| spread.minimum != 0.0 || spread.maximum != 0.0;
             let table = columns::cell_rows(format, &rows(report, moves))?;
@@ -200,10 +200,11 @@ pub(super) fn render_text(report: &Report, format: Format) -> Result<String, Cli
             let methods = report.methods.iter().map(|m| format!("{} {}", m.count, m.method));
             let methods = methods.collect::<Vec<_>>().join(", ");
             let estimate = readable(report.error_estimate);
-            Ok(format!(
-                "{table}{all} samples, {none} without impact, {out} out of range; methods: {methods}; \
+            Ok(table
+                + &page.fold(&format!(
+                    "{all} samples, {none} without impact, {out} out of range; methods: {methods}; \
                  velocities may be off by {estimate} of those before\n"
-            ))
+                )))
         }
     }
 }

@@ -7,6 +7,7 @@ mod tensor;
 
 use crate::columns;
 use crate::error::CliError;
+use crate::format::Printing;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
@@ -64,9 +65,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true, requires = "gamma")]
     #[arg(default_value_t = 3.5)]
     mobility_ratio: f64,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    printing: Printing,
     /// Draw lines over the second number into this file, as SVG or PNG by its ending; - is
     /// standard output.
     #[arg(long, value_name = "FILE")]
@@ -99,16 +99,16 @@ pub(super) fn run(
     results: &mut Results,
 ) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments)?;
-    let mut outputs = Outputs::of_command(arguments.format)?;
+    let mut outputs = Outputs::of_command(arguments.format())?;
     let mut to = |option, path: &Option<PathBuf>| {
-        let to = |path: &PathBuf| outputs.picture(option, path, arguments.format);
+        let to = |path: &PathBuf| outputs.picture(option, path, arguments.format());
         path.as_ref().map(to).transpose()
     };
     let (lines, map) = (to("plot", &arguments.plot)?, to("map", &arguments.map)?);
     if map.is_some() {
         plot::check(plane.values)?;
     }
-    check_count(arguments.format, plane.count())?;
+    check_count(arguments.format(), plane.count())?;
     plane.check()?;
     let (text, values) = follow(&plane, arguments, map.is_some(), messages, results)?;
     let picture = match (lines, map) {
@@ -117,6 +117,16 @@ pub(super) fn run(
         _ => None,
     };
     Ok(Answer { text, picture, ..Answer::default() })
+}
+
+impl Arguments {
+    /// The format of the results; with a picture, none by default.
+    fn format(&self) -> Format {
+        match self.plot.is_some() || self.map.is_some() {
+            true => self.printing.format_beside_picture(),
+            false => self.printing.format(),
+        }
+    }
 }
 
 /// Computes and writes all rows in their order, but for what ends them; keeps R_x if it `is_mapped`.
@@ -130,12 +140,12 @@ fn follow(
     let ratio = arguments.velocity_ratio.map(tensor::velocity_ratio).transpose()?;
     let ratio = ratio.unwrap_or_default();
     let mut values = Vec::with_capacity(if is_mapped { plane.count() } else { 0 });
-    if arguments.format == Format::None && !is_mapped {
+    if arguments.format() == Format::None && !is_mapped {
         return Ok((String::new(), values));
     }
     let columns =
         [plane.columns, if arguments.tensor.is_some() { rows::OF_TENSOR } else { &[] }].concat();
-    let mut printed = Rows::new(arguments.format);
+    let mut printed = Rows::new(arguments.format());
     let bar = match plane.count() {
         ..MANY => ProgressBar::hidden(),
         count => messages.bar(count, "impacts"),

@@ -64,7 +64,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Some(distance) => rolling.step_by_step(distance)?,
         None => rolling.steadily(creep.as_ref().filter(|_| arguments.fastsim))?,
     };
-    let format = arguments.given.format;
+    let format = arguments.given.format();
     columns::check(&file.path, &view::columns(&rows, false), &rows)?;
     let creep = creep.filter(|_| arguments.coefficients);
     let text = text(format, &rows, creep.as_ref())?;
@@ -88,8 +88,8 @@ fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, C
             json(&Both { coefficients: Record::new(CREEP, creep), rows: records() })
         }
         (Format::Csv, Some(creep)) => columns::rows(format, CREEP, std::slice::from_ref(creep)),
-        (Format::Table, creep) => {
-            let creep = creep.map(|creep| columns::upright(&row(CREEP, Some(creep))));
+        (Format::Table(page), creep) => {
+            let creep = creep.map(|creep| columns::upright(page, &row(CREEP, Some(creep))));
             Ok(creep.unwrap_or_default()
                 + &columns::rows(format, &view::columns(rows, true), rows)?)
         }

@@ -34,7 +34,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(SceneCase::parse)?;
-    let (format, points) = (arguments.given.format, arguments.points.map(|count| count as usize));
+    let (format, points) = (arguments.given.format(), arguments.points.map(|count| count as usize));
     let mut bounces = Rows::new(format).at_depth(1).showing(view::READABLE.to_vec());
     let mut course = plot.is_some().then(|| plot::Course::new(&case));
     let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     };
     match format {
         Format::Json => text.push_str(&view::end(&case, &end)?),
-        Format::Table => text.push_str(&read_end(&case, &end)),
+        Format::Table(page) => text.push_str(&page.fold(&read_end(&case, &end))),
         Format::Csv | Format::None => {}
     }
     if let (Some(count), true) = (points, format != Format::None) {

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use super::follow;
 use crate::columns::{self, Record};
 use crate::error::CliError;
+use crate::format::Printing;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
@@ -32,9 +33,8 @@ pub(in crate::command) struct Arguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    printing: Printing,
 }
 
 /// The result of a method.
@@ -140,7 +140,7 @@ pub(in crate::command) fn run(
     arguments: &Arguments,
     messages: &Messages,
 ) -> Result<Answer, CliError> {
-    let outputs = Outputs::of_command(arguments.format)?;
+    let outputs = Outputs::of_command(arguments.printing.format())?;
     let file = outputs.read_case(&arguments.case)?;
     // The method that the case requests is one of those compared.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
@@ -152,7 +152,7 @@ pub(in crate::command) fn run(
     let touching = problem.grid().cells() - followed.state.count(CellState::Exterior);
     let path = Course { problem: &problem, shifts, want: followed.state, touching };
     let rows = rows(&path, &method);
-    let format = arguments.format;
+    let format = arguments.printing.format();
     let text = match format {
         Format::Json => {
             json(&rows.iter().map(|row| Record::new(COLUMNS, row)).collect::<Vec<_>>())?

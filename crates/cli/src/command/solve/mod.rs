@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
         None => Found::default(),
     };
     let followed = follow(run, found, store.as_ref(), messages)?;
-    let (steps, format) = (&followed.steps, arguments.given.format);
+    let (steps, format) = (&followed.steps, arguments.given.format());
     let all = StepSummary::columns();
     columns::check(&file.path, &all, steps)?;
     let records = || steps.iter().map(|step| Record::new(&all, step)).collect::<Vec<_>>();
@@ -101,8 +101,9 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
             steps: records(),
             depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
         })?,
-        (Format::Table, depth) => {
-            let rows = columns::rows(format, view::readable(), steps)? + &view::errors(steps);
+        (Format::Table(page), depth) => {
+            let rows =
+                columns::rows(format, view::readable(), steps)? + &page.fold(&view::errors(steps));
             if depth.is_some() { rows + &depths()? } else { rows }
         }
         (_, Some(_)) => depths()?,

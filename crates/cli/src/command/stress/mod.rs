@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let stick_radius = stick_radius(&case);
     let points = stresses(&case, &state, stick_radius).map_err(failed)?;
     columns::check(&file.path, StressPoint::COLUMNS, &points)?;
-    let format = arguments.given.format;
+    let format = arguments.given.format();
     let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
     let text = match format {
         Format::Json => json(&Report {
@@ -71,11 +71,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             stick_radius,
             points: records(),
         })?,
-        Format::Table => {
-            columns::upright(&row(HertzState::COLUMNS, Some(&state)))
+        Format::Table(page) => {
+            columns::upright(page, &row(HertzState::COLUMNS, Some(&state)))
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
                 + "point of maximum equivalent stress:\n"
-                + &columns::upright(&row(StressPoint::COLUMNS, greatest(&points)))
+                + &columns::upright(page, &row(StressPoint::COLUMNS, greatest(&points)))
         }
         Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, &points)?,
     };

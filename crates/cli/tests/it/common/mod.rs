@@ -11,11 +11,22 @@ use std::process::{Command, Output};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) fn carom(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap()
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    command.args(arguments).env_remove("COLUMNS").output().unwrap()
 }
 
 pub(crate) fn stdout(arguments: &[&str]) -> String {
-    let output = carom(arguments);
+    successful(arguments, carom(arguments))
+}
+
+/// The results where lines have this width.
+pub(crate) fn stdout_at(width: usize, arguments: &[&str]) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+    let output = command.args(arguments).env("COLUMNS", width.to_string()).output().unwrap();
+    successful(arguments, output)
+}
+
+fn successful(arguments: &[&str], output: Output) -> String {
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{arguments:?}: {stderr}");
     String::from_utf8(output.stdout).unwrap()
