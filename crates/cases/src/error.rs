@@ -14,12 +14,14 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The case file has an error.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {message}", path.display())]
     Case {
         /// The case file.
         path: PathBuf,
         /// The error.
-        source: CaseError,
+        source: Box<CaseError>,
+        /// The error with the lines of the file that are wrong.
+        message: String,
     },
     /// The collision of a case could not be computed.
     #[error("{}: {source}", path.display())]

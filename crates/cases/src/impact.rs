@@ -79,5 +79,6 @@ fn blamed(path: &Path, case: &ImpactCase, source: CollisionLawError) -> Error {
 }
 
 fn refused(path: &Path, source: CaseError) -> Error {
-    Error::Case { path: path.to_owned(), source }
+    let message = source.to_string();
+    Error::Case { path: path.to_owned(), source: Box::new(source), message }
 }

@@ -111,7 +111,11 @@ impl CaseFile {
         &'a self,
         parse: impl Fn(&'a str) -> Result<T, CaseError>,
     ) -> Result<T, Error> {
-        parse(&self.text).map_err(|source| Error::Case { path: self.path.clone(), source })
+        let told = |source: CaseError| {
+            let message = source.shown_in(&self.text);
+            Error::Case { path: self.path.clone(), source: Box::new(source), message }
+        };
+        parse(&self.text).map_err(told)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Errors in case files. Each message names the field and what is allowed.
 
+use super::kind::CaseKind;
 use carom_impact::{CollisionError, NormalSpinError};
 use carom_laws::curvature::CurvatureError;
 
@@ -14,8 +15,19 @@ pub enum CaseError {
         /// Message of the parser.
         message: String,
     },
+    /// Several errors, in the order of their lines; missing fields come last.
+    #[error("{} errors{}", .0.len(), .0.iter().map(|error| format!("\n{error}")).collect::<String>())]
+    Several(Vec<CaseError>),
+    /// The text is a case of another kind.
+    #[error("this looks like a case for `carom {}`, not for `carom {}`", likely.name(), kind.name())]
+    OtherKind {
+        /// The kind as which it was read.
+        kind: CaseKind,
+        /// The kind that it looks like.
+        likely: CaseKind,
+    },
     /// An unknown field.
-    #[error("line {line}: unknown field `{field}`{}; {table} takes {valid}", nearest.as_ref().map_or_else(String::new, |name| format!(", did you mean `{name}`?")))]
+    #[error("line {line}: unknown field `{field}`{} {table} takes {valid}", nearest.as_ref().map_or_else(|| ";".to_owned(), |name| format!(", did you mean `{name}`?")))]
     Unknown {
         /// The name with its path.
         field: String,
@@ -73,8 +85,11 @@ pub enum CaseError {
         reason: &'static str,
     },
     /// The surfaces have no elliptical contact.
-    #[error("`body_1.radii`, `body_2.radii`: {0}")]
-    Curvature(CurvatureError),
+    #[error("`body_1.radii`, `body_2.radii`: {source}{}", line_contact(source))]
+    Curvature {
+        /// Why.
+        source: CurvatureError,
+    },
     /// The bodies have no contact that can be computed.
     #[error("line {line}: `{field}`: {source}{hint}")]
     Collision {
@@ -95,4 +110,94 @@ pub enum CaseError {
         /// Why.
         source: Box<NormalSpinError>,
     },
+}
+
+/// What to do with a line contact, which is not elliptical.
+const fn line_contact(error: &CurvatureError) -> &'static str {
+    match error {
+        CurvatureError::LineContact { .. } => {
+            "; a line contact is a case for `carom solve` with gap.shape = \"cylinder\""
+        }
+        _ => "",
+    }
+}
+
+impl CaseError {
+    /// The field that is wrong, with its path; empty if there is no single one.
+    #[must_use]
+    pub fn field(&self) -> &str {
+        match self {
+            Self::Unknown { field, .. }
+            | Self::Missing { field, .. }
+            | Self::Kind { field, .. }
+            | Self::Range { field, .. }
+            | Self::Conflict { field, .. }
+            | Self::Collision { field, .. } => field,
+            Self::Torsion { .. } => "contact.torsion",
+            Self::Syntax { .. }
+            | Self::Several(_)
+            | Self::OtherKind { .. }
+            | Self::Curvature { .. } => "",
+        }
+    }
+
+    /// The line of the file, from 1; 0 if there is no single one.
+    #[must_use]
+    pub const fn line(&self) -> usize {
+        match self {
+            Self::Syntax { line, .. }
+            | Self::Unknown { line, .. }
+            | Self::Kind { line, .. }
+            | Self::Range { line, .. }
+            | Self::Conflict { line, .. }
+            | Self::Collision { line, .. }
+            | Self::Torsion { line, .. } => *line,
+            Self::Several(_)
+            | Self::OtherKind { .. }
+            | Self::Missing { .. }
+            | Self::Curvature { .. } => 0,
+        }
+    }
+
+    /// The message, with the lines of the file that are wrong and marks under the fields.
+    #[must_use]
+    pub fn shown_in(&self, source: &str) -> String {
+        match self {
+            Self::Several(errors) => {
+                let shown = errors.iter().map(|error| format!("\n{}", error.shown_in(source)));
+                format!("{} errors{}", errors.len(), shown.collect::<String>())
+            }
+            error => format!("{error}{}", excerpt(source, error.line(), error.field())),
+        }
+    }
+}
+
+/// Longest line of a file that a message shows, in characters.
+const LONGEST_SHOWN: usize = 90;
+
+/// The line of the file with a mark under the name of the field; empty if there is none to show.
+fn excerpt(source: &str, line: usize, field: &str) -> String {
+    let Some(text) = line.checked_sub(1).and_then(|above| source.lines().nth(above)) else {
+        return String::new();
+    };
+    let names = field.rsplit('.').map(|name| name.split('[').next().unwrap_or(name));
+    let place = names.filter_map(|name| Some((named(text, name)?, name.chars().count()))).next();
+    let Some((place, length)) = place else { return String::new() };
+    if text.chars().count() > LONGEST_SHOWN || text.contains('\t') {
+        return String::new();
+    }
+    let number = line.to_string();
+    let margin = " ".repeat(number.len());
+    format!("\n  {number} | {text}\n  {margin} | {}{}", " ".repeat(place), "^".repeat(length))
+}
+
+/// Characters of the line before the name of a field, standing alone.
+fn named(text: &str, name: &str) -> Option<usize> {
+    let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let found = text.match_indices(name).find(|(at, _)| {
+        let (before, after) =
+            (text[..*at].chars().next_back(), text[at + name.len()..].chars().next());
+        !name.is_empty() && !before.is_some_and(is_letter) && !after.is_some_and(is_letter)
+    });
+    found.map(|(at, _)| text[..at].chars().count())
 }

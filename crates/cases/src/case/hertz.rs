@@ -2,9 +2,10 @@
 
 use super::error::CaseError;
 use super::field::{Field, Form};
+use super::kind::CaseKind;
 use super::pair::{self, ANGLE, BODY_1, BODY_2};
 use super::range::Range;
-use super::section::{Numbers, Section, parse};
+use super::section::{Numbers, Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_laws::hertz::Hertz;
 
@@ -17,7 +18,8 @@ const SEMI_AXIS_A: Field =
     load("semi_axis_a", LENGTH, "semi-axis of the contact along x").such_as("1e-4");
 const SEMI_AXIS_B: Field =
     load("semi_axis_b", LENGTH, "semi-axis of the contact along y").such_as("1e-4");
-const CONTACT: Field = Field::new("contact", Form::Table(&[ANGLE]), "orientation of the bodies");
+const CONTACT: Field = Field::new("contact", Form::Table(&[ANGLE]), "orientation of the bodies")
+    .may("their first principal directions are parallel");
 const LOAD: Field = Field::new(
     "load",
     Form::Table(&[FORCE, APPROACH, SEMI_AXIS_A, SEMI_AXIS_B]),
@@ -63,10 +65,14 @@ impl HertzCase {
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::Hertz, source, first))
+    }
+
+    fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let contact = case.section(&CONTACT)?;
-        let hertz = pair::read(&case, &contact)?;
+        let contact = case.has(&CONTACT).then(|| case.section(&CONTACT)).transpose()?;
+        let hertz = pair::read(&case, contact.as_ref())?;
         let load = case.section(&LOAD)?;
         let ways = [
             (&FORCE, Given::Force),

@@ -3,9 +3,10 @@
 use super::contact::{COULOMB, FRICTION, LAWS_OF_SHIFTS, turning_law};
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Rows};
+use super::kind::CaseKind;
 use super::pair::{self, ANGLE, BODY_1, BODY_2};
 use super::range::Range;
-use super::section::{Section, parse};
+use super::section::{Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::hertz::Hertz;
@@ -88,11 +89,15 @@ impl HistoryCase {
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::History, source, first))
+    }
+
+    fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.section(&CONTACT)?;
         let (law, tolerance) = law(&contact)?;
-        let hertz = pair::read(&case, &contact)?;
+        let hertz = pair::read(&case, Some(&contact))?;
         let friction = contact.number(&FRICTION)?;
         let history = case.section(&HISTORY)?;
         let given = history.given([&STEPS, &FILE]);

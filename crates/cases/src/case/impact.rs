@@ -4,13 +4,14 @@
 //! bodies touch where `[contact]` says so, or where a search finds the contact point. A number may be
 //! replaced by several values, a sweep, or by a distribution.
 
-use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, Velocity};
+use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, VELOCITY, Velocity};
 use super::contact::Contact;
 use super::error::CaseError;
 use super::field::{Field, Form};
+use super::kind::CaseKind;
 use super::material::MATERIAL;
 use super::range::Range;
-use super::section::{Section, parse};
+use super::section::{Section, parse, survey};
 use super::touch::{CONTACT, Touch};
 use super::uncertainty::{UNCERTAINTY, Uncertainty};
 use super::unit::Dimension;
@@ -73,6 +74,10 @@ impl<'a> ImpactFile<'a> {
     /// every value of a sweep included) or in conflict with another, or the bodies have no contact that can
     /// be computed.
     pub fn parse(source: &'a str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::Impact, source, first))
+    }
+
+    fn read(source: &'a str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let varied = Varied::new(FIELDS, Vec::new());
         let nominal = read(source, table.get_ref(), &varied)?;
@@ -135,6 +140,10 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
     let bodies =
         [BodyCase::read(case, &BODY_1, velocity)?, BodyCase::read(case, &BODY_2, Velocity::Own)?];
     check_pair(case, &bodies)?;
+    if approach.is_none() && !case.has([&BODY_1, &VELOCITY]) && !case.has([&BODY_2, &VELOCITY]) {
+        let allowed = format!("{} (or `[approach]`)", VELOCITY.allowed());
+        return Err(case.missing_as([&BODY_1, &VELOCITY], allowed));
+    }
     let table = case.section(&CONTACT)?;
     let contact = Contact::read(&table)?;
     let touch = Touch::read(case, &table, &bodies)?;

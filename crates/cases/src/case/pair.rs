@@ -1,7 +1,7 @@
 //! Two surfaces in contact: radii and materials of `[body_1]` and `[body_2]`, and their angle.
 
 use super::error::CaseError;
-use super::field::{Field, Form};
+use super::field::{Default, Field, Form};
 use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::Section;
@@ -26,21 +26,21 @@ pub(super) const ANGLE: Field = Field::number(
     Range::Finite.of(Dimension::Degrees),
     "from the first principal direction of body 1 to that of body 2",
 )
-.such_as("0");
+.default(Default::Number(0.0));
 
 /// Reads both bodies and `contact.angle`, the angle in degrees from the first principal
-/// direction of body 1 to that of body 2.
+/// direction of body 1 to that of body 2; 0 without a table `[contact]`.
 ///
 /// # Errors
 /// If a field is missing, unknown or out of range, or the surfaces have no elliptical contact.
-pub(super) fn read(case: &Section<'_>, contact: &Section<'_>) -> Result<Hertz, CaseError> {
+pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<Hertz, CaseError> {
     let (radii_1, material_1) = read_surface(case, &BODY_1)?;
     let (radii_2, material_2) = read_surface(case, &BODY_2)?;
-    let angle = contact.number(&ANGLE)?;
+    let angle = contact.map_or(Ok(0.0), |contact| contact.number(&ANGLE))?;
     let materials = MaterialPair::new(material_1, material_2)
         .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
     let curvature = RelativeCurvature::new(radii_1, radii_2, angle.to_radians())
-        .map_err(CaseError::Curvature)?;
+        .map_err(|source| CaseError::Curvature { source })?;
     Hertz::new(curvature, materials)
         .map_err(|error| case.out_of_range([&BODY_1, &RADII], error.value, error.allowed))
 }

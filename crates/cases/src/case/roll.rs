@@ -2,9 +2,10 @@
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
+use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::range::Range;
-use super::section::{Numbers, Section, parse};
+use super::section::{Numbers, Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{CurvatureError, RelativeCurvature};
@@ -111,6 +112,10 @@ impl RollCase {
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::Roll, source, first))
+    }
+
+    fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let body = |field| material::read(&case.section(field)?);
@@ -150,7 +155,7 @@ fn read_contact(
         RelativeCurvature::from_coefficients(0.5 / x, 0.5 / y)
             .and_then(|curvature| Ok(Hertz::new(curvature, materials)?))
     };
-    let hertz = made.map_err(CaseError::Curvature)?;
+    let hertz = made.map_err(|source| CaseError::Curvature { source })?;
     let loaded = hertz
         .at_force(force)
         .map_err(|error| contact.out_of_range(&FORCE, error.value, error.allowed))?;

@@ -7,9 +7,10 @@ use super::contact::{
 };
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
+use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::range::Range;
-use super::section::{Section, parse};
+use super::section::{Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
 use carom_laws::friction::Friction;
@@ -113,6 +114,10 @@ impl SceneCase {
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::Scene, source, first))
+    }
+
+    fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let setting = case.section(&SETTING)?;

@@ -2,9 +2,10 @@
 
 use super::error::CaseError;
 use super::field::{Field, Form, Word};
+use super::kind::CaseKind;
 use super::pair::{self, ANGLE, BODY_1, BODY_2};
 use super::range::Range;
-use super::section::{Section, parse};
+use super::section::{Section, parse, survey};
 use super::unit::Dimension;
 use carom_laws::hertz::Hertz;
 
@@ -83,10 +84,14 @@ impl StressCase {
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::Stress, source, first))
+    }
+
+    fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.section(&CONTACT)?;
-        let hertz = pair::read(&case, &contact)?;
+        let hertz = pair::read(&case, Some(&contact))?;
         let friction = contact.number(&FRICTION)?;
         let load = case.section(&LOAD)?;
         let force = [load.number(&FORCE_X)?, load.number(&FORCE_Y)?, load.number(&FORCE)?];

@@ -156,6 +156,9 @@ impl Dimension {
     /// The number in the base unit; none if the text is not a number with a unit of this dimension.
     #[must_use]
     pub fn read(self, text: &str) -> Option<f64> {
+        if let "inf" | "+inf" | "-inf" = text.trim() {
+            return text.trim().parse().ok();
+        }
         let (number, unit) = split(text)?;
         let (_, scale) = self.units().iter().find(|(name, _)| *name == unit)?;
         scale.apply(number)
@@ -244,6 +247,8 @@ mod tests {
             (Dimension::Length, "7 μm", 7e-6),
             (Dimension::Length, "1e3m", 1e3),
             (Dimension::Length, "inf m", f64::INFINITY),
+            (Dimension::Length, "-inf", f64::NEG_INFINITY),
+            (Dimension::None, "inf", f64::INFINITY),
             (Dimension::Mass, "5 g", 0.005),
             (Dimension::Mass, "5e-1 t", 500.0),
             (Dimension::Density, "7.85 g/cm^3", 7850.0),

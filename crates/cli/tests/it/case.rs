@@ -76,8 +76,6 @@ fn every_missing_field_is_named() {
         ("young_modulus = 380e9, ", "body_1.material.young_modulus"),
         (", poisson = 0.23", "body_1.material.poisson"),
         ("density = 4000.0", "body_1.mass"),
-        ("velocity = [1.0, 0.0, -3.9]", "body_1.velocity"),
-        ("spin = [0.0, 10.0, 0.0]", "body_1.spin"),
         ("shape = \"plane\"", "body_2.shape"),
         ("material = { rigid = true }", "body_2.material"),
         ("mass = 2.5", "body_2.mass"),
@@ -87,6 +85,24 @@ fn every_missing_field_is_named() {
         let message = error(&changed(line, ""));
         assert!(message.starts_with(&format!("`{field}` is missing: must be ")), "{message}");
     }
+}
+
+#[test]
+fn a_motion_that_is_not_given_is_zero_but_one_body_moves() {
+    let motion = |source: &str, body: usize| {
+        let motion = ImpactFile::parse(source).unwrap().nominal().collision.bodies()[body].motion();
+        (<[f64; 3]>::from(motion.velocity), <[f64; 3]>::from(motion.spin))
+    };
+    let rest = CASE.replace("velocity = [0.0, 0.0, 0.0]\nspin = [0.0, 0.0, 0.0]\n", "");
+    assert_eq!(motion(&rest, 1), ([0.0; 3], [0.0; 3]));
+    assert_eq!(motion(&rest, 0), ([1.0, 0.0, -3.9], [0.0, 10.0, 0.0]));
+    let spinless = changed("spin = [0.0, 10.0, 0.0]", "");
+    assert_eq!(motion(&spinless, 0), ([1.0, 0.0, -3.9], [0.0; 3]));
+    let still = rest.replace("velocity = [1.0, 0.0, -3.9]\n", "");
+    let message = ImpactFile::parse(&still).unwrap_err().to_string();
+    let expected =
+        "`body_1.velocity` is missing: must be three numbers [x, y, z] (or `[approach]`)";
+    assert_eq!(message, expected);
 }
 
 #[test]
@@ -109,7 +125,7 @@ fn every_misspelt_field_is_named_with_its_line_and_the_nearest_name() {
         assert!(message.starts_with(&format!("line {line}: unknown field")), "{message}");
         assert!(message.contains(&format!("did you mean `{name}`?")), "{message}");
     }
-    insta::assert_snapshot!(error(&changed("radius", "radus")), @r#"line 3: unknown field `body_1.radus`, did you mean `radius`?; `body_1` of shape "sphere" takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `inertia`, `position`, `quaternion`, `angles`, `velocity`, `spin`"#);
+    insta::assert_snapshot!(error(&changed("radius", "radus")), @r#"line 3: unknown field `body_1.radus`, did you mean `radius`? `body_1` of shape "sphere" takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `inertia`, `position`, `quaternion`, `angles`, `velocity`, `spin`"#);
 }
 
 #[test]
@@ -146,7 +162,12 @@ fn values_of_the_wrong_kind_are_named() {
     insta::assert_snapshot!(error(&changed("[1.0, 0.0, -3.9]", "[1.0, -3.9]")), @"line 6: `body_1.velocity` = [1.0, -3.9] is out of range: must be three numbers [x, y, z]");
     insta::assert_snapshot!(error(&changed("\"sphere\"", "\"cube\"")), @r#"line 2: `body_1.shape` = "cube" is out of range: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given""#);
     insta::assert_snapshot!(error(&changed("rigid = true", "rigid = 1")), @"line 11: `body_2.material.rigid` = 1 is out of range: must be true or false");
-    insta::assert_snapshot!(error("contact = 3"), @"`body_1` is missing: must be a table");
+    insta::assert_snapshot!(error("contact = 3"), @r"
+    3 errors
+    line 1: `contact` = 3 is out of range: must be a table
+    `body_1` is missing: must be a table
+    `body_2` is missing: must be a table
+    ");
 }
 
 #[test]

@@ -144,16 +144,16 @@ pub(super) const ANGLES: Field = Field::new(
 )
 .may("axes parallel to those of space, or `quaternion`")
 .such_as("[0, 0, 0]");
-pub(super) const VELOCITY: Field =
+pub(in crate::case) const VELOCITY: Field =
     Field::vector("velocity", Range::Speed.of(Dimension::Speed), "velocity of the centre of mass")
-        .or("`[approach]`, or `fixed = true`")
+        .may("at rest, or as `[approach]` says")
         .such_as("[0.5, 0, -1]");
 pub(super) const SPIN: Field = Field::vector(
     "spin",
     Range::Speed.of(Dimension::Spin),
     "angular velocity, in the axes of space",
 )
-.or("`fixed = true`")
+.may("no spin")
 .such_as("[0, 0, 0]");
 
 /// All fields of a body.

@@ -4,6 +4,7 @@ mod fields;
 
 pub(super) use fields::{
     BALL, BODY_1, BODY_2, FIXED, INERTIA, MASS, POINT as KNOWN_POINT, POSITION, RADII, SHAPE,
+    VELOCITY,
 };
 
 use super::error::CaseError;
@@ -17,7 +18,7 @@ use carom_special::RangeError;
 use fields::{
     ANGLES, BOX, CAPSULE, CYLINDER, DENSITY, DIRECTION, EDGES, ELLIPSOID, GIVEN, HALF_SPACE,
     LENGTH, NORMAL, OUTWARD, PLANE, QUATERNION, RADIUS, SEMI_AXES, SHELL, SOLID, SPHERE, SPIN,
-    TORUS, TUBE, VELOCITY,
+    TORUS, TUBE,
 };
 
 /// A body as a case file describes it.
@@ -178,7 +179,7 @@ fn read_motion(body: &Section<'_>, velocity: Velocity) -> Result<Motion, CaseErr
         };
     }
     let velocity = match velocity {
-        Velocity::Own => body.vector(&VELOCITY)?,
+        Velocity::Own => vector_or_zero(body, &VELOCITY)?,
         Velocity::Approach if body.has(&VELOCITY) => {
             let reason = "[approach] gives the velocity of body 1";
             return Err(body.excluded(&VELOCITY, "approach".to_owned(), reason));
@@ -186,7 +187,11 @@ fn read_motion(body: &Section<'_>, velocity: Velocity) -> Result<Motion, CaseErr
         Velocity::Approach => [0.0; 3],
     };
     let field = if body.has(&VELOCITY) { &VELOCITY } else { &SPIN };
-    Motion::new(velocity, body.vector(&SPIN)?).map_err(at(body, field))
+    Motion::new(velocity, vector_or_zero(body, &SPIN)?).map_err(at(body, field))
+}
+
+fn vector_or_zero(body: &Section<'_>, field: &Field) -> Result<[f64; 3], CaseError> {
+    if body.has(field) { body.vector(field) } else { Ok([0.0; 3]) }
 }
 
 /// The attitude; None if the file does not give it.

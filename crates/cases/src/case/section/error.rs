@@ -10,6 +10,37 @@ use carom_special::nearest;
 use toml::Spanned;
 use toml::de::DeValue;
 
+/// Names that other programs and books use for fields.
+const OTHER_NAMES: &[(&str, &str)] = &[
+    ("E", "young_modulus"),
+    ("young", "young_modulus"),
+    ("G", "shear_modulus"),
+    ("shear", "shear_modulus"),
+    ("nu", "poisson"),
+    ("poissons_ratio", "poisson"),
+    ("poisson_ratio", "poisson"),
+    ("rho", "density"),
+    ("m", "mass"),
+    ("r", "radius"),
+    ("R", "radius"),
+    ("mu", "friction"),
+    ("friction_coefficient", "friction"),
+    ("e", "normal_restitution"),
+    ("restitution", "normal_restitution"),
+    ("v", "velocity"),
+    ("omega", "spin"),
+    ("angular_velocity", "spin"),
+    ("F", "force"),
+    ("nx", "cells"),
+];
+
+/// The field that the name of another program stands for, if the table has it.
+fn meant(name: &str, valid: &[&'static str]) -> Option<&'static str> {
+    let (_, field) =
+        OTHER_NAMES.iter().find(|(other, field)| *other == name && valid.contains(field))?;
+    Some(field)
+}
+
 impl Section<'_> {
     pub(super) fn unknown(
         &self,
@@ -29,7 +60,7 @@ impl Section<'_> {
                 Some(shape) => format!("{table} of shape {shape:?}"),
                 None => table,
             },
-            nearest: nearest(name, valid),
+            nearest: meant(name, valid).or_else(|| nearest(name, valid)),
             valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
         }
     }

@@ -3,6 +3,7 @@
 mod arrays;
 mod error;
 mod spelling;
+pub(super) mod survey;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
@@ -62,19 +63,16 @@ impl<'a> Section<'a> {
 
     /// Checks that it has only fields of this shape.
     fn check(&self, shape: Option<&str>) -> Result<(), CaseError> {
-        let valid =
-            || self.fields.iter().filter(|field| field.is_of(shape)).map(|field| field.name);
-        let unknown = self
-            .table
-            .iter()
-            .find(|(name, _)| valid().all(|valid| valid != name.get_ref().as_ref()));
-        match unknown {
-            Some((name, _)) => {
-                let valid: Vec<_> = valid().collect();
-                Err(self.unknown(name.get_ref(), name.span().start, shape, &valid))
-            }
-            None => Ok(()),
-        }
+        self.all_unknown(shape).into_iter().next().map_or(Ok(()), Err)
+    }
+
+    /// The errors of all fields that this shape does not have.
+    fn all_unknown(&self, shape: Option<&str>) -> Vec<CaseError> {
+        let valid = self.fields.iter().filter(|field| field.is_of(shape));
+        let valid: Vec<&'static str> = valid.map(|field| field.name).collect();
+        let names = self.table.iter().map(|(name, _)| name);
+        let unknown = names.filter(|name| !valid.contains(&name.get_ref().as_ref()));
+        unknown.map(|name| self.unknown(name.get_ref(), name.span().start, shape, &valid)).collect()
     }
 
     /// The table that replaces the value of a number, with these fields.
@@ -246,7 +244,11 @@ impl<'a> Section<'a> {
         };
         let text = value.get_ref().as_str();
         let known = words.iter().find(|(word, _)| text == Some(word));
-        known.map(|(word, _)| *word).ok_or_else(|| self.wrong(field, value))
+        let wrong = || {
+            let allowed = field.allowed() + &survey::meant(text, words);
+            self.kind(field.name, value, &allowed)
+        };
+        known.map(|(word, _)| *word).ok_or_else(wrong)
     }
 
     /// Reads true or false; false if it is missing.

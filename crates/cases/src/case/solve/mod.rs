@@ -10,9 +10,10 @@ pub use method::SolveMethod;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
+use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::range::Range;
-use super::section::{Section, parse};
+use super::section::{Section, parse, survey};
 use super::unit::Dimension;
 use carom_halfspace::{Grid, MaterialPair};
 use gap::GAP;
@@ -150,6 +151,10 @@ impl SolveCase {
     /// # Errors
     /// As [`SolveCase::parse`].
     pub fn parse_to(source: &str, accuracy: Option<f64>) -> Result<Self, CaseError> {
+        Self::read(source, accuracy).map_err(|first| survey::all(CaseKind::Solve, source, first))
+    }
+
+    fn read(source: &str, accuracy: Option<f64>) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let body = |field| material::read(&case.section(field)?);
