@@ -108,8 +108,8 @@ def test_a_material_that_is_none_is_an_error(whole, tmp_path):
 
 
 def test_slots_without_a_host_under_sanitizers(tmp_path):
-    library = next((PLUGIN.parent / cpu / "release/libcarom_capi.a" for cpu in ("x86-64-v3", "generic")
-                    if (PLUGIN.parent / cpu / "release/libcarom_capi.a").exists()))
+    built = [ROOT / "target/lammps" / cpu / "release/libcarom_capi.a" for cpu in ("x86-64-v3", "generic")]
+    library = next(library for library in built if library.exists())
     program = tmp_path / "touches"
     command = ["g++", "-std=c++17", "-g", "-O1", "-Wall", "-Wextra", "-Werror", "-fsanitize=address,undefined"]
     command += ["-fno-sanitize-recover=all", f"-I{ROOT / 'crates/capi/include'}", str(HERE / "touches.cpp")]

@@ -69,7 +69,9 @@ pub(super) fn run(
                 continue;
             }
         };
-        ensure!(bench.failure(None)?.is_none(), "tests of {layer:?} fail without any mutant");
+        if let Some(test) = bench.failure(None)? {
+            bail!("tests of {layer:?} fail without any mutant: {test}");
+        }
         for mutant in of_layer {
             let key = mutant.key();
             match bench.noticed(root, mutant, killers.get(&key))? {
