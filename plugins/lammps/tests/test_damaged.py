@@ -5,7 +5,7 @@ import struct
 import subprocess
 
 import pytest
-from conftest import PLUGIN, Failed, lmp
+from conftest import Failed, lmp
 
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[2]
