@@ -1,5 +1,6 @@
 //! The picture of a solution.
 
+use super::limits::limits;
 use crate::command::plot::Course;
 use crate::error::CliError;
 use crate::output::Picture;
@@ -44,6 +45,7 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
                 &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
             ));
         }
+        panels.extend(limits(case, steps));
         if steps.iter().any(|step| step.shift.omega != 0.0) {
             panels.push(course.paths(
                 "torque",
