@@ -7,8 +7,8 @@ use carom::prelude::{
     Method as _,
 };
 use carom::solver::{
-    CellFriction, Convergence, FrictionalScratch, Frictionless, NormalScratch, StepSummary,
-    Subsurface, SurfaceFriction,
+    CellFriction, Convergence, FrictionalScratch, Frictionless, GridWarning, NormalScratch,
+    StepSummary, Subsurface, SurfaceFriction,
 };
 use carom::special::RangeError;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
@@ -192,7 +192,10 @@ impl Solver {
     /// Reasons to distrust the state, as texts.
     fn warnings(&self) -> PyResult<Vec<String>> {
         let warnings = self.problem.warnings(&self.state).map_err(Fault::other)?;
-        Ok(warnings.iter().map(ToString::to_string).collect())
+        // Where the bodies end at the border, the contact may reach it.
+        let counts =
+            |warning: &&GridWarning| !self.cut || !matches!(warning, GridWarning::Border { .. });
+        Ok(warnings.iter().filter(counts).map(ToString::to_string).collect())
     }
 
     /// Summary of the last step.
