@@ -2,10 +2,11 @@
 
 use crate::case::CaseError;
 use crate::history::StepsError;
+use crate::solve::ChosenError;
 use carom_classic::DirectError;
 use carom_impact::{CollisionError, RingImpactError};
 use carom_numerical::{CollisionLawError, NumericalImpactError};
-use carom_solver::{FitError, FrictionalError, ProblemError};
+use carom_solver::{FitError, FrictionalError, NormalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
@@ -57,6 +58,16 @@ pub enum Error {
         /// Why.
         source: Box<FrictionalError>,
     },
+    /// A step without friction, as on a plate, could not be solved.
+    #[error("{}: step {step}: {source}", path.display())]
+    Frictionless {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the step, from 1; 0 before the first.
+        step: usize,
+        /// Why.
+        source: Box<NormalError>,
+    },
     /// A step could not be solved by the requested method.
     #[error("{}: step {step}: {source}{}", path.display(), advice(source))]
     Classic {
@@ -83,7 +94,7 @@ pub enum Error {
         /// The case file.
         path: PathBuf,
         /// Why.
-        source: Box<FitError<FrictionalError>>,
+        source: Box<FitError<ChosenError>>,
     },
     /// A contact problem could not be set up.
     #[error("{}: {source}", path.display())]
@@ -144,12 +155,14 @@ impl Error {
             Self::Collision { source, .. } => is_bad(source),
             Self::CollisionLaw { source, .. } => is_bad_collision(source),
             Self::Step { source, .. } => is_beyond(source),
+            Self::Frictionless { source, .. } => is_beyond_normal(source),
             Self::Fit { source, .. } => match &**source {
                 FitError::Range(_)
                 | FitError::Problem(_)
                 | FitError::NoWindow { .. }
                 | FitError::Endless { .. } => true,
-                FitError::Method(source) => is_beyond(source),
+                FitError::Method(ChosenError::Today(source)) => is_beyond(source),
+                FitError::Method(ChosenError::Normal(source)) => is_beyond_normal(source),
                 _ => false,
             },
             Self::Classic { source, .. } => {
@@ -192,6 +205,11 @@ const fn is_beyond(error: &FrictionalError) -> bool {
             | FrictionalError::Slides { .. }
             | FrictionalError::Turns { .. }
     )
+}
+
+/// The same without friction.
+const fn is_beyond_normal(error: &NormalError) -> bool {
+    !matches!(error, NormalError::NotConverged { .. })
 }
 
 /// Whether the prescribed collision itself is impossible; a failed computation is not.

@@ -1,7 +1,7 @@
 //! Cases from TOML files, the same as for the command `carom`.
 
 use carom::impact::Outcome;
-use carom::solver::{CellState, ContactState};
+use carom::solver::{CellState, ContactState, GridWarning};
 use carom::special::WordError;
 use carom_cases::Error;
 use carom_cases::case::CaseKind;
@@ -42,8 +42,8 @@ pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, 
     arrays(py, &all_columns(), &steps)
 }
 
-/// A contact on a grid: its steps, the cell centres along x and y, and the fields at the end in the format of
-/// a solver's state.
+/// A contact on a grid: its steps, the cell centres along x and y, the fields at the end in the format of a
+/// solver's state, and warnings.
 #[pyfunction]
 #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
 pub(crate) fn case_solve<'py>(
@@ -55,17 +55,23 @@ pub(crate) fn case_solve<'py>(
     [Bound<'py, PyArray1<f64>>; 2],
     [Bound<'py, PyArray1<f64>>; 5],
     Bound<'py, PyArray1<i8>>,
+    Vec<String>,
 )> {
     let solved = without_python(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
-    let Solved { steps, state, window, .. } = solved.map_err(raised)?;
+    let Solved { steps, state, window, too_large, .. } = solved.map_err(raised)?;
     let (grid, [x, y]) = (window.grid(), window.middle());
     let axes = [
         (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect::<Vec<_>>(),
         (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect(),
     ];
     let axes = axes.map(|axis| PyArray1::from_vec(py, axis));
+    // A contact that may not reach the border has not reached it.
+    let few = state.warnings().into_iter().filter(|w| matches!(w, GridWarning::FewCells { .. }));
+    let large = too_large.map(|(step, warning)| format!("step {step}: {warning}"));
+    let warnings = few.map(|warning| warning.to_string()).chain(large).collect();
     let (fields, cells) = lines(py, &state);
-    Ok((arrays(py, &carom::solver::StepSummary::columns(), &steps)?, axes, fields, cells))
+    let steps = arrays(py, &carom::solver::StepSummary::columns(), &steps)?;
+    Ok((steps, axes, fields, cells, warnings))
 }
 
 /// A commented case of the given kind with all its fields, ready to run.

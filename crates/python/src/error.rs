@@ -103,6 +103,9 @@ fault_of! {
         carom::impact::restitution::RestitutionError::Range(error) => error;
     carom::laws::curvature::CurvatureError: carom::laws::curvature::CurvatureError::Range(error) => error;
     carom::geometry::SurfaceError: carom::geometry::SurfaceError::Range(error) => error;
+    carom::solver::NormalError: carom::solver::NormalError::Range(error) => error;
+    carom::halfspace::operator::OperatorError:
+        carom::halfspace::operator::OperatorError::Range(error) => error;
     carom::solver::FrictionalError: carom::solver::FrictionalError::Range(error) => error;
     carom::special::hypergeometric::HypergeometricError:
         carom::special::hypergeometric::HypergeometricError::Range(error) => error;

@@ -10,6 +10,7 @@ mod contacts;
 mod error;
 mod hertz;
 mod materials;
+mod plate;
 mod records;
 mod restitution;
 mod room;
@@ -41,6 +42,8 @@ mod _carom {
     use super::hertz::Hertz;
     #[pymodule_export]
     use super::materials::{Material, MaterialPair};
+    #[pymodule_export]
+    use super::plate::Plate;
     #[pymodule_export]
     use super::records::columns;
     #[pymodule_export]

@@ -1,20 +1,27 @@
 //! The numerical contact solver: gaps and drives in, fields out.
 
+use carom::halfspace::operator::{PlateOperator, Threads};
 use carom::halfspace::{Field, Point};
 use carom::prelude::{
     CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
     Method as _,
 };
-use carom::solver::{CellFriction, FrictionalScratch, StepSummary, Subsurface, SurfaceFriction};
+use carom::solver::{
+    CellFriction, Convergence, FrictionalScratch, Frictionless, GridWarning, NormalScratch,
+    StepSummary, Subsurface, SurfaceFriction,
+};
+use carom::special::RangeError;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 use crate::arrays::{Numbers, map, same_length};
 use crate::cases::lines;
 use crate::error::Fault;
 use crate::materials::MaterialPair;
+use crate::plate::Plate;
 use crate::records::arrays;
 use crate::threads::without_python;
 
@@ -25,13 +32,47 @@ type Given = (bool, f64);
 #[pyclass(module = "carom")]
 pub(crate) struct Solver {
     problem: ContactProblem,
-    method: Frictional,
-    scratch: FrictionalScratch,
+    method: Chosen,
     /// Whether the bodies end at the border of the window, so that the contact may reach it.
     cut: bool,
     state: ContactState,
     next: ContactState,
     last: StepSummary,
+}
+
+/// The method with its working memory: with friction, or without it for a plate.
+enum Chosen {
+    Frictional(Frictional, Box<FrictionalScratch>),
+    Frictionless(Frictionless, Box<NormalScratch>),
+}
+
+impl Chosen {
+    fn new(problem: &ContactProblem, tolerance: f64, is_plate: bool) -> Result<Self, Fault> {
+        if is_plate {
+            let method = Frictionless::default().within(tolerance)?;
+            let scratch = method.scratch(problem)?;
+            return Ok(Self::Frictionless(method, Box::new(scratch)));
+        }
+        let method = Frictional::default().within(tolerance)?;
+        let scratch = method.scratch(problem).map_err(Fault::other)?;
+        Ok(Self::Frictional(method, Box::new(scratch)))
+    }
+
+    fn step(
+        &mut self,
+        problem: &ContactProblem,
+        drive: &Drive,
+        [from, to]: [&mut ContactState; 2],
+    ) -> Result<Convergence, Fault> {
+        Ok(match self {
+            Self::Frictional(method, scratch) => {
+                method.step(problem, from, drive, to, scratch, &mut ())?
+            }
+            Self::Frictionless(method, scratch) => {
+                method.step(problem, from, drive, to, scratch, &mut ())?
+            }
+        })
+    }
 }
 
 #[pymethods]
@@ -47,25 +88,29 @@ impl Solver {
         friction: Numbers<'_>,
         tolerance: f64,
         cut: bool,
+        plate: Option<Plate>,
     ) -> PyResult<Self> {
         let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
         let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
         let gap = Gap::new(heights).map_err(Fault::from)?;
-        let friction = surface(grid, friction.as_slice()?)?;
-        let problem =
-            ContactProblem::of_half_spaces(gap, materials.0, friction).map_err(Fault::other)?;
-        let method = Frictional::default().within(tolerance).map_err(Fault::from)?;
-        let scratch = without_python(py, || method.scratch(&problem)).map_err(Fault::other)?;
+        let coefficients = friction.as_slice()?;
+        let friction = surface(grid, coefficients)?;
+        if plate.is_some() {
+            let greatest = coefficients.iter().copied().fold(0.0, f64::max);
+            let holds = greatest == 0.0;
+            RangeError::check("friction", greatest, holds, "0 on a plate").map_err(Fault::from)?;
+        }
+        let (problem, method) = without_python(py, || {
+            let problem = match plate {
+                Some(plate) => on_plate(gap, materials, friction, cut, plate)?,
+                None => ContactProblem::of_half_spaces(gap, materials.0, friction)
+                    .map_err(Fault::other)?,
+            };
+            let method = Chosen::new(&problem, tolerance, plate.is_some())?;
+            Ok::<_, Fault>((problem, method))
+        })?;
         let state = ContactState::apart(grid);
-        Ok(Self {
-            problem,
-            method,
-            scratch,
-            cut,
-            next: state.clone(),
-            state,
-            last: StepSummary::default(),
-        })
+        Ok(Self { problem, method, cut, next: state.clone(), state, last: StepSummary::default() })
     }
 
     /// One step with given approach, shifts along x and y, and twist, or their loads.
@@ -75,9 +120,9 @@ impl Solver {
             false => Driven::Shift(value),
         });
         let drive = Drive { normal, x, y, twist };
-        let Self { problem, method, scratch, cut, state, next, last } = self;
+        let Self { problem, method, cut, state, next, last } = self;
         let stepped = without_python(py, || {
-            let went = method.step(problem, state, &drive, next, scratch, &mut ())?;
+            let went = method.step(problem, &drive, [state, next])?;
             if !*cut && reaches_border(next) {
                 return Err(Fault::other("the contact reaches the border of the grid"));
             }
@@ -144,6 +189,15 @@ impl Solver {
         Ok(())
     }
 
+    /// Reasons to distrust the state, as texts.
+    fn warnings(&self) -> PyResult<Vec<String>> {
+        let warnings = self.problem.warnings(&self.state).map_err(Fault::other)?;
+        // Where the bodies end at the border, the contact may reach it.
+        let counts =
+            |warning: &&GridWarning| !self.cut || !matches!(warning, GridWarning::Border { .. });
+        Ok(warnings.iter().filter(counts).map(ToString::to_string).collect())
+    }
+
     /// Summary of the last step.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         arrays(py, &StepSummary::columns(), &[self.last])
@@ -174,6 +228,21 @@ impl Solver {
         })?;
         PyArray1::from_vec(py, stresses.into_iter().flatten().collect()).reshape([x.len(), 6])
     }
+}
+
+/// The problem of a plate, which has no friction and whose edges no contact reaches.
+fn on_plate(
+    gap: Gap,
+    materials: MaterialPair,
+    friction: SurfaceFriction,
+    cut: bool,
+    Plate { plate, theory }: Plate,
+) -> Result<ContactProblem, Fault> {
+    RangeError::check("cut", 1.0, !cut, "False on a plate: no contact may reach its edges")?;
+    let allowed = "a side of the plate: the cells cover it, no more and no less";
+    plate.check_cover(gap.grid()).map_err(|error| RangeError::new("size", error.value, allowed))?;
+    let operator = PlateOperator::new(materials.0, plate, gap.grid(), theory, Threads::One)?;
+    ContactProblem::new(gap, Arc::new(operator), friction).map_err(Fault::other)
 }
 
 fn reaches_border(state: &ContactState) -> bool {

@@ -101,6 +101,19 @@ def test_a_grid_is_that_of_a_solver():
     assert set(np.unique(solved.cells)) == {0, 1, 2}
 
 
+def test_a_plate_is_that_of_a_solver_and_warned_about(tmp_path):
+    text = (EXAMPLES / "solve_plate_kirchhoff.toml").read_text()
+    (tmp_path / "bent.toml").write_text(text.replace('"1.2 mm"', '"2.2 mm"').replace('"10 m"', '"5 m"'))
+    solved = carom.cases.solve(tmp_path / "bent.toml")
+    x, y = np.meshgrid(solved.x, solved.y)
+    pair = carom.MaterialPair(carom.RIGID, carom.Material(208e9, 0.3))
+    plate = carom.Plate(0.4, 0.4, 4e-3, "kirchhoff")
+    solver = carom.Solver((x**2 + y**2) / 10, (0.4, 0.4), pair, 0.0, plate=plate)
+    assert solver.step(zeta=2.2e-3).F_z == pytest.approx(solved.steps.F_z[-1], rel=1e-8)
+    assert any(text.startswith("step 1: the displacement 0.00") for text in solved.warnings)
+    assert not any("displacement" in text for text in carom.cases.solve(EXAMPLES / "solve_plate.toml").warnings)
+
+
 def test_an_accuracy_chooses_the_grid():
     rough = carom.cases.solve(EXAMPLES / "solve_hertz.toml", accuracy=0.01)
     fine = carom.cases.solve(EXAMPLES / "solve_hertz.toml", accuracy=2e-5)

@@ -128,3 +128,52 @@ def test_a_point_outside_body_2_is_named_as_it_was_given():
             solver.stress(0.0, 0.0, z, body=body)
         assert (error.value.field, error.value.value) == ("z", z)
         assert allowed in str(error.value)
+
+
+def sphere_on_plate(plate=None, n=24, friction=0.0, size=(1.0, 1.0), **given):
+    x, y = carom.cells((n, n), size)
+    pair = carom.MaterialPair(carom.RIGID, carom.Material(0.91, 0.3))
+    plate = plate or carom.Plate(1.0, 1.0, 0.1)
+    return carom.Solver((x**2 + y**2) / 2, size, pair, friction, plate=plate, **given)
+
+
+@pytest.mark.parametrize(("theory", "force"), [("layer", 1.995014292e-4), ("kirchhoff", 2.1739903853e-4)])
+def test_force_on_a_plate_is_that_of_an_independent_solution(theory, force):
+    plate = carom.Plate(1.0, 1.0, 0.1, theory)
+    solver = sphere_on_plate(plate)
+    assert solver.plate == plate and plate.theory == theory
+    assert solver.step(zeta=0.03).F_z == pytest.approx(force, rel=1e-9)
+    step = sphere_on_plate(plate).step(F_z=force)
+    assert step.zeta == pytest.approx(0.03, rel=1e-8)
+
+
+def test_a_plate_bent_too_far_is_warned_about():
+    solver = sphere_on_plate()
+    solver.step(zeta=0.03)
+    assert not any("displacement" in text for text in solver.warnings)
+    solver.step(zeta=0.08)
+    assert any("exceeds 0.05" in text for text in solver.warnings)
+    before = solver.summary()
+    with pytest.raises(carom.CaromError, match="left border, where the body is held"):
+        solver.step(zeta=0.4)
+    assert solver.summary().zeta == before.zeta
+    again = pickle.loads(pickle.dumps(solver))
+    assert again.plate == solver.plate
+    assert again.step(zeta=0.05).F_z == solver.step(zeta=0.05).F_z
+
+
+def test_a_plate_that_cannot_be_is_refused_by_name():
+    for make, field, value in [
+        (lambda: carom.Plate(1.0, 1.0, 1e-7), "thickness", 1e-7),
+        (lambda: carom.Plate(-1.0, 1.0, 0.1), "a", -1.0),
+        (lambda: sphere_on_plate(friction=0.3), "friction", 0.3),
+        (lambda: sphere_on_plate(cut=True), "cut", 1.0),
+        (lambda: sphere_on_plate(size=(1.0, 0.9)), "size", 0.9),
+    ]:
+        with pytest.raises(carom.RangeError) as error:
+            make()
+        assert error.value.field == field and error.value.value == pytest.approx(value)
+    with pytest.raises(ValueError, match="reissner"):
+        carom.Plate(1.0, 1.0, 0.1, "reissner")
+    with pytest.raises(ValueError, match="body = 2"):
+        sphere_on_plate().stress(0.0, 0.0, -0.1, body=2)

@@ -34,7 +34,9 @@ pub use range::{End, Range};
 pub use roll::RollCase;
 pub use scene::SceneCase;
 pub use section::Numbers;
-pub use solve::{Border, GapCase, GridCase, HeightFile, Leg, SolveCase, SolveMethod, Target};
+pub use solve::{
+    Border, GapCase, GridCase, HeightFile, Leg, PlateCase, SolveCase, SolveMethod, Target,
+};
 pub use stress::StressCase;
 pub use uncertainty::Uncertainty;
 pub use unit::{Dimension, Measure};

@@ -2,9 +2,9 @@
 
 use super::heights;
 use crate::Error;
-use crate::case::{Border, GapCase, GridCase, SolveCase};
+use crate::case::{Border, GapCase, GridCase, PlateCase, SolveCase};
 use crate::input::CaseFile;
-use carom_halfspace::operator::{OperatorError, PeriodicOperator, Threads};
+use carom_halfspace::operator::{OperatorError, PeriodicOperator, PlateOperator, Threads};
 use carom_halfspace::{Field, Grid, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
@@ -18,6 +18,7 @@ pub struct Bodies {
     materials: MaterialPair,
     friction: SurfaceFriction,
     border: Border,
+    plate: Option<PlateCase>,
     /// The content of the files that the case names.
     read: Vec<u8>,
 }
@@ -64,7 +65,8 @@ impl Bodies {
         let friction = |f: f64| Friction::new(f).map_err(law);
         let friction = CellFriction::new(friction(case.static_friction)?, friction(case.friction)?);
         let friction = friction.map_err(law)?.into();
-        Ok(Self { gap, materials: case.materials, friction, border, read })
+        let (materials, plate) = (case.materials, case.plate);
+        Ok(Self { gap, materials, friction, border, plate, read })
     }
 
     /// The content of the files that the case names.
@@ -75,6 +77,9 @@ impl Bodies {
 
     /// Side lengths of a rectangle that contains a part of the body.
     pub(super) fn sides(&self) -> [f64; 2] {
+        if let Some(PlateCase { plate, .. }) = self.plate {
+            return [plate.a(), plate.b()];
+        }
         match &self.gap {
             Given::Formula(shape) => shape.sides(),
             Given::Grid(gap) => {
@@ -94,6 +99,11 @@ impl Bodies {
             Given::Grid(gap) => on(gap, window.grid()),
         };
         let gap = gap.map_err(OperatorError::from)?;
+        if let Some(PlateCase { plate, theory }) = self.plate {
+            let pair = self.materials;
+            let operator = PlateOperator::new(pair, plate, gap.grid(), theory, Threads::One)?;
+            return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
+        }
         if self.border == Border::Periodic {
             let operator = PeriodicOperator::new(self.materials, gap.grid(), Threads::One)?;
             return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());

@@ -1,4 +1,5 @@
-//! The solution method of a case: the main one, or an older one of the crate `classic`.
+//! The solution method of a case: the main one, the one without friction for a plate, or an older one of the
+//! crate `classic`.
 
 use crate::case::SolveMethod;
 use carom_classic::DirectError;
@@ -6,7 +7,7 @@ use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel};
 use carom_classic::kalker::{Johnson, Kombi, Panagiotopoulos};
 use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Frictional, FrictionalError,
-    FrictionalScratch, Method, Observer,
+    FrictionalScratch, Frictionless, Method, NormalError, NormalScratch, Observer,
 };
 use std::sync::Arc;
 
@@ -74,16 +75,21 @@ fn classic(
 pub struct Chosen {
     /// The main method.
     pub(super) today: Frictional,
+    /// The method for a plate, which has no friction; none for half-spaces.
+    pub(super) plate: Option<Frictionless>,
     pub(super) method: SolveMethod,
     pub(super) tolerance: Option<f64>,
 }
 
 /// Why a step failed.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ChosenError {
     /// The main method failed.
     #[error(transparent)]
     Today(#[from] FrictionalError),
+    /// The method without friction failed.
+    #[error(transparent)]
+    Normal(#[from] NormalError),
     /// An older method failed.
     #[error(transparent)]
     Classic(#[from] DirectError),
@@ -97,6 +103,7 @@ pub struct Working(Kind);
 #[derive(Clone)]
 enum Kind {
     Today(Box<FrictionalScratch>),
+    Normal(Frictionless, Box<NormalScratch>),
     Classic(Arc<dyn Classic>),
 }
 
@@ -105,6 +112,9 @@ impl Method for Chosen {
     type Scratch = Working;
 
     fn scratch(&self, problem: &ContactProblem) -> Result<Working, ChosenError> {
+        if let Some(plate) = self.plate {
+            return Ok(Working(Kind::Normal(plate, Box::new(plate.scratch(problem)?))));
+        }
         Ok(Working(match classic(self.method, self.tolerance, problem)? {
             Some(classic) => Kind::Classic(classic),
             None => Kind::Today(Box::new(self.today.scratch(problem)?)),
@@ -122,6 +132,7 @@ impl Method for Chosen {
     ) -> Result<Convergence, ChosenError> {
         Ok(match &mut scratch.0 {
             Kind::Today(own) => self.today.step(problem, from, drive, to, own, observer)?,
+            Kind::Normal(method, own) => method.step(problem, from, drive, to, own, observer)?,
             Kind::Classic(classic) => classic.step(problem, from, drive, to)?,
         })
     }

@@ -3,14 +3,15 @@
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
 use crate::Error;
-use crate::case::{Border, GridCase, Leg, SolveCase, Target};
+use crate::case::{Border, GridCase, Leg, SolveCase, SolveMethod, Target};
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Grid, room};
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
     Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
-    NestedError, NestedHistory, ProblemError, StepSummary, Window,
+    Frictionless, GridWarning, NestedError, NestedHistory, ProblemError, StepSummary, Window,
 };
+use carom_special::RangeError;
 use std::path::Path;
 
 /// The result of a run.
@@ -22,6 +23,8 @@ pub struct Followed {
     pub state: ContactState,
     /// The window and its cells.
     pub window: Window,
+    /// The first step in which a displacement is too large for the theory, and how large it is.
+    pub too_large: Option<(usize, GridWarning)>,
     /// Number of steps that an earlier run had computed.
     pub found: usize,
 }
@@ -68,17 +71,29 @@ impl<'a> Run<'a> {
             Some(tolerance) => method.within(tolerance).map_err(range)?,
             None => method,
         };
+        let chosen = Chosen {
+            today: method,
+            plate: case.plate.map(|_| frictionless(case.tolerance)).transpose().map_err(range)?,
+            method: case.method,
+            tolerance: case.tolerance,
+        };
         let window = match case.grid {
             GridCase::Cells { grid, .. } => Window::about([0.0; 2], grid).map_err(range)?,
             GridCase::Accuracy(accuracy) => {
                 let (drives, sides) = (ends(&case.legs), bodies.sides());
                 let make = |window: &Window| bodies.problem(window);
-                let fit = Accuracy::new(accuracy).map_err(range)?.fit(method, make, sides, &drives);
+                let accuracy = Accuracy::new(accuracy).map_err(range)?;
+                let fit = match case.plate {
+                    Some(_) => accuracy.fit_cells(chosen, make, sides, &drives),
+                    None => {
+                        let main = Chosen { method: SolveMethod::Newton, ..chosen };
+                        accuracy.fit(main, make, sides, &drives)
+                    }
+                };
                 fit.map_err(|source| Error::Fit { path: path.to_owned(), source: source.into() })?
                     .window
             }
         };
-        let chosen = Chosen { today: method, method: case.method, tolerance: case.tolerance };
         let make = |grid| bodies.problem(&window.with(grid));
         check_room(window.grid()).map_err(|source| problem(source.into()))?;
         let history = NestedHistory::new(chosen, window.grid(), make);
@@ -129,6 +144,7 @@ impl<'a> Run<'a> {
         }
         let count = steps.len();
         let (mut first, mut held) = (0, HELD);
+        let mut too_large = self.too_large(count)?;
         for leg in &self.case.legs {
             for number in first + 1..=first + leg.count {
                 let begin = if first == 0 { StepSummary::default() } else { steps[first - 1] };
@@ -136,6 +152,9 @@ impl<'a> Run<'a> {
                 if number > count {
                     let step = self.step(number, &drive, steps.last())?;
                     steps.push(step);
+                    if too_large.is_none() {
+                        too_large = self.too_large(number)?;
+                    }
                     done(&steps, &self.history, &self.window)?;
                 }
             }
@@ -143,7 +162,7 @@ impl<'a> Run<'a> {
             held = kept(leg, held);
         }
         let state = self.history.state().clone();
-        Ok(Followed { steps, state, window: self.window, found: count })
+        Ok(Followed { steps, state, window: self.window, too_large, found: count })
     }
 
     fn step(
@@ -168,6 +187,18 @@ impl<'a> Run<'a> {
         Ok(step.with_middle_at(self.window.middle()).with_estimates(estimates.as_ref()))
     }
 
+    /// The warning of a displacement beyond the theory of the operator in this step, the present one.
+    fn too_large(&self, step: usize) -> Result<Option<(usize, GridWarning)>, Error> {
+        let warnings = self.problem().warnings(self.history.state());
+        let warnings = warnings.map_err(|source| {
+            let source = ProblemError::from(source).into();
+            Error::Problem { path: self.path.to_owned(), source }
+        })?;
+        let large =
+            |warning: &GridWarning| matches!(warning, GridWarning::LargeDisplacement { .. });
+        Ok(warnings.into_iter().find(large).map(|warning| (step, warning)))
+    }
+
     /// Whether the contact must not reach the border.
     fn is_free(&self) -> bool {
         !matches!(self.case.grid, GridCase::Cells { border: Border::Cut | Border::Periodic, .. })
@@ -188,10 +219,17 @@ fn check_room(grid: Grid) -> Result<(), OperatorError> {
     }
 }
 
+/// The method without friction.
+fn frictionless(tolerance: Option<f64>) -> Result<Frictionless, RangeError> {
+    let method = Frictionless::default();
+    tolerance.map_or(Ok(method), |tolerance| method.within(tolerance))
+}
+
 fn failed(path: &Path, step: usize, error: ChosenError) -> Error {
     let path = path.to_owned();
     match error {
         ChosenError::Today(source) => Error::Step { path, step, source: source.into() },
+        ChosenError::Normal(source) => Error::Frictionless { path, step, source: source.into() },
         ChosenError::Classic(source) => Error::Classic { path, step, source: source.into() },
     }
 }

@@ -31,6 +31,7 @@ mod room;
 mod scene;
 mod solve;
 mod solve_places;
+mod solve_plate;
 mod streams;
 mod stress;
 mod stress_fields;

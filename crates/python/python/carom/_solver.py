@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _carom
 from ._arrays import Array, counted, line, numbers, two
-from ._carom import MaterialPair
+from ._carom import MaterialPair, Plate
 from ._records import SolverStep
 
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
@@ -48,6 +48,10 @@ class Solver:
     `tolerance`, relative to the largest displacement and friction limit. Body 2 is shifted against body 1;
     loads act on body 1. Solvers can be pickled and copied.
 
+    With a `plate`, body 2 is that plate: simply supported at its edges, covered by the grid, `size` its
+    sides. Friction is then 0, and the contact must not reach an edge. `warnings` says whether it is bent by more
+    than half its thickness.
+
     A steel ball of 1 cm radius on steel, pressed with 10 N and loaded tangentially:
 
     >>> import carom
@@ -73,6 +77,7 @@ class Solver:
         *,
         tolerance: float = 1e-9,
         cut: bool = False,
+        plate: Plate | None = None,
     ) -> None:
         heights = numbers("gap", gap).copy()
         if heights.ndim != 2:
@@ -83,10 +88,11 @@ class Solver:
             raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
         self._gap, self._size, self._materials = heights, two("size", size), materials
         self._friction, self._tolerance, self._cut = fine, float(tolerance), bool(cut)
+        self._plate = plate
         self._given: list[tuple[bool, float]] = [(False, 0.0)] * 4
         cell = [self._size[0] / max(nx, 1), self._size[1] / max(ny, 1)]
         self._native = _carom.Solver(
-            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance, self._cut
+            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance, self._cut, plate
         )
 
     def step(
@@ -120,6 +126,16 @@ class Solver:
     def summary(self) -> SolverStep:
         """Summary of the last step; zeros before the first."""
         return SolverStep._of(self._native.summary(), ())
+
+    @property
+    def plate(self) -> Plate | None:
+        """The plate that body 2 is; None for a half-space."""
+        return self._plate
+
+    @property
+    def warnings(self) -> list[str]:
+        """Reasons to distrust the last step: few cells, a border that the contact reaches, a bent plate."""
+        return self._native.warnings()
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -172,8 +188,11 @@ class Solver:
     def stress(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, *, body: int = 1) -> Array:
         """The stress (xx, yy, zz, xy, yz, zx), Pa, at points of a body: z > 0 in body 1, z < 0 in body 2.
 
-        A sum over all cells, exact for tractions that are constant on each cell.
+        A sum over all cells, exact for tractions that are constant on each cell. A plate has no such stresses:
+        they are those of a half-space.
         """
+        if self._plate is not None and body == 2:
+            raise ValueError("body = 2: must be 1 beside a plate; stresses are those of a half-space")
         arrays = np.broadcast_arrays(*(numbers(n, a) for n, a in zip("xyz", (x, y, z), strict=True)))
         material = (self._materials.material_1, self._materials.material_2)[body == 2]
         stress = self._native.stress(material, body, *(line(a) for a in arrays))
@@ -192,6 +211,7 @@ class Solver:
             state["_friction"],
             tolerance=state["_tolerance"],
             cut=state["_cut"],
+            plate=state["_plate"],
         )
         self._given = state["_given"]
         self._native.restore(*native)

@@ -84,6 +84,7 @@ class Solved:
     traction_x, _y  on body 1, Pa
     displacement_x, _y  elastic, of body 1 against body 2, m
     cells           state of each: 0 separated, 1 sticks, 2 slips
+    warnings        reasons to distrust the result: few cells, a plate bent by more than half its thickness
     """
 
     steps: SolverStep
@@ -95,6 +96,7 @@ class Solved:
     displacement_x: Array
     displacement_y: Array
     cells: NDArray[np.int8]
+    warnings: list[str]
 
 
 def solve(path: Path, *, accuracy: float | None = None) -> Solved:
@@ -110,7 +112,7 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
     True
     """
-    steps, (x, y), fields, cells = _carom.case_solve(os.fspath(path), accuracy)
+    steps, (x, y), fields, cells, warnings = _carom.case_solve(os.fspath(path), accuracy)
     shape = (len(y), len(x))
     return Solved(
         SolverStep._of(steps, (len(steps["step"]),)),
@@ -118,4 +120,5 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
         y,
         *(field.reshape(shape) for field in fields),
         cells.reshape(shape),
+        warnings,
     )

@@ -22,7 +22,7 @@ const MOST_WINDOWS: usize = 90;
 /// window.
 const SMALL_FRACTION: f64 = 0.25;
 /// Cells along a side of the first grid of the history.
-const FIRST_CELLS: usize = 48;
+pub(super) const FIRST_CELLS: usize = 48;
 /// Cells kept free on each side of the contact: one cell of the coarsest grid.
 pub(crate) const FREE_CELLS: usize = 4;
 /// Bounds on the order of convergence: the error falls with this power of the cell width.
@@ -64,8 +64,8 @@ const CONVERGENCE_ORDERS: [f64; 2] = [0.5, 2.0];
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accuracy {
-    wanted: f64,
-    most: usize,
+    pub(super) wanted: f64,
+    pub(super) most: usize,
 }
 
 /// A history on a window and cells that meet the required accuracy.
@@ -220,7 +220,7 @@ fn hardest(drives: &[Drive]) -> impl Iterator<Item = Drive> {
 
 /// The number of cells along a side expected to be sufficient, from the error on the present and on
 /// the previous grid; a multiple of four.
-fn finer(cells: usize, error: f64, before: Option<[f64; 2]>, wanted: f64) -> usize {
+pub(super) fn finer(cells: usize, error: f64, before: Option<[f64; 2]>, wanted: f64) -> usize {
     let order = before.map_or(1.5, |[cells_before, error_before]| {
         libm::log(error_before / error) / libm::log(cells as f64 / cells_before)
     });
@@ -304,16 +304,16 @@ pub(crate) fn border(state: &ContactState) -> Option<Side> {
 }
 
 /// A history on one window.
-struct Run<M: Method> {
+pub(super) struct Run<M: Method> {
     window: Window,
-    history: NestedHistory<M>,
-    estimates: Vec<Estimates>,
+    pub(super) history: NestedHistory<M>,
+    pub(super) estimates: Vec<Estimates>,
     /// The region that was in contact in any step so far.
     seen: Option<Span>,
 }
 
 /// How the history on one window ended.
-enum Reached {
+pub(super) enum Reached {
     Border(Side),
     /// The history is complete, but there are no error estimates.
     Nothing,
@@ -323,7 +323,7 @@ enum Reached {
 }
 
 impl<M: Method> Run<M> {
-    fn begin(
+    pub(super) fn begin(
         method: M,
         make: &impl Fn(&Window) -> Result<ContactProblem, ProblemError>,
         window: Window,
@@ -337,7 +337,7 @@ impl<M: Method> Run<M> {
         Ok(Self { window, history, estimates: Vec::new(), seen: None })
     }
 
-    fn follow(&mut self, drives: &[Drive]) -> Result<Reached, M::Error> {
+    pub(super) fn follow(&mut self, drives: &[Drive]) -> Result<Reached, M::Error> {
         for drive in drives {
             self.history.step(drive, &mut ())?;
             let state = self.history.state();

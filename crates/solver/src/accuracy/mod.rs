@@ -3,6 +3,7 @@
 mod contour;
 mod estimate;
 mod fit;
+mod fit_cells;
 mod grid_warning;
 mod history;
 mod span;

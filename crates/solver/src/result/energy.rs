@@ -47,8 +47,16 @@ impl StoredEnergy {
         let [mut u, mut v, mut w] = [zero.clone(), zero.clone(), zero];
         let (x, y) = (state.traction_x.values(), state.traction_y.values());
         let pressure = state.pressure.values();
-        let tractions = TractionField::full(x, y, pressure);
-        let displacements = DisplacementField::full(u.values_mut(), v.values_mut(), w.values_mut());
+        // Without tractions their displacements do no work, and not every operator has them.
+        let is_normal = x.iter().chain(y).all(|traction| *traction == 0.0);
+        let tractions = match is_normal {
+            true => TractionField::normal(pressure),
+            false => TractionField::full(x, y, pressure),
+        };
+        let displacements = match is_normal {
+            true => DisplacementField::normal(w.values_mut()),
+            false => DisplacementField::full(u.values_mut(), v.values_mut(), w.values_mut()),
+        };
         operator.apply(tractions, displacements, &mut operator.workspace())?;
         let half = 0.5 * grid.cell_area();
         let (mut normal, mut tangential) = (w, u);

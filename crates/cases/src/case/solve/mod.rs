@@ -3,10 +3,12 @@
 mod gap;
 mod legs;
 mod method;
+mod plate;
 
 pub use gap::{GapCase, HeightFile};
 pub use legs::{Leg, Target};
 pub use method::SolveMethod;
+pub use plate::PlateCase;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
@@ -19,6 +21,7 @@ use carom_halfspace::{Grid, MaterialPair};
 use gap::GAP;
 use legs::STEP;
 use method::METHOD;
+use plate::BODIES;
 
 const BODY_1: Field =
     Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");
@@ -37,7 +40,7 @@ const SIZE: Field = Field::new(
         Range::Positive.of(Dimension::Length),
         "two lengths [along x, along y]",
     ),
-    "sides of the whole grid; the contact must not reach its border",
+    "sides of the whole grid, on a plate those of the plate; the contact must not reach its border",
 )
 .or("`accuracy`")
 .such_as("[2.6e-4, 2.6e-4]");
@@ -88,13 +91,15 @@ const CONTACT: Field = Field::new(
 );
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, GAP, GRID, CONTACT, STEP];
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, GAP, GRID, CONTACT, STEP];
 
 /// A contact on a grid and its load history.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolveCase {
     /// Both bodies.
     pub materials: MaterialPair,
+    /// The plate that body 2 is; none for a half-space.
+    pub plate: Option<PlateCase>,
     /// The gap between them.
     pub gap: GapCase,
     /// The grid.
@@ -176,9 +181,31 @@ impl SolveCase {
             return Err(contact.out_of_range(&STATIC, static_friction, "at least `friction`"));
         }
         let method = method::read(&contact)?;
+        let plate = plate::read(&case, materials, grid)?;
+        if plate.is_some() {
+            check_contact(&case, &contact, static_friction, method)?;
+        }
         let legs = legs::read(&case)?;
-        Ok(Self { materials, gap, grid, friction, static_friction, tolerance, method, legs })
+        Ok(Self { materials, plate, gap, grid, friction, static_friction, tolerance, method, legs })
     }
+}
+
+/// Checks that a contact with a plate has no friction and the method for it.
+fn check_contact(
+    case: &Section<'_>,
+    contact: &Section<'_>,
+    friction: f64,
+    method: SolveMethod,
+) -> Result<(), CaseError> {
+    if friction > 0.0 {
+        let place = if contact.number(&FRICTION)? > 0.0 { &FRICTION } else { &STATIC };
+        return Err(contact.out_of_range(place, friction, "0 beside `bodies.plate`"));
+    }
+    if method != SolveMethod::Newton {
+        let reason = "a plate is solved without friction, by conjugate gradients";
+        return Err(case.conflict([&CONTACT, &METHOD], [&BODIES, &plate::PLATE], reason));
+    }
+    Ok(())
 }
 
 fn read_grid(case: &Section<'_>) -> Result<GridCase, CaseError> {

@@ -144,6 +144,7 @@ pub(in crate::command) fn run(
     let file = outputs.read_case(&arguments.case)?;
     // The method that the case requests is one of those compared.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
+    super::only_half_spaces(&file.path, &case, "the comparison of methods")?;
     let bodies = Bodies::of(&file, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());

@@ -3,6 +3,7 @@
 mod below;
 pub(super) mod compare;
 mod kept;
+mod limits;
 pub(super) mod plot;
 mod store;
 mod view;
@@ -12,12 +13,13 @@ use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
+use carom_cases::Error;
 use carom_cases::case::{GridCase, SolveCase};
 use carom_cases::solve::{Bodies, Followed, Found, Run};
 use carom_solver::{Accuracy, Estimates, GridWarning, StepSummary};
 use kept::Folder;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use store::Store;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
@@ -72,6 +74,9 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
         Accuracy::new(accuracy)?;
     }
     let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
+    if arguments.depths.is_some() {
+        only_half_spaces(&file.path, &case, "--depths")?;
+    }
     let bodies = Bodies::of(&file, &case)?;
     let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
     let inputs = [file.text().as_bytes(), bodies.read(), &accuracy];
@@ -118,6 +123,9 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
         ));
     }
     warnings.extend(few_cells(&followed));
+    warnings.extend(unestimated(&case, &followed));
+    let large = followed.too_large.map(|(step, warning)| format!("step {step}: {warning}"));
+    warnings.extend(large);
     warnings.extend(unreached(&case, steps));
     let picture = match plot {
         Some(to) => Some((to, plot::draw(&followed, &case)?)),
@@ -145,6 +153,29 @@ fn follow(
     })?;
     bar.finish_and_clear();
     Ok(followed)
+}
+
+/// An error if a body is a plate, which this request does not support.
+fn only_half_spaces(path: &Path, case: &SolveCase, request: &str) -> Result<(), Error> {
+    if case.plate.is_none() {
+        return Ok(());
+    }
+    let reason = format!("`bodies.plate` excludes {request}: it is for half-spaces");
+    Err(Error::Input { path: path.to_owned(), reason })
+}
+
+/// A warning if a plate has no error estimates.
+fn unestimated(case: &SolveCase, followed: &Followed) -> Option<String> {
+    let missing = followed.steps.last().is_some_and(|step| step.estimates.is_none());
+    (case.plate.is_some() && missing).then(|| {
+        let grid = followed.window.grid();
+        let nested = [grid.nx(), grid.ny()].iter().all(|count| count.is_multiple_of(4));
+        let reason = match nested {
+            true => "a coarser grid could not be solved",
+            false => "on a plate both numbers of `grid.cells` must be divisible by 4",
+        };
+        format!("no error estimate is available: {reason}")
+    })
 }
 
 /// A warning if the contact is only a few cells wide.

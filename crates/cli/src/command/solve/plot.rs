@@ -1,5 +1,6 @@
 //! The picture of a solution.
 
+use super::limits::limits;
 use crate::command::plot::Course;
 use crate::error::CliError;
 use crate::output::Picture;
@@ -44,6 +45,7 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
                 &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
             ));
         }
+        panels.extend(limits(case, steps));
         if steps.iter().any(|step| step.shift.omega != 0.0) {
             panels.push(course.paths(
                 "torque",
@@ -65,7 +67,9 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
     if state.pressure.values().iter().any(|p| *p > 0.0) {
         let middle = followed.window.middle();
         panels.push(pressures(state, middle)?);
-        panels.push(stick_and_slip(state, middle));
+        // The smoothed outline of single cells in a row is empty.
+        let outlines = stick_and_slip(state, middle);
+        panels.extend((!outlines.series.is_empty()).then_some(outlines));
         if f > 0.0 {
             panels.push(sizes(state, f));
             panels.push(angles(state));

@@ -111,16 +111,28 @@ pub(super) fn eigenvalues(plate: Plate, grid: Grid, symbol: &Symbol, threads: Th
             }
         }
     };
+    // Those of a square are symmetric.
+    let is_square = nx == ny && plate.a() == plate.b();
+    let wanted = |m: usize| if is_square { m } else { ny };
     let mut values = vec![0.0; nx * ny];
+    let fill = |(i, sums): (usize, &mut [f64])| column(i + 1, &mut sums[..wanted(i + 1)]);
     match threads {
-        Threads::One => {
-            values.chunks_exact_mut(ny).enumerate().for_each(|(i, sums)| column(i + 1, sums));
-        }
-        Threads::Pool => {
-            values.par_chunks_exact_mut(ny).enumerate().for_each(|(i, sums)| column(i + 1, sums));
-        }
+        Threads::One => values.chunks_exact_mut(ny).enumerate().for_each(fill),
+        Threads::Pool => values.par_chunks_exact_mut(ny).enumerate().for_each(fill),
+    }
+    if is_square {
+        mirror(&mut values, nx);
     }
     values
+}
+
+/// Copies the lower triangle of a square matrix to the upper one.
+fn mirror(values: &mut [f64], count: usize) {
+    for m in 0..count {
+        for n in m + 1..count {
+            values[m * count + n] = values[n * count + m];
+        }
+    }
 }
 
 #[cfg(test)]

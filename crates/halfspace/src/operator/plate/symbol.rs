@@ -1,5 +1,9 @@
 //! The compliance of a plate under a wave of the pressure.
 
+use std::str::FromStr;
+
+use carom_special::WordError;
+
 use super::shape::Constants;
 
 /// Below this product of wave number and thickness the series of F is used.
@@ -36,6 +40,46 @@ pub enum PlateSymbol {
     Kirchhoff,
     /// Mindlin's plate with the shear factor 5/6.
     Mindlin,
+}
+
+impl PlateSymbol {
+    /// All symbols, the default first.
+    pub const ALL: [Self; 4] = [Self::Layer, Self::Sum, Self::Kirchhoff, Self::Mindlin];
+    const NAMES: [&'static str; 4] = {
+        let (mut names, mut i) = ([""; 4], 0);
+        while i < names.len() {
+            names[i] = Self::ALL[i].name();
+            i += 1;
+        }
+        names
+    };
+
+    /// Its name in case files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Layer => "layer",
+            Self::Sum => "sum",
+            Self::Kirchhoff => "kirchhoff",
+            Self::Mindlin => "mindlin",
+        }
+    }
+}
+
+/// ```
+/// use carom_halfspace::operator::PlateSymbol;
+/// assert_eq!("kirchhoff".parse(), Ok(PlateSymbol::Kirchhoff));
+/// assert!("reissner".parse::<PlateSymbol>().is_err());
+/// ```
+impl FromStr for PlateSymbol {
+    type Err = WordError;
+
+    /// # Errors
+    /// [`WordError`], which lists the allowed words.
+    fn from_str(word: &str) -> Result<Self, WordError> {
+        let symbol = Self::ALL.into_iter().find(|symbol| symbol.name() == word);
+        symbol.ok_or_else(|| WordError::new("theory", word, &Self::NAMES))
+    }
 }
 
 /// C(k) of one plate under one punch.

@@ -1,0 +1,65 @@
+//! Plates.
+
+use carom::halfspace::operator::PlateSymbol;
+use carom::special::WordError;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::error::Fault;
+
+/// A rectangular plate of constant thickness, simply supported at its edges.
+///
+/// Plate(a, b, thickness, theory="layer"): sides along x and y and thickness in m. The theory is "layer" (the
+/// elastic body itself, from bending to the half-space), "sum" (bending and a half-space added), "kirchhoff"
+/// (bending alone) or "mindlin" (bending and shear).
+#[pyclass(frozen, eq, from_py_object, module = "carom")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Plate {
+    pub(crate) plate: carom::halfspace::operator::Plate,
+    pub(crate) theory: PlateSymbol,
+}
+
+#[pymethods]
+impl Plate {
+    #[new]
+    #[pyo3(signature = (a, b, thickness, theory="layer"))]
+    fn new(a: f64, b: f64, thickness: f64, theory: &str) -> PyResult<Self> {
+        let plate = carom::halfspace::operator::Plate::new(a, b, thickness).map_err(Fault::from)?;
+        let theory =
+            theory.parse().map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
+        Ok(Self { plate, theory })
+    }
+
+    /// The side along x, m.
+    #[getter]
+    fn a(&self) -> f64 {
+        self.plate.a()
+    }
+
+    /// The side along y, m.
+    #[getter]
+    fn b(&self) -> f64 {
+        self.plate.b()
+    }
+
+    /// The thickness, m.
+    #[getter]
+    fn thickness(&self) -> f64 {
+        self.plate.thickness()
+    }
+
+    /// The theory of the displacement.
+    #[getter]
+    fn theory(&self) -> &'static str {
+        self.theory.name()
+    }
+
+    fn __repr__(&self) -> String {
+        let (a, b, h) = (self.a(), self.b(), self.thickness());
+        format!("Plate(a={a:e}, b={b:e}, thickness={h:e}, theory='{}')", self.theory.name())
+    }
+
+    fn __getnewargs__(&self) -> (f64, f64, f64, &'static str) {
+        (self.a(), self.b(), self.thickness(), self.theory.name())
+    }
+}
