@@ -31,6 +31,17 @@ impl Place {
         call(&mut self.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))
     }
 
+    /// Installs the packages of tests that are skipped without them.
+    pub(crate) fn install_optional(&self) -> Outcome {
+        match call(&mut self.pip(OPTIONAL_PACKAGES)) {
+            Ok(()) => Outcome::Passed,
+            Err(_) => {
+                let reason = format!("{} cannot be installed", OPTIONAL_PACKAGES.join(", "));
+                Outcome::skipped(Part::PythonWishes, reason)
+            }
+        }
+    }
+
     fn pip(&self, arguments: &[&str]) -> Command {
         let mut pip = Command::new(self.python());
         pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
@@ -43,11 +54,7 @@ impl Place {
 /// later.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     let Some(place) = place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
-    let mut outcome = Outcome::Passed;
-    if call(&mut place.pip(OPTIONAL_PACKAGES)).is_err() {
-        let reason = format!("{} cannot be installed", OPTIONAL_PACKAGES.join(", "));
-        outcome = Outcome::skipped(Part::PythonWishes, reason);
-    }
+    let outcome = place.install_optional();
     place.install()?;
     // In another folder, so that the installed module is tested and not its sources.
     let project = project()?;

@@ -35,6 +35,18 @@ def test_energy_goes_where_it_is_booked(tmp_path, law):
         assert fine < (0.7 if law == "law rings" else 0.4) * coarse
 
 
+def test_ranks_count_the_energy_of_each_contact_once(tmp_path):
+    """Without newton both ranks of a contact between them compute it."""
+    script = BOX + WALLS + "thermo 500\nrun 3000\n"
+    told = []
+    for ranks, newton in ((1, "off"), (2, "off"), (2, "on")):
+        table = thermo(lmp(script, tmp_path, ranks=ranks, newton=newton, dt=5e-6, law="law fixed-direction", shake=0.3))
+        told.append(np.array([table[f"c_where[{k}]"] for k in (1, 2, 3)]))
+    assert told[0].max(axis=1).min() > 0
+    for other in told[1:]:
+        assert np.allclose(told[0], other, rtol=1e-6), np.abs(told[0] - other).max(axis=1)
+
+
 def test_momentum_stays(tmp_path):
     """No walls and no gravity, through the borders of a periodic box."""
     for newton, ranks in (("off", 1), ("on", 2)):

@@ -13,8 +13,8 @@ EXACT = json.loads(pathlib.Path(__file__).with_name("exact_restitution.json").re
 ALONG = np.array([math.cos(0.37), math.sin(0.37), 0.0])
 
 
-def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=None, friction=FRICTION):
-    """R_x and R_z of one impact per lambda, all in one run; grains of two types if `bodies` has their moduli."""
+def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=None, friction=FRICTION, types=(1, 2)):
+    """R_x and R_z of one impact per lambda, all in one run; grains of two `types` if `bodies` has their moduli."""
     reduced = 1 / sum(1 / r for r in radii)
     masses = [DENSITY * 4 / 3 * math.pi * r**3 for r in radii]
     mass = 1 / sum(1 / m for m in masses)
@@ -43,7 +43,7 @@ def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=N
         ]
     )
     ids = list(range(1, 2 * count + 1))
-    host.create_atoms(2 * count, ids, [1, 2 if bodies else 1] * count, np.ravel(places).tolist(), np.ravel(velocities).tolist())
+    host.create_atoms(2 * count, ids, list(types if bodies else (1, 1)) * count, np.ravel(places).tolist(), np.ravel(velocities).tolist())
     for k, radius in enumerate(radii):
         host.command(f"group side{k} id {k + 1}:{2 * count}:2")
         host.command(f"set group side{k} diameter {2 * radius}")

@@ -37,10 +37,13 @@ def test_the_order_of_the_grains_does_not_matter(host):
     """Where the first of two tags has the other material nothing changes but round-off of their places."""
     one, two, friction, _ = PAIRS["alumina-glass"]
     told = []
-    for bodies, radii in (((one, two), (0.5, 0.35)), ((two, one), (0.35, 0.5))):
-        told.append(restitution(host, style("rings", *bodies, friction), None, LAMBDA, 100, radii, bodies, friction)[0])
+    cases = (((one, two), (0.5, 0.35), (1, 2)), ((two, one), (0.35, 0.5), (1, 2)), ((one, two), (0.35, 0.5), (2, 1)))
+    for bodies, radii, types in cases:
+        given = style("rings", *bodies, friction)
+        told.append(restitution(host, given, None, LAMBDA, 100, radii, bodies, friction, types)[0])
         host.command("clear")
     assert np.abs(told[0] - told[1]).max() < 1e-6, told
+    assert np.abs(told[0] - told[2]).max() < 1e-6, told
 
 
 LOG = """plugin load ${plugin}

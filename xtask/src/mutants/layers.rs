@@ -120,6 +120,9 @@ impl Bench {
                 let Some(place) = python::place()? else {
                     return Ok(Err(Outcome::skipped(Part::Python, python::NONE)));
                 };
+                if let skipped @ Outcome::Skipped(..) = place.install_optional() {
+                    return Ok(Err(skipped));
+                }
                 place.install()?;
                 let interpreter = place.python();
                 let ask = "import carom, os; print(os.path.dirname(carom.__file__))";

@@ -3,7 +3,7 @@
 use super::error::CaseError;
 use super::field::{Field, Form};
 use super::kind::CaseKind;
-use super::pair::{self, ANGLE, BODY_1, BODY_2};
+use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
 use super::section::{Numbers, Section, parse, survey};
 use super::unit::{Dimension, Measure};
@@ -39,6 +39,8 @@ const fn load(name: &'static str, measure: Measure, meaning: &'static str) -> Fi
 pub struct HertzCase {
     /// The contact.
     pub hertz: Hertz,
+    /// The smallest radius of curvature of both bodies, m; infinite for planes.
+    pub smallest_radius: f64,
     /// Which quantity the values give.
     pub given: Given,
     /// The values, one for each contact.
@@ -72,7 +74,7 @@ impl HertzCase {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.has(&CONTACT).then(|| case.section(&CONTACT)).transpose()?;
-        let hertz = pair::read(&case, contact.as_ref())?;
+        let Pair { hertz, smallest_radius } = pair::read(&case, contact.as_ref())?;
         let load = case.section(&LOAD)?;
         let ways = [
             (&FORCE, Given::Force),
@@ -85,6 +87,6 @@ impl HertzCase {
         if let Some((other, _)) = present.next() {
             return Err(load.conflict(other, field, "give one of them"));
         }
-        Ok(Self { hertz, given, values: load.numbers(field)? })
+        Ok(Self { hertz, smallest_radius, given, values: load.numbers(field)? })
     }
 }

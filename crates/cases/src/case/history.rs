@@ -4,7 +4,7 @@ use super::contact::{COULOMB, FRICTION, LAWS_OF_SHIFTS, turning_law};
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Rows};
 use super::kind::CaseKind;
-use super::pair::{self, ANGLE, BODY_1, BODY_2};
+use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
 use super::section::{Section, parse, survey};
 use super::unit::{Dimension, Measure};
@@ -63,6 +63,8 @@ pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, HISTORY];
 pub struct HistoryCase {
     /// The contact.
     pub hertz: Hertz,
+    /// The smallest radius of curvature of both bodies, m; infinite for planes.
+    pub smallest_radius: f64,
     /// Coefficient of friction; infinite for no slip.
     pub friction: f64,
     /// The law of friction where the direction of the shift turns.
@@ -97,7 +99,7 @@ impl HistoryCase {
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.section(&CONTACT)?;
         let (law, tolerance) = law(&contact)?;
-        let hertz = pair::read(&case, Some(&contact))?;
+        let Pair { hertz, smallest_radius } = pair::read(&case, Some(&contact))?;
         let friction = contact.number(&FRICTION)?;
         let history = case.section(&HISTORY)?;
         let given = history.given([&STEPS, &FILE]);
@@ -108,7 +110,7 @@ impl HistoryCase {
             [] | [_] => Steps::File(history.text(&FILE)?.into()),
             both => return Err(history.several(both, "give one of them")),
         };
-        Ok(Self { hertz, friction, law, tolerance, steps })
+        Ok(Self { hertz, smallest_radius, friction, law, tolerance, steps })
     }
 }
 

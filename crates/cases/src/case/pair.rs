@@ -33,7 +33,7 @@ pub(super) const ANGLE: Field = Field::number(
 ///
 /// # Errors
 /// If a field is missing, unknown or out of range, or the surfaces have no elliptical contact.
-pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<Hertz, CaseError> {
+pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<Pair, CaseError> {
     let (radii_1, material_1) = read_surface(case, &BODY_1)?;
     let (radii_2, material_2) = read_surface(case, &BODY_2)?;
     let angle = contact.map_or(Ok(0.0), |contact| contact.number(&ANGLE))?;
@@ -41,8 +41,18 @@ pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<
         .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
     let curvature = RelativeCurvature::new(radii_1, radii_2, angle.to_radians())
         .map_err(|source| CaseError::Curvature { source })?;
-    Hertz::new(curvature, materials)
-        .map_err(|error| case.out_of_range([&BODY_1, &RADII], error.value, error.allowed))
+    let hertz = Hertz::new(curvature, materials)
+        .map_err(|error| case.out_of_range([&BODY_1, &RADII], error.value, error.allowed))?;
+    let curvatures = [radii_1, radii_2].map(|radii| radii.curvatures()).concat();
+    let sharpest = curvatures.into_iter().fold(0.0, |most: f64, one| most.max(one.abs()));
+    Ok(Pair { hertz, smallest_radius: sharpest.recip() })
+}
+
+/// Two surfaces in contact.
+pub(super) struct Pair {
+    pub(super) hertz: Hertz,
+    /// The smallest radius of curvature of both bodies, m, convex or concave.
+    pub(super) smallest_radius: f64,
 }
 
 fn read_surface(

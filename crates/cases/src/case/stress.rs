@@ -3,7 +3,7 @@
 use super::error::CaseError;
 use super::field::{Field, Form, Word};
 use super::kind::CaseKind;
-use super::pair::{self, ANGLE, BODY_1, BODY_2};
+use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
 use super::section::{Section, parse, survey};
 use super::unit::Dimension;
@@ -67,6 +67,8 @@ const fn along(name: &'static str, range: Range, meaning: &'static str) -> Field
 pub struct StressCase {
     /// The contact.
     pub hertz: Hertz,
+    /// The smallest radius of curvature of both bodies, m; infinite for planes.
+    pub smallest_radius: f64,
     /// Coefficient of friction.
     pub friction: f64,
     /// Force on body 1 along x, along y and normal, N.
@@ -91,7 +93,7 @@ impl StressCase {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.section(&CONTACT)?;
-        let hertz = pair::read(&case, Some(&contact))?;
+        let Pair { hertz, smallest_radius } = pair::read(&case, Some(&contact))?;
         let friction = contact.number(&FRICTION)?;
         let load = case.section(&LOAD)?;
         let force = [load.number(&FORCE_X)?, load.number(&FORCE_Y)?, load.number(&FORCE)?];
@@ -112,6 +114,6 @@ impl StressCase {
         if count > MOST {
             return Err(points.out_of_range(&X, count as f64, "at most 1000000 points in all"));
         }
-        Ok(Self { hertz, friction, force, is_in_body_1, places })
+        Ok(Self { hertz, smallest_radius, friction, force, is_in_body_1, places })
     }
 }

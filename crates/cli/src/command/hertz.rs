@@ -2,7 +2,7 @@
 
 use crate::columns::{self, Record, add_fields};
 use crate::command::plot::{Course, MOST_MARKS};
-use crate::command::theory::{Excess, caution};
+use crate::command::theory::{Excess, Warnings, caution, large_contact, readable};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
@@ -73,7 +73,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Some(to) => Some((to, draw(&case, &states).map_err(at_fault)?)),
         None => None,
     };
-    let answer = Answer { text, picture, ..Answer::default() };
+    let mut warnings = Warnings::default();
+    for state in &states {
+        let semi_axis = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
+        let large = large_contact(semi_axis, case.smallest_radius);
+        warnings.add(|| format!("at {} N", readable(state.force)), large.as_slice());
+    }
+    let warnings = warnings.told("loads");
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution(&excesses, "loads"), format))
 }
 

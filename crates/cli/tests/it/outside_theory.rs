@@ -1,6 +1,6 @@
 //! How far a result lies outside the theory: by the smallest radius of curvature, of a slender body too.
 
-use crate::common::{case, json};
+use crate::common::{carom, case, json};
 
 /// An ellipsoid that falls on its flat side, its contact 3 times as long as wide.
 #[test]
@@ -23,4 +23,33 @@ fn the_approach_to_a_slender_body_is_judged_by_its_smallest_radius() {
     });
     let told = told.unwrap_or_else(|| panic!("{reasons:?}"));
     assert!((told / share - 1.0).abs() < 6e-3, "{told} is not {share}");
+}
+
+/// A ball in a hollow of nearly its radius: the gap is flat, and the contact as large as the ball.
+#[test]
+fn a_contact_as_large_as_the_ball_is_told_though_its_approach_is_small() {
+    const BODIES: &str = "\
+[body_1]
+radii = 0.005
+material = { young_modulus = 2e11, poisson = 0.3 }
+[body_2]
+radii = -0.005001
+material = { young_modulus = 2e11, poisson = 0.3 }
+";
+    let told = |kind: &str, rest: &str| {
+        let file = case(&format!("hollow-{kind}.toml"), &format!("{BODIES}{rest}"));
+        String::from_utf8(carom(&[kind, &file]).stderr).unwrap()
+    };
+    let loads = told("hertz", "[load]\nforce = [1e-4, 500]\n");
+    let expected = "warning: large contact: a/R = 0.881 exceeds 0.1, beyond Hertz's theory (1 of 2 loads \
+                    concerned, the worst at 500 N)\n";
+    assert_eq!(loads, expected);
+    let contact = "[contact]\nfriction = 0.3\n";
+    // a/R at the approach .775 um.
+    let steps = told("history", &format!("{contact}[history]\nsteps = [[7.75e-7, 0, 0]]\n"));
+    assert!(steps.starts_with("warning: large contact: a/R = 0.880 exceeds 0.1"), "{steps}");
+    let load = "[load]\nforce = 500\nforce_x = 0\nforce_y = 0\n";
+    let points = "[points]\ninside = \"body 1\"\nx = 0\ny = 0\ndepth = 1e-3\n";
+    let stress = told("stress", &format!("{contact}{load}{points}"));
+    assert!(stress.starts_with("warning: large contact: a/R = 0.881 exceeds 0.1"), "{stress}");
 }

@@ -82,6 +82,7 @@ from ._contact_theory import (
 from ._impact import collide, collide_many, history, plane, sphere
 from ._records import DissimilarRestitution, HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
 from ._solver import Solver, cells
+from ._validity import OutsideTheoryWarning
 
 #: The material of a rigid body.
 RIGID = Material(float("inf"))
@@ -99,6 +100,7 @@ __all__ = [
     "HistoryStep",
     "Material",
     "MaterialPair",
+    "OutsideTheoryWarning",
     "Plate",
     "RangeError",
     "Rebound",

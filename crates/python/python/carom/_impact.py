@@ -11,6 +11,7 @@ from . import _carom
 from ._arrays import counted, line, numbers, rows, spread
 from ._carom import Body, Material
 from ._records import HistoryPoint, Rebound
+from ._validity import heed
 
 Vector = Sequence[float]
 UP = (0.0, 0.0, 1.0)
@@ -97,7 +98,7 @@ def collide(
     """
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
     columns = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, left)
-    return Rebound._of(columns, ())
+    return heed(Rebound._of(columns, ()))
 
 
 def collide_many(
@@ -142,7 +143,7 @@ def collide_many(
     frictions = line(spread("friction", friction, (count,)))
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
     columns = _carom.collide_many(body_1, body_2, frictions, motions, along, torsion, law, tolerance, left)
-    return Rebound._of(columns, (count,))
+    return heed(Rebound._of(columns, (count,)))
 
 
 def history(

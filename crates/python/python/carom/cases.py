@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from . import _carom
 from ._arrays import Array
 from ._records import HistoryStep, Rebound, SolverStep
+from ._validity import heed
 
 Path = str | os.PathLike[str]
 
@@ -55,7 +56,7 @@ def impact(path: Path) -> Rebound:
     """
     swept, columns = _carom.case_impact(os.fspath(path))
     shape = () if swept is None else (len(swept[2]),)
-    return Rebound._of(columns, shape, swept)
+    return heed(Rebound._of(columns, shape, swept))
 
 
 def history(path: Path) -> HistoryStep:

@@ -6,7 +6,7 @@ mod view;
 
 use crate::columns;
 use crate::command::hertz::smallest_radius;
-use crate::command::theory::{Excess, Worst};
+use crate::command::theory::{Excess, Worst, large_contact};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
@@ -50,12 +50,14 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let (mut steps, mut tractions) =
         (Rows::new(format), Rows::new(format).of(history::TRACTION_COLUMNS));
     let (mut worst, mut limits, mut first) = (Worst::default(), Limits::default(), 0);
+    let mut semi_axis = 0.0_f64;
     let drawn = follow(&case, &shifts, wanted, at_fault, |done| {
         let cells = |step: &Step| row(&columns, Some(step));
         columns::check_rows(path, done, [first, shifts.len()], cells)?;
         first += done.len();
         for step in done.iter() {
             worst.add(Excess::of_contact(step.shift.zeta, radius));
+            semi_axis = semi_axis.max(step.semi_axis_a).max(step.semi_axis_b);
             limits.add(step);
         }
         if format != Format::Csv || radii == 0 {
@@ -75,7 +77,9 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         _ => steps.finish()?,
     };
     let picture = plot.map(|to| (to, plot::draw(&drawn)));
-    let warnings = warnings(&case, &limits, arguments.tractions.is_some());
+    let mut warnings = warnings(&case, &limits, arguments.tractions.is_some());
+    let large = large_contact(semi_axis, case.smallest_radius);
+    warnings.extend(large.map(|warning| warning.to_string()));
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(worst.caution("steps"), format))
 }

@@ -5,7 +5,7 @@ mod point;
 
 use crate::columns::{self, Record};
 use crate::command::hertz::smallest_radius;
-use crate::command::theory::{Excess, caution};
+use crate::command::theory::{Excess, caution, large_contact};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
@@ -85,7 +85,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     };
     let excess = Excess::of_contact(state.approach, smallest_radius(&case.hertz));
     let file = to.map(|to| to.encoded(&case, &points)).transpose()?;
-    let answer = Answer { text, picture, file, ..Answer::default() };
+    let semi_axis = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
+    let large = large_contact(semi_axis, case.smallest_radius);
+    let warnings = large.iter().map(ToString::to_string).collect();
+    let answer = Answer { text, warnings, picture, file, ..Answer::default() };
     Ok(answer.cautioned(caution(&[excess], "loads"), format))
 }
 

@@ -1,0 +1,44 @@
+"""Results outside the theory are told through `warnings`."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import carom
+
+RUBBER = carom.Material(1e6, 0.49)
+
+
+def ball(speed):
+    return carom.sphere(0.03, RUBBER, 0.057, velocity=(0, 0, -speed))
+
+
+def test_a_large_contact_warns_where_it_is_computed():
+    with pytest.warns(carom.OutsideTheoryWarning, match="large contact: a/R = ") as told:
+        rebound = carom.collide(ball(5.0), carom.plane(carom.RIGID), friction=0.5)
+    assert len(told) == 1 and told[0].filename == __file__
+    assert str(told[0].message) == rebound.warnings
+
+
+def test_many_impacts_warn_once_with_their_number():
+    slow = np.array([[0, 0, -1e-3], [0, 0, -5.0], [0, 0, -6.0]])
+    with pytest.warns(carom.OutsideTheoryWarning, match="the first of 2 of 3 impacts") as told:
+        carom.collide_many(ball(1.0), carom.plane(carom.RIGID), 0.5, body_1_velocity=slow)
+    assert len(told) == 1
+
+
+def test_within_the_theory_nothing_is_told():
+    steel = carom.Material(208e9, 0.3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ball = carom.sphere(0.01, steel, 0.033, velocity=(0.1, 0, -0.2))
+        carom.collide(ball, carom.plane(steel), 0.15)
+
+
+def test_a_case_of_many_impacts_warns(tmp_path):
+    case = carom.cases.new("impact").replace("velocity = [0.5, 0, -1]", "velocity = [0.5, 0, [-100, -200]]", 1)
+    path = tmp_path / "fast.toml"
+    path.write_text(case)
+    with pytest.warns(carom.OutsideTheoryWarning, match="impacts"):
+        carom.cases.impact(path)
