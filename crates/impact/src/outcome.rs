@@ -83,6 +83,18 @@ pub struct Rebound {
     pub warnings: Vec<Warning>,
 }
 
+impl Rebound {
+    /// The greatest pressure, 3 F_z/(2 pi a b) in the middle of the largest contact; 0 where the bodies
+    /// only graze. Metals yield from about 1.6 times their yield stress.
+    #[must_use]
+    pub fn maximal_pressure(&self) -> f64 {
+        let area = std::f64::consts::PI
+            * self.maximal_contact.semi_axis_a()
+            * self.maximal_contact.semi_axis_b();
+        if area > 0.0 { 1.5 * self.maximal_force / area } else { 0.0 }
+    }
+}
+
 impl Torsion {
     /// The columns of the torsional impact.
     pub const COLUMNS: &'static [Column<Self>] = &[

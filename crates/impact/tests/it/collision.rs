@@ -49,6 +49,11 @@ fn full_cases_of_two_spheres() {
         close(rebound.duration, "T");
         close(rebound.maximal_force, "F_max");
         close(rebound.maximal_contact.semi_axis_b(), "a_max");
+        // Hertz: p_0 = 2 E* a/(pi R), E* = G/(1 - nu) of alike materials.
+        let radius = 1.0 / (1.0 / number("R1") + 1.0 / number("R2"));
+        let modulus = number("G") / (1.0 - number("nu"));
+        let pressure = 2.0 * modulus * number("a_max") / (std::f64::consts::PI * radius);
+        assert!((rebound.maximal_pressure() / pressure - 1.0).abs() < 1e-12);
     }
 }
 

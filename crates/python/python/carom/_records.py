@@ -225,6 +225,7 @@ class Rebound(Record):
     maximal_approach         of distant points, m
     maximal_semi_axis_a      semi-axis of the contact along x, m
     maximal_semi_axis_b      semi-axis of the contact along y, m
+    maximal_pressure         in the middle of the contact, Pa
     energy_before            kinetic, without fixed bodies, J
     energy_after             kinetic, without fixed bodies, J
     energy_dissipated        by friction, J
@@ -250,6 +251,7 @@ class Rebound(Record):
     maximal_approach: Numbers
     maximal_semi_axis_a: Numbers
     maximal_semi_axis_b: Numbers
+    maximal_pressure: Numbers
     energy_before: Numbers
     energy_after: Numbers
     energy_dissipated: Numbers
@@ -261,6 +263,6 @@ class Rebound(Record):
     warnings: str | list[str]
 
 
-Rebound.units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
-Rebound.meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
+Rebound.units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
+Rebound.meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
 Rebound._vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
