@@ -35,16 +35,16 @@ def test_energy_goes_where_it_is_booked(tmp_path, law):
         assert fine < (0.7 if law == "law rings" else 0.4) * coarse
 
 
-def test_ranks_count_the_energy_of_each_contact_once(tmp_path):
-    """Without newton both ranks of a contact between them compute it."""
-    script = BOX + WALLS + "thermo 500\nrun 3000\n"
-    told = []
-    for ranks, newton in ((1, "off"), (2, "off"), (2, "on")):
-        table = thermo(lmp(script, tmp_path, ranks=ranks, newton=newton, dt=5e-6, law="law fixed-direction", shake=0.3))
-        told.append(np.array([table[f"c_where[{k}]"] for k in (1, 2, 3)]))
-    assert told[0].max(axis=1).min() > 0
-    for other in told[1:]:
-        assert np.allclose(told[0], other, rtol=1e-6), np.abs(told[0] - other).max(axis=1)
+@pytest.mark.parametrize("newton", ["off", "on"])
+def test_ranks_count_the_energy_of_each_contact_once(tmp_path, newton):
+    """Without newton both ranks of a contact between them compute it. They meet at x = 0, where grains lie on both
+    sides."""
+    script = BOX.replace("units si\n", "units si\nprocessors 2 1 1\n") + WALLS + "thermo 60\nrun 2000\n"
+    table = thermo(lmp(script, tmp_path, ranks=2, newton=newton, dt=1e-5, law="law fixed-direction", shake=0.3))
+    total = table["v_total"]
+    gone = table["c_where[2]"][-1] + table["c_where[3]"][-1]
+    assert gone > 0.2 * table["KinEng"][0], "much became heat"
+    assert np.abs(total - total[0]).max() < 1e-3 * gone
 
 
 def test_momentum_stays(tmp_path):
