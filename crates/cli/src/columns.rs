@@ -128,6 +128,7 @@ pub fn upright(page: Page, row: &[Cell]) -> String {
     let line = |cell: &Cell| {
         let value = match cell.value() {
             Value::Absent => return None,
+            Value::Words(words) if words.is_empty() => return None,
             Value::Undefined => "-".to_owned(),
             Value::Vector(parts) => vector(*parts),
             _ => texts_of(std::slice::from_ref(cell), short).concat(),

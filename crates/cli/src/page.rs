@@ -55,10 +55,13 @@ impl Page {
         Self { columns: Shown::All, ..self }
     }
 
-    /// Records as a table, without the columns that are the same in every row.
+    /// Records as a table, without the columns that are the same in every row; nothing without columns.
     #[must_use]
     pub fn records(self, labels: &[impl AsRef<str>], rows: &[Vec<String>]) -> String {
         let labels: Vec<&str> = labels.iter().map(AsRef::as_ref).collect();
+        if labels.is_empty() {
+            return String::new();
+        }
         let varies = |place: &usize| rows.iter().any(|row| row[*place] != rows[0][*place]);
         let kept: Vec<usize> = (0..labels.len()).filter(varies).collect();
         if self.columns == Shown::All || rows.len() < 2 || kept.is_empty() {
@@ -298,6 +301,7 @@ mod tests {
         assert!(LABELS.iter().all(|label| whole.contains(label)), "{whole}");
         // A single record, and records that are all the same, are shown in full.
         assert!(Page::default().records(&LABELS, &rows(1)).contains("zeta"));
+        assert_eq!(Page::default().records(&[""; 0], &[]), "");
         assert!(Page::default().records(&LABELS, &vec![rows(1).remove(0); 3]).contains("zeta"));
     }
 
