@@ -5,7 +5,6 @@
 //! it strictly, in SI units or with units of its own; [`input`] reads files of limited size.
 //! [`impact::followed`], [`history::followed`] and [`solve::solved`] compute a case. The command `carom` and
 //! the Python module are built on this crate.
-//! `carom` and the Python module stand on this crate.
 //!
 //! ```
 //! use carom_cases::case::{CaseKind, ImpactFile};

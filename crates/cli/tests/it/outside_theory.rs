@@ -44,6 +44,12 @@ material = { young_modulus = 2e11, poisson = 0.3 }
     let expected = "warning: large contact: a/R = 0.881 exceeds 0.1, beyond Hertz's theory (1 of 2 loads \
                     concerned, the worst at 500 N)\n";
     assert_eq!(loads, expected);
+    // The smaller ball may be either body.
+    let exchanged =
+        BODIES.replace("0.005\n", "X").replace("-0.005001", "0.005").replace('X', "0.1\n");
+    let file = case("hollow-exchanged.toml", &format!("{exchanged}[load]\nsemi_axis_a = 0.001\n"));
+    let small = String::from_utf8(carom(&["hertz", &file]).stderr).unwrap();
+    assert_eq!(small, "warning: large contact: a/R = 0.200 exceeds 0.1, beyond Hertz's theory\n");
     let contact = "[contact]\nfriction = 0.3\n";
     // a/R at the approach .775 um.
     let steps = told("history", &format!("{contact}[history]\nsteps = [[7.75e-7, 0, 0]]\n"));
