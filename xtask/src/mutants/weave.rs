@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 pub(super) const CRATES: [&str; 12] = [
     "crates/special",
     "crates/geometry",
+    "crates/shells",
     "crates/halfspace",
     "crates/laws",
     "crates/solver",
