@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The folders of the crates with mutants; each gets its own switch.
-pub(super) const CRATES: [&str; 12] = [
+pub(super) const CRATES: [&str; 13] = [
     "crates/special",
     "crates/geometry",
     "crates/shells",
