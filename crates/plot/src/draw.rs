@@ -11,6 +11,10 @@ use std::collections::HashSet;
 const PALETTE: [&str; 7] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#333333"];
 
+/// The same colours for letters, dark enough to be read on white.
+const LETTERS: [&str; 7] =
+    ["#0072B2", "#B34700", "#007A59", "#A8487A", "#8A5F00", "#1F76A6", "#333333"];
+
 /// From this number on, markers are drawn as one path, which needs a few bytes each.
 const MARKERS_FOR_ONE_PATH: usize = 40;
 
@@ -20,6 +24,12 @@ const LEAST_DISTANCE: f64 = 0.25;
 /// The colour of a series that is the `index`-th of its panel.
 pub(crate) fn colour(series: &Series, index: usize) -> &'static str {
     PALETTE[series.colour.unwrap_or(index) % PALETTE.len()]
+}
+
+/// The colour of letters that belong to what is drawn in this colour.
+fn of_letters(colour: &str) -> &str {
+    let index = PALETTE.iter().position(|known| *known == colour);
+    index.map_or(colour, |index| LETTERS[index])
 }
 
 /// How a series is drawn, and where.
@@ -70,7 +80,7 @@ pub(crate) fn series(
             svg.close();
         }
         Style::Note => {
-            svg.open(&format!("fill=\"{colour}\""));
+            svg.open(&format!("fill=\"{}\"", of_letters(colour)));
             for pixel in pixels.into_iter().filter(|pixel| frame.holds(*pixel)) {
                 // Above the point, towards the middle of the frame.
                 let is_right = pixel.x > frame.x + 0.8 * frame.width;
@@ -204,6 +214,25 @@ fn arrows(svg: &mut Svg, ends: &[Pixel]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Relative luminance, as the guidelines for accessible pages (WCAG 2) define it.
+    fn luminance(hex: &str) -> f64 {
+        let part = |i: usize| f64::from(u8::from_str_radix(&hex[i..i + 2], 16).unwrap()) / 255.0;
+        let linear = [1, 3, 5].map(part).map(|c| match c <= 0.040_45 {
+            true => c / 12.92,
+            false => libm::pow((c + 0.055) / 1.055, 2.4),
+        });
+        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    }
+
+    #[test]
+    fn letters_stand_out_from_white() {
+        for colour in PALETTE {
+            let contrast = 1.05 / (luminance(of_letters(colour)) + 0.05);
+            assert!(contrast >= 4.5, "{colour}: {contrast:.2}");
+        }
+        assert_eq!(of_letters("#123456"), "#123456");
+    }
 
     #[test]
     fn many_markers_are_one_path() {
