@@ -17,8 +17,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let folder = root.join("target/verification");
     let Some(browser) = browser() else {
-        let reason = format!("no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "));
-        return Ok(Outcome::skipped(Part::Browser, reason));
+        return Ok(Outcome::skipped(Part::Browser, none()));
     };
     let report = folder.join("report.html");
     let text = std::fs::read_to_string(&report)
@@ -45,7 +44,13 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     Ok(Outcome::Passed)
 }
 
-fn browser() -> Option<PathBuf> {
+/// Why nothing was looked at.
+pub(crate) fn none() -> String {
+    format!("no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "))
+}
+
+/// A browser that can run without a window, if there is one.
+pub(crate) fn browser() -> Option<PathBuf> {
     let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
     let path = std::env::var_os("PATH").unwrap_or_default();
     let places = std::env::split_paths(&path)
@@ -81,20 +86,32 @@ fn look(
          height=\"2400\" style=\"border:0\"></iframe>"
     );
     std::fs::write(&frame, page)?;
-    let address = format!("file://{}", frame.display());
-    let window = format!("--window-size={},2400", width.max(500));
     let picture = format!("--screenshot={}", folder.join(format!("{name}.png")).display());
-    let start = |what: &str| {
-        Command::new(browser)
-            .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
-            .args([&window, "--virtual-time-budget=20000", what, &address])
-            .stderr(Stdio::null())
-            .output()
-    };
-    let dump = start("--dump-dom")?;
-    start(&picture)?;
+    let seen = answer(browser, &frame, width);
+    start(browser, &frame, width, &picture)?;
     std::fs::remove_file(&frame)?;
-    let text = String::from_utf8_lossy(&dump.stdout);
+    seen
+}
+
+/// Opens a page without a window.
+fn start(browser: &Path, page: &Path, width: u32, what: &str) -> anyhow::Result<Vec<u8>> {
+    let output = Command::new(browser)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
+        .args(["--allow-file-access-from-files", "--virtual-time-budget=20000", what])
+        .arg(format!("--window-size={},2400", width.max(500)))
+        .arg(format!("file://{}", page.display()))
+        .stderr(Stdio::null())
+        .output()?;
+    Ok(output.stdout)
+}
+
+/// What the script of a page leaves in its element `seen`: JSON in base 64.
+///
+/// # Errors
+/// If the browser does not start or the script leaves nothing.
+pub(crate) fn answer(browser: &Path, page: &Path, width: u32) -> anyhow::Result<serde_json::Value> {
+    let dump = start(browser, page, width, "--dump-dom")?;
+    let text = String::from_utf8_lossy(&dump);
     let seen = text.split("id=\"seen\"").nth(1).and_then(|rest| rest.split(['>', '<']).nth(1));
     let seen = seen.filter(|seen| !seen.is_empty()).context("the test script gave no result")?;
     Ok(serde_json::from_slice(&base64(seen)?)?)
