@@ -22,23 +22,34 @@ pub(crate) fn colour(series: &Series, index: usize) -> &'static str {
     PALETTE[series.colour.unwrap_or(index) % PALETTE.len()]
 }
 
-/// Draws the series whose points are at `pixels`, clipped to `frame`.
+/// How a series is drawn, and where.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ink<'a> {
+    pub(crate) style: Style,
+    pub(crate) colour: &'a str,
+    /// The name of the clip path of the axes.
+    pub(crate) clip: &'a str,
+    /// The frame of the axes.
+    pub(crate) frame: Frame,
+}
+
+/// Draws these points of a series.
 pub(crate) fn series(
     svg: &mut Svg,
     series: &Series,
-    colour: &str,
-    clip: &str,
-    frame: Frame,
+    points: &[Point],
+    ink: Ink<'_>,
     place: impl Fn(Point) -> Pixel,
 ) {
+    let Ink { style, colour, clip, frame } = ink;
     if let Some(motion) = &series.motion {
         svg.open(&format!("clip-path=\"url(#{clip})\""));
         movement::draw(svg, series, motion, colour, place);
         svg.close();
         return;
     }
-    let pixels: Vec<Pixel> = series.points.iter().map(|point| place(*point)).collect();
-    match series.style {
+    let pixels: Vec<Pixel> = points.iter().map(|point| place(*point)).collect();
+    match style {
         Style::Markers(shape) => {
             let inside: Vec<_> = pixels.into_iter().filter(|pixel| frame.holds(*pixel)).collect();
             markers(svg, shape, &inside, colour);
@@ -74,12 +85,12 @@ pub(crate) fn series(
 }
 
 /// Draws a short piece of the series for the legend, in the middle of `frame`.
-pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame) {
+pub(crate) fn sample(svg: &mut Svg, style: Style, colour: &str, frame: Frame) {
     let y = frame.y + 0.5 * frame.height;
     let left = Pixel { x: frame.x, y };
     let right = Pixel { x: frame.x + frame.width, y };
     let middle = Pixel { x: frame.x + 0.5 * frame.width, y };
-    match series.style {
+    match style {
         Style::Markers(shape) => marker(svg, shape, middle, colour),
         Style::Line(stroke) => line(svg, stroke, [left, right].into_iter(), colour),
         Style::Area => svg.rect(Frame { y: y - 5.0, height: 10.0, ..frame }, &area_look(colour)),
@@ -202,7 +213,7 @@ mod tests {
         let drawn = |pixels: &[Pixel]| {
             let mut svg = Svg::default();
             markers(&mut svg, Marker::Dot, pixels, "#000");
-            svg.finish(1.0, 1.0)
+            svg.finish(1.0, 1.0, "")
         };
         let few = drawn(&row(40));
         assert_eq!((few.matches("<circle").count(), few.matches("<path").count()), (40, 0));

@@ -42,6 +42,14 @@ pub enum PlotError {
         /// Label of the field.
         label: String,
     },
+    /// A cell of a map is of a kind that has no name.
+    #[error("a cell is of kind {kind}, but there are names for {count} kinds, counted from 0")]
+    Kind {
+        /// The kind.
+        kind: usize,
+        /// Number of names.
+        count: usize,
+    },
     /// A series cannot be animated with its frames.
     #[error("series `{label}` cannot move: {reason}")]
     Motion {

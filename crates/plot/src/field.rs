@@ -1,16 +1,23 @@
-//! A quantity over a plane: values on a rectangular grid, drawn as colours with contour lines.
+//! A quantity over a plane: values on a rectangular grid, drawn as colours with contour lines, or
+//! cells of a few kinds, each kind in its colour.
 
 use crate::error::PlotError;
+use crate::panel::Limits;
 
-/// Values at the nodes of a grid, blue below zero and orange above.
+/// Values at the nodes of a grid, blue below zero and orange above, or the kinds of its cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Label of the colour bar.
     pub label: String,
     x: Vec<f64>,
     y: Vec<f64>,
+    /// For kinds: 0 where there is none, 1 for the first kind.
     values: Vec<f64>,
+    kinds: Vec<String>,
 }
+
+/// Part of its length by which the axes of a map of kinds extend beyond its cells.
+const MARGIN: f64 = 0.03;
 
 impl Field {
     /// A field of the nodes along both axes and the values, row by row: one row for each y with one
@@ -35,7 +42,60 @@ impl Field {
         if !(is_grid(&x) && is_grid(&y) && fits) {
             return Err(PlotError::Grid { label });
         }
-        Ok(Self { label, x, y, values })
+        Ok(Self { label, x, y, values, kinds: Vec::new() })
+    }
+
+    /// A map of cells, each of one of the named kinds or of none, with a legend of the kinds
+    /// instead of a colour bar. `x` and `y` are the centres of the cells; rows as in
+    /// [`Field::new`].
+    ///
+    /// ```
+    /// use carom_plot::{Field, Panel, render};
+    /// let kinds = vec![Some(0), Some(1), None, Some(1)];
+    /// let map = Field::of_kinds(["stick", "slip"], vec![0.0, 1.0], vec![0.0, 1.0], kinds)?;
+    /// assert!(render("", &[Panel::new("x", "y").over(map)])?.contains(">stick<"));
+    /// # Ok::<(), carom_plot::PlotError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PlotError::Kind`] for a kind without a name, and as [`Field::new`].
+    pub fn of_kinds<S: Into<String>>(
+        names: impl IntoIterator<Item = S>,
+        x: Vec<f64>,
+        y: Vec<f64>,
+        kinds: Vec<Option<usize>>,
+    ) -> Result<Self, PlotError> {
+        let names: Vec<String> = names.into_iter().map(Into::into).collect();
+        let count = names.len();
+        if let Some(kind) = kinds.iter().flatten().copied().find(|kind| *kind >= count) {
+            return Err(PlotError::Kind { kind, count });
+        }
+        let values = kinds.into_iter().map(|kind| kind.map_or(0.0, |kind| kind as f64 + 1.0));
+        let field = Self::new(names.join(", "), x, y, values.collect())?;
+        Ok(Self { kinds: names, ..field })
+    }
+
+    /// The names of the kinds; none for a field of values.
+    pub(crate) fn kinds(&self) -> &[String] {
+        &self.kinds
+    }
+
+    /// The ends of an axis over these nodes: the first and the last node, or beyond the cells of a
+    /// map of kinds.
+    pub(crate) fn ends(&self, nodes: &[f64]) -> Limits {
+        let [low, high] = self.cell_ends(nodes);
+        let margin = if self.kinds.is_empty() { 0.0 } else { MARGIN * (high - low) };
+        Limits { low: low - margin, high: high + margin }
+    }
+
+    /// The outer borders of the cells along an axis.
+    pub(crate) fn cell_ends(&self, nodes: &[f64]) -> [f64; 2] {
+        let last = nodes.len() - 1;
+        let half = if self.kinds.is_empty() { 0.0 } else { 0.5 };
+        [
+            nodes[0] - half * (nodes[1] - nodes[0]),
+            nodes[last] + half * (nodes[last] - nodes[last - 1]),
+        ]
     }
 
     /// The nodes along the horizontal axis.
@@ -66,6 +126,16 @@ impl Field {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_kind_without_a_name_is_refused() {
+        let make = |kind| {
+            let nodes = vec![0.0, 1.0];
+            Field::of_kinds(["stick"], nodes.clone(), nodes, vec![Some(0), None, None, Some(kind)])
+        };
+        assert!(make(0).is_ok());
+        assert_eq!(make(1), Err(PlotError::Kind { kind: 1, count: 1 }));
+    }
 
     #[test]
     fn what_is_no_grid_is_refused() {

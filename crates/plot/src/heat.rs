@@ -1,4 +1,5 @@
-//! Drawing a field: coloured cells, contour lines, and the colour bar.
+//! Drawing a field: coloured cells, contour lines, and beside it the colour bar or the legend of
+//! its kinds.
 
 use crate::contour::contours;
 use crate::draw::thinned;
@@ -6,9 +7,9 @@ use crate::error::PlotError;
 use crate::field::Field;
 use crate::panel::Axis;
 use crate::raster::indexed_png;
-use crate::span::{Span, power_of_ten};
+use crate::span::{Span, with_power};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
-use crate::text::Type;
+use crate::text::{Type, text_width};
 
 /// Blue, light blue, grey, light orange, brown: light in the middle, dark at both ends.
 const COLOURS: [[f64; 3]; 5] = [
@@ -28,7 +29,19 @@ const MAX_PIXELS: usize = 4096;
 /// Width of the bar.
 const BAR_WIDTH: f64 = 14.0;
 /// Space for the bar beside the axes.
-pub(crate) const BAR_SPACE: f64 = 92.0;
+pub(crate) const BAR_SPACE: f64 = 106.0;
+/// Distance of bar and legend from the axes.
+const GAP: f64 = 14.0;
+/// White where there is no kind, then a colour for each: colour-blind readers distinguish the first
+/// two by brightness too.
+const KINDS: [[u8; 3]; 6] = [
+    [255, 255, 255],
+    [58, 139, 196],
+    [245, 190, 82],
+    [92, 186, 157],
+    [219, 161, 193],
+    [150, 150, 150],
+];
 
 /// The values of a field as an axis, for its colours and contour lines.
 pub(crate) struct Heat<'a> {
@@ -48,6 +61,29 @@ impl<'a> Heat<'a> {
         Ok(Self { field, span, reach })
     }
 
+    /// Space beside the axes for the bar or the legend of the kinds.
+    pub(crate) fn aside(&self) -> f64 {
+        let widths = self.field.kinds().iter().map(|name| text_width(name, Type::LEGEND.size));
+        let widest = widths.reduce(f64::max);
+        widest.map_or(BAR_SPACE, |width| width + GAP + BAR_WIDTH + 14.0)
+    }
+
+    /// The colours of the image.
+    fn palette(&self) -> Vec<[u8; 3]> {
+        match self.field.kinds().len() {
+            0 => (-(SHADES as i32)..=SHADES as i32).map(rgb).collect(),
+            count => (0..=count).map(kind_colour).collect(),
+        }
+    }
+
+    /// The place of the colour of a value in the palette.
+    fn place_in_palette(&self, value: f64) -> u8 {
+        match self.field.kinds().is_empty() {
+            true => (self.shade(value) + SHADES as i32) as u8,
+            false => value as u8,
+        }
+    }
+
     /// The colour index of a value, a whole number within +-SHADES.
     fn shade(&self, value: f64) -> i32 {
         libm::round(value / self.reach * SHADES) as i32
@@ -59,12 +95,12 @@ impl<'a> Heat<'a> {
         &self,
         svg: &mut Svg,
         clip: &str,
-        x: &Span,
-        y: &Span,
+        [x, y]: [&Span; 2],
         frame: Frame,
     ) -> Result<(), PlotError> {
         let left = |at: f64| frame.x + frame.width * at;
         let top = |at: f64| frame.y + frame.height * (1.0 - at);
+        let edges = |nodes: &[f64], span| edges(nodes, self.field.cell_ends(nodes), span);
         let (columns, rows) = (edges(self.field.x(), x), edges(self.field.y(), y));
         let ends = |edges: &[f64]| [edges[0], edges[edges.len() - 1]];
         let ([west, east], [south, north]) = (ends(&columns), ends(&rows));
@@ -77,6 +113,9 @@ impl<'a> Heat<'a> {
         svg.open(&format!("clip-path=\"url(#{clip})\""));
         svg.image(place, &self.image(&columns, &rows, frame)?);
         svg.close();
+        if !self.field.kinds().is_empty() {
+            return Ok(());
+        }
         svg.open(&format!("clip-path=\"url(#{clip})\" fill=\"none\" stroke=\"#222\""));
         for tick in self.span.ticks().0 {
             let place = |(a, b): &(f64, f64)| Pixel { x: left(x.place(*a)), y: top(y.place(*b)) };
@@ -100,17 +139,34 @@ impl<'a> Heat<'a> {
         let across = pixels(columns, frame.width);
         let mut shades = Vec::new();
         for row in pixels(rows, frame.height).into_iter().rev() {
-            let at =
-                |column: &usize| (self.shade(self.field.at(*column, row)) + SHADES as i32) as u8;
+            let at = |column: &usize| self.place_in_palette(self.field.at(*column, row));
             shades.extend(across.iter().map(at));
         }
-        let palette: Vec<[u8; 3]> = (-(SHADES as i32)..=SHADES as i32).map(rgb).collect();
-        indexed_png(across.len(), &shades, &palette)
+        indexed_png(across.len(), &shades, &self.palette())
     }
 
-    /// The bar beside the axes, with its ticks.
-    pub(crate) fn draw_bar(&self, svg: &mut Svg, frame: Frame) {
-        let bar = Frame { x: frame.x + frame.width + 14.0, width: BAR_WIDTH, ..frame };
+    /// Beside the axes: the bar, or the legend of the kinds.
+    pub(crate) fn draw_aside(&self, svg: &mut Svg, frame: Frame) {
+        let bar = Frame { x: frame.x + frame.width + GAP, width: BAR_WIDTH, ..frame };
+        match self.field.kinds().is_empty() {
+            true => self.draw_bar(svg, bar),
+            false => self.draw_kinds(svg, bar),
+        }
+    }
+
+    fn draw_kinds(&self, svg: &mut Svg, bar: Frame) {
+        for (i, name) in self.field.kinds().iter().enumerate() {
+            let y = bar.y + 22.0 * i as f64;
+            let [red, green, blue] = kind_colour(i + 1);
+            let look = format!("fill=\"#{red:02x}{green:02x}{blue:02x}\" stroke=\"#444\"");
+            svg.rect(Frame { y, height: BAR_WIDTH, ..bar }, &look);
+            let at = Pixel { x: bar.x + BAR_WIDTH + 7.0, y: y + 0.5 * BAR_WIDTH + 4.5 };
+            svg.text(at, Anchor::Start, name, Type::LEGEND);
+        }
+    }
+
+    /// The bar with its ticks, and its label on the other side of them.
+    fn draw_bar(&self, svg: &mut Svg, bar: Frame) {
         let steps = 2.0 * SHADES;
         for i in 0..steps as usize {
             let part = i as f64 / steps;
@@ -123,29 +179,31 @@ impl<'a> Heat<'a> {
         svg.rect(bar, "fill=\"none\" stroke=\"#444\"");
         let end = bar.x + bar.width;
         let (ticks, power) = self.span.ticks();
-        if power != 0 {
-            let foot = Pixel { x: bar.x, y: bar.y + bar.height + 19.0 };
-            let unit = format!("× {}", power_of_ten(power));
-            svg.text(foot, Anchor::Start, &unit, Type::TICK);
-        }
         for tick in ticks {
             let y = bar.y + bar.height * (1.0 - self.span.place(tick.at));
             svg.line(Pixel { x: end, y }, Pixel { x: end + 4.0, y }, "stroke=\"#444\"");
             svg.text(Pixel { x: end + 7.0, y: y + 4.5 }, Anchor::Start, &tick.label, Type::TICK);
         }
-        let at = Pixel { x: bar.x + 0.5 * BAR_WIDTH, y: bar.y - 10.0 };
-        svg.text(at, Anchor::Middle, &self.field.label, Type::LABEL);
+        let at = Pixel { x: bar.x + BAR_SPACE - GAP - 6.0, y: bar.y + 0.5 * bar.height };
+        svg.text(at, Anchor::Middle, &with_power(&self.field.label, power), Type::UPWARDS);
     }
 }
 
 /// The borders of the cells along an axis.
-fn edges(nodes: &[f64], span: &Span) -> Vec<f64> {
+fn edges(nodes: &[f64], [first, last]: [f64; 2], span: &Span) -> Vec<f64> {
     let places: Vec<f64> = nodes.iter().map(|node| span.place(*node)).collect();
-    let last = places.len() - 1;
-    let mut edges = vec![places[0]];
+    let mut edges = vec![span.place(first)];
     edges.extend(places.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])));
-    edges.push(places[last]);
+    edges.push(span.place(last));
     edges
+}
+
+/// The colour of the kind of this number; 0 is none.
+fn kind_colour(number: usize) -> [u8; 3] {
+    match number {
+        0 => KINDS[0],
+        number => KINDS[1 + (number - 1) % (KINDS.len() - 1)],
+    }
 }
 
 /// For each of `count` pixels of equal width between the first and the last border, the cell that
@@ -211,6 +269,25 @@ mod tests {
         reader.next_frame(&mut pixels).unwrap();
         let expected = [24, 48, -48, -24].map(rgb);
         assert_eq!(pixels, expected.as_flattened());
+    }
+
+    #[test]
+    fn each_kind_has_its_colour_and_none_is_white() {
+        let nodes = vec![0.0, 1.0];
+        let kinds = vec![Some(1), None, Some(0), Some(0)];
+        let field = Field::of_kinds(["stick", "slip"], nodes.clone(), nodes, kinds).unwrap();
+        let frame = Frame { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        let edges = [0.0, 0.5, 1.0];
+        let png = Heat::new(&field).unwrap().image(&edges, &edges, frame).unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        // The first row lies below.
+        let expected = [KINDS[1], KINDS[1], KINDS[2], [255; 3]];
+        assert_eq!(pixels, expected.as_flattened());
+        assert_eq!((kind_colour(1), kind_colour(6)), (KINDS[1], KINDS[1]));
     }
 
     #[test]

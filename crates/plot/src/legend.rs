@@ -2,7 +2,7 @@
 
 use crate::draw;
 use crate::panel::Panel;
-use crate::series::{Series, Style};
+use crate::series::Style;
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::{Type, text_width};
 
@@ -10,34 +10,50 @@ const LINE: f64 = 18.0;
 const SAMPLE: f64 = 26.0;
 const PAD: f64 = 8.0;
 
+/// A line of a legend.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Entry<'a> {
+    label: &'a str,
+    style: Style,
+    colour: &'static str,
+}
+
 /// The series of a panel that carry a label, with their colours.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Legend<'a> {
-    entries: Vec<(&'a Series, &'static str)>,
+    entries: Vec<Entry<'a>>,
 }
 
 impl<'a> Legend<'a> {
-    /// The legend of `panel`; a label that occurs again with the same style is shown once.
-    pub(crate) fn of(panel: &'a Panel) -> Self {
-        let mut entries: Vec<(&Series, &'static str)> = Vec::new();
-        for (index, series) in panel.series.iter().enumerate() {
+    /// The legend of `panel`, whose series are drawn in `styles`; a label that occurs again with the
+    /// same style is shown once.
+    pub(crate) fn of(panel: &'a Panel, styles: &[Style]) -> Self {
+        let mut entries: Vec<Entry<'_>> = Vec::new();
+        for (index, (series, style)) in panel.series.iter().zip(styles).enumerate() {
             let colour = draw::colour(series, index);
-            let is_known = entries.iter().any(|(known, shade)| {
-                known.label == series.label && known.style == series.style && *shade == colour
-            });
-            let is_note = series.style == Style::Note;
-            if !series.label.is_empty() && !is_known && !is_note {
-                entries.push((series, colour));
+            let entry = Entry { label: &series.label, style: *style, colour };
+            let is_note = *style == Style::Note;
+            if !entry.label.is_empty() && !is_note && !entries.contains(&entry) {
+                entries.push(entry);
             }
         }
         Self { entries }
     }
 
+    /// Leaves out what another legend has.
+    pub(crate) fn leave_out(&mut self, other: &Legend<'_>) {
+        self.entries.retain(|entry| !other.entries.contains(entry));
+    }
+
+    /// The labels.
+    pub(crate) fn labels(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|entry| entry.label)
+    }
+
     /// Width of the legend in pixels; `None` if it is empty.
     pub(crate) fn width(&self) -> Option<f64> {
-        let widest =
-            self.entries.iter().map(|(series, _)| text_width(&series.label, Type::LEGEND.size));
-        widest.reduce(f64::max).map(|text| text + SAMPLE + 3.0 * PAD)
+        let widths = self.labels().map(|label| text_width(label, Type::LEGEND.size));
+        widths.reduce(f64::max).map(|text| text + SAMPLE + 3.0 * PAD)
     }
 
     fn height(&self) -> f64 {
@@ -65,12 +81,12 @@ impl<'a> Legend<'a> {
     /// Draws it with its upper left corner at that of `frame`.
     pub(crate) fn draw(&self, svg: &mut Svg, frame: Frame) {
         svg.rect(frame, "fill=\"#fff\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
-        for (i, (series, colour)) in self.entries.iter().enumerate() {
+        for (i, Entry { label, style, colour }) in self.entries.iter().enumerate() {
             let y = frame.y + 0.5 * PAD + i as f64 * LINE;
             let x = frame.x + PAD;
-            draw::sample(svg, series, colour, Frame { x, y, width: SAMPLE, height: LINE });
+            draw::sample(svg, *style, colour, Frame { x, y, width: SAMPLE, height: LINE });
             let at = Pixel { x: x + SAMPLE + PAD, y: y + 0.5 * LINE + 4.5 };
-            svg.text(at, Anchor::Start, &series.label, Type::LEGEND);
+            svg.text(at, Anchor::Start, label, Type::LEGEND);
         }
     }
 

@@ -5,7 +5,8 @@
 //! The crate contains no mechanics and needs no system fonts: letters in a PNG are those of DejaVu
 //! Sans (copyright Bitstream, Inc. and Tavmjong Bah; free to embed). The SVG has clip paths, dash
 //! patterns and text, on a light background, in colours that colour-blind readers can distinguish.
-//! In labels, `F_x` and `F_max` are set with subscripts.
+//! In labels, `F_x` and `F_max` are set with subscripts, `ζ^1.5` and `N^(1/4)` with exponents. Panels
+//! with the same axes share a legend.
 //!
 //! ```
 //! use carom_plot::{Panel, Series, render};
@@ -17,6 +18,7 @@
 //! # Ok::<(), carom_plot::PlotError>(())
 //! ```
 
+mod axes;
 mod contour;
 mod draw;
 mod error;
@@ -26,6 +28,7 @@ mod legend;
 mod look;
 mod movement;
 mod panel;
+mod plot;
 mod raster;
 mod render;
 mod series;
@@ -37,5 +40,5 @@ pub use error::PlotError;
 pub use field::Field;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
 pub use raster::base64;
-pub use render::{render, render_png};
+pub use render::{render, render_each, render_png};
 pub use series::{Arrow, Marker, Motion, Point, Series, Stroke, Style};

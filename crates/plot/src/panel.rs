@@ -80,25 +80,69 @@ pub struct Axis {
     pub scale: Scale,
     /// Limits; taken from the data if not set.
     pub limits: Option<Limits>,
+    /// Names below the values 1, 2, 3, ... instead of numbers; empty for numbers.
+    pub names: Vec<String>,
+    /// Length after which the values repeat, such as 360 degrees; `None` if they do not.
+    pub period: Option<f64>,
 }
 
 impl Axis {
     /// A linear axis.
     #[must_use]
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Linear, limits: None }
+        Self::new(label, Scale::Linear)
     }
 
     /// A logarithmic axis.
     #[must_use]
     pub fn log(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Log, limits: None }
+        Self::new(label, Scale::Log)
+    }
+
+    /// An axis of things without order, such as materials: the first stands at 1, the next at 2.
+    /// Their names are below it, turned if they are long.
+    ///
+    /// ```
+    /// use carom_plot::{Axis, Marker, Panel, Series, render};
+    /// let mut panel = Panel::new(Axis::named("", ["steel", "glass"]), "E / GPa");
+    /// panel.add(Series::markers("", Marker::Dot, [(1.0, 208.0), (2.0, 70.0)]));
+    /// assert!(render("", &[panel])?.contains(">glass<"));
+    /// # Ok::<(), carom_plot::PlotError>(())
+    /// ```
+    #[must_use]
+    pub fn named<S: Into<String>>(
+        label: impl Into<String>,
+        names: impl IntoIterator<Item = S>,
+    ) -> Self {
+        let names: Vec<String> = names.into_iter().map(Into::into).collect();
+        let limits = Some(Limits { low: 0.5, high: names.len() as f64 + 0.5 });
+        Self { names, limits, ..Self::new(label, Scale::Linear) }
     }
 
     /// An axis without numbers, for a sketch.
     #[must_use]
     pub fn bare(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Bare, limits: None }
+        Self::new(label, Scale::Bare)
+    }
+
+    fn new(label: impl Into<String>, scale: Scale) -> Self {
+        Self { label: label.into(), scale, limits: None, names: Vec::new(), period: None }
+    }
+
+    /// Sets the length after which values repeat. Lines are not drawn across a jump of more than
+    /// half of it.
+    ///
+    /// ```
+    /// use carom_plot::{Axis, Panel, Series, render};
+    /// let mut panel = Panel::new("t", Axis::linear("angle / degrees").repeating(360.0));
+    /// panel.add(Series::line("", [(0.0, 170.0), (1.0, 179.0), (2.0, -172.0), (3.0, -160.0)]));
+    /// assert_eq!(render("", &[panel])?.matches("<polyline").count(), 2);
+    /// # Ok::<(), carom_plot::PlotError>(())
+    /// ```
+    #[must_use]
+    pub const fn repeating(mut self, period: f64) -> Self {
+        self.period = Some(period);
+        self
     }
 
     /// Sets fixed limits.

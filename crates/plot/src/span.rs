@@ -12,6 +12,9 @@ pub(crate) struct Span {
     scale: Scale,
     low: f64,
     high: f64,
+    /// Whether the values are whole numbers, such as steps, so that ticks are too.
+    is_whole: bool,
+    names: Vec<String>,
 }
 
 /// A labelled position on an axis.
@@ -34,6 +37,9 @@ impl Span {
             None => fitted(axis.scale, values.clone()).ok_or(PlotError::Empty)?,
         };
         let Limits { low, high } = limits;
+        let is_whole = high - low >= 2.0
+            && values.clone().next().is_some()
+            && values.clone().all(|value| value.fract() == 0.0);
         if axis.scale == Scale::Log
             && let Some(value) = values.chain([low]).find(|value| *value <= 0.0)
         {
@@ -42,7 +48,7 @@ impl Span {
         if !(low.is_finite() && high.is_finite() && low < high) {
             return Err(PlotError::Limits { label: axis.label.clone(), low, high });
         }
-        Ok(Self { scale: axis.scale, low, high })
+        Ok(Self { scale: axis.scale, low, high, is_whole, names: axis.names.clone() })
     }
 
     /// The position of `value`: 0 at the lower end, 1 at the upper.
@@ -56,13 +62,9 @@ impl Span {
         self.low + part * (self.high - self.low)
     }
 
-    /// The span from the first to the last node of a grid, if the axis has no limits.
-    pub(crate) fn over(axis: &Axis, nodes: &[f64]) -> Result<Self, PlotError> {
-        let limits = match nodes {
-            [low, .., high] => Some(Limits { low: *low, high: *high }),
-            _ => None,
-        };
-        let axis = Axis { limits: axis.limits.or(limits), ..axis.clone() };
+    /// The span of an axis over the nodes of a field, up to its `ends` if the axis has no limits.
+    pub(crate) fn over(axis: &Axis, nodes: &[f64], ends: Limits) -> Result<Self, PlotError> {
+        let axis = Axis { limits: axis.limits.or(Some(ends)), ..axis.clone() };
         Self::fit(&axis, nodes.iter().copied())
     }
 
@@ -82,19 +84,45 @@ impl Span {
             return self.clone();
         }
         let (centre, half) = (0.5 * (self.low + self.high), 0.5 * (self.high - self.low) * factor);
-        Self { scale: self.scale, low: centre - half, high: centre + half }
+        Self { low: centre - half, high: centre + half, ..self.clone() }
     }
 
     /// Ticks, and the power of ten by which their labels are divided.
     pub(crate) fn ticks(&self) -> (Vec<Tick>, i32) {
+        let power = self.power();
         match self.scale {
-            Scale::Linear => self.linear_ticks(),
+            Scale::Linear if !self.names.is_empty() => (self.named_ticks(), 0),
+            Scale::Linear => (self.linear_ticks(power), power),
             Scale::Bare => (Vec::new(), 0),
-            Scale::Log => {
-                let ticks = self.log_ticks();
-                if ticks.len() < 2 { self.linear_ticks() } else { (ticks, 0) }
-            }
+            Scale::Log => match self.log_ticks() {
+                ticks if ticks.len() < 2 => (self.linear_ticks(power), power),
+                ticks => (ticks, 0),
+            },
         }
+    }
+
+    /// The power of ten to take out of labels; a multiple of three.
+    pub(crate) fn power(&self) -> i32 {
+        common_power(self.low.abs().max(self.high.abs()))
+    }
+
+    /// Ticks with this power of ten taken out of their labels, if the axis is linear.
+    pub(crate) fn ticks_with(&self, power: i32) -> (Vec<Tick>, i32) {
+        match self.scale {
+            Scale::Linear if self.names.is_empty() => (self.linear_ticks(power), power),
+            _ => self.ticks(),
+        }
+    }
+
+    /// The longest name below the axis; `None` if it has numbers.
+    pub(crate) fn longest_name(&self) -> Option<&str> {
+        self.names.iter().max_by_key(|name| name.chars().count()).map(String::as_str)
+    }
+
+    fn named_ticks(&self) -> Vec<Tick> {
+        let ticks = self.names.iter().enumerate();
+        let ticks = ticks.map(|(i, name)| Tick { at: i as f64 + 1.0, label: name.clone() });
+        ticks.filter(|tick| self.holds(tick.at)).collect()
     }
 
     fn scaled(&self, value: f64) -> f64 {
@@ -104,22 +132,23 @@ impl Span {
         }
     }
 
-    fn linear_ticks(&self) -> (Vec<Tick>, i32) {
+    fn linear_ticks(&self, power: i32) -> Vec<Tick> {
         let step = nice_step((self.high - self.low) / 7.0);
+        let step = match self.is_whole {
+            true if step < 1.0 => 1.0,
+            true if step == 2.5 => 5.0,
+            _ => step,
+        };
         let first = libm::ceil(self.low / step - 1e-9) as i64;
         let last = libm::floor(self.high / step + 1e-9) as i64;
-        let largest = self.low.abs().max(self.high.abs());
-        let power = common_power(largest);
         let unit = libm::pow(10.0, f64::from(power));
         let decimals = (-libm::floor(libm::log10(step / unit) + 1e-9)).max(0.0) as usize;
         let decimals = decimals + usize::from(needs_one_more(step / unit, decimals));
-        let ticks = (first..=last)
-            .map(|i| {
-                let at = i as f64 * step;
-                Tick { at, label: minus(format!("{:.decimals$}", at / unit + 0.0)) }
-            })
-            .collect();
-        (ticks, power)
+        let tick = |i: i64| {
+            let at = i as f64 * step;
+            Tick { at, label: minus(format!("{:.decimals$}", at / unit + 0.0)) }
+        };
+        (first..=last).map(tick).collect()
     }
 
     fn log_ticks(&self) -> Vec<Tick> {
@@ -127,15 +156,17 @@ impl Span {
         let (first, last) = (libm::floor(low) as i32, libm::ceil(high) as i32);
         let stride = ((last - first) / 8).max(1) as usize;
         let multiples: &[f64] = if high - low < 2.2 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-        (first..=last)
+        let value = |(power, multiple): (i32, f64)| multiple * libm::pow(10.0, f64::from(power));
+        let places: Vec<(i32, f64)> = (first..=last)
             .step_by(stride)
             .flat_map(|power| multiples.iter().map(move |m| (power, *m)))
-            .map(|(power, multiple)| Tick {
-                at: multiple * libm::pow(10.0, f64::from(power)),
-                label: log_label(power, multiple),
-            })
-            .filter(|tick| self.holds(tick.at))
-            .collect()
+            .filter(|place| self.holds(value(*place)))
+            .collect();
+        // All labels of an axis have one style.
+        let is_plain = places.iter().all(|(power, _)| (-3..=3).contains(power));
+        let label = if is_plain { plain_label } else { power_label };
+        let tick = |place: &(i32, f64)| Tick { at: value(*place), label: label(*place) };
+        places.iter().map(tick).collect()
     }
 }
 
@@ -176,11 +207,15 @@ fn common_power(largest: f64) -> i32 {
     if (-2..4).contains(&power) { 0 } else { power.div_euclid(3) * 3 }
 }
 
-fn log_label(power: i32, multiple: f64) -> String {
-    if (-3..=3).contains(&power) {
-        let decimals = (-power).max(0) as usize;
-        format!("{:.decimals$}", multiple * libm::pow(10.0, f64::from(power)))
-    } else if multiple == 1.0 {
+/// `0.002`
+fn plain_label((power, multiple): (i32, f64)) -> String {
+    let decimals = (-power).max(0) as usize;
+    format!("{:.decimals$}", multiple * libm::pow(10.0, f64::from(power)))
+}
+
+/// `2·10⁻³`
+fn power_label((power, multiple): (i32, f64)) -> String {
+    if multiple == 1.0 {
         power_of_ten(power)
     } else {
         format!("{multiple}·{}", power_of_ten(power))
@@ -196,6 +231,14 @@ pub(crate) fn power_of_ten(power: i32) -> String {
         .map(|c| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]))
         .collect();
     format!("10{exponent}")
+}
+
+/// A label with the power of ten that was taken out of the numbers beside it.
+pub(crate) fn with_power(label: &str, power: i32) -> String {
+    match power {
+        0 => label.to_owned(),
+        _ => format!("{label}  (× {})", power_of_ten(power)),
+    }
 }
 
 /// Replaces the hyphen by a minus sign.
@@ -225,9 +268,32 @@ mod tests {
     #[test]
     fn logarithmic_ticks_are_decades() {
         let (ticks, _) = labels(&Axis::log("").between(1e-5, 10.0));
-        assert_eq!(ticks.join(" "), "10⁻⁵ 10⁻⁴ 0.001 0.01 0.1 1 10");
+        assert_eq!(ticks.join(" "), "10⁻⁵ 10⁻⁴ 10⁻³ 10⁻² 10⁻¹ 10⁰ 10¹");
+        let (ticks, _) = labels(&Axis::log("").between(2e-4, 2e-3));
+        assert_eq!(ticks.join(" "), "2·10⁻⁴ 5·10⁻⁴ 10⁻³ 2·10⁻³");
         let (ticks, _) = labels(&Axis::log("").between(0.1, 10.0));
         assert_eq!(ticks.join(" "), "0.1 0.2 0.5 1 2 5 10");
+    }
+
+    #[test]
+    fn ticks_of_whole_numbers_are_whole() {
+        let ticks = |values: &[f64]| {
+            let span = Span::fit(&Axis::linear("step"), values.iter().copied()).unwrap();
+            let (ticks, _) = span.ticks();
+            ticks.into_iter().map(|tick| tick.label).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(ticks(&[1.0, 2.0, 3.0]), "1 2 3");
+        assert_eq!(ticks(&[0.0, 10.0]), "0 2 4 6 8 10");
+        assert_eq!(ticks(&[1.0, 2.5, 3.0]), "1.0 1.5 2.0 2.5 3.0");
+        assert_eq!(ticks(&[0.0, 16.0, 17.0]), "0 5 10 15");
+    }
+
+    #[test]
+    fn names_stand_at_whole_numbers() {
+        let (ticks, power) = labels(&Axis::named("", ["steel", "glass", "rubber"]));
+        assert_eq!((ticks.join(" ").as_str(), power), ("steel glass rubber", 0));
+        let span = Span::fit(&Axis::named("", ["a", "b"]), std::iter::empty()).unwrap();
+        assert_eq!([1.0, 2.0].map(|at| span.place(at)), [0.25, 0.75]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::error::PlotError;
 use crate::raster::base64;
-use crate::text::{Font, Type, parts};
+use crate::text::{Font, Level, Type, parts};
 use std::fmt::Write as _;
 
 /// An SVG document under construction.
@@ -226,7 +226,7 @@ impl Svg {
         );
     }
 
-    /// A text, its baseline at the point; `_x` and `_max` are set as subscripts.
+    /// A text, its baseline at the point; `_x` and `_max` are set as subscripts, `^2` as exponent.
     pub(crate) fn text(&mut self, at: Pixel, anchor: Anchor, text: &str, look: Type) {
         if text.is_empty() {
             return;
@@ -246,7 +246,10 @@ impl Svg {
             Anchor::Middle => -0.5 * width,
             Anchor::End => -width,
         };
-        let turn = if look.upwards { " rotate(-90)" } else { "" };
+        let turn = match look.rise {
+            0.0 => String::new(),
+            rise => format!(" rotate({})", -rise),
+        };
         let _ = writeln!(
             self.body,
             "<path transform=\"translate({:.2} {:.2}){turn} translate({shift:.2} 0)\" d=\"{path}\"/>",
@@ -268,31 +271,36 @@ impl Svg {
         if look.bold {
             self.body.push_str(" font-weight=\"bold\"");
         }
-        if look.upwards {
-            let _ = write!(self.body, " transform=\"rotate(-90 {x:.2} {y:.2})\"");
+        if look.rise != 0.0 {
+            let _ = write!(self.body, " transform=\"rotate({} {x:.2} {y:.2})\"", -look.rise);
         }
         self.body.push('>');
-        for (part, is_lowered) in parts(text) {
+        for (part, level) in parts(text) {
             let part = escape(part);
-            let _ = match is_lowered {
-                false => write!(self.body, "{part}"),
-                true => write!(
+            let _ = match level {
+                Level::Line => write!(self.body, "{part}"),
+                Level::Lowered | Level::Raised => write!(
                     self.body,
-                    "<tspan dy=\"0.28em\" font-size=\"75%\">{part}</tspan>\
-                     <tspan dy=\"-0.21em\">&#8203;</tspan>"
+                    "<tspan dy=\"{}em\" font-size=\"75%\">{part}</tspan>\
+                     <tspan dy=\"{}em\">&#8203;</tspan>",
+                    Short(level.drop()),
+                    Short(level.back())
                 ),
             };
         }
         self.body.push_str("</text>\n");
     }
 
-    /// The finished document of this size, on a white background.
-    pub(crate) fn finish(self, width: f64, height: f64) -> String {
+    /// The finished document of this size, on a white background, with a description for readers
+    /// who do not see it.
+    pub(crate) fn finish(self, width: f64, height: f64, spoken: &str) -> String {
+        let (width, height) = (Short(width), Short(height));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" font-family=\"Helvetica, Arial, sans-serif\" \
-             font-size=\"13\" fill=\"#222\">\n\
+             viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\" \
+             font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
              <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{}</svg>\n",
+            escape(spoken),
             self.body
         )
     }

@@ -136,3 +136,28 @@ fn cells_end_half_way_between_the_nodes() {
     assert!(red(0, height - 1) < red(width - 1, height - 1));
     assert!(red(width - 1, height - 1) < red(0, 0));
 }
+
+/// A map of kinds: whole cells, also the outer ones, within the axes, and a legend instead of a bar.
+#[test]
+fn cells_of_kinds_lie_whole_within_the_axes() {
+    let nodes = vec![0.5, 1.5, 2.5, 3.5];
+    let kinds = (0..16).map(|i| Some(i % 2)).collect();
+    let map = Field::of_kinds(["stick", "slip"], nodes.clone(), nodes, kinds).unwrap();
+    let svg = panel(map);
+    let image = svg.lines().find(|line| line.starts_with("<image ")).unwrap();
+    let [x, y, width, height] =
+        ["x", "y", "width", "height"].map(|name| attribute(image, name).parse::<f64>().unwrap());
+    let ([left, top], [right, bottom]) = (pixel(0.0, 1.0), pixel(1.0, 0.0));
+    assert!(x > left + 5.0 && x + width < right - 5.0, "{image}");
+    assert!(y > top + 5.0 && y + height < bottom - 5.0, "{image}");
+    // The ticks of the axes tell where the cells end: at 0 and 4.
+    let ticks = svg.lines().filter(|line| line.starts_with("<line ") && line.contains("#e4e4e4"));
+    let stand: Vec<f64> = ticks
+        .filter(|line| attribute(line, "x1") == attribute(line, "x2"))
+        .map(|line| attribute(line, "x1").parse().unwrap())
+        .collect();
+    let (first, last) = (stand[0], stand[stand.len() - 1]);
+    assert!((x - first).abs() < 0.02 && (x + width - last).abs() < 0.02, "{stand:?} {image}");
+    assert!(svg.contains(">stick<") && svg.contains(">slip<"));
+    assert!(!svg.contains("fill=\"none\" stroke=\"#222\""), "no lines of equal value");
+}

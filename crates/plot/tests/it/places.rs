@@ -243,3 +243,28 @@ fn the_legend_keeps_the_order_of_the_series() {
     });
     assert!(places[0] < places[1] && places[1] < places[2], "{places:?}");
 }
+
+/// Names stand below their values, and all of them lie within the picture.
+#[test]
+fn names_stand_below_their_values() {
+    let names = ["soda-lime glass", "cellulose acetate on aluminium", "Delrin", "steel", "zinc"];
+    let mut panel = Panel::new(Axis::named("material", names), "β");
+    panel.add(Series::markers("", Marker::Dot, (1..=5).map(|i| (f64::from(i), 0.0))));
+    let svg = render("", &[panel]).unwrap();
+    let size = |name: &str| numbers(&svg, "svg", name, "")[0];
+    let (width, height) = (size("width"), size("height"));
+    let cx = numbers(&svg, "circle", "cx", "");
+    for (name, x) in names.into_iter().zip(cx) {
+        let line = svg.lines().find(|line| line.contains(&format!(">{name}<"))).unwrap();
+        let of = |attribute: &str| numbers(line, "text", attribute, "")[0];
+        assert!((of("x") - x - 4.0).abs() < 0.02 && line.contains("text-anchor=\"end\""), "{line}");
+        // Letters of this font are narrower than 0.56 of its size in the mean.
+        let angle: f64 =
+            line.split_once("rotate(").unwrap().1.split(' ').next().unwrap().parse().unwrap();
+        let length = 0.56 * 13.0 * name.chars().count() as f64;
+        let (across, down) =
+            (length * angle.to_radians().cos(), -length * angle.to_radians().sin());
+        assert!(of("x") - across > 0.0 && of("x") < width, "{line}");
+        assert!(of("y") + down < height - 16.0, "{line}: {height}");
+    }
+}
