@@ -22,7 +22,7 @@
     if (!root.classList.contains(asked.theme)) fault(`the theme is not ${asked.theme}`);
     if (root.scrollWidth > asked.width) fault(`wider than ${asked.width}: ${root.scrollWidth}`);
     for (const image of inside.images) if (!image.naturalWidth) fault(`no picture ${image.src}`);
-    for (const math of all('math')) if (/[&\\$]/.test(math.textContent)) fault(`formula: ${math.textContent}`);
+    for (const math of all('math')) if (/[&\\$]|<mo/.test(math.textContent)) fault(`formula: ${math.textContent}`);
     const ground = luminance(parts(view.getComputedStyle(root).backgroundColor));
     for (const drawing of all('.drawing svg')) {
       drawings += 1;
