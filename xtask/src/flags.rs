@@ -58,8 +58,8 @@ xflags::xflags! {
             /// Pack without building the packages, and leave out the wheel.
             optional --quick
         }
-        /// Checks the links of the book below docs/book and builds its pages in target/book if mdbook is
-        /// installed.
+        /// Checks the links of the book below docs/book. If mdbook is installed, builds its pages in target/book; if a
+        /// browser is there too, looks at them.
         cmd book {}
         /// Writes the files that are generated from the sources: the C header, the book's pictures and case reference,
         /// the result classes of Python. Snapshots of figures are written by `verify --update`, the record of

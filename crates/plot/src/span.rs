@@ -233,12 +233,38 @@ pub(crate) fn power_of_ten(power: i32) -> String {
     format!("10{exponent}")
 }
 
-/// A label with the power of ten that was taken out of the numbers beside it.
+/// Units that take a prefix, with the power to which the prefix counts.
+const PREFIXED: [(&str, i32); 11] = [
+    ("m", 1),
+    ("N", 1),
+    ("Pa", 1),
+    ("J", 1),
+    ("W", 1),
+    ("s", 1),
+    ("rad", 1),
+    ("N m", 1),
+    ("m/s", 1),
+    ("N/m", 1),
+    ("m²", 2),
+];
+const PREFIXES: [(i32, &str); 8] =
+    [(-12, "p"), (-9, "n"), (-6, "µ"), (-3, "m"), (3, "k"), (6, "M"), (9, "G"), (12, "T")];
+
+/// A label with the power of ten that was taken out of the numbers beside it: `x / m` becomes `x / µm`
+/// where the unit takes a prefix.
 pub(crate) fn with_power(label: &str, power: i32) -> String {
-    match power {
-        0 => label.to_owned(),
-        _ => format!("{label}  (× {})", power_of_ten(power)),
+    if power == 0 {
+        return label.to_owned();
     }
+    let prefixed = label.rsplit_once(" / ").and_then(|(name, unit)| {
+        let (_, exponent) = PREFIXED.iter().find(|(own, _)| *own == unit)?;
+        let wanted = |(own, _): &&(i32, &str)| own * exponent == power;
+        let (_, prefix) = PREFIXES.iter().find(wanted)?;
+        // Longer and slower, not bigger: lengths and times grow by powers of ten only.
+        let is_odd = power > 3 && ["m", "s", "rad", "m/s"].contains(&unit);
+        (!is_odd).then(|| format!("{name} / {prefix}{unit}"))
+    });
+    prefixed.unwrap_or_else(|| format!("{label}  (× {})", power_of_ten(power)))
 }
 
 /// Replaces the hyphen by a minus sign.

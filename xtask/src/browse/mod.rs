@@ -21,8 +21,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let folder = root.join("target/verification");
     let Some(browser) = browser() else {
-        let reason = format!("no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "));
-        return Ok(Outcome::skipped(Part::Browser, reason));
+        return Ok(Outcome::skipped(Part::Browser, none()));
     };
     let report = folder.join("report.html");
     let text = std::fs::read_to_string(&report)
@@ -49,7 +48,13 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     Ok(Outcome::Passed)
 }
 
-fn browser() -> Option<PathBuf> {
+/// Why nothing was looked at.
+pub(crate) fn none() -> String {
+    format!("no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "))
+}
+
+/// A browser that can run without a window, if there is one.
+pub(crate) fn browser() -> Option<PathBuf> {
     let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
     let path = std::env::var_os("PATH").unwrap_or_default();
     let places = std::env::split_paths(&path)
@@ -88,15 +93,32 @@ fn look(
          height=\"{HEIGHT}\" style=\"border:0\"></iframe>"
     );
     std::fs::write(&frame, page)?;
-    let dump = Command::new(browser)
+    let picture = format!("--screenshot={}", folder.join(format!("{name}.png")).display());
+    let seen = answer(browser, &frame, width, &[&picture, TIME_LIMIT]);
+    std::fs::remove_file(&frame)?;
+    seen
+}
+
+/// What the script of a page leaves in its element `seen`: JSON in base 64. The page opens without a
+/// window, in a browser with these further options.
+///
+/// # Errors
+/// If the browser does not start or the script leaves nothing.
+pub(crate) fn answer(
+    browser: &Path,
+    page: &Path,
+    width: u32,
+    options: &[&str],
+) -> anyhow::Result<serde_json::Value> {
+    let output = Command::new(browser)
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
         .arg(format!("--window-size={},{HEIGHT}", width.max(500)))
-        .arg(format!("--screenshot={}", folder.join(format!("{name}.png")).display()))
-        .args([TIME_LIMIT, "--dump-dom", &format!("file://{}", frame.display())])
+        .args(options)
+        .args(["--dump-dom", &format!("file://{}", page.display())])
         .stderr(Stdio::null())
         .output()?;
-    std::fs::remove_file(&frame)?;
-    let text = String::from_utf8_lossy(&dump.stdout);
+    let dump = output.stdout;
+    let text = String::from_utf8_lossy(&dump);
     let seen = text.split("id=\"seen\"").nth(1).and_then(|rest| rest.split(['>', '<']).nth(1));
     let seen = seen.filter(|seen| !seen.is_empty()).context("the test script gave no result")?;
     Ok(serde_json::from_slice(&base64(seen)?)?)
