@@ -58,7 +58,10 @@ impl<'a> Axes<'a> {
 
     /// Height with title, ticks and labels.
     pub(crate) fn height(&self) -> f64 {
-        TOP + HEIGHT + BOTTOM + self.depth_of_names()
+        // Turned names need no line for a label that is empty.
+        let is_bare = self.depth_of_names() > 0.0 && self.panel.x.label.is_empty();
+        let label = if is_bare { LABEL_DROP - TICK_DROP } else { 0.0 };
+        TOP + HEIGHT + BOTTOM + self.depth_of_names() - label
     }
 
     pub(crate) fn place(&self, point: Point, frame: Frame) -> Pixel {
