@@ -53,7 +53,7 @@
 //!
 //! An [`Entry::check`] has a name instead of a number and is otherwise a figure like the others:
 //! `rebound.regimes` and `rebound.angles` show the oblique impact as a whole, `particles.*` run
-//! published tests of particle codes, `proposition-3`, `-4`, `-5`, `-6` and `-8` check propositions of it,
+//! published tests of particle codes, `propositions` and `proposition-3`, `-4`, `-5`, `-6` and `-8` check propositions of it,
 //! `accuracy.*` list the errors of a layer against high-precision references. Inputs marked as
 //! stated are those of the page's source. Published points are shown as read from their figures.
 //! Claims about them allow for reading errors; there is no claim if they answer another question.

@@ -8,11 +8,20 @@ use std::process::Command;
 /// Packages required by the tests.
 const REQUIRED_PACKAGES: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
 /// Optional packages of the tests.
-const OPTIONAL_PACKAGES: &[&str] =
-    &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
+const OPTIONAL_PACKAGES: &[&str] = &[
+    "distributed",
+    "ipykernel",
+    "matplotlib",
+    "mypy",
+    "nbclient",
+    "pandas",
+    "pandas-stubs",
+    "pyright[nodejs]",
+    "xarray",
+];
 
 /// Why there is no environment.
-pub(crate) const NONE: &str = "there is no Python 3.11 or later with venv";
+pub(crate) const NONE: &str = "there is no Python 3.10 or later with venv";
 
 /// A virtual environment below target/.
 pub(crate) struct Place {
@@ -50,7 +59,7 @@ impl Place {
     }
 }
 
-/// Builds the wheel and tests it in an environment below target/; skipped without Python 3.11 or
+/// Builds the wheel and tests it in an environment below target/; skipped without Python 3.10 or
 /// later.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     let Some(place) = place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
@@ -83,7 +92,7 @@ fn skipped_in(report: &str) -> Option<u64> {
     suite.split_once("skipped=\"")?.1.split_once('"')?.0.parse().ok()
 }
 
-/// A fresh environment with the required packages; `None` without Python 3.11 or later.
+/// A fresh environment with the required packages; `None` without Python 3.10 or later.
 pub(crate) fn place() -> anyhow::Result<Option<Place>> {
     let Some(python) = interpreter() else { return Ok(None) };
     let place = Place { folder: root()?.join("target/python") };
@@ -118,7 +127,7 @@ fn project() -> anyhow::Result<PathBuf> {
 
 /// The first Python that is new enough and can create environments.
 pub(crate) fn interpreter() -> Option<&'static str> {
-    let probe = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
+    let probe = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))";
     let works = |name: &&str| {
         Command::new(name).args(["-c", probe]).output().is_ok_and(|output| output.status.success())
     };

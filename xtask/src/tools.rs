@@ -12,8 +12,11 @@ pub(crate) struct Tool {
 }
 
 /// Builds the pages of the book.
-pub(crate) const MDBOOK: Tool =
-    Tool { name: "mdbook", version: "0.5.4", options: &["--no-default-features"] };
+pub(crate) const MDBOOK: Tool = Tool {
+    name: "mdbook",
+    version: "0.5.4",
+    options: &["--no-default-features", "--features=search"],
+};
 
 /// Checks licences, sources and advisories of the dependencies.
 pub(crate) const CARGO_DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2", options: &[] };

@@ -14,6 +14,7 @@
 //! | laws | [`laws`] | ch. 5-7, 10.5, 14.4 |
 //! | geometry | [`geometry`] | 5.1, 8.1 |
 //! | half-space | [`halfspace`] | ch. 4 |
+//! | rings and shells | [`shells`] | propositions 4, 5 |
 //! | special functions | [`special`] | |
 //!
 //! ```
@@ -40,6 +41,7 @@ pub use carom_impact as impact;
 pub use carom_laws as laws;
 pub use carom_numerical as numerical;
 pub use carom_rolling as rolling;
+pub use carom_shells as shells;
 pub use carom_solver as solver;
 pub use carom_special as special;
 pub use carom_table as table;

@@ -6,6 +6,8 @@ use crate::solve::ChosenError;
 use carom_classic::DirectError;
 use carom_impact::{CollisionError, RingImpactError};
 use carom_numerical::{CollisionLawError, NumericalImpactError};
+use carom_shells::bellows::BellowsError;
+use carom_shells::flange::FlangeError;
 use carom_solver::{FitError, FrictionalError, NormalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
@@ -104,6 +106,24 @@ pub enum Error {
         /// Why.
         source: Box<ProblemError>,
     },
+    /// A bellows could not be computed under one of its loads.
+    #[error("{}: {}{source}", path.display(), of_load(*load))]
+    Bellows {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the load, from 1; 0 before the first.
+        load: usize,
+        /// Why.
+        source: Box<BellowsError>,
+    },
+    /// A flange could not be computed.
+    #[error("{}: {source}", path.display())]
+    Flange {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<FlangeError>,
+    },
     /// A file of steps has an error.
     #[error("{}: {source}", path.display())]
     Steps {
@@ -168,6 +188,8 @@ impl Error {
             Self::Classic { source, .. } => {
                 !matches!(**source, DirectError::NotConverged { .. } | DirectError::Singular { .. })
             }
+            Self::Bellows { source, .. } => matches!(**source, BellowsError::Range(_)),
+            Self::Flange { source, .. } => matches!(**source, FlangeError::Range(_)),
             Self::Case { .. }
             | Self::Law { .. }
             | Self::Border { .. }
@@ -186,6 +208,11 @@ impl Error {
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Io { action, path: path.to_owned(), source }
     }
+}
+
+/// Which load of a bellows it was.
+fn of_load(load: usize) -> String {
+    if load == 0 { String::new() } else { format!("load {load}: ") }
 }
 
 /// A hint for the case that an older method cannot solve it.

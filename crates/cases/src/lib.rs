@@ -3,7 +3,7 @@
 //!
 //! A case is a TOML file that describes a computation: bodies, materials, friction, motions. [`case`] reads
 //! it strictly, in SI units or with units of its own; [`input`] reads files of limited size.
-//! [`impact::followed`], [`history::followed`] and [`solve::solved`] compute a case. The command `carom` and
+//! [`impact::followed`], [`history::followed`], [`solve::solved`] and [`shell::solved`] compute a case. The command `carom` and
 //! the Python module are built on this crate.
 //!
 //! ```
@@ -20,6 +20,7 @@ pub mod history;
 pub mod impact;
 pub mod input;
 pub mod numbers;
+pub mod shell;
 pub mod solve;
 
 pub use error::{Error, is_bad_collision};

@@ -9,6 +9,25 @@ use pyo3::types::PyDict;
 
 use crate::error::Fault;
 use crate::materials::Material;
+use crate::show::{self, Quantity, repr};
+
+const QUANTITIES: &[Quantity] = &[
+    ("shape", "", "shape"),
+    ("sizes", "m", "dimensions of the shape"),
+    ("material", "", "material"),
+    ("mass", "kg", "mass; inf for a fixed body"),
+    ("hollow", "", "whether the body is a thin shell"),
+    ("moments", "kg m^2", "principal moments of inertia"),
+    ("centre", "m", "centre of mass"),
+    ("attitude", "", "quaternion (w, i, j, k)"),
+    ("velocity", "m/s", "of the centre of mass"),
+    ("spin", "rad/s", "angular velocity in space axes"),
+];
+
+/// Default centre, velocity and spin.
+const AT_REST: [f64; 3] = [0.0; 3];
+/// Default attitude: body axes along those of space.
+const ALONG_SPACE: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 /// A body before a collision.
 ///
@@ -55,16 +74,21 @@ pub(crate) struct Body {
 #[pymethods]
 impl Body {
     #[new]
-    #[pyo3(signature = (
-        shape, sizes, material, mass=f64::INFINITY, *, hollow=false, moments=None,
-        centre=[0.0; 3], attitude=[1.0, 0.0, 0.0, 0.0], velocity=[0.0; 3], spin=[0.0; 3]
-    ))]
+    #[pyo3(
+        signature = (
+            shape, sizes, material, mass=None, *, hollow=false, moments=None,
+            centre=AT_REST, attitude=ALONG_SPACE, velocity=AT_REST, spin=AT_REST
+        ),
+        text_signature = "(shape, sizes, material, mass=None, *, hollow=False, moments=None, \
+                          centre=(0.0, 0.0, 0.0), attitude=(1.0, 0.0, 0.0, 0.0), \
+                          velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0))"
+    )]
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         shape: String,
         sizes: Vec<f64>,
         material: Material,
-        mass: f64,
+        mass: Option<f64>,
         hollow: bool,
         moments: Option<[f64; 3]>,
         centre: [f64; 3],
@@ -76,7 +100,7 @@ impl Body {
             shape,
             sizes,
             material,
-            mass,
+            mass: mass.unwrap_or(f64::INFINITY),
             hollow,
             moments,
             centre,
@@ -89,14 +113,39 @@ impl Body {
     }
 
     /// A copy of the body with another motion.
-    #[pyo3(signature = (velocity=[0.0; 3], spin=[0.0; 3]))]
+    #[pyo3(
+        signature = (velocity=AT_REST, spin=AT_REST),
+        text_signature = "($self, velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0))"
+    )]
     fn moving(&self, velocity: [f64; 3], spin: [f64; 3]) -> PyResult<Self> {
         motion(velocity, spin)?;
         Ok(Self { velocity, spin, ..self.clone() })
     }
 
-    fn __repr__(&self) -> String {
-        format!("Body({:?}, {:?}, mass={:?})", self.shape, self.sizes, self.mass)
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let (shape, sizes) = (repr(py, &self.shape)?, repr(py, &self.sizes)?);
+        let mut text = format!("Body({shape}, {sizes}, {}", self.material.__repr__(py)?);
+        if self.mass != f64::INFINITY {
+            text += &format!(", mass={}", repr(py, self.mass)?);
+        }
+        if self.hollow {
+            text += ", hollow=True";
+        }
+        if let Some(moments) = self.moments {
+            text += &format!(", moments={}", repr(py, moments)?);
+        }
+        if self.attitude != ALONG_SPACE {
+            text += &format!(", attitude={}", repr(py, self.attitude)?);
+        }
+        let vectors = [("centre", self.centre), ("velocity", self.velocity), ("spin", self.spin)];
+        for (name, vector) in vectors.into_iter().filter(|(_, vector)| *vector != AT_REST) {
+            text += &format!(", {name}={}", repr(py, vector)?);
+        }
+        Ok(text + ")")
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        show::html(slf, QUANTITIES)
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`

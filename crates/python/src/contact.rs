@@ -8,7 +8,18 @@ use pyo3::prelude::*;
 use crate::arrays::{Numbers, same_length};
 use crate::error::Fault;
 use crate::hertz::Given;
+use crate::show::{self, Quantity, repr};
 use crate::walked::{Constants, VERTICES, Walked};
+
+const QUANTITIES: &[Quantity] = &[
+    ("regime", "", "regime of the last step"),
+    ("shift", "m", "zeta, xi, eta"),
+    ("load", "N", "F_x, F_y, F_z"),
+    ("torque", "N m", "about the normal"),
+    ("sticking", "", "share of the contact area that sticks"),
+    ("stored_energy", "J", "elastic energy"),
+    ("dissipated", "J", "heat since the beginning"),
+];
 
 /// A contact with memory: rigid shifts in, loads out.
 ///
@@ -37,7 +48,10 @@ pub(crate) struct Contact {
 #[pymethods]
 impl Contact {
     #[new]
-    #[pyo3(signature = (stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, *, heat=true))]
+    #[pyo3(
+        signature = (stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, *, heat=true),
+        text_signature = "(stiffness, friction, law='coulomb', tolerance=0.001, *, heat=True)"
+    )]
     fn new(
         stiffness: Given,
         friction: f64,
@@ -198,9 +212,12 @@ impl Contact {
         Ok(())
     }
 
-    fn __repr__(&self) -> PyResult<String> {
-        let (f_x, f_y, f_z) = self.load();
-        Ok(format!("Contact({}, F = ({f_x:e}, {f_y:e}, {f_z:e}) N)", self.regime()?))
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!("Contact({}, F = {} N)", self.regime()?, repr(py, self.load())?))
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        show::html(slf, QUANTITIES)
     }
 }
 

@@ -11,6 +11,14 @@ use crate::arrays::{Numbers, map};
 use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
+use crate::show::{self, Quantity, repr};
+
+const QUANTITIES: &[Quantity] = &[
+    ("materials", "", "of both bodies"),
+    ("curvature", "1/m", "coefficients of the gap A x^2 + B y^2"),
+    ("axis_ratio", "", "a/b of the contact ellipse"),
+    ("stiffness", "N/m^1.5", "c_x, c_y, c_z"),
+];
 
 /// A Hertz contact before it is loaded: two curvatures and two materials.
 ///
@@ -105,9 +113,14 @@ impl Hertz {
         arrays(py, HertzState::COLUMNS, &states)
     }
 
-    fn __repr__(&self) -> String {
-        let gap = self.0.curvature();
-        format!("Hertz(curvature_a={:?}, curvature_b={:?})", gap.a(), gap.b())
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let (a, b) = self.curvature();
+        let materials = self.materials().__repr__(py)?;
+        Ok(format!("Hertz({materials}, {}, {})", repr(py, a)?, repr(py, b)?))
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        show::html(slf, QUANTITIES)
     }
 
     fn __getnewargs__(&self) -> (MaterialPair, f64, f64) {

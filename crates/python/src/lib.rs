@@ -14,6 +14,7 @@ mod plate;
 mod records;
 mod restitution;
 mod room;
+mod show;
 mod solver;
 mod special;
 mod stress;

@@ -5,6 +5,19 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::Fault;
+use crate::show::{self, Quantity, repr};
+
+const MATERIAL: &[Quantity] = &[
+    ("young_modulus", "Pa", "Young's modulus"),
+    ("shear_modulus", "Pa", "shear modulus"),
+    ("poisson", "", "Poisson's ratio"),
+];
+const PAIR: &[Quantity] = &[
+    ("shear_modulus", "Pa", "combined shear modulus"),
+    ("poisson", "", "combined Poisson's ratio"),
+    ("kappa", "", "normal over tangential stiffness of a circular contact"),
+    ("gamma", "", "coupling of normal and tangential displacements"),
+];
 
 /// An isotropic elastic material.
 ///
@@ -50,9 +63,16 @@ impl Material {
         self.0.poisson()
     }
 
-    fn __repr__(&self) -> String {
-        let (modulus, poisson) = (self.0.shear_modulus(), self.0.poisson());
-        format!("Material(shear_modulus={modulus:e}, poisson={poisson})")
+    pub(crate) fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let modulus = match self.short_young_modulus() {
+            Some(modulus) => format!("young_modulus={}", repr(py, modulus)?),
+            None => format!("shear_modulus={}", repr(py, self.shear_modulus())?),
+        };
+        Ok(format!("Material({modulus}, poisson={})", repr(py, self.poisson())?))
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        show::html(slf, MATERIAL)
     }
 
     fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((), Bound<'py, PyDict>)> {
@@ -60,6 +80,19 @@ impl Material {
         named.set_item("shear_modulus", self.0.shear_modulus())?;
         named.set_item("poisson", self.0.poisson())?;
         Ok(((), named))
+    }
+}
+
+impl Material {
+    /// Young's modulus with at most twelve digits, if it makes the same material.
+    fn short_young_modulus(&self) -> Option<f64> {
+        let modulus = self.young_modulus();
+        if modulus == f64::INFINITY {
+            return Some(modulus);
+        }
+        let short = format!("{modulus:.11e}").parse().ok()?;
+        let same = carom::halfspace::Material::from_young(short, self.poisson()).ok()? == self.0;
+        same.then_some(short)
     }
 }
 
@@ -120,9 +153,17 @@ impl MaterialPair {
         self.0.kappa()
     }
 
-    fn __repr__(&self) -> String {
-        let [one, two] = [self.0.body_1(), self.0.body_2()].map(|body| Material(body).__repr__());
-        format!("MaterialPair({one}, {two})")
+    pub(crate) fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let [one, two] = [self.material_1(), self.material_2()];
+        let mut text = format!("MaterialPair({}", one.__repr__(py)?);
+        if one != two {
+            text += &format!(", {}", two.__repr__(py)?);
+        }
+        Ok(text + ")")
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        show::html(slf, PAIR)
     }
 
     fn __getnewargs__(&self) -> (Material, Material) {

@@ -6,6 +6,14 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::Fault;
+use crate::show::{self, Quantity, repr};
+
+const QUANTITIES: &[Quantity] = &[
+    ("a", "m", "side along x"),
+    ("b", "m", "side along y"),
+    ("thickness", "m", "thickness"),
+    ("theory", "", "theory of the displacement"),
+];
 
 /// A rectangular plate of constant thickness, simply supported at its edges.
 ///
@@ -54,9 +62,13 @@ impl Plate {
         self.theory.name()
     }
 
-    fn __repr__(&self) -> String {
-        let (a, b, h) = (self.a(), self.b(), self.thickness());
-        format!("Plate(a={a:e}, b={b:e}, thickness={h:e}, theory='{}')", self.theory.name())
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let [a, b, h] = [self.a(), self.b(), self.thickness()].map(|side| repr(py, side));
+        Ok(format!("Plate({}, {}, {}, '{}')", a?, b?, h?, self.theory.name()))
+    }
+
+    fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
+        show::html(slf, QUANTITIES)
     }
 
     fn __getnewargs__(&self) -> (f64, f64, f64, &'static str) {

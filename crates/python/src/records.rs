@@ -3,7 +3,7 @@
 use carom::impact::restitution::DissimilarRestitution;
 use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::hertz::HertzState;
-use carom::table::{Column, Quantity as _, Value};
+use carom::table::{Column, Quantity, Value};
 use carom_cases::history::all_columns as history_columns;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
@@ -11,13 +11,29 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Columns of texts. They are lists even if no record has a value.
-const TEXTS: [&str; 6] = ["outcome", "regimes", "method", "warnings", "regime", "twist_regime"];
+const TEXTS: [&str; 7] =
+    ["outcome", "regimes", "method", "warnings", "regime", "twist_regime", "wall"];
+/// Columns of whole numbers; 0 without a value.
+const COUNTS: [&str; 3] = ["step", "compressions", "iterations"];
+/// Columns that say `yes` or `no`.
+const FLAGS: [&str; 1] = ["slides"];
 
-/// Name, unit, meaning and number of components of each column of a result; 0 components for texts.
+/// What the values of a column are.
+fn kind(column: &impl Quantity) -> &'static str {
+    match column.name() {
+        _ if column.parts().len() == 3 => "vector",
+        name if TEXTS.contains(&name) => "text",
+        name if COUNTS.contains(&name) => "count",
+        name if FLAGS.contains(&name) => "flag",
+        _ => "number",
+    }
+}
+
+/// Name, unit, meaning and kind of each column of a result: vector, text, count, flag or number.
 #[pyfunction]
 pub(crate) fn columns(
     record: &str,
-) -> PyResult<Vec<(&'static str, &'static str, &'static str, usize)>> {
+) -> PyResult<Vec<(&'static str, &'static str, &'static str, &'static str)>> {
     match record {
         "DissimilarRestitution" => Ok(about(DissimilarRestitution::COLUMNS)),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
@@ -29,11 +45,10 @@ pub(crate) fn columns(
     }
 }
 
-fn about<R>(columns: &[Column<R>]) -> Vec<(&'static str, &'static str, &'static str, usize)> {
-    let one = |column: &Column<R>| {
-        let parts = if TEXTS.contains(&column.name()) { 0 } else { column.parts().len().max(1) };
-        (column.name(), column.unit(), column.meaning(), parts)
-    };
+fn about<R>(
+    columns: &[Column<R>],
+) -> Vec<(&'static str, &'static str, &'static str, &'static str)> {
+    let one = |column: &Column<R>| (column.name(), column.unit(), column.meaning(), kind(column));
     columns.iter().map(one).collect()
 }
 
@@ -45,8 +60,8 @@ pub(crate) fn bytes<R>(columns: &[Column<R>]) -> usize {
     size_of::<R>() + numbers * size_of::<f64>() + texts + size_of::<Value>()
 }
 
-/// Converts records to one array for each column: numbers (n,), vectors (n, 3), texts as lists. A missing
-/// value is NaN or an empty text.
+/// Converts records to one array for each column: numbers, counts and flags (n,), vectors (n, 3), texts as
+/// lists. A missing value is NaN, 0 or an empty text.
 pub(crate) fn arrays<'py, R>(
     py: Python<'py>,
     columns: &[Column<R>],
@@ -55,16 +70,18 @@ pub(crate) fn arrays<'py, R>(
     let dict = PyDict::new(py);
     for column in columns {
         let values: Vec<Value> = records.iter().map(|record| column.value(record)).collect();
-        if column.parts().len() == 3 {
-            let parts = values.into_iter().flat_map(vector).collect::<Vec<f64>>();
-            let array = PyArray1::from_vec(py, parts).reshape([records.len(), 3])?;
-            let _: &Bound<'_, PyArray2<f64>> = &array;
-            dict.set_item(column.name(), array)?;
-        } else if TEXTS.contains(&column.name()) {
-            dict.set_item(column.name(), values.into_iter().map(text).collect::<Vec<_>>())?;
-        } else {
-            let numbers = values.into_iter().map(number).collect();
-            dict.set_item(column.name(), PyArray1::from_vec(py, numbers))?;
+        let (name, values) = (column.name(), values.into_iter());
+        match kind(column) {
+            "vector" => {
+                let parts = values.flat_map(vector).collect::<Vec<f64>>();
+                let array = PyArray1::from_vec(py, parts).reshape([records.len(), 3])?;
+                let _: &Bound<'_, PyArray2<f64>> = &array;
+                dict.set_item(name, array)?;
+            }
+            "text" => dict.set_item(name, values.map(text).collect::<Vec<_>>())?,
+            "count" => dict.set_item(name, PyArray1::from_vec(py, values.map(count).collect()))?,
+            "flag" => dict.set_item(name, PyArray1::from_vec(py, values.map(flag).collect()))?,
+            _ => dict.set_item(name, PyArray1::from_vec(py, values.map(number).collect()))?,
         }
     }
     Ok(dict)
@@ -80,9 +97,19 @@ fn vector(value: Value) -> [f64; 3] {
 fn number(value: Value) -> f64 {
     match value {
         Value::Number(number) => number,
-        Value::Count(count) => count as f64,
         _ => f64::NAN,
     }
+}
+
+fn count(value: Value) -> i64 {
+    match value {
+        Value::Count(count) => i64::try_from(count).unwrap_or(i64::MAX),
+        _ => 0,
+    }
+}
+
+fn flag(value: Value) -> bool {
+    value == Value::Text("yes".into())
 }
 
 fn text(value: Value) -> String {

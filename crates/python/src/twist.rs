@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 use crate::arrays::{Numbers, of_one};
 use crate::error::Fault;
 use crate::hertz::Hertz;
+use crate::show::repr;
 
 /// A contact that twists about its normal: Lubkin's solution with memory. An elliptical contact is
 /// approximated by a circular one with the same initial stiffness and sliding torque. Can be copied and
@@ -73,6 +74,11 @@ impl Twist {
     #[getter]
     fn dissipated(&self) -> f64 {
         self.law.dissipated()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let (m_z, f_z) = self.load();
+        Ok(format!("Twist(M_z = {} N m, F_z = {} N)", repr(py, m_z)?, repr(py, f_z)?))
     }
 
     fn __copy__(&self) -> Self {
@@ -173,6 +179,12 @@ impl ShiftTwist {
     #[getter]
     fn dissipated(&self) -> f64 {
         self.law.dissipated()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let (f_x, f_y, f_z, m_z) = self.load();
+        let force = repr(py, (f_x, f_y, f_z))?;
+        Ok(format!("ShiftTwist(F = {force} N, M_z = {} N m)", repr(py, m_z)?))
     }
 
     fn __copy__(&self) -> Self {

@@ -253,20 +253,6 @@ def test_results_pickle():
     np.testing.assert_array_equal(again.impulse, rebound.impulse)
 
 
-def test_pictures(tmp_path):
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
-    from carom import plot
-
-    axes = plot.restitution([1.0, 1.5], np.linspace(0.01, 9, 50))
-    assert len(axes.lines) == 2
-    axes.figure.savefig(tmp_path / "restitution.png")
-    axes = plot.history(carom.history(BALL, PLATE, 0.15))
-    assert axes.get_ylabel() == "F / N"
-    contact = carom.Contact(carom.hertz_of_spheres(0.01, 0.01, STEEL), 0.3)
-    plot.loop([0, 1e-7], contact.follow([1e-6, 1e-6], [0, 1e-7]))
-
-
 def test_the_material_takes_a_part():
     rubber = carom.Material(5e6, 0.5)
     ball = carom.sphere(0.02, rubber, 0.037, velocity=(1, 0, -3))

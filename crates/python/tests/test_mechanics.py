@@ -270,10 +270,10 @@ def test_pictures_show_what_they_name():
     ball = carom.sphere(0.01, GLASS, 0.01, velocity=(1.0, 0.6, -2.0))
     course = carom.history(ball, carom.plane(GLASS), 0.15, 21)
     for i, line in enumerate(plot.history(course).get_lines()):
-        assert np.array_equal(line.get_xdata(), course.time)
-        assert np.array_equal(line.get_ydata(), course.F[:, i]) and line.get_label() == f"F_{'xyz'[i]}"
+        assert np.allclose(line.get_xdata(), 1e6 * course.time)
+        assert np.allclose(line.get_ydata(), 1e-3 * course.F[:, i]) and line.get_label() == f"$F_{'xyz'[i]}$"
     contact = carom.Contact((1e9, 1e9, 1e9), 0.3)
     shift = np.array([0.0, 1e-7, 2e-7])
     loads = contact.follow(np.full(3, 1e-6), shift, np.array([0.0, 5e-8, 5e-8]))
     (line,) = plot.loop(shift, loads).get_lines()
-    assert np.array_equal(line.get_xdata(), shift) and np.array_equal(line.get_ydata(), loads[:, 0])
+    assert np.allclose(line.get_xdata(), 1e9 * shift) and np.allclose(line.get_ydata(), 1e3 * loads[:, 0])

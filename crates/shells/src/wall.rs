@@ -13,25 +13,25 @@ use carom_special::RangeError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wall {
-    youngs_modulus: f64,
+    young_modulus: f64,
     poisson: f64,
     thickness: f64,
 }
 
 impl Wall {
-    /// A wall of Young's modulus `youngs_modulus` > 0, Poisson's ratio `poisson` in [0, 0.5] and
+    /// A wall of Young's modulus `young_modulus` > 0, Poisson's ratio `poisson` in [0, 0.5] and
     /// `thickness` > 0.
     ///
     /// # Errors
     /// [`RangeError`] for a value out of range.
-    pub fn new(youngs_modulus: f64, poisson: f64, thickness: f64) -> Result<Self, RangeError> {
-        let youngs_modulus = RangeError::positive("youngs_modulus", youngs_modulus)?;
+    pub fn new(young_modulus: f64, poisson: f64, thickness: f64) -> Result<Self, RangeError> {
+        let young_modulus = RangeError::positive("young_modulus", young_modulus)?;
         let fits = (0.0..=0.5).contains(&poisson);
         let poisson = RangeError::check("poisson", poisson, fits, "from 0 to 0.5")?;
         let thickness = RangeError::positive("thickness", thickness)?;
-        let wall = Self { youngs_modulus, poisson, thickness };
+        let wall = Self { young_modulus, poisson, thickness };
         for (field, value) in
-            [("E t", youngs_modulus * thickness), ("E t^3", wall.bending_stiffness())]
+            [("E t", young_modulus * thickness), ("E t^3", wall.bending_stiffness())]
         {
             RangeError::check(field, value, value.is_normal(), "representable as a number")?;
         }
@@ -40,8 +40,8 @@ impl Wall {
 
     /// Young's modulus E.
     #[must_use]
-    pub const fn youngs_modulus(&self) -> f64 {
-        self.youngs_modulus
+    pub const fn young_modulus(&self) -> f64 {
+        self.young_modulus
     }
 
     /// Poisson's ratio nu.
@@ -59,13 +59,13 @@ impl Wall {
     /// Shear modulus G = E/(2(1 + nu)).
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
-        0.5 * self.youngs_modulus / (1.0 + self.poisson)
+        0.5 * self.young_modulus / (1.0 + self.poisson)
     }
 
     /// Stretching stiffness C = E t/(1 - nu^2), force per length.
     #[must_use]
     pub fn stretching_stiffness(&self) -> f64 {
-        self.youngs_modulus * self.thickness / (1.0 - self.poisson * self.poisson)
+        self.young_modulus * self.thickness / (1.0 - self.poisson * self.poisson)
     }
 
     /// Bending stiffness D = E t^3/(12(1 - nu^2)), moment per length and curvature.

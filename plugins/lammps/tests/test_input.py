@@ -1,12 +1,13 @@
 """What a user may get wrong, and the example of the README as it stands."""
 
+import math
 import os
 import pathlib
 import re
 import subprocess
 
 import pytest
-from conftest import PLUGIN, VENV, Failed, dump, lmp
+from conftest import PLUGIN, VENV, Failed, dump, lmp, thermo
 
 ROOT = pathlib.Path(__file__).parents[3]
 START = """
@@ -113,3 +114,12 @@ def test_an_unknown_kind_of_processor_is_refused(tmp_path):
     env = {**os.environ, "CAROM_CPU": "i386"}
     run = subprocess.run([build, VENV, tmp_path / "plugin.so"], env=env, capture_output=True, text=True)
     assert run.returncode == 2 and "CAROM_CPU is 'i386', and may be generic or x86-64-v3" in run.stderr
+
+
+def test_the_walls_of_the_box_example_carry_its_grains(tmp_path):
+    script = (ROOT / "plugins/lammps/examples/box.in").read_text()
+    end = {name: column[-1] for name, column in thermo(lmp(script, tmp_path)).items()}
+    weight = 216 * math.pi / 6 * 0.009**3 * 2500 * 9.81
+    assert abs(end["v_weight"] - weight) < 1e-6 * weight
+    assert abs(end["v_down"] - weight) < 1e-3 * weight
+    assert abs(end["f_floor[3]"] + weight) > 0.01 * weight, "the side walls carry a part"

@@ -22,6 +22,10 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     ensure!(status.success(), "`mdbook build` failed ({status})");
     let page = std::fs::read_to_string(root().join("target/book/theory/impact.html"))?;
     ensure!(page.contains("<math"), "target/book/theory/impact.html contains no formula");
+    let is_index = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with("searchindex");
+    let mut files = std::fs::read_dir(root().join("target/book"))?;
+    let has_search = files.any(|file| file.is_ok_and(|file| is_index(&file.file_name())));
+    ensure!(has_search, "target/book has no index for the search: mdbook without `search`?");
     println!("the book: target/book/index.html");
     Ok(Outcome::Passed)
 }

@@ -59,7 +59,7 @@ pub(super) fn check(version: &str) -> anyhow::Result<Outcome> {
         "License-Expression: MIT OR Apache-2.0",
         "License-File: LICENSE-MIT",
         "License-File: LICENSE-APACHE",
-        "Requires-Python: >=3.11",
+        "Requires-Python: >=3.10",
         "Description-Content-Type: text/markdown; charset=UTF-8; variant=GFM",
         "carom/py.typed",
         "carom/_carom.pyi",

@@ -22,7 +22,13 @@ impl CaseKind {
             comment(&mut text, VARIED);
         }
         for field in self.fields() {
-            add_table(&mut text, field.name, field, matches!(field.need, Need::Must));
+            // Of tables that replace one another the one that says how it begins.
+            let is_active = match field.need {
+                Need::Must => true,
+                Need::Or(_) => !field.begun.is_empty(),
+                _ => false,
+            };
+            add_table(&mut text, field.name, field, is_active);
         }
         text
     }

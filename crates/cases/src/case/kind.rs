@@ -3,8 +3,10 @@
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
 use super::section::{Section, parse};
-use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase, StressCase};
-use super::{hertz, history, impact, roll, scene, solve, stress, varied};
+use super::{
+    HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, ShellCase, SolveCase, StressCase,
+};
+use super::{hertz, history, impact, roll, scene, shell, solve, stress, varied};
 use carom_special::{WordError, nearest};
 use carom_table::Column;
 use std::str::FromStr;
@@ -27,6 +29,8 @@ pub enum CaseKind {
     Roll,
     /// The stresses below a contact.
     Stress,
+    /// A bellows, or a flange on a tube.
+    Shell,
 }
 
 impl FromStr for CaseKind {
@@ -42,7 +46,7 @@ impl FromStr for CaseKind {
 
 impl CaseKind {
     /// All kinds.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Impact,
         Self::Hertz,
         Self::History,
@@ -50,10 +54,11 @@ impl CaseKind {
         Self::Solve,
         Self::Roll,
         Self::Stress,
+        Self::Shell,
     ];
 
-    const NAMES: [&'static str; 7] = {
-        let mut names = [""; 7];
+    const NAMES: [&'static str; Self::ALL.len()] = {
+        let mut names = [""; Self::ALL.len()];
         let mut i = 0;
         while i < names.len() {
             names[i] = Self::ALL[i].name();
@@ -73,6 +78,7 @@ impl CaseKind {
             Self::Solve => "solve",
             Self::Roll => "roll",
             Self::Stress => "stress",
+            Self::Shell => "shell",
         }
     }
 
@@ -87,6 +93,9 @@ impl CaseKind {
             Self::Solve => "A contact with friction on a grid, step by step.",
             Self::Roll => "A rolling contact under creepage and spin.",
             Self::Stress => "Stresses below a contact under normal and tangential load.",
+            Self::Shell => {
+                "A bellows under pressure and axial load, or a flange under forces around it."
+            }
         }
     }
 
@@ -101,6 +110,7 @@ impl CaseKind {
             Self::Solve => solve::FIELDS,
             Self::Roll => roll::FIELDS,
             Self::Stress => stress::FIELDS,
+            Self::Shell => shell::FIELDS,
         }
     }
 
@@ -166,6 +176,7 @@ impl CaseKind {
             Self::Solve => SolveCase::parse(source).map(|_| ()),
             Self::Roll => RollCase::parse(source).map(|_| ()),
             Self::Stress => StressCase::parse(source).map(|_| ()),
+            Self::Shell => ShellCase::parse(source).map(|_| ()),
         }
     }
 

@@ -9,15 +9,18 @@ use carom_halfspace::Material;
 use carom_special::RangeError;
 
 const MODULUS: super::unit::Measure = Range::Positive.of(Dimension::Pressure);
-const YOUNG: Field = Field::number("young_modulus", MODULUS, "Young's modulus E")
+/// Young's modulus in a table `material`.
+pub(super) const YOUNG: Field = Field::number("young_modulus", MODULUS, "Young's modulus E")
     .or("`shear_modulus`, or `rigid = true`")
     .such_as("208e9");
 const SHEAR: Field = Field::number("shear_modulus", MODULUS, "shear modulus G")
     .or("`young_modulus`")
     .such_as("80e9");
-const POISSON: Field = Field::number("poisson", Range::Poisson.pure(), "Poisson's ratio")
-    .or("`rigid = true`")
-    .such_as("0.3");
+/// Poisson's ratio in it.
+pub(super) const POISSON: Field =
+    Field::number("poisson", Range::Poisson.pure(), "Poisson's ratio")
+        .or("`rigid = true`")
+        .such_as("0.3");
 const RIGID: Field =
     Field::new("rigid", Form::Switch, "whether the body is rigid; only one of the two may be")
         .default(Default::False);

@@ -16,6 +16,7 @@ mod range;
 mod roll;
 mod scene;
 mod section;
+mod shell;
 mod solve;
 mod stress;
 mod touch;
@@ -34,6 +35,7 @@ pub use range::{End, Range};
 pub use roll::RollCase;
 pub use scene::SceneCase;
 pub use section::Numbers;
+pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
     Border, GapCase, GridCase, HeightFile, Leg, PlateCase, SolveCase, SolveMethod, Target,
 };

@@ -41,6 +41,18 @@ pub enum Range {
     Cells,
     /// A number of elements across a rolling contact.
     Elements,
+    /// A number of harmonics of a Fourier series.
+    Harmonics,
+    /// A number of places around a ring.
+    Places,
+    /// An angle, degrees, up to a hundred turns.
+    Around,
+    /// Half of the angle of a sector, degrees.
+    HalfTurn,
+    /// The angle by which an arc of a meridian turns, degrees.
+    Turn,
+    /// The factor of a stiffness.
+    Factor,
     /// The seed of a generator.
     Seed,
 }
@@ -96,6 +108,12 @@ impl Range {
             Self::Whole => [In(1.0), In(MOST)],
             Self::Cells => [In(1.0), In(4096.0)],
             Self::Elements => [In(6.0), In(40.0)],
+            Self::Harmonics => [In(4.0), In(256.0)],
+            Self::Places => [In(4.0), In(10_000.0)],
+            Self::Around => [In(-36_000.0), In(36_000.0)],
+            Self::HalfTurn => [Out(zero), Out(180.0)],
+            Self::Turn => [In(3.0), In(170.0)],
+            Self::Factor => [In(1e-6), In(1e6)],
             Self::Seed => [In(zero), In(MOST_SEED)],
         }
     }
@@ -103,7 +121,16 @@ impl Range {
     /// Whether the range holds whole numbers only.
     #[must_use]
     pub const fn is_whole(self) -> bool {
-        matches!(self, Self::Count | Self::Whole | Self::Cells | Self::Elements | Self::Seed)
+        matches!(
+            self,
+            Self::Count
+                | Self::Whole
+                | Self::Cells
+                | Self::Elements
+                | Self::Harmonics
+                | Self::Places
+                | Self::Seed
+        )
     }
 
     /// Whether `value` lies in it.
@@ -149,6 +176,12 @@ impl Range {
             Self::Whole => "a whole number from 1 to 1000000",
             Self::Cells => "a whole number from 1 to 4096",
             Self::Elements => "a whole number from 6 to 40",
+            Self::Harmonics => "a whole number from 4 to 256",
+            Self::Places => "a whole number from 4 to 10000",
+            Self::Around => "in [-36000, 36000]",
+            Self::HalfTurn => "> 0 and < 180",
+            Self::Turn => "in [3, 170]",
+            Self::Factor => "from 1e-6 to 1e6",
             Self::Seed => "a whole number from 0 to 2^53",
         }
     }

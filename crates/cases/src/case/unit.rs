@@ -20,6 +20,8 @@ pub enum Dimension {
     Force,
     /// A torque.
     Torque,
+    /// A stiffness against bending or torsion: force times area.
+    Rigidity,
     /// A velocity.
     Speed,
     /// An angular velocity.
@@ -97,6 +99,9 @@ impl Dimension {
             ],
             Self::Torque => {
                 &[("N m", Ten(0)), ("kN m", Ten(3)), ("N mm", Ten(-3)), ("mN m", Ten(-3))]
+            }
+            Self::Rigidity => {
+                &[("N m2", Ten(0)), ("kN m2", Ten(3)), ("MN m2", Ten(6)), ("N mm2", Ten(-6))]
             }
             Self::Speed => &[
                 ("m/s", Ten(0)),
@@ -261,6 +266,7 @@ mod tests {
             (Dimension::Inertia, "12 g·cm²", 12e-7),
             (Dimension::Acceleration, "9.81 m/s^2", 9.81),
             (Dimension::Torque, "3 N·mm", 0.003),
+            (Dimension::Rigidity, "3e6 N·mm²", 3.0),
         ] {
             let read = dimension.read(text);
             let is_close = |read: f64| (read - value).abs() <= 4e-16 * value.abs();

@@ -75,7 +75,8 @@ fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
         | CaseKind::Hertz
         | CaseKind::Scene
         | CaseKind::Roll
-        | CaseKind::Stress => {}
+        | CaseKind::Stress
+        | CaseKind::Shell => {}
     }
     Ok(())
 }

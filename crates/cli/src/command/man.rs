@@ -28,6 +28,7 @@ const NAMES: &[&str] = &[
     "solve",
     "roll",
     "stress",
+    "shell",
     "compare",
     "new",
     "check",

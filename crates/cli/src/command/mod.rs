@@ -14,6 +14,7 @@ mod restitution;
 mod roll;
 mod scene;
 mod schema;
+mod shell;
 mod solve;
 mod stress;
 mod theory;
@@ -132,6 +133,7 @@ enum Command {
     Solve(solve::Arguments),
     Roll(roll::Arguments),
     Stress(stress::Arguments),
+    Shell(shell::Arguments),
     Compare(solve::compare::Arguments),
     New(begin::Arguments),
     Check(check::Arguments),
@@ -164,6 +166,7 @@ fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<A
         Command::Solve(arguments) => solve::run(arguments, messages),
         Command::Roll(arguments) => roll::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
+        Command::Shell(arguments) => shell::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments, messages),
         Command::New(arguments) => begin::run(arguments),
         Command::Check(arguments) => check::run(arguments),

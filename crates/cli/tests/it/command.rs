@@ -64,7 +64,7 @@ fn examples() -> Vec<(PathBuf, &'static str)> {
         paths.filter(|path| path.extension().is_some_and(|ending| ending == "toml")).collect();
     cases.sort();
     assert!(cases.len() >= 50);
-    let commands = ["hertz", "history", "scene", "solve", "roll", "stress"];
+    let commands = ["hertz", "history", "scene", "solve", "roll", "stress", "shell"];
     let command = |path: &Path| {
         let name = path.file_name().unwrap().to_str().unwrap();
         let first = name.split('_').next().unwrap();

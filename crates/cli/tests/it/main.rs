@@ -29,6 +29,7 @@ mod roll;
 mod rolling_power;
 mod room;
 mod scene;
+mod shell;
 mod solve;
 mod solve_places;
 mod solve_plate;

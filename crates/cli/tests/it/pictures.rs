@@ -580,3 +580,16 @@ fn the_picture_of_restitution_over_the_first_number_has_its_axis() {
         assert!(off < 0.8, "{row}: {off}");
     }
 }
+
+#[test]
+fn a_contact_that_is_only_pressed_has_no_panels_of_tractions() {
+    let text = std::fs::read_to_string(example("solve_hertz.toml")).unwrap();
+    let (frictionless, rough) = ("friction = 0", "friction = 0.3");
+    assert!(text.contains(frictionless));
+    let pressed = case("pressed.toml", &text.replace(frictionless, rough));
+    let (rows, panels) = both(&["solve", &pressed], "pressed.svg");
+    assert!(number(&rows[0], "F_z") > 0.0);
+    let titles: Vec<_> = panels.iter().map(|panel| panel.title.as_str()).collect();
+    assert!(titles.contains(&"pressure, last step"), "{titles:?}");
+    assert!(!titles.iter().any(|title| title.ends_with("of the tractions")), "{titles:?}");
+}

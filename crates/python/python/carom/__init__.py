@@ -53,7 +53,7 @@ carom.RangeError: poisson = 0.7 is out of range: must be in (-1, 0.5]
 
 from __future__ import annotations
 
-from . import cases, special
+from . import cases, plot, special
 from ._carom import (
     Body,
     CaromError,
@@ -80,7 +80,20 @@ from ._contact_theory import (
     von_mises,
 )
 from ._impact import collide, collide_many, history, plane, sphere
-from ._records import DissimilarRestitution, HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
+from ._records import (
+    DissimilarRestitution,
+    DissimilarRestitutions,
+    HertzState,
+    HertzStates,
+    HistoryPoint,
+    HistoryPoints,
+    HistoryStep,
+    HistorySteps,
+    Rebound,
+    Rebounds,
+    SolverStep,
+    SolverSteps,
+)
 from ._solver import Solver, cells
 from ._validity import OutsideTheoryWarning
 
@@ -94,19 +107,25 @@ __all__ = [
     "Contact",
     "Contacts",
     "DissimilarRestitution",
+    "DissimilarRestitutions",
     "Hertz",
     "HertzState",
+    "HertzStates",
     "HistoryPoint",
+    "HistoryPoints",
     "HistoryStep",
+    "HistorySteps",
     "Material",
     "MaterialPair",
     "OutsideTheoryWarning",
     "Plate",
     "RangeError",
     "Rebound",
+    "Rebounds",
     "ShiftTwist",
     "Solver",
     "SolverStep",
+    "SolverSteps",
     "Twist",
     "__version__",
     "cases",
@@ -119,6 +138,7 @@ __all__ = [
     "lubkin_stick_radius",
     "lubkin_torque",
     "plane",
+    "plot",
     "restitution",
     "restitution_of_dissimilar",
     "restitution_of_groups",

@@ -6,12 +6,10 @@ import operator
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ._carom import RangeError, available_room
-
-Array = NDArray[np.float64]
-Numbers = float | Array
+from ._types import Array, Numbers
 
 # Allocations up to this number of bytes are not checked.
 FEW = 1 << 24

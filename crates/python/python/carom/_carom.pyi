@@ -6,9 +6,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import Array
+from ._types import Array, Vector as _Vector
 
-_Vector = Sequence[float]
 _Columns = dict[str, Any]
 
 __VERSION: str
@@ -196,7 +195,7 @@ class Body:
         shape: Literal["sphere", "plane", "ellipsoid", "cylinder", "capsule", "torus", "box"],
         sizes: _Vector,
         material: Material,
-        mass: float = ...,
+        mass: float | None = None,
         *,
         hollow: bool = False,
         moments: _Vector | None = None,
@@ -227,7 +226,7 @@ class Body:
     def spin(self) -> list[float]: ...
     def moving(self, velocity: _Vector = ..., spin: _Vector = ...) -> Body: ...
 
-def columns(record: str) -> list[tuple[str, str, str, int]]: ...
+def columns(record: str) -> list[tuple[str, str, str, str]]: ...
 def complete(letter: str, ratio: Array) -> Array: ...
 def incomplete(letter: str, ratio: Array, phi: Array) -> Array: ...
 def gamma(x: Array) -> Array: ...

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
-from typing import Literal
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import Array, Numbers, line, numbers, over
+from ._arrays import line, numbers, over
 from ._carom import Hertz, Material, MaterialPair
-from ._records import DissimilarRestitution, HertzState
+from ._records import DissimilarRestitution, DissimilarRestitutions, HertzState, HertzStates
+from ._types import Array, Number, Numbers, Several, of_one
 
 Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
 
@@ -31,6 +33,24 @@ def hertz_of_spheres(
     return Hertz.of_radii(pair, (radius_1, radius_1), (radius_2, radius_2), 0.0)
 
 
+@overload
+def hertz(
+    contact: Hertz,
+    *,
+    force: Number | None = None,
+    approach: Number | None = None,
+    semi_axis_a: Number | None = None,
+    semi_axis_b: Number | None = None,
+) -> HertzState: ...
+@overload
+def hertz(
+    contact: Hertz,
+    *,
+    force: Several | None = None,
+    approach: Several | None = None,
+    semi_axis_a: Several | None = None,
+    semi_axis_b: Several | None = None,
+) -> HertzStates: ...
 def hertz(
     contact: Hertz,
     *,
@@ -38,7 +58,7 @@ def hertz(
     approach: ArrayLike | None = None,
     semi_axis_a: ArrayLike | None = None,
     semi_axis_b: ArrayLike | None = None,
-) -> HertzState:
+) -> HertzState | HertzStates:
     """A Hertz contact under load. Exactly one of force (N), approach and the semi-axes (m) is given.
 
     >>> import carom
@@ -54,9 +74,50 @@ def hertz(
     if len(given) != 1:
         raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
     ((name, values),) = given
-    return HertzState._of(contact.state(name, line(numbers(name, values))), np.shape(values))
+    columns = contact.state(name, line(numbers(name, values)))
+    return HertzStates._either(columns, np.shape(values))  # type: ignore[no-any-return]
 
 
+@overload
+def restitution(
+    kappa: Number,
+    lam: Number,
+    *,
+    gamma: Number | None = None,
+    friction: Number | None = None,
+    mobility_ratio: Number | None = None,
+    exact: bool = False,
+) -> float: ...
+@overload
+def restitution(
+    kappa: Several,
+    lam: ArrayLike,
+    *,
+    gamma: ArrayLike | None = None,
+    friction: ArrayLike | None = None,
+    mobility_ratio: ArrayLike | None = None,
+    exact: bool = False,
+) -> Array: ...
+@overload
+def restitution(
+    kappa: ArrayLike,
+    lam: Several,
+    *,
+    gamma: ArrayLike | None = None,
+    friction: ArrayLike | None = None,
+    mobility_ratio: ArrayLike | None = None,
+    exact: bool = False,
+) -> Array: ...
+@overload
+def restitution(
+    kappa: ArrayLike,
+    lam: ArrayLike,
+    *,
+    gamma: ArrayLike | None = None,
+    friction: ArrayLike | None = None,
+    mobility_ratio: ArrayLike | None = None,
+    exact: bool = False,
+) -> Numbers: ...
 def restitution(
     kappa: ArrayLike,
     lam: ArrayLike,
@@ -90,6 +151,27 @@ def restitution(
     return over(partial(_carom.restitution, exact=exact), kappa, lam)
 
 
+@overload
+def restitution_of_dissimilar(
+    kappa: Number,
+    lam: Number,
+    gamma: Number,
+    friction: Number,
+    *,
+    mobility_ratio: Number = 3.5,
+    exact: bool = False,
+) -> DissimilarRestitution: ...
+@overload
+def restitution_of_dissimilar(
+    kappa: ArrayLike,
+    lam: Several,
+    gamma: ArrayLike,
+    friction: ArrayLike,
+    *,
+    mobility_ratio: ArrayLike = 3.5,
+    exact: bool = False,
+) -> DissimilarRestitutions: ...
+@overload
 def restitution_of_dissimilar(
     kappa: ArrayLike,
     lam: ArrayLike,
@@ -98,7 +180,16 @@ def restitution_of_dissimilar(
     *,
     mobility_ratio: ArrayLike = 3.5,
     exact: bool = False,
-) -> DissimilarRestitution:
+) -> DissimilarRestitution | DissimilarRestitutions: ...
+def restitution_of_dissimilar(
+    kappa: ArrayLike,
+    lam: ArrayLike,
+    gamma: ArrayLike,
+    friction: ArrayLike,
+    *,
+    mobility_ratio: ArrayLike = 3.5,
+    exact: bool = False,
+) -> DissimilarRestitution | DissimilarRestitutions:
     """R_x of spheres of dissimilar materials without spin about the normal, how it was found, and its estimated error.
 
     `gamma`, of either sign, at most 3/2 - kappa, is `MaterialPair.gamma`; `friction` is f, from 0 to infinity.
@@ -119,9 +210,17 @@ def restitution_of_dissimilar(
     given = zip(names, (kappa, lam, gamma, friction, mobility_ratio), strict=True)
     arrays = np.broadcast_arrays(*(numbers(name, values) for name, values in given))
     columns = _carom.restitution_of_dissimilar([line(values) for values in arrays], exact)
-    return DissimilarRestitution._of(columns, arrays[0].shape)
+    return DissimilarRestitutions._either(columns, arrays[0].shape)  # type: ignore[no-any-return]
 
 
+@overload
+def restitution_of_groups(chi: Number, psi: Number, *, exact: bool = False) -> float: ...
+@overload
+def restitution_of_groups(chi: Several, psi: ArrayLike, *, exact: bool = False) -> Array: ...
+@overload
+def restitution_of_groups(chi: ArrayLike, psi: Several, *, exact: bool = False) -> Array: ...
+@overload
+def restitution_of_groups(chi: ArrayLike, psi: ArrayLike, *, exact: bool = False) -> Numbers: ...
 def restitution_of_groups(chi: ArrayLike, psi: ArrayLike, *, exact: bool = False) -> Numbers:
     """R_x of any bodies whose normal and tangential motions are uncoupled, by chi and psi.
 
@@ -135,6 +234,7 @@ def restitution_of_groups(chi: ArrayLike, psi: ArrayLike, *, exact: bool = False
     return over(partial(_carom.restitution_of_groups, exact=exact), chi, psi)
 
 
+@of_one
 def lubkin_torque(twist: ArrayLike) -> Numbers:
     """The torque of a circular contact that is twisted for the first time, as M_z/(f F_z a).
 
@@ -144,6 +244,7 @@ def lubkin_torque(twist: ArrayLike) -> Numbers:
     return over(partial(_carom.lubkin, "torque"), twist)
 
 
+@of_one
 def lubkin_stick_radius(twist: ArrayLike) -> Numbers:
     """The stick radius over the contact radius of a circular contact twisted as in `lubkin_torque`."""
     return over(partial(_carom.lubkin, "stick_radius"), twist)
@@ -179,6 +280,10 @@ def stress(
     return values.reshape(arrays[0].shape + (6,))
 
 
+@overload
+def von_mises(stress: Sequence[float]) -> float: ...
+@overload
+def von_mises(stress: ArrayLike) -> Any: ...
 def von_mises(stress: ArrayLike) -> Numbers:
     """Von Mises' equivalent stress of stresses (xx, yy, zz, xy, yz, zx) along the last axis.
 

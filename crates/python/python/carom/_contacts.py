@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from copy import copy
-from typing import Self
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _carom
-from ._arrays import Array, counted, line, numbers, spread
+from . import _carom, _show
+from ._arrays import counted, line, numbers, spread
 from ._carom import Hertz
+from ._types import Array
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 class Contacts:
@@ -48,7 +52,7 @@ class Contacts:
         self._native = _carom.Contacts(
             counted("count", count), stiffness, friction, law, tolerance, directions, threads
         )
-        self._directions = directions
+        self._about = (stiffness, float(friction), law, directions)
 
     def __len__(self) -> int:
         return len(self._native)
@@ -102,8 +106,8 @@ class Contacts:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {whole}")
         if any(np.may_share_memory(loads, way) for way in paths.values()):
             raise ValueError("out: must not share memory with the paths")
-        across = (paths.get(name) for name in ("eta", "omega"))
-        self._native.follow(steps, paths["zeta"], paths["xi"], *across, loads.reshape(-1))
+        across, twist = paths.get("eta"), paths.get("omega")
+        self._native.follow(steps, paths["zeta"], paths["xi"], across, twist, loads.reshape(-1))
         return loads
 
     @property
@@ -131,8 +135,22 @@ class Contacts:
 
     def __copy__(self) -> Self:
         other = object.__new__(type(self))
-        other._native, other._directions = copy(self._native), self._directions
+        other._native, other._about = copy(self._native), self._about
         return other
 
+    def _rows(self) -> list[_show.Row]:
+        stiffness, friction, law, directions = self._about
+        return [
+            ("count", str(len(self)), "", "number of contacts"),
+            ("stiffness", _show.short(repr(stiffness)), "" if isinstance(stiffness, Hertz) else "N/m^1.5", ""),
+            ("friction", _show.number(friction), "", ""),
+            ("law", law, "", ""),
+            ("directions", str(directions), "", "of the shift"),
+            ("loads", _show.short(self.loads), "N", "F_x, F_y, F_z of each"),
+        ]
+
     def __repr__(self) -> str:
-        return f"Contacts({len(self)}, directions={self._directions})"
+        return _show.text("Contacts", self._rows())
+
+    def _repr_html_(self) -> str:
+        return _show.html("Contacts", self._rows())

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
 from ._arrays import counted, line, numbers, rows, spread
 from ._carom import Body, Material
-from ._records import HistoryPoint, Rebound
+from ._records import HistoryPoints, Rebound, Rebounds
+from ._types import Vector
 from ._validity import heed
 
-Vector = Sequence[float]
 UP = (0.0, 0.0, 1.0)
 
 
@@ -98,7 +95,7 @@ def collide(
     """
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
     columns = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, left)
-    return heed(Rebound._of(columns, ()))
+    return heed(Rebound._of(columns))
 
 
 def collide_many(
@@ -116,7 +113,7 @@ def collide_many(
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
-) -> Rebound:
+) -> Rebounds:
     """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, (n,).
 
     A single vector or number holds for all. Uses all cores, and gives the same bits on any number.
@@ -143,7 +140,7 @@ def collide_many(
     frictions = line(spread("friction", friction, (count,)))
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
     columns = _carom.collide_many(body_1, body_2, frictions, motions, along, torsion, law, tolerance, left)
-    return heed(Rebound._of(columns, (count,)))
+    return heed(Rebounds._shaped(columns, (count,)))
 
 
 def history(
@@ -155,7 +152,7 @@ def history(
     normal: Vector | None = UP,
     law: str = "auto",
     tolerance: float | None = None,
-) -> HistoryPoint:
+) -> HistoryPoints:
     """The history of a collision of elastic bodies at equally spaced times from first contact to
     separation.
 
@@ -169,4 +166,4 @@ def history(
     points = counted("points", points)
     along = _along(body_1, body_2, normal)
     columns = _carom.history(body_1, body_2, friction, points, along, law, tolerance)
-    return HistoryPoint._of(columns, (len(columns["time"]),))
+    return HistoryPoints._shaped(columns, (len(columns["time"]),))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from ._arrays import Array, Numbers
-from ._record import Record
+from ._record import Record, Records
+from ._types import Array
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
-@dataclass(frozen=True, eq=False)
 class DissimilarRestitution(Record):
     """R_x of spheres of dissimilar materials.
 
@@ -17,17 +20,24 @@ class DissimilarRestitution(Record):
     error_estimate  how far R_x may be off
     """
 
-    R_x: Numbers
-    method: str | list[str]
-    error_estimate: Numbers
+    R_x: float
+    method: str
+    error_estimate: float
+
+    units = {'R_x': '', 'method': '', 'error_estimate': ''}
+    meanings = {'R_x': 'tangential restitution', 'method': 'how it was found', 'error_estimate': 'how far R_x may be off'}
+    _vectors = frozenset([])
+    _axis = 'impact'
 
 
-DissimilarRestitution.units = {'R_x': '', 'method': '', 'error_estimate': ''}
-DissimilarRestitution.meanings = {'R_x': 'tangential restitution', 'method': 'how it was found', 'error_estimate': 'how far R_x may be off'}
-DissimilarRestitution._vectors = frozenset([])
+class DissimilarRestitutions(Records[DissimilarRestitution], one=DissimilarRestitution):
+    """Many results `DissimilarRestitution`: arrays of numbers, lists of texts."""
+
+    R_x: Array
+    method: list[str]
+    error_estimate: Array
 
 
-@dataclass(frozen=True, eq=False)
 class HertzState(Record):
     """A Hertz contact under load.
 
@@ -39,22 +49,32 @@ class HertzState(Record):
     normal_stiffness  tangent dF_z/dzeta, N/m
     """
 
-    force: Numbers
-    approach: Numbers
-    semi_axis_a: Numbers
-    semi_axis_b: Numbers
-    peak_pressure: Numbers
-    normal_stiffness: Numbers
+    force: float
+    approach: float
+    semi_axis_a: float
+    semi_axis_b: float
+    peak_pressure: float
+    normal_stiffness: float
+
+    units = {'force': 'N', 'approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'peak_pressure': 'Pa', 'normal_stiffness': 'N/m'}
+    meanings = {'force': 'normal force F_z', 'approach': 'of distant points, zeta', 'semi_axis_a': 'of the contact ellipse along x', 'semi_axis_b': 'of the contact ellipse along y', 'peak_pressure': 'in the middle of the contact', 'normal_stiffness': 'tangent dF_z/dzeta'}
+    _vectors = frozenset([])
+    _axis = 'load'
 
 
-HertzState.units = {'force': 'N', 'approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'peak_pressure': 'Pa', 'normal_stiffness': 'N/m'}
-HertzState.meanings = {'force': 'normal force F_z', 'approach': 'of distant points, zeta', 'semi_axis_a': 'of the contact ellipse along x', 'semi_axis_b': 'of the contact ellipse along y', 'peak_pressure': 'in the middle of the contact', 'normal_stiffness': 'tangent dF_z/dzeta'}
-HertzState._vectors = frozenset([])
+class HertzStates(Records[HertzState], one=HertzState):
+    """Many results `HertzState`: arrays of numbers, lists of texts."""
+
+    force: Array
+    approach: Array
+    semi_axis_a: Array
+    semi_axis_b: Array
+    peak_pressure: Array
+    normal_stiffness: Array
 
 
-@dataclass(frozen=True, eq=False)
 class HistoryPoint(Record):
-    """Instants of an impact, in contact axes.
+    """An instant of an impact, in contact axes.
 
     time          since first contact, s
     xi            shift of body 2 against body 1 along x, m
@@ -68,26 +88,40 @@ class HistoryPoint(Record):
     regime        sign: traction on body 1 along the first slip
     """
 
-    time: Numbers
-    xi: Numbers
-    eta: Numbers
-    zeta: Numbers
+    time: float
+    xi: float
+    eta: float
+    zeta: float
     v: Array
     F: Array
-    semi_axis_a: Numbers
-    semi_axis_b: Numbers
-    stick_radius: Numbers
-    regime: str | list[str]
+    semi_axis_a: float
+    semi_axis_b: float
+    stick_radius: float
+    regime: str
+
+    units = {'time': 's', 'xi': 'm', 'eta': 'm', 'zeta': 'm', 'v': 'm/s', 'F': 'N', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_radius': 'm', 'regime': ''}
+    meanings = {'time': 'since first contact', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'semi-axis of the contact along x', 'semi_axis_b': 'semi-axis of the contact along y', 'stick_radius': 'radius of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip'}
+    _vectors = frozenset(['v', 'F'])
+    _axis = 'time'
 
 
-HistoryPoint.units = {'time': 's', 'xi': 'm', 'eta': 'm', 'zeta': 'm', 'v': 'm/s', 'F': 'N', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_radius': 'm', 'regime': ''}
-HistoryPoint.meanings = {'time': 'since first contact', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'semi-axis of the contact along x', 'semi_axis_b': 'semi-axis of the contact along y', 'stick_radius': 'radius of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip'}
-HistoryPoint._vectors = frozenset(['v', 'F'])
+class HistoryPoints(Records[HistoryPoint], one=HistoryPoint):
+    """Many results `HistoryPoint`: arrays of numbers, lists of texts."""
+
+    time: Array
+    xi: Array
+    eta: Array
+    zeta: Array
+    v: Array
+    F: Array
+    semi_axis_a: Array
+    semi_axis_b: Array
+    stick_radius: Array
+    regime: list[str]
 
 
-@dataclass(frozen=True, eq=False)
 class HistoryStep(Record):
-    """A contact after each step of a history case. SI units; loads act on body 1.
+    """A contact after a step of a history case. Loads act on body 1.
 
     step                     number of the step, from 1
     zeta                     approach, m
@@ -110,35 +144,58 @@ class HistoryStep(Record):
     twist_stick_semi_axis_b  the same along y, m
     """
 
-    step: Numbers
-    zeta: Numbers
-    xi: Numbers
-    eta: Numbers
-    F_x: Numbers
-    F_y: Numbers
-    F_z: Numbers
-    regime: str | list[str]
-    semi_axis_a: Numbers
-    semi_axis_b: Numbers
-    stick_semi_axis_a: Numbers
-    stick_semi_axis_b: Numbers
-    stored_energy: Numbers
-    dissipated: Numbers
-    omega: Numbers
-    M_z: Numbers
-    twist_regime: str | list[str]
-    twist_stick_semi_axis_a: Numbers
-    twist_stick_semi_axis_b: Numbers
+    step: int
+    zeta: float
+    xi: float
+    eta: float
+    F_x: float
+    F_y: float
+    F_z: float
+    regime: str
+    semi_axis_a: float
+    semi_axis_b: float
+    stick_semi_axis_a: float
+    stick_semi_axis_b: float
+    stored_energy: float
+    dissipated: float
+    omega: float
+    M_z: float
+    twist_regime: str
+    twist_stick_semi_axis_a: float
+    twist_stick_semi_axis_b: float
+
+    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'regime': '', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_semi_axis_a': 'm', 'stick_semi_axis_b': 'm', 'stored_energy': 'J', 'dissipated': 'J', 'omega': 'rad', 'M_z': 'N m', 'twist_regime': '', 'twist_stick_semi_axis_a': 'm', 'twist_stick_semi_axis_b': 'm'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
+    _vectors = frozenset([])
+    _axis = 'step'
 
 
-HistoryStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'regime': '', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_semi_axis_a': 'm', 'stick_semi_axis_b': 'm', 'stored_energy': 'J', 'dissipated': 'J', 'omega': 'rad', 'M_z': 'N m', 'twist_regime': '', 'twist_stick_semi_axis_a': 'm', 'twist_stick_semi_axis_b': 'm'}
-HistoryStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
-HistoryStep._vectors = frozenset([])
+class HistorySteps(Records[HistoryStep], one=HistoryStep):
+    """Many results `HistoryStep`: arrays of numbers, lists of texts."""
+
+    step: NDArray[np.int64]
+    zeta: Array
+    xi: Array
+    eta: Array
+    F_x: Array
+    F_y: Array
+    F_z: Array
+    regime: list[str]
+    semi_axis_a: Array
+    semi_axis_b: Array
+    stick_semi_axis_a: Array
+    stick_semi_axis_b: Array
+    stored_energy: Array
+    dissipated: Array
+    omega: Array
+    M_z: Array
+    twist_regime: list[str]
+    twist_stick_semi_axis_a: Array
+    twist_stick_semi_axis_b: Array
 
 
-@dataclass(frozen=True, eq=False)
 class SolverStep(Record):
-    """A step of the numerical solver.
+    """A step of the numerical solver. Loads act on body 1.
 
     step                 number of the step, from 1
     zeta                 approach, m
@@ -171,43 +228,76 @@ class SolverStep(Record):
     stick_area_error     of stick_area, at most, m2
     """
 
-    step: Numbers
-    zeta: Numbers
-    xi: Numbers
-    eta: Numbers
-    omega: Numbers
-    F_x: Numbers
-    F_y: Numbers
-    F_z: Numbers
-    M_z: Numbers
-    p_max: Numbers
-    contact_area: Numbers
-    stick_area: Numbers
-    stored_energy: Numbers
-    dissipated: Numbers
-    residual_normal: Numbers
-    residual_tangential: Numbers
-    products_normal: Numbers
-    products_tangential: Numbers
-    zeta_error: Numbers
-    xi_error: Numbers
-    eta_error: Numbers
-    omega_error: Numbers
-    F_x_error: Numbers
-    F_y_error: Numbers
-    F_z_error: Numbers
-    M_z_error: Numbers
-    p_max_error: Numbers
-    contact_area_error: Numbers
-    stick_area_error: Numbers
+    step: int
+    zeta: float
+    xi: float
+    eta: float
+    omega: float
+    F_x: float
+    F_y: float
+    F_z: float
+    M_z: float
+    p_max: float
+    contact_area: float
+    stick_area: float
+    stored_energy: float
+    dissipated: float
+    residual_normal: float
+    residual_tangential: float
+    products_normal: float
+    products_tangential: float
+    zeta_error: float
+    xi_error: float
+    eta_error: float
+    omega_error: float
+    F_x_error: float
+    F_y_error: float
+    F_z_error: float
+    M_z_error: float
+    p_max_error: float
+    contact_area_error: float
+    stick_area_error: float
+
+    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    _vectors = frozenset([])
+    _axis = 'step'
 
 
-SolverStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-SolverStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
-SolverStep._vectors = frozenset([])
+class SolverSteps(Records[SolverStep], one=SolverStep):
+    """Many results `SolverStep`: arrays of numbers, lists of texts."""
+
+    step: NDArray[np.int64]
+    zeta: Array
+    xi: Array
+    eta: Array
+    omega: Array
+    F_x: Array
+    F_y: Array
+    F_z: Array
+    M_z: Array
+    p_max: Array
+    contact_area: Array
+    stick_area: Array
+    stored_energy: Array
+    dissipated: Array
+    residual_normal: Array
+    residual_tangential: Array
+    products_normal: Array
+    products_tangential: Array
+    zeta_error: Array
+    xi_error: Array
+    eta_error: Array
+    omega_error: Array
+    F_x_error: Array
+    F_y_error: Array
+    F_z_error: Array
+    M_z_error: Array
+    p_max_error: Array
+    contact_area_error: Array
+    stick_area_error: Array
 
 
-@dataclass(frozen=True, eq=False)
 class Rebound(Record):
     """The result of an impact. Quantities that only an impact has are NaN without one.
 
@@ -237,8 +327,8 @@ class Rebound(Record):
     warnings                 limits of validity that the impact exceeds
     """
 
-    outcome: str | list[str]
-    R_x: Numbers
+    outcome: str
+    R_x: float
     body_1_velocity: Array
     body_1_spin: Array
     body_2_velocity: Array
@@ -246,23 +336,52 @@ class Rebound(Record):
     impulse: Array
     contact_velocity_before: Array
     contact_velocity_after: Array
-    duration: Numbers
-    maximal_force: Numbers
-    maximal_approach: Numbers
-    maximal_semi_axis_a: Numbers
-    maximal_semi_axis_b: Numbers
-    maximal_pressure: Numbers
-    energy_before: Numbers
-    energy_after: Numbers
-    energy_dissipated: Numbers
-    energy_lost: Numbers
-    regimes: str | list[str]
-    method: str | list[str]
-    compressions: Numbers
-    error_estimate: Numbers
-    warnings: str | list[str]
+    duration: float
+    maximal_force: float
+    maximal_approach: float
+    maximal_semi_axis_a: float
+    maximal_semi_axis_b: float
+    maximal_pressure: float
+    energy_before: float
+    energy_after: float
+    energy_dissipated: float
+    energy_lost: float
+    regimes: str
+    method: str
+    compressions: int
+    error_estimate: float
+    warnings: str
+
+    units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
+    meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
+    _vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
+    _axis = 'impact'
 
 
-Rebound.units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
-Rebound.meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
-Rebound._vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
+class Rebounds(Records[Rebound], one=Rebound):
+    """Many results `Rebound`: arrays of numbers, lists of texts."""
+
+    outcome: list[str]
+    R_x: Array
+    body_1_velocity: Array
+    body_1_spin: Array
+    body_2_velocity: Array
+    body_2_spin: Array
+    impulse: Array
+    contact_velocity_before: Array
+    contact_velocity_after: Array
+    duration: Array
+    maximal_force: Array
+    maximal_approach: Array
+    maximal_semi_axis_a: Array
+    maximal_semi_axis_b: Array
+    maximal_pressure: Array
+    energy_before: Array
+    energy_after: Array
+    energy_dissipated: Array
+    energy_lost: Array
+    regimes: list[str]
+    method: list[str]
+    compressions: NDArray[np.int64]
+    error_estimate: Array
+    warnings: list[str]

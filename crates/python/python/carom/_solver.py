@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from copy import copy
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _carom
-from ._arrays import Array, counted, line, numbers, two
+from . import _carom, _show
+from ._arrays import counted, line, numbers, two
 from ._carom import MaterialPair, Plate
 from ._records import SolverStep
+from ._types import Array
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
 FIELDS = ("pressure", "traction_x", "traction_y", "displacement_x", "displacement_y")
@@ -121,11 +125,11 @@ class Solver:
                 given[i] = (load is not None, float(shift if load is None else load))  # type: ignore[arg-type]
         columns = self._native.step(given)
         self._given = given
-        return SolverStep._of(columns, ())
+        return SolverStep._of(columns)
 
     def summary(self) -> SolverStep:
         """Summary of the last step; zeros before the first."""
-        return SolverStep._of(self._native.summary(), ())
+        return SolverStep._of(self._native.summary())
 
     @property
     def plate(self) -> Plate | None:
@@ -140,7 +144,8 @@ class Solver:
     @property
     def shape(self) -> tuple[int, int]:
         """Shape of the grid, (ny, nx)."""
-        return self._gap.shape  # type: ignore[return-value]
+        ny, nx = self._gap.shape
+        return ny, nx
 
     @property
     def gap(self) -> Array:
@@ -197,6 +202,25 @@ class Solver:
         material = (self._materials.material_1, self._materials.material_2)[body == 2]
         stress = self._native.stress(material, body, *(line(a) for a in arrays))
         return stress.reshape((*arrays[0].shape, 6))
+
+    def _rows(self) -> list[_show.Row]:
+        """What the solver is, and its last step."""
+        ny, nx = self.shape
+        own = [
+            ("cells", f"{ny} x {nx}", "", "along y and x"),
+            ("size", _show.short(self._size), "m", "of the window, along x and y"),
+            ("materials", _show.short(repr(self._materials)), "", "of both bodies"),
+            ("friction", _show.number(self._friction.item()) if self._friction.ndim == 0 else "of each cell", "", ""),
+        ]
+        own += [] if self._plate is None else [("plate", repr(self._plate), "", "body 2")]
+        step = self.summary()
+        return own + (step._rows() if step.step else [("step", "0", "", "no step yet")])
+
+    def __repr__(self) -> str:
+        return _show.text("Solver", self._rows())
+
+    def _repr_html_(self) -> str:
+        return _show.html("Solver", self._rows())
 
     def __getstate__(self) -> dict[str, Any]:
         state = {name: value for name, value in self.__dict__.items() if name != "_native"}

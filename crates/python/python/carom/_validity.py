@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import warnings
+from typing import TypeVar
 
-from ._records import Rebound
+from ._records import Rebound, Rebounds
+
+Impacts = TypeVar("Impacts", bound="Rebound | Rebounds")
 
 
 class OutsideTheoryWarning(UserWarning):
@@ -21,7 +24,7 @@ class OutsideTheoryWarning(UserWarning):
     """
 
 
-def heed(rebound: Rebound) -> Rebound:
+def heed(rebound: Impacts) -> Impacts:
     """Warns once of the limits that these impacts exceed."""
     texts = [rebound.warnings] if isinstance(rebound.warnings, str) else rebound.warnings
     exceeding = [text for text in texts if text]

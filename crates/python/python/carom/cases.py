@@ -13,19 +13,30 @@ True
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _carom
-from ._arrays import Array
-from ._records import HistoryStep, Rebound, SolverStep
+from ._record import Result
+from ._records import HistorySteps, Rebound, Rebounds, SolverSteps
+from ._types import Array
+from ._solver import FIELDS
 from ._validity import heed
 
 Path = str | os.PathLike[str]
 
-__all__ = ["Solved", "history", "impact", "new", "solve"]
+__all__ = ["Solved", "Sweep", "history", "impact", "new", "solve"]
+
+
+class Sweep(Rebounds, one=Rebound):
+    """The impacts of a case that sweeps over one of its fields."""
+
+    @property
+    def swept(self) -> tuple[str, str, Array]:
+        """Name, unit and values of that field: the index of `to_pandas` and the coordinate of `to_xarray`."""
+        assert self._swept is not None
+        return self._swept
 
 
 def new(kind: str) -> str:
@@ -40,26 +51,25 @@ def new(kind: str) -> str:
     return _carom.case_new(kind)
 
 
-def impact(path: Path) -> Rebound:
+def impact(path: Path) -> Rebound | Sweep:
     """The impact of a case; for a sweep all impacts, arrays (n,), computed in parallel.
-
-    For a sweep, `swept` of the result holds the name of the field, its unit and its values. They are the
-    index of `to_pandas` and the coordinate of `to_xarray`.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "balls.toml"
     >>> once = carom.cases.new("impact")
     >>> _ = path.write_text(once.replace("friction = 0.2", "friction = [0.05, 0.1, 0.2]"))
     >>> rebounds = carom.cases.impact(path)
+    >>> assert isinstance(rebounds, carom.cases.Sweep)  # for type checkers: the file has several impacts
     >>> rebounds.swept[0], rebounds.R_x.shape
     ('contact.friction', (3,))
     """
     swept, columns = _carom.case_impact(os.fspath(path))
-    shape = () if swept is None else (len(swept[2]),)
-    return heed(Rebound._of(columns, shape, swept))
+    if swept is None:
+        return heed(Rebound._of(columns))
+    return heed(Sweep._shaped(columns, (len(swept[2]),), swept))
 
 
-def history(path: Path) -> HistoryStep:
+def history(path: Path) -> HistorySteps:
     """A contact that is pressed, shifted and twisted: arrays (n,) with an entry for each step.
 
     Columns of the twist are NaN if the case has none.
@@ -72,11 +82,10 @@ def history(path: Path) -> HistoryStep:
     True
     """
     columns = _carom.case_history(os.fspath(path))
-    return HistoryStep._of(columns, (len(columns["step"]),))
+    return HistorySteps._shaped(columns, (len(columns["step"]),))
 
 
-@dataclass(frozen=True, eq=False)
-class Solved:
+class Solved(Result):
     """A contact on a grid after all its steps. Fields are arrays (ny, nx) after the last step.
 
     steps           the contact after each step, arrays (n,)
@@ -88,7 +97,7 @@ class Solved:
     warnings        reasons to distrust the result: few cells, a plate bent by more than half its thickness
     """
 
-    steps: SolverStep
+    steps: SolverSteps
     x: Array
     y: Array
     pressure: Array
@@ -98,6 +107,20 @@ class Solved:
     displacement_y: Array
     cells: NDArray[np.int8]
     warnings: list[str]
+
+    meanings = {
+        "steps": "the contact after each step",
+        "x": "cell centres",
+        "y": "cell centres",
+        "pressure": "after the last step",
+        "traction_x": "on body 1",
+        "traction_y": "on body 1",
+        "displacement_x": "elastic, of body 1 against body 2",
+        "displacement_y": "elastic, of body 1 against body 2",
+        "cells": "0 separated, 1 sticks, 2 slips",
+        "warnings": "reasons to distrust the result",
+    }
+    units = dict(zip(meanings, ("", "m", "m", "Pa", "Pa", "Pa", "m", "m", "", ""), strict=True))
 
 
 def solve(path: Path, *, accuracy: float | None = None) -> Solved:
@@ -115,11 +138,14 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     """
     steps, (x, y), fields, cells, warnings = _carom.case_solve(os.fspath(path), accuracy)
     shape = (len(y), len(x))
+    named = dict(zip(FIELDS, (field.reshape(shape) for field in fields), strict=True))
     return Solved(
-        SolverStep._of(steps, (len(steps["step"]),)),
-        x,
-        y,
-        *(field.reshape(shape) for field in fields),
-        cells.reshape(shape),
-        warnings,
+        {
+            "steps": SolverSteps._shaped(steps, (len(steps["step"]),)),
+            "x": x,
+            "y": y,
+            **named,
+            "cells": cells.reshape(shape),
+            "warnings": warnings,
+        }
     )

@@ -46,7 +46,7 @@ impl LinearResponse {
         let stretched = Unknowns(factors.solve(&unit)?);
         let right: Vec<f64> = jacobian.by_pressure.iter().map(|value| -value).collect();
         let pressed = Unknowns(factors.solve(&right)?);
-        let (t, e) = (wall.thickness(), wall.youngs_modulus());
+        let (t, e) = (wall.thickness(), wall.young_modulus());
         let strained = small(grid, &rest, &stretched, 0.0);
         let rate = |place: WallPoint, unit: f64| -> WallPoint {
             WallPoint {

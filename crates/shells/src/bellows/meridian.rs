@@ -183,7 +183,7 @@ impl Meridian {
     }
 
     /// Whether it is a ring of its own, without neighbours outside.
-    pub(super) const fn is_closed(&self) -> bool {
+    pub const fn is_closed(&self) -> bool {
         matches!(self.shape, Shape::Torus { .. })
     }
 

@@ -36,7 +36,7 @@ pub(super) fn profile(grid: &Grid, wall: &Wall, points: &[Point]) -> Vec<WallPoi
     // Integral of sum f_k cos k xi. The last coefficient stands for half of the highest wave.
     let waves: Vec<f64> = (1..order).map(|k| growth.coefficient(k) / k as f64).collect();
     let risen = grid.circle.sine_sum(&waves);
-    let (t, e) = (wall.thickness(), wall.youngs_modulus());
+    let (t, e) = (wall.thickness(), wall.young_modulus());
     let at = |(j, point): (usize, &Point)| WallPoint {
         parameter: grid.circle.angle(j),
         radius: t * point.r,

@@ -48,7 +48,7 @@ pub struct BellowsState {
 impl BellowsState {
     /// `pressure` in units of E.
     pub(super) fn new(grid: &Grid, wall: Wall, pressure: f64, solved: Solved) -> Self {
-        let (t, e) = (wall.thickness(), wall.youngs_modulus());
+        let (t, e) = (wall.thickness(), wall.young_modulus());
         let state = points(grid, &solved.unknowns, pressure);
         let profile = profile(grid, &wall, &state);
         let heights: Vec<_> = profile.iter().map(|at| at.height).collect();
@@ -74,7 +74,7 @@ impl BellowsState {
     /// F, the force on closed ends beside the pressure on them; tension is positive.
     #[must_use]
     pub fn force(&self) -> f64 {
-        let (t, e) = (self.wall.thickness(), self.wall.youngs_modulus());
+        let (t, e) = (self.wall.thickness(), self.wall.young_modulus());
         e * t * t * self.solved.unknowns.force()
     }
 
@@ -94,7 +94,7 @@ impl BellowsState {
     /// dF/dDelta of one corrugation in this state, at fixed pressure.
     #[must_use]
     pub fn stiffness(&self) -> f64 {
-        self.wall.youngs_modulus() * self.wall.thickness() * self.solved.stiffness
+        self.wall.young_modulus() * self.wall.thickness() * self.solved.stiffness
     }
 
     /// Stored energy of the corrugation.

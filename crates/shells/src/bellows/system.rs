@@ -137,7 +137,7 @@ impl Bellows {
 
     /// Pressure over E, and force over E t^2 or dilatation over t.
     pub(super) fn without_units(&self, load: BellowsLoad) -> (f64, Axial) {
-        let (t, e) = (self.wall.thickness(), self.wall.youngs_modulus());
+        let (t, e) = (self.wall.thickness(), self.wall.young_modulus());
         let axial = match load.axial() {
             Axial::Force(force) => Axial::Force(force / (e * t * t)),
             Axial::Dilatation(growth) => Axial::Dilatation(growth / t),

@@ -109,6 +109,18 @@ impl RingForce {
         self.components[0]
     }
 
+    /// The force along phi.
+    #[must_use]
+    pub const fn along_ring(&self) -> f64 {
+        self.components[1]
+    }
+
+    /// The force along x.
+    #[must_use]
+    pub const fn along_tube(&self) -> f64 {
+        self.components[2]
+    }
+
     /// Components on (w, v, u, beta).
     pub(super) const fn components(&self) -> [f64; 4] {
         self.components

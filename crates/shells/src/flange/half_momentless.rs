@@ -65,7 +65,7 @@ fn semi_infinite(b: f64, decay: f64) -> Matrix2<f64> {
 fn main(tube: &Tube, n: f64) -> Matrix2<f64> {
     let r = tube.radius();
     let wall = tube.wall();
-    let b = 2.0 * PI * wall.youngs_modulus() * wall.thickness() * r * r * r / (n * n * n * n);
+    let b = 2.0 * PI * wall.young_modulus() * wall.thickness() * r * r * r / (n * n * n * n);
     let mu = main_decay(tube, n);
     match tube.length() {
         Some(length) if mu * length < LONG => clamped(b, mu, length),

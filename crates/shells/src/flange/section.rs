@@ -61,19 +61,19 @@ impl RingStiffness {
     }
 
     /// A rectangular section, `along` wide along the tube and `outward` high, of Young's modulus
-    /// `youngs_modulus` and Poisson's ratio `poisson` in [0, 0.5]. The torsion constant is Saint
+    /// `young_modulus` and Poisson's ratio `poisson` in [0, 0.5]. The torsion constant is Saint
     /// Venant's series, for sides a >= b
     /// J = a b^3 (1/3 - 64 b/(pi^5 a) sum tanh((2k+1) pi a/(2b))/(2k+1)^5).
     ///
     /// # Errors
     /// [`RangeError`] for a value out of range, or sides with a ratio over 1000.
     pub fn rectangle(
-        youngs_modulus: f64,
+        young_modulus: f64,
         poisson: f64,
         along: f64,
         outward: f64,
     ) -> Result<Self, RangeError> {
-        let e = RangeError::positive("youngs_modulus", youngs_modulus)?;
+        let e = RangeError::positive("young_modulus", young_modulus)?;
         let fits = (0.0..=0.5).contains(&poisson);
         RangeError::check("poisson", poisson, fits, "from 0 to 0.5")?;
         let along = RangeError::positive("along", along)?;

@@ -133,18 +133,24 @@ impl FlangeSolution {
         RingDisplacement { radial, tangential, axial, rotation }
     }
 
-    /// The displacement at an angle. To w are added the remaining harmonics that a radial force
-    /// bends into the ring where it acts; an error of order harmonics^-3 goes.
+    /// The displacement at an angle. To w, u and beta are added the remaining harmonics of a ring
+    /// whose stiffness is that where a force acts; errors of order harmonics^-3, of beta under a
+    /// couple harmonics^-1, go.
     #[must_use]
     pub fn displacement(&self, angle: f64) -> RingDisplacement {
         let mut sum = self.partial_sum(angle);
         let r = self.ring.radius();
-        for force in self.bending() {
+        for force in &self.forces {
             let at = force.angle();
-            let bending = r * r / self.ring.stiffness_at(StiffnessKind::InPlane, at);
-            let stretching = 1.0 / self.ring.stiffness_at(StiffnessKind::Stretching, at);
-            let tail = Tails::new(angle - at, self.harmonics).fourth;
-            sum.radial += force.outward() * r / (2.0 * PI) * (bending + stretching) * tail;
+            let [stretching, in_plane, out_of_plane, torsion] =
+                StiffnessKind::ALL.map(|kind| 1.0 / self.ring.stiffness_at(kind, at));
+            let Tails { second, fourth, .. } = Tails::new(angle - at, self.harmonics);
+            let [outward, _, along_tube, couple] = force.components();
+            let unit = r / (2.0 * PI);
+            let both = (out_of_plane + torsion) * fourth;
+            sum.radial += outward * unit * (r * r * in_plane + stretching) * fourth;
+            sum.axial += unit * r * (r * along_tube * out_of_plane * fourth - couple * both);
+            sum.rotation += unit * (couple * torsion * second + (couple - r * along_tube) * both);
         }
         sum
     }
@@ -157,23 +163,25 @@ impl FlangeSolution {
         RingLoads { stretching, in_plane, out_of_plane, torsion }
     }
 
-    /// The loads on a section. To M and N are added the remaining harmonics of the kink under a
-    /// radial force, M_k = P R e^(-ik phi_0)/(2 pi (k^2-1)) and N_k = -M_k/R, which do not depend on
-    /// stiffness. Loads of other forces converge as 1/harmonics.
+    /// The loads on a section. The remaining harmonics of the kinks and jumps that a force makes in
+    /// them are added; they follow from equilibrium and do not depend on stiffness. Where a load
+    /// jumps, it is the mean of both sides.
     #[must_use]
     pub fn loads(&self, angle: f64) -> RingLoads {
         let mut sum = self.partial_loads(angle);
-        for force in self.bending() {
-            let tail = Tails::new(angle - force.angle(), self.harmonics).second;
-            let added = force.outward() / (2.0 * PI) * tail;
-            sum.in_plane += added * self.ring.radius();
-            sum.stretching -= added;
+        let r = self.ring.radius();
+        for force in &self.forces {
+            let tails = Tails::new(angle - force.angle(), self.harmonics);
+            let [outward, along_ring, along_tube, couple] =
+                force.components().map(|component| component / (2.0 * PI));
+            let bending = outward * tails.second + along_ring * tails.third;
+            sum.in_plane += r * bending;
+            sum.stretching -= bending + along_ring * tails.first;
+            let turning = r * along_tube - couple;
+            sum.out_of_plane += turning * tails.second;
+            sum.torsion += turning * tails.third - couple * tails.first;
         }
         sum
-    }
-
-    fn bending(&self) -> impl Iterator<Item = &RingForce> {
-        self.forces.iter().filter(|force| force.outward() != 0.0)
     }
 
     /// Twice the stored energy: the work of the forces on the displacements solved for.

@@ -100,8 +100,8 @@ impl Flange {
     }
 
     /// The displacements under these forces with harmonics up to `harmonics`, from 4 to 256.
-    /// Displacements converge as `harmonics`^-3, loads of the ring as 1/`harmonics`; the solution
-    /// adds the rest of a radial force's kink.
+    /// Sums of these harmonics converge as `harmonics`^-3 (displacements) and 1/`harmonics` (loads of
+    /// the ring); the solution adds the rest of the kinks and jumps where forces act.
     ///
     /// # Errors
     /// [`FlangeError::Range`] for the number of harmonics, or more than 10000 forces;

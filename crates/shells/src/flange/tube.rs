@@ -114,6 +114,12 @@ impl Tube {
         }
     }
 
+    /// Whether its theory is that of the whole shell (Koiter, Sanders).
+    #[must_use]
+    pub const fn is_whole_shell(&self) -> bool {
+        matches!(self.theory, Theory::KoiterSanders)
+    }
+
     /// mu of the main part in harmonic n: it decays as e^(-mu x); 0 for n <= 1.
     #[must_use]
     pub fn main_decay(&self, n: usize) -> f64 {
@@ -151,7 +157,7 @@ impl Tube {
         if k == 0 {
             let section = 2.0 * PI * self.radius * self.wall.thickness() / length;
             matrix[(1, 1)].re = section * self.wall.shear_modulus();
-            matrix[(2, 2)].re = section * self.wall.youngs_modulus();
+            matrix[(2, 2)].re = section * self.wall.young_modulus();
         }
         matrix
     }

@@ -2,7 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use carom_shells::flange::{EdgeMotion, Flange, Ring, RingForce, RingStiffness, StiffnessKind};
+use carom_shells::Wall;
+use carom_shells::flange::{
+    EdgeMotion, Flange, Ring, RingForce, RingStiffness, StiffnessKind, Tube, TubeEdge,
+};
 use carom_shells::fourier::Sector;
 
 use crate::reference::{close, flange, list, number};
@@ -44,6 +47,81 @@ fn timoshenkos_pinched_ring() {
     // Cut at a quarter: half of the force on each side.
     close("N across", solved.loads(FRAC_PI_2).stretching, 0.5 * force, 1e-12);
     assert!(solved.loads(0.0).stretching.abs() < 1e-12);
+}
+
+/// A section next to a force: its loads jump by the force, with and without a tube.
+#[test]
+fn loads_jump_by_the_forces() {
+    let force = RingForce::at(0.4).unwrap().tangential(3.0).unwrap();
+    let force = force.axial_at(2.0, 0.25).unwrap();
+    let section = RingStiffness::new(50.0, 1.0, 0.7, 0.4).unwrap();
+    let ring = Ring::new(1.0, section).unwrap();
+    let tube = Tube::koiter_sanders(1.0, Wall::new(1.0, 0.3, 0.02).unwrap()).unwrap();
+    let held = Flange::on_tube(ring.clone(), tube, TubeEdge::at_centroid()).unwrap();
+    for flange in [Flange::bare(ring), held] {
+        let solved = flange.solve(&[force], 32).unwrap();
+        let [before, after] = [-1e-9, 1e-9].map(|beside| solved.loads(0.4 + beside));
+        close("N", after.stretching - before.stretching, -3.0, 1e-6);
+        close("T", after.torsion - before.torsion, 0.5, 1e-6);
+        for (name, jump) in [
+            ("M", after.in_plane - before.in_plane),
+            ("M_o", after.out_of_plane - before.out_of_plane),
+        ] {
+            assert!(jump.abs() < 1e-7, "{name}: {jump}");
+        }
+        let middle = solved.loads(0.4);
+        let off = middle.stretching - 0.5 * (before.stretching + after.stretching);
+        assert!(off.abs() < 1e-8, "N: {off}");
+        let off = middle.torsion - 0.5 * (before.torsion + after.torsion);
+        assert!(off.abs() < 1e-8, "T: {off}");
+    }
+}
+
+/// Few harmonics with the closed tails against many without.
+#[test]
+fn tails_of_all_forces_replace_many_harmonics() {
+    let section = RingStiffness::new(50.0, 1.0, 0.7, 0.4).unwrap();
+    let ring = Ring::new(1.5, section).unwrap();
+    let force = |component: usize| {
+        let force = RingForce::at(0.3).unwrap();
+        match component {
+            0 => force.radial(1.0),
+            1 => force.tangential(1.0),
+            2 => force.axial(1.0),
+            _ => RingForce::at(0.3).and_then(|at| at.axial_at(1.0, 0.7)),
+        }
+        .unwrap()
+    };
+    for component in 0..4 {
+        let flange = Flange::bare(ring.clone());
+        let [few, many] = [12, 256].map(|order| flange.solve(&[force(component)], order).unwrap());
+        for angle in [0.5, 1.7, 3.3, 5.9] {
+            let (quick, slow) = (few.displacement(angle), many.displacement(angle));
+            for (name, quick, slow, error) in [
+                ("w", quick.radial, slow.radial, 2e-5),
+                ("u", quick.axial, slow.axial, 1e-5),
+                ("beta", quick.rotation, slow.rotation, 3e-4),
+            ] {
+                let message = format!("{name} of {component} at {angle}: {quick} {slow}");
+                assert!((quick - slow).abs() < error, "{message}");
+            }
+            // A bare ring: statics alone.
+            let (quick, slow) = (few.loads(angle), many.partial_loads(angle));
+            for (name, quick, slow) in [
+                ("N", quick.stretching, slow.stretching),
+                ("M", quick.in_plane, slow.in_plane),
+                ("M_o", quick.out_of_plane, slow.out_of_plane),
+                ("T", quick.torsion, slow.torsion),
+            ] {
+                let message = format!("{name} of {component} at {angle}: {quick} {slow}");
+                assert!((quick - slow).abs() < 1.2e-2, "{message}");
+            }
+            let (quick, exact) = (few.loads(angle), many.loads(angle));
+            let (turn, bend) =
+                (quick.torsion - exact.torsion, quick.out_of_plane - exact.out_of_plane);
+            assert!(turn.abs() < 1e-10 && bend.abs() < 1e-10, "{component}: {turn:e} {bend:e}");
+        }
+    }
 }
 
 #[test]

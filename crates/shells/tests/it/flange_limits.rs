@@ -251,7 +251,7 @@ fn bad_flanges_are_refused() {
         "length"
     );
     assert_eq!(Wall::new(1.0, 0.6, 1.0).unwrap_err().field, "poisson");
-    assert_eq!(Wall::new(f64::INFINITY, 0.3, 1.0).unwrap_err().field, "youngs_modulus");
+    assert_eq!(Wall::new(f64::INFINITY, 0.3, 1.0).unwrap_err().field, "young_modulus");
     assert_eq!(RingStiffness::new(1.0, 0.0, 1.0, 1.0).unwrap_err().field, "in_plane");
     assert_eq!(RingStiffness::rectangle(1.0, 0.3, 1.0, 1e4).unwrap_err().field, "along/outward");
     let stocky = RingStiffness::rectangle(1.0, 0.3, 0.1, 0.9).unwrap();

@@ -70,7 +70,8 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
         // The smoothed outline of single cells in a row is empty.
         let outlines = stick_and_slip(state, middle);
         panels.extend((!outlines.series.is_empty()).then_some(outlines));
-        if f > 0.0 {
+        let tractions = [&state.traction_x, &state.traction_y];
+        if tractions.iter().any(|t| t.values().iter().any(|t| *t != 0.0)) {
             panels.push(sizes(state, f));
             panels.push(angles(state));
         }
