@@ -99,8 +99,8 @@ fn claims(page: &mut String, claims: &[Claim]) {
              <td class=\"number\">{}{}</td><td>{} {}</td></tr>",
             mark(claim.passes()),
             prose(&claim.statement),
-            escape(&claim.measured()),
-            escape(&claim.expected()),
+            unbroken(&claim.measured()),
+            unbroken(&claim.expected()),
             ratio(claim.ratio()),
             meter(claim.ratio()),
             if claim.has_source() { prose(&claim.source) } else { NO_SOURCE.to_owned() },
@@ -108,6 +108,11 @@ fn claims(page: &mut String, claims: &[Claim]) {
         );
     }
     close(page);
+}
+
+/// A number and its tolerance, which stay in one line.
+fn unbroken(text: &str) -> String {
+    escape(text).replace(" ±", "&nbsp;±").replace("± ", "±&nbsp;").replace(" %", "&nbsp;%")
 }
 
 fn mark(passes: bool) -> &'static str {

@@ -140,9 +140,19 @@
   }, { root: document, rootMargin: '-20% 0px -79% 0px' });
   for (const page of all('.intro, .page')) watch.observe(page);
 
+  // The panels of a picture have one scale: two beside each other if their letters can be read, else one.
+  const least = 0.78;
+  const scale = picture => {
+    const widths = all('.panel', picture).map(panel => Number(panel.style.getPropertyValue('--width')));
+    const pairs = widths.slice(1).map((width, i) => width + widths[i]);
+    const fitted = width => Math.min(1, picture.clientWidth / width);
+    const [pair, one] = [fitted(Math.max(...pairs, ...widths)), fitted(Math.max(...widths))];
+    picture.style.setProperty('--scale', Math.max(pair < least ? one : pair, least).toFixed(3));
+  };
   // What is wider than its box says so.
   const fit = new ResizeObserver(seen => requestAnimationFrame(() => {
     for (const { target } of seen) {
+      if (target.matches('.picture')) scale(target);
       target.classList.toggle('scrolls', target.scrollWidth > target.clientWidth + 1);
     }
   }));
