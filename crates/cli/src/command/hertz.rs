@@ -26,7 +26,7 @@ use std::f64::consts::PI;
 #[command(after_long_help = columns::help("A row for each load", HertzState::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
 }
 
 /// A contact under load, in SI units.

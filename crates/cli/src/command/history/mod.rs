@@ -28,7 +28,7 @@ use follow::{Wanted, follow};
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give the tangential traction after each step, at this number of radii from the centre
     /// to the edge.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]

@@ -35,7 +35,7 @@ use view::{Parameter, Record};
     + "\n" + &uncertain::help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give the history of the impact at this many instants; not for a sweep. For bodies other than
     /// spheres and planes, values are interpolated linearly between computed steps.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]

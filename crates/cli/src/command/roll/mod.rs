@@ -26,7 +26,7 @@ use view::{COLUMNS, CREEP, Creep, Row};
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give Kalker's creep coefficients of the contact; as CSV they replace the rows.
     #[arg(long)]
     coefficients: bool,

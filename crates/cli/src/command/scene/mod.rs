@@ -25,7 +25,7 @@ use std::path::Path;
     + &columns::help("With --points a row for each instant", PathPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give the ball at this many instants of every flight; as CSV, these replace the bounces.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
     points: Option<u32>,

@@ -36,7 +36,7 @@ use point::StressPoint;
 #[command(after_long_help = columns::help("A row for each point", StressPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
 
     /// Write the stresses at all points to this file: as NumPy arrays over depth, y and x, with the
     /// names of the columns below, if it ends in .npz; as a grid for ParaView if it ends in .vtk.
