@@ -62,6 +62,10 @@
     const closed = at([1, 0.8], [1, -0.5], [1, 0.3], [1, -0.1], [1, 0.3]);
     faults.push(force(at([1, 0.8], [1, -0.5], [1, 0.1], [1, -0.5])) - force(at([1, 0.8], [1, -0.5])));
     faults.push(force(moved(closed, 1, 0.7)) - force(moved(open, 1, 0.7)));
+    // A larger shift erases the reversals before it.
+    const erased = [0.8, -0.5, 0.3].map(x => [1, x]);
+    faults.push(force(at(...erased, [1, -0.7])) - first(0.8) + 2 * first(0.75));
+    faults.push(force(at(...erased, [1, 0.9])) - first(0.9));
     // Everything slides, also after the contact has shrunk.
     faults.push(force(at([1, 0.4], [0.3, 0.9])) - 0.3 ** 1.5);
     // A contact that grows faster than it is shifted sticks: F_x = X' F_z for a path X = X' zeta from the start.

@@ -1,26 +1,8 @@
 #![forbid(unsafe_code)]
 //! All tables and figures of the thesis, computed by carom, with claims that can fail.
 //!
-//! # How to add a figure
-//!
-//! 1. Write a function `fn figure_5_3() -> FigureResult` in `src/figures/ch05/mod.rs` (or a
-//!    file of its own beside it). It fills a [`Figure`]: its inputs, each
-//!    [`stated`](Figure::stated), [`derived`](Figure::derived) or [`assumed`](Figure::assumed);
-//!    one or more [`Panel`]s of [`Series`]; [`Table`]s; [`Claim`]s; and the
-//!    [`deviation`](Figure::deviation)s from what the thesis prints. Any error leaves with `?`.
-//! 2. Add it to its line in the same file: `Entry::figure("5.3", "…").by(figure_5_3)`, or
-//!    `slowly_by` if it takes more than about a second, so that quick runs skip it. If it lacks
-//!    something that the thesis shows, add `.partial("what is missing")`: partial entries are
-//!    counted separately.
-//! 3. `cargo xtask verify --figure 5.3 --update` computes it, checks the claims, writes SVG,
-//!    CSV and report under `target/verification/` and its snapshot under
-//!    `verification/snapshots/`. Look at the picture and at the snapshot, then commit both.
-//!
-//! A claim must be able to fail, and must rest on something other than the code that it checks: a
-//! closed form, quadrature, reference values, the text of the thesis. It names this
-//! [`source`](NewClaim::source); without one it fails. The snapshot guards against change, the
-//! claims against error. `--update` lists what it changes and never updates the snapshot of a page
-//! with a failing claim. `cargo xtask verify --update` updates all snapshots that differ.
+//! How to add a page is in `docs/book/src/extend/figure.md`: a function that fills a [`Figure`], its
+//! line in the [`catalogue()`], claims with a [`source`](NewClaim::source), a snapshot.
 //!
 //! # A run
 //!
@@ -31,32 +13,19 @@
 //! A test harness would give processes and time limits, but no records, and a user would have to
 //! install it.
 //!
-//! ```
-//! use carom_verification::{Absolute, Figure, FigureResult, Panel, Series};
-//! use carom_verification::linspace;
-//!
-//! fn figure_0_1() -> FigureResult {
-//!     let mut figure = Figure::new();
-//!     figure.stated("x", "0 to 2");
-//!     let curve: Vec<(f64, f64)> =
-//!         linspace(0.0, 2.0, 101).into_iter().map(|x| (x, x * x)).collect();
-//!     figure.close("y(2) is 4", curve[100].1, 4.0, Absolute(1e-12)).source("closed form");
-//!     let mut panel = Panel::new("x", "y");
-//!     panel.add(Series::line("y = x²", curve));
-//!     figure.panel(panel);
-//!     Ok(figure)
-//! }
-//! # figure_0_1().unwrap();
-//! ```
-//!
 //! # Pages beside the thesis
 //!
 //! An [`Entry::check`] has a name instead of a number and is otherwise a figure like the others:
 //! `rebound.regimes` and `rebound.angles` show the oblique impact as a whole, `particles.*` run
-//! published tests of particle codes, `proposition-3`, `-4`, `-5`, `-6` and `-8` check propositions of it,
+//! published tests of particle codes, `propositions` and `proposition-3`, `-4`, `-5`, `-6` and `-8` check propositions of it,
 //! `accuracy.*` list the errors of a layer against high-precision references. Inputs marked as
 //! stated are those of the page's source. Published points are shown as read from their figures.
 //! Claims about them allow for reading errors; there is no claim if they answer another question.
+
+/// The example of the book, run as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/book/src/extend/figure.md")]
+struct BookPage;
 
 pub mod book;
 pub mod catalogue;

@@ -41,9 +41,10 @@ xflags::xflags! {
         /// and figure quoted in a comment is in the index or the catalogue, and none is missing. Also
         /// checks the links of the book, the places of mutants and the descriptions of the packages.
         cmd tidy {}
-        /// Opens the report of the last run in a headless browser, at two widths and in both themes,
-        /// and checks that there are no script errors, missing pictures, overflow or low contrast, and
-        /// that the search works; saves screenshots. Skipped without Chromium; in CI that is a failure.
+        /// Opens the report of the last run in a headless browser, at three widths and in both themes,
+        /// and checks that there are no script errors, missing or undescribed pictures, small letters,
+        /// overflow or low contrast, that the contents follow the reader and that the search works;
+        /// saves screenshots. Skipped without Chromium; in CI that is a failure.
         cmd browse {}
         /// Builds the Python module's wheel, installs it into a new environment below target/ and
         /// runs its tests and documentation examples there. Skipped without Python; in CI that is a
@@ -57,8 +58,8 @@ xflags::xflags! {
             /// Pack without building the packages, and leave out the wheel.
             optional --quick
         }
-        /// Checks the links of the book below docs/book and builds its pages in target/book if mdbook is
-        /// installed.
+        /// Checks the links of the book below docs/book. If mdbook is installed, builds its pages in target/book; if a
+        /// browser is there too, looks at them.
         cmd book {}
         /// Writes the files that are generated from the sources: the C header, the book's pictures and case reference,
         /// the result classes of Python. Snapshots of figures are written by `verify --update`, the record of

@@ -23,7 +23,7 @@ pub(crate) enum Part {
     Dependencies,
     /// The pages of the book.
     BookPages,
-    /// The report in a browser.
+    /// The report or the book in a browser.
     Browser,
     /// The public interfaces, compared with those of the last release.
     Interfaces,

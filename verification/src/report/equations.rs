@@ -8,14 +8,25 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::LazyLock;
 
-static INDEX: LazyLock<Vec<Equation>> = LazyLock::new(|| {
-    let index: Result<Index, _> = toml::from_str(include_str!("../../equations.toml"));
-    index.map(|index| index.equation).unwrap_or_default()
-});
+static INDEX: LazyLock<Index> =
+    LazyLock::new(|| toml::from_str(include_str!("../../equations.toml")).unwrap_or_default());
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 struct Index {
     equation: Vec<Equation>,
+    proposition: Vec<Formula>,
+}
+
+/// A formula of a proposition.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Formula {
+    /// The number of the proposition.
+    number: u32,
+    /// Its meaning.
+    what: String,
+    /// The items that implement it.
+    by: Vec<String>,
 }
 
 /// A numbered equation.
@@ -54,7 +65,7 @@ fn parse(number: &str) -> Option<(u32, u32)> {
 /// The line of the index with this number, such as `7.65a`.
 pub(crate) fn line_of(number: &str) -> Option<&'static str> {
     static LINES: LazyLock<BTreeMap<(u32, u32), &str>> = LazyLock::new(|| {
-        let lines = INDEX.iter().filter_map(|equation| Some((equation, equation.ends()?)));
+        let lines = INDEX.equation.iter().filter_map(|equation| Some((equation, equation.ends()?)));
         let numbers = lines.flat_map(|(equation, [(chapter, first), (_, last)])| {
             (first..=last).map(move |n| ((chapter, n), equation.number.as_str()))
         });
@@ -65,9 +76,10 @@ pub(crate) fn line_of(number: &str) -> Option<&'static str> {
 
 /// The page of the index, with links to the sources below `workspace`.
 pub(crate) fn page(workspace: &Path) -> String {
-    let count = |is: fn(&Equation) -> bool| INDEX.iter().filter(|one| is(one)).map(numbers).sum();
+    let count =
+        |is: fn(&Equation) -> bool| INDEX.equation.iter().filter(|one| is(one)).map(numbers).sum();
     let (all, by): (u32, u32) = (count(|_| true), count(|one| !one.by.is_empty()));
-    let wrong = INDEX.iter().filter(|one| one.corrected.is_some()).count();
+    let wrong = INDEX.equation.iter().filter(|one| one.corrected.is_some()).count();
     let mut page = String::new();
     let _ = writeln!(
         page,
@@ -77,9 +89,28 @@ pub(crate) fn page(workspace: &Path) -> String {
          <thead><tr><th>equation</th><th>says</th><th>in the code</th><th>the print</th></tr></thead>\
          <tbody>"
     );
-    INDEX.iter().for_each(|equation| row(&mut page, equation, workspace));
+    INDEX.equation.iter().for_each(|equation| row(&mut page, equation, workspace));
+    page.push_str("</tbody></table></div>\n");
+    page.push_str(
+        "<p>The propositions have no numbered equations. Their formulas are in these items.</p>\n\
+         <div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>proposition</th><th>says</th>\
+         <th>in the code</th></tr></thead><tbody>",
+    );
+    for Formula { number, what, by } in &INDEX.proposition {
+        let _ = write!(page, "<tr><td class=\"name\">{number}</td><td>{}</td><td>", prose(what));
+        links(&mut page, by, workspace);
+        page.push_str("</td></tr>\n");
+    }
     page.push_str("</tbody></table></div>\n");
     page
+}
+
+/// Links to items, each on a line of its own.
+fn links(page: &mut String, items: &[String], workspace: &Path) {
+    for (i, item) in items.iter().enumerate() {
+        let end = if i > 0 { "<br>" } else { "" };
+        let _ = write!(page, "{end}{}", link(item, workspace));
+    }
 }
 
 fn numbers(equation: &Equation) -> u32 {
@@ -101,10 +132,7 @@ fn row(page: &mut String, equation: &Equation, workspace: &Path) {
          <td>{}</td><td>",
         prose(&equation.what)
     );
-    for (i, item) in equation.by.iter().enumerate() {
-        let end = if i > 0 { "<br>" } else { "" };
-        let _ = write!(page, "{end}{}", link(item, workspace));
-    }
+    links(page, &equation.by, workspace);
     if let Some(reason) = &equation.none {
         let _ = write!(page, "<span class=\"missing\">{}</span>", prose(reason));
     }

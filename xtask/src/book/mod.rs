@@ -1,7 +1,9 @@
 //! The book in `docs/book`: checks its links and builds its pages.
 
 mod links;
+mod look;
 
+use crate::browse;
 use crate::outcome::{Outcome, Part};
 use crate::tools::MDBOOK;
 use anyhow::{Context as _, ensure};
@@ -11,7 +13,8 @@ use std::process::Command;
 
 const SOURCES: &str = "docs/book/src";
 
-/// Checks the book and, if mdBook is installed, builds its pages in target/book/.
+/// Checks the book and, if mdBook is installed, builds its pages in target/book/ and looks at them
+/// in a browser.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     check(&root())?;
     if !MDBOOK.is_there()? {
@@ -27,7 +30,17 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let has_search = files.any(|file| file.is_ok_and(|file| is_index(&file.file_name())));
     ensure!(has_search, "target/book has no index for the search: mdbook without `search`?");
     println!("the book: target/book/index.html");
-    Ok(Outcome::Passed)
+    let sources = root().join(SOURCES).canonicalize()?;
+    let mut pages = Vec::new();
+    for chapter in markdown(&sources)?.iter().filter(|path| !path.ends_with("SUMMARY.md")) {
+        let page = chapter.strip_prefix(&sources)?.with_extension("html");
+        pages.push(page.to_string_lossy().into_owned());
+    }
+    if look::run(&root().join("target/book").canonicalize()?, &pages)? {
+        Ok(Outcome::Passed)
+    } else {
+        Ok(Outcome::skipped(Part::Browser, browse::none()))
+    }
 }
 
 /// Checks that all chapters are in the table of contents, and that all links of the book and of

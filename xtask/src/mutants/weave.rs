@@ -8,9 +8,10 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The folders of the crates with mutants; each gets its own switch.
-pub(super) const CRATES: [&str; 12] = [
+pub(super) const CRATES: [&str; 13] = [
     "crates/special",
     "crates/geometry",
+    "crates/shells",
     "crates/halfspace",
     "crates/laws",
     "crates/solver",

@@ -12,6 +12,8 @@ pub(super) struct Index {
     /// The last figure of each chapter.
     figures: BTreeMap<u32, u32>,
     lines: Vec<Line>,
+    /// Formulas of propositions, without numbers of their own.
+    propositions: Vec<Line>,
 }
 
 /// One line of the index.
@@ -37,10 +39,13 @@ impl Index {
     fn parse(text: &str) -> anyhow::Result<Self> {
         let table: toml::Table = text.parse()?;
         let lines = table.get("equation").and_then(toml::Value::as_array).context("no equation")?;
+        let propositions = table.get("proposition").and_then(toml::Value::as_array);
+        let propositions = propositions.map_or(&[][..], Vec::as_slice);
         Ok(Self {
             equations: last(&table, "equations")?,
             figures: last(&table, "figures")?,
             lines: lines.iter().map(line).collect::<anyhow::Result<_>>()?,
+            propositions: propositions.iter().map(proposition).collect::<anyhow::Result<_>>()?,
         })
     }
 
@@ -64,7 +69,7 @@ impl Index {
     /// The items that it names, each with its lines.
     pub(super) fn by_item(&self) -> BTreeMap<&str, Vec<&Line>> {
         let mut items: BTreeMap<&str, Vec<&Line>> = BTreeMap::new();
-        for line in &self.lines {
+        for line in self.lines.iter().chain(&self.propositions) {
             for item in &line.by {
                 items.entry(item).or_default().push(line);
             }
@@ -107,6 +112,27 @@ fn last(table: &toml::Table, name: &str) -> anyhow::Result<BTreeMap<u32, u32>> {
     last.iter().map(pair).collect()
 }
 
+/// A formula of a proposition; it has no number of a chapter.
+fn proposition(value: &toml::Value) -> anyhow::Result<Line> {
+    let number = value.get("number").and_then(toml::Value::as_integer);
+    let number = number.with_context(|| format!("no number in {value}"))?;
+    ensure!((1..=8).contains(&number), "the thesis has no proposition {number}");
+    let name = format!("proposition {number}");
+    let by = items(value);
+    ensure!(!by.is_empty(), "{name}: no item");
+    ensure!(has_meaning(value), "{name}: `what` is missing or empty");
+    Ok(Line { name, first: (0, 0), last: (0, 0), by })
+}
+
+fn items(value: &toml::Value) -> Vec<String> {
+    let by = value.get("by").and_then(toml::Value::as_array).map_or(&[][..], Vec::as_slice);
+    by.iter().filter_map(toml::Value::as_str).map(str::to_owned).collect()
+}
+
+fn has_meaning(value: &toml::Value) -> bool {
+    value.get("what").and_then(toml::Value::as_str).is_some_and(|what| !what.is_empty())
+}
+
 fn line(value: &toml::Value) -> anyhow::Result<Line> {
     let text = |name| value.get(name).and_then(toml::Value::as_str);
     let name = text("number").with_context(|| format!("no number in {value}"))?.to_owned();
@@ -114,13 +140,9 @@ fn line(value: &toml::Value) -> anyhow::Result<Line> {
     let parse = |text| quoted::number(text).with_context(|| format!("`{name}` is not a number"));
     let (first, last) = (parse(first)?, parse(last)?);
     ensure!(first.0 == last.0 && first.1 <= last.1, "`{name}` is not a range");
-    let by = value.get("by").and_then(toml::Value::as_array).map_or(&[][..], Vec::as_slice);
-    let by: Vec<_> = by.iter().filter_map(toml::Value::as_str).map(str::to_owned).collect();
+    let by = items(value);
     ensure!(by.is_empty() != text("none").is_none(), "{name}: either `by` or `none`");
-    ensure!(
-        text("what").is_some_and(|what| !what.is_empty()),
-        "{name}: `what` is missing or empty"
-    );
+    ensure!(has_meaning(value), "{name}: `what` is missing or empty");
     Ok(Line { name, first, last, by })
 }
 
@@ -148,6 +170,20 @@ mod tests {
         ];
         assert_eq!(gaps, expected);
         assert_eq!(full.figure_gaps(&BTreeSet::new()), ["figure 3.1 is missing"]);
+    }
+
+    #[test]
+    fn a_proposition_has_an_item_and_no_number_of_a_chapter() {
+        let with = |line: &str| {
+            Index::parse(&format!(
+                "equations = {{}}\nfigures = {{}}\nequation = []\nproposition = [{line}]"
+            ))
+        };
+        let one = with("{ number = 3, what = \"w\", by = [\"a.rs::b\"] }").unwrap();
+        assert_eq!(one.by_item()["a.rs::b"][0].name, "proposition 3");
+        assert!(one.gaps().is_empty() && one.count() == 0);
+        assert!(with("{ number = 9, what = \"w\", by = [\"a.rs::b\"] }").is_err());
+        assert!(with("{ number = 3, what = \"w\" }").is_err());
     }
 
     #[test]

@@ -81,16 +81,18 @@ fn value(field: &Field, begun: Option<&str>) -> String {
 fn described(field: &Field) -> String {
     let mut parts = vec![field.meaning.to_owned()];
     let unit = field.measure().map_or("", |measure| measure.dimension.unit());
-    let range = field.measure().map(|measure| measure.range.allowed());
+    let range = field.measure().map(|measure| match (unit, measure.range.allowed()) {
+        ("", range) => range.to_owned(),
+        (unit, range) => format!("{unit}, {range}"),
+    });
     match (field.form, range) {
         (Form::Table(_) | Form::Tables(_) | Form::Switch, _) => {}
         (Form::Word(words), _) => parts.push(told(words)),
         (Form::WordOrVector(words, ..), Some(_)) => {
             parts.push(format!("{}, or a list, {unit}", told(words)));
         }
-        (Form::Numbers(_), Some(range)) => parts.push(format!("{unit}, {range}; one or several")),
-        (_, Some(range)) if unit.is_empty() => parts.push(range.to_owned()),
-        (_, Some(range)) => parts.push(format!("{unit}, {range}")),
+        (Form::Numbers(_), Some(range)) => parts.push(format!("{range}; one or several")),
+        (_, Some(range)) => parts.push(range),
         (_, None) => parts.push(field.allowed()),
     }
     if !field.shapes.is_empty() {

@@ -158,6 +158,7 @@ fn the_case_reference_is_what_the_tables_say() {
             let name = entry.path.rsplit('.').next().unwrap();
             assert!(page.contains(&format!("| `{name}` |")), "{}", entry.path);
         }
+        assert!(!page.contains("; ,"), "{}: an empty unit", kind.name());
         agrees(&sources().join(format!("cases/{}.md", kind.name())), page.as_bytes());
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::catalogue::Entry;
 
+mod all;
 mod bellows;
 mod flange;
 mod fourier;
@@ -10,6 +11,7 @@ mod plate;
 
 /// The propositions, by number.
 pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("propositions", "The eight propositions, and where each stands").by(all::draw),
     Entry::check("proposition-3", "A rigid punch on a simply supported plate").by(plate::draw),
     Entry::check("proposition-4", "A flange at the end of a tube").by(flange::draw),
     Entry::check("proposition-5", "Large deformation of expansion bellows").by(bellows::draw),

@@ -60,7 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     columns::check(&file.path, &view::columns(&rows, false), &rows)?;
     let text = text(format, &rows, creep.as_ref())?;
     let picture = match plot {
-        Some(to) => Some((to, plot::draw(&rows, &state)?)),
+        Some(to) => Some(arguments.given.drawn(to, plot::draw(&rows, &state)?)),
         None => None,
     };
     let warnings = roll::warnings(&case, &rows, wanted);
