@@ -17,7 +17,6 @@ mod schema;
 mod shell;
 mod solve;
 mod stress;
-mod theory;
 mod thinned;
 
 use crate::destination::Destination;

@@ -7,7 +7,6 @@ mod uncertain;
 mod view;
 
 use crate::columns;
-use crate::command::theory::{Warnings, Worst, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
@@ -15,6 +14,7 @@ use crate::output::{Answer, Format, Results, json};
 use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_cases::case::{ImpactCase, ImpactFile, Input, Uncertainty};
 use carom_cases::impact::{self, outcome, swept};
+use carom_cases::theory::{Warnings, Worst, caution};
 use carom_impact::HistoryPoint;
 use carom_table::row;
 use rayon::prelude::*;
