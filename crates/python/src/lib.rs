@@ -32,8 +32,8 @@ mod _carom {
     use super::bodies::Body;
     #[pymodule_export]
     use super::cases::{
-        case_hertz, case_history, case_impact, case_new, case_roll, case_scene, case_solve,
-        case_stress,
+        case_hertz, case_history, case_impact, case_new, case_roll, case_scene, case_shell,
+        case_solve, case_stress,
     };
     #[pymodule_export]
     use super::collide::{collide, collide_many, history};

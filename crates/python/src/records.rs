@@ -8,16 +8,17 @@ use carom::table::{Column, Quantity, Value};
 use carom_cases::history::all_columns as history_columns;
 use carom_cases::roll;
 use carom_cases::scene::rebound_columns;
+use carom_cases::shell::{BellowsRow, FlangeSummary, RESPONSE_COLUMNS, RingPlace, WALL_COLUMNS};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Columns of texts. They are lists even if no record has a value.
-const TEXTS: [&str; 7] =
-    ["outcome", "regimes", "method", "warnings", "regime", "twist_regime", "wall"];
+const TEXTS: [&str; 8] =
+    ["outcome", "regimes", "method", "warnings", "regime", "twist_regime", "wall", "end"];
 /// Columns of whole numbers; 0 without a value.
-const COUNTS: [&str; 3] = ["step", "compressions", "iterations"];
+const COUNTS: [&str; 4] = ["step", "compressions", "iterations", "harmonic"];
 /// Columns that say `yes` or `no`.
 const FLAGS: [&str; 1] = ["slides"];
 
@@ -44,15 +45,20 @@ pub(crate) fn columns(
             all.extend(about(&rebound_columns()));
             Ok(all)
         }
+        "BellowsResponse" => Ok(about(RESPONSE_COLUMNS)),
+        "BellowsState" => Ok(about(BellowsRow::COLUMNS)),
         "CreepCoefficients" => Ok(about(roll::CREEP)),
         "DissimilarRestitution" => Ok(about(DissimilarRestitution::COLUMNS)),
+        "FlangeSummary" => Ok(about(FlangeSummary::COLUMNS)),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),
         "PathPoint" => Ok(about(PathPoint::COLUMNS)),
         "Rebound" => Ok(about(Outcome::COLUMNS)),
+        "RingPlace" => Ok(about(RingPlace::COLUMNS)),
         "RollState" => Ok(about(roll::COLUMNS)),
         "SolverStep" => Ok(about(&carom::solver::StepSummary::columns())),
+        "WallPlace" => Ok(about(WALL_COLUMNS)),
         _ => Err(PyValueError::new_err(format!("unknown result `{record}`"))),
     }
 }

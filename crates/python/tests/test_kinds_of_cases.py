@@ -205,3 +205,55 @@ def test_a_new_case_of_each_kind_runs_and_every_example_of_some(kind, tmp_path):
         assert examples
         for example in examples:
             assert repr(run(example))
+
+
+def test_a_bellows_is_followed_and_energy_is_kept(tmp_path):
+    bellows = carom.cases.shell(EXAMPLES / "shell_bellows.toml")
+    assert isinstance(bellows, carom.cases.Bellows)
+    loads = bellows.loads
+    np.testing.assert_allclose(loads.dilatation, np.linspace(-0.012, 0.012, 9), atol=1e-15)
+    # The work of the force is stored: Simpson's rule over the even steps on either side of rest.
+    step = loads.dilatation[1] - loads.dilatation[0]
+    weights = np.array([1, 4, 2, 4, 1]) * step / 3
+    np.testing.assert_allclose(weights @ loads.force[4:], loads.stored_energy[-1], rtol=1e-3)
+    np.testing.assert_allclose(-(weights @ loads.force[:5]), loads.stored_energy[0], rtol=1e-3)
+    assert set(loads.end) == {"reached"} and loads.iterations.dtype.kind == "i"
+    assert bellows.response.spring_rate == pytest.approx(loads.spring_rate[4], rel=1e-9)
+    assert bellows.places.radius[0] > bellows.places.radius[-1]
+    limited = """
+[bellows]
+shape = "sine"
+mean_radius = 10
+amplitude = 1e-4
+pitch = 3.44
+thickness = 0.1
+harmonics = 16
+material = { young_modulus = 1e5, poisson = 0.3 }
+[bellows.load]
+force = [-1000, -8000]
+"""
+    with pytest.warns(carom.OutsideTheoryWarning, match="a limit point comes before the load"):
+        bellows = carom.cases.shell(written(tmp_path, limited))
+    classical = 2 * np.pi * 0.01 * 1e5 / np.sqrt(3 * 0.91)
+    assert bellows.loads.end == ["reached", "limit of the force"]
+    assert bellows.loads.force[1] == pytest.approx(-classical, rel=0.015)
+
+
+def test_a_bare_ring_is_that_of_timoshenko(tmp_path):
+    ring = """
+[flange]
+radius = 2
+stiffness = { stretching = 1e7, in_plane = 1, out_of_plane = 1, torsion = 1 }
+places = 8
+[[flange.force]]
+radial = 3
+[[flange.force]]
+angle = 180
+radial = 3
+"""
+    flange = carom.cases.shell(written(tmp_path, ring))
+    assert isinstance(flange, carom.cases.Flange)
+    np.testing.assert_allclose(flange.places.angle, np.arange(0, 360, 45), atol=1e-12)
+    across = 6 * (1 / np.pi - 0.5)
+    np.testing.assert_allclose(flange.places.in_plane[[0, 2]], [6 / np.pi, across], rtol=1e-8)
+    assert flange.summary.maximal_in_plane == pytest.approx(6 / np.pi)

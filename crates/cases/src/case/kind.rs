@@ -155,7 +155,12 @@ impl CaseKind {
                 matches!(field.need, Need::Must) && !like.contains(&Some(field.name))
             });
             let of_unknown = |like: &Option<_>| if like.is_some() { 1 } else { -1 };
-            2 * (there.len() as i32 - missed.count() as i32)
+            // Of tables that replace one another one must be there.
+            let is_one_of = |field: &&Field| matches!(field.need, Need::Or(_));
+            let is_none_there = kind.fields().iter().any(|field| is_one_of(&field))
+                && !there.iter().any(|field| is_one_of(field))
+                && !lacking.iter().any(|field| is_one_of(field) && like.contains(&Some(field.name)));
+            2 * (there.len() as i32 - missed.count() as i32 - i32::from(is_none_there))
                 + like.iter().map(of_unknown).sum::<i32>()
         };
         // The first of those that fit best.

@@ -9,15 +9,20 @@ from numpy.typing import NDArray
 
 from ._record import Result
 from ._records import (
+    BellowsResponse,
+    BellowsStates,
     Bounces,
     CreepCoefficients,
+    FlangeSummary,
     HertzState,
     PathPoint,
     PathPoints,
     Rebound,
     Rebounds,
+    RingPlaces,
     RollStates,
     SolverSteps,
+    WallPlaces,
 )
 from ._types import Array
 
@@ -161,5 +166,48 @@ class Scene(Result):
         "ending": "why the path ends",
         "end": "the ball at the end",
         "path": "instants of every flight",
+    }
+    units = dict.fromkeys(meanings, "")
+
+
+class Bellows(Result):
+    """A bellows under each load of a case.
+
+    response  spring rate and effective area under small loads
+    loads     the bellows under each load, arrays (n,); forces, lengths and energies of all corrugations
+    places    displacements and stresses of a corrugation from crest to root after the last load, arrays (m,)
+    warnings  reasons to distrust the result
+    """
+
+    response: BellowsResponse
+    loads: BellowsStates
+    places: WallPlaces
+    warnings: list[str]
+
+    meanings = {
+        "response": "to small loads",
+        "loads": "the bellows under each load",
+        "places": "from crest to root after the last load",
+        "warnings": "reasons to distrust the result",
+    }
+    units = dict.fromkeys(meanings, "")
+
+
+class Flange(Result):
+    """A flange under the forces of a case.
+
+    summary   greatest absolute values around, and what tells of their accuracy
+    places    displacements and loads around, with a place for each force, arrays (n,)
+    warnings  reasons to distrust the result
+    """
+
+    summary: FlangeSummary
+    places: RingPlaces
+    warnings: list[str]
+
+    meanings = {
+        "summary": "greatest values around",
+        "places": "around the ring",
+        "warnings": "reasons to distrust the result",
     }
     units = dict.fromkeys(meanings, "")

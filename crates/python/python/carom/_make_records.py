@@ -6,14 +6,19 @@ from . import _carom
 
 #: The name of one result, of many (if there are), of the axis of many, and what one is.
 RESULTS = (
+    ("BellowsResponse", "", "bellows", "The response of a bellows to small loads."),
+    ("BellowsState", "BellowsStates", "load", "A bellows under one load; forces, lengths and energies of all corrugations."),
     ("Bounce", "Bounces", "bounce", "A bounce of a ball off a wall."),
     ("CreepCoefficients", "", "contact", "Kalker's creep coefficients of an elliptical contact."),
+    ("FlangeSummary", "", "flange", "Greatest absolute values of a flange around, and what tells of their accuracy."),
     ("DissimilarRestitution", "DissimilarRestitutions", "impact", "R_x of spheres of dissimilar materials."),
     ("HertzState", "HertzStates", "load", "A Hertz contact under load."),
     ("HistoryPoint", "HistoryPoints", "time", "An instant of an impact, in contact axes."),
     ("HistoryStep", "HistorySteps", "step", "A contact after a step of a history case. Loads act on body 1."),
     ("SolverStep", "SolverSteps", "step", "A step of the numerical solver. Loads act on body 1."),
     ("PathPoint", "PathPoints", "point", "An instant of the flight of a ball."),
+    ("RingPlace", "RingPlaces", "place", "A place around a flange: displacement and loads of its section."),
+    ("WallPlace", "WallPlaces", "place", "A place of a bellows between crest and root."),
     ("RollState", "RollStates", "row", "A rolling contact under one creepage, or after one distance. Loads act on body 1."),
     ("Rebound", "Rebounds", "impact", "The result of an impact. Quantities that only an impact has are NaN without one."),
 )

@@ -21,18 +21,23 @@ from numpy.typing import NDArray
 from . import _carom
 from ._arrays import counted
 from ._carom import RangeError
-from ._case_results import Rolled, Scene, Solved, Stresses, Sweep
+from ._case_results import Bellows, Flange, Rolled, Scene, Solved, Stresses, Sweep
 from ._records import (
+    BellowsResponse,
+    BellowsStates,
     Bounces,
     CreepCoefficients,
+    FlangeSummary,
     HertzState,
     HertzStates,
     HistorySteps,
     PathPoint,
     PathPoints,
     Rebound,
+    RingPlaces,
     RollStates,
     SolverSteps,
+    WallPlaces,
 )
 from ._types import Array
 from ._solver import FIELDS
@@ -41,6 +46,8 @@ from ._validity import warn
 Path = Union[str, "os.PathLike[str]"]
 
 __all__ = [
+    "Bellows",
+    "Flange",
     "Rolled",
     "Scene",
     "Solved",
@@ -52,6 +59,7 @@ __all__ = [
     "new",
     "roll",
     "scene",
+    "shell",
     "solve",
     "stress",
 ]
@@ -60,7 +68,7 @@ __all__ = [
 def new(kind: str) -> str:
     """A commented case of a kind, with all its fields; it runs without changes.
 
-    Kinds: impact, hertz, history, scene, solve, roll, stress.
+    Kinds: impact, hertz, history, scene, solve, roll, stress, shell.
 
     >>> import carom
     >>> carom.cases.new("solve").splitlines()[0]
@@ -228,5 +236,36 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
             "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
             "coefficients": None if creep is None else CreepCoefficients._of(creep),
             **_gridded(axes, fields, cells, exceeded + others),
+        }
+    )
+
+
+def shell(path: Path) -> Bellows | Flange:
+    """A bellows under pressure and axial load, or a flange under forces around it.
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "bellows.toml"
+    >>> _ = path.write_text(carom.cases.new("shell"))
+    >>> bellows = carom.cases.shell(path)
+    >>> bool(bellows.loads.force[2] > -bellows.loads.force[0])  # extension stiffens
+    True
+    """
+    kind, summary, loads, places, warnings = _carom.case_shell(os.fspath(path))
+    warn(warnings)
+    if kind == "bellows":
+        assert loads is not None
+        return Bellows(
+            {
+                "response": BellowsResponse._of(summary),
+                "loads": BellowsStates._shaped(loads, (len(loads["force"]),)),
+                "places": WallPlaces._shaped(places, (len(places["parameter"]),)),
+                "warnings": warnings,
+            }
+        )
+    return Flange(
+        {
+            "summary": FlangeSummary._of(summary),
+            "places": RingPlaces._shaped(places, (len(places["angle"]),)),
+            "warnings": warnings,
         }
     )

@@ -2,9 +2,11 @@
 
 mod contact;
 mod scene;
+mod shell;
 
 pub(crate) use contact::{case_hertz, case_roll, case_stress};
 pub(crate) use scene::case_scene;
+pub(crate) use shell::case_shell;
 
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState, GridWarning};

@@ -71,7 +71,7 @@ impl View {
         let arm = body.centre() - self.origin;
         let middle = body.centre() - across * across.dot(&arm);
         let rim = if body.surface().is_plane() { None } else { self.rim(body, &middle) };
-        match rim {
+        match rim.map(|rim| with_hole(rim, self.hole(body, &middle))) {
             Some(rim) => {
                 let centre = self.flat(&(middle - self.origin));
                 let from = |at: &Point| Point::new(at.x - centre.x, at.y - centre.y);
@@ -98,6 +98,23 @@ impl View {
         (0..DIRECTIONS).map(to).collect()
     }
 
+    /// The inner edge of a body that is hollow about its middle, like a torus seen along its axis, in
+    /// every direction; None if there is no hole.
+    fn hole(&self, body: &Placed, middle: &Vector3<f64>) -> Option<Vec<Point>> {
+        let step = body.surface().size() / STEPS as f64;
+        let to = |i: usize| {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / DIRECTIONS as f64).sin_cos();
+            let direction = self.along * cos + self.up * sin;
+            (0..STEPS).find_map(|k| {
+                let start = middle + direction * (step * k as f64);
+                let way = body.entry(&start, &direction)?;
+                let is_near = way > 0.0 && way <= step;
+                is_near.then(|| self.flat(&(start + direction * way - self.origin)))
+            })
+        };
+        (0..DIRECTIONS).map(to).collect()
+    }
+
     /// The surface near the contact as a parabola, with the body behind it.
     fn near_contact(&self, body: &Placed, reach: f64) -> Vec<Point> {
         let local = body.local(&self.origin).ok();
@@ -111,6 +128,18 @@ impl View {
         });
         surface.chain([Point::new(reach, side * reach), Point::new(-reach, side * reach)]).collect()
     }
+}
+
+/// The outline of a body with a hole: around, in along a seam above the centre, and around the hole the
+/// other way, so that the hole stays empty.
+fn with_hole(rim: Vec<Point>, hole: Option<Vec<Point>>) -> Vec<Point> {
+    let Some(hole) = hole else { return rim };
+    let around = |points: &[Point]| -> Vec<Point> {
+        (0..=DIRECTIONS).map(|i| points[(i + DIRECTIONS / 4) % DIRECTIONS]).collect()
+    };
+    let mut inner = around(&hole);
+    inner.reverse();
+    [around(&rim), inner].concat()
 }
 
 fn bodies(record: &Record) -> Panel {
@@ -143,7 +172,9 @@ fn bodies(record: &Record) -> Panel {
         };
         let label = format!("body {}", i + 1);
         panel.add(Series::area(label, at(BEFORE)).coloured(i).moving(SECONDS, (0..FRAMES).map(at)));
-        if turns && centre != Point::new(0.0, 0.0) {
+        // The seam of a body with a hole shows how it turns.
+        let is_whole = outline.len() == DIRECTIONS;
+        if turns && is_whole && centre != Point::new(0.0, 0.0) {
             let spoke = |frame: usize| {
                 let (centre, angle) = place(frame);
                 let foot = Point::new(0.0, outline[DIRECTIONS / 4].y);
