@@ -139,8 +139,9 @@ pub struct CaromRebound {
 /// normal.
 ///
 /// # Safety
-/// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null or may be
-/// read for the number of bytes in its `size`; `rebound` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `normal` must be null or have three numbers. `options` must be null or have as many bytes as its `size`
+/// says.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_collide(
     body_1: *const CaromBody,

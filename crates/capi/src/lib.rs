@@ -15,7 +15,16 @@
 //!   may be null. The library keeps nothing between calls, no panic crosses the border, and a failed call
 //!   leaves the caller's data as they were.
 //!
-//! The header `include/carom.h` is generated from this crate.
+//! The header `include/carom.h` is generated from this crate, in groups by task.
+//!
+//! # Pointers
+//! A pointer must be null or point to an object of its type; where the function names a number of entries, to
+//! the first of so many. The objects that a call writes must overlap no other. A null pointer where none is
+//! allowed gives [`CaromStatus::NullPointer`], one that is not aligned [`CaromStatus::Misaligned`].
+//!
+//! A memory ([`CaromContact`], [`CaromTouch`], [`CaromRingTouch`]) must be zero bytes or written by this build
+//! of the library; other bytes give an error status or meaningless numbers. [`CaromRings`] must be made by
+//! [`carom_rings_of`] and not yet freed.
 
 mod batch;
 mod collide_options;
