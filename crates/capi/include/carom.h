@@ -23,8 +23,9 @@
  *   4. Contacts of particles: grains and walls
  *   5. Impacts
  *   6. R_x of spheres
- *   7. Twist about the normal
- *   8. Rings: particles of dissimilar materials */
+ *   7. Limits of the theory
+ *   8. Twist about the normal
+ *   9. Rings: particles of dissimilar materials */
 
 #ifndef CAROM_H
 #define CAROM_H
@@ -625,24 +626,6 @@ typedef struct carom_collide_options {
 /* A box: `sizes` are its edge lengths. Contact at its edges and corners is not computed. */
 #define CAROM_SHAPE_BOX 6
 
-/* Normal and tangential displacements are coupled by the materials; the result neglects this. */
-#define CAROM_WARNING_COUPLING 1
-
-/* The contact is not small compared with the bodies. */
-#define CAROM_WARNING_LARGE_CONTACT 2
-
-/* Elastic waves would carry away more than 1 % of the normal energy. */
-#define CAROM_WARNING_WAVE_LOSS 4
-
-/* Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it. */
-#define CAROM_WARNING_SPIN_LEFT_ALONE 8
-
-/* The outcome did not converge to its tolerance. */
-#define CAROM_WARNING_NOT_SETTLED 16
-
-/* The contact point was found by sampling the surfaces; the bodies may touch elsewhere too. */
-#define CAROM_WARNING_POINT_SAMPLED 32
-
 /* A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
  * those of space. */
 typedef struct carom_body {
@@ -808,7 +791,58 @@ carom_status carom_restitution_dissimilar(double kappa,
                                           uint32_t *method,
                                           struct carom_error *error);
 
-/* ---- 7. Twist about the normal ------------------------------------------------
+/* ---- 7. Limits of the theory --------------------------------------------------
+ *
+ * Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.
+ * carom_pair_validity tells whether a contact is small enough for Hertz's theory. */
+
+/* Normal and tangential displacements are coupled by the materials; the result neglects this. */
+#define CAROM_WARNING_COUPLING 1
+
+/* The contact is not small compared with the bodies: a/R exceeds 0.1, beyond Hertz's theory. */
+#define CAROM_WARNING_LARGE_CONTACT 2
+
+/* Elastic waves would carry away more than 1 % of the normal energy. */
+#define CAROM_WARNING_WAVE_LOSS 4
+
+/* Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it. */
+#define CAROM_WARNING_SPIN_LEFT_ALONE 8
+
+/* The outcome did not converge to its tolerance. */
+#define CAROM_WARNING_NOT_SETTLED 16
+
+/* The contact point was found by sampling the surfaces; the bodies may touch elsewhere too. */
+#define CAROM_WARNING_POINT_SAMPLED 32
+
+/* The approach exceeds a tenth of the radius: the bodies are no half-spaces, and the result is approximate at
+ * best. Check the units. */
+#define CAROM_WARNING_LARGE_APPROACH 64
+
+/* How far a contact lies within Hertz's theory, which holds for contacts that are small compared with the
+ * bodies. R is the smallest radius of curvature of the two bodies at the contact. */
+typedef struct carom_validity {
+  /* a/R: the larger semi-axis of the contact over R. Hertz's theory requires at most 0.1. */
+  double semi_axis_over_radius;
+  /* zeta/R: the approach over R. Above 0.1 the result is approximate at best, above 1 meaningless. */
+  double approach_over_radius;
+  /* CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH, both, or 0 within the theory. */
+  uint32_t warnings;
+} carom_validity;
+
+/* Whether a contact at the approach `zeta` (m, at least 0) lies within Hertz's theory. `radius` is the
+ * smallest radius of curvature of the two bodies at the contact, m: of two spheres the smaller one. For grains
+ * make the pair by `carom_pair_of_spheres`. The pair must know its contact ellipse: one of
+ * `carom_pair_of_stiffness` does not. */
+carom_status carom_pair_validity(const struct carom_pair *pair,
+                                 double zeta,
+                                 double radius,
+                                 struct carom_validity *validity,
+                                 struct carom_error *error);
+
+/* A sentence for one CAROM_WARNING bit. Never null, and not to be freed. */
+const char *carom_warning_text(uint32_t warning);
+
+/* ---- 8. Twist about the normal ------------------------------------------------
  *
  * The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains
  * and carom_touch_twist_wall for particles. */
@@ -894,7 +928,7 @@ carom_status carom_touch_twist_energy(const struct carom_grains *grains,
                                       double *energy,
                                       struct carom_error *error);
 
-/* ---- 8. Rings: particles of dissimilar materials ------------------------------
+/* ---- 9. Rings: particles of dissimilar materials ------------------------------
  *
  * Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the
  * matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step. */

@@ -41,6 +41,12 @@ const GROUPS: &[Group] = &[
         modules: &["restitution"],
     },
     Group {
+        title: "Limits of the theory",
+        about: "Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.\n\
+                carom_pair_validity tells whether a contact is small enough for Hertz's theory.",
+        modules: &["validity"],
+    },
+    Group {
         title: "Twist about the normal",
         about: "The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains\n\
                 and carom_touch_twist_wall for particles.",
