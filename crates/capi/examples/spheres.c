@@ -2,8 +2,8 @@
  *
  *     cc spheres.c -I../include -lcarom_capi -lm -o spheres
  *
- * Prints R_x and the balance of energy, compares R_x with the exact impact, and exits with 1 if one is
- * wrong.
+ * Prints R_x and the balance of energy, compares R_x with the exact impact, and exits with 1 if one
+ * is wrong.
  */
 #include <math.h>
 #include <stdio.h>
@@ -34,8 +34,8 @@ static double kinetic(const carom_grain *ball, double mass, double inertia) {
   return 0.5 * (mass * dot(ball->velocity, ball->velocity) + inertia * dot(ball->spin, ball->spin));
 }
 
-/* The velocity of the surface of ball 2 against that of ball 1 along x, where they touch. The normal is z,
- * from ball 2 into ball 1. */
+/* The velocity of the surface of ball 2 against that of ball 1 along x, where they touch. The normal
+ * is z, from ball 2 into ball 1. */
 static double sliding(const carom_grain *one, const carom_grain *two) {
   return two->velocity[0] + two->radius * two->spin[1] -
          (one->velocity[0] - one->radius * one->spin[1]);
@@ -91,11 +91,11 @@ static void kick(carom_grain *one, carom_grain *two, const carom_grain_load *loa
 
 /* Steps the impact by leapfrog until the balls separate. Returns R_x. */
 static double step(double mass, double inertia, double dt) {
-  carom_grains grains;   /* the constants of glass on glass */
-  carom_touch touch;     /* the memory of this contact: zero bytes before contact */
-  carom_grain one, two;
-  carom_grain_load load; /* on ball 1 */
-  carom_heats heats = {0.0, 0.0}; /* every step adds to them */
+  carom_grains grains;            /* the constants of glass on glass */
+  carom_touch touch;              /* the memory of this contact: zero bytes before contact */
+  carom_grain one, two;           /* positions, velocities, spins */
+  carom_grain_load load;          /* on ball 1, and the torque on ball 2 */
+  carom_heats heats = {0.0, 0.0}; /* each step adds to it */
   carom_error error;
   double before, energy, elastic, imbalance = 0.0, sliding_before;
   int steps = 0;
@@ -147,7 +147,8 @@ int main(void) {
   const carom_rebound rebound = exact(mass);
   const double R_x = step(mass, inertia, rebound.duration / 400.0);
   printf("R_x = %.4f stepped, %.4f exact\n", R_x, rebound.R_x);
-  must(fabs(R_x - rebound.R_x) < 5e-3, "the stepped impact is the exact one");
+  /* The exact impact neglects that the normal turns, by 7e-4 rad while the balls touch. */
+  must(fabs(R_x - rebound.R_x) < 2e-3, "the stepped impact is the exact one");
   if (failures == 0) printf("all is well\n");
   return failures != 0;
 }

@@ -43,17 +43,21 @@ pub struct CaromValidity {
 
 impl CaromValidity {
     fn new(semi_axis: f64, approach: f64, radius: f64) -> Self {
-        let [contact, of_approach] = [semi_axis / radius, approach / radius];
-        let contact_bit =
-            if contact > Warning::LARGE_CONTACT { CAROM_WARNING_LARGE_CONTACT } else { 0 };
-        let approach_bit =
-            if of_approach > LARGE_APPROACH { CAROM_WARNING_LARGE_APPROACH } else { 0 };
+        let [contact, approach] = [semi_axis / radius, approach / radius];
         Self {
             semi_axis_over_radius: contact,
-            approach_over_radius: of_approach,
-            warnings: contact_bit | approach_bit,
+            approach_over_radius: approach,
+            warnings: contact_bit(contact) | approach_bit(approach),
         }
     }
+}
+
+fn contact_bit(semi_axis_over_radius: f64) -> u32 {
+    if semi_axis_over_radius > Warning::LARGE_CONTACT { CAROM_WARNING_LARGE_CONTACT } else { 0 }
+}
+
+fn approach_bit(approach_over_radius: f64) -> u32 {
+    if approach_over_radius > LARGE_APPROACH { CAROM_WARNING_LARGE_APPROACH } else { 0 }
 }
 
 /// Whether a contact at the approach `zeta` (m, at least 0) lies within Hertz's theory. `radius` is the
@@ -123,10 +127,8 @@ fn bit(warning: &Warning, rebound: &Rebound) -> u32 {
         Warning::Coupling { .. } => CAROM_WARNING_COUPLING,
         Warning::LargeContact { ratio } => {
             let ellipse = rebound.maximal_contact;
-            let semi_axis = ellipse.semi_axis_a().max(ellipse.semi_axis_b());
-            CAROM_WARNING_LARGE_CONTACT
-                | CaromValidity::new(semi_axis, rebound.maximal_approach, semi_axis / ratio)
-                    .warnings
+            let radius = ellipse.semi_axis_a().max(ellipse.semi_axis_b()) / ratio;
+            CAROM_WARNING_LARGE_CONTACT | approach_bit(rebound.maximal_approach / radius)
         }
         Warning::WaveLoss { .. } => CAROM_WARNING_WAVE_LOSS,
         Warning::SpinLeftAlone { .. } => CAROM_WARNING_SPIN_LEFT_ALONE,

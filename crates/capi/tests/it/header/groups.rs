@@ -119,10 +119,10 @@ impl Modules {
     fn place(&self, name: &str) -> (usize, usize) {
         let module =
             self.0.get(name).unwrap_or_else(|| panic!("no group has a module with {name}"));
-        let places = GROUPS.iter().enumerate().filter_map(|(i, group)| {
+        let mut places = GROUPS.iter().enumerate().filter_map(|(i, group)| {
             Some((i, group.modules.iter().position(|own| own == module)?))
         });
-        places.last().unwrap()
+        places.next().unwrap()
     }
 }
 

@@ -4,7 +4,8 @@
 //
 // Calls. Every function that can fail returns a carom_status. What is wrong it writes as a sentence into the
 // `text` of a carom_error, which may always be null. A failed call leaves the data of the caller as they
-// were. The library keeps nothing between calls, so that different threads may work on different data.
+// were; a call on many contacts keeps those before the one that failed. The library keeps nothing between
+// calls, so that different threads may work on different data.
 //
 // Data. All structures are plain data that may be copied as bytes. Constants (carom_pair, carom_grains) are
 // made once. Memories (carom_contact, carom_touch, carom_ring_touch) belong to the caller. A memory must be
