@@ -1,6 +1,6 @@
 /* Two glass spheres collide obliquely, stepped in time as a particle code does it.
  *
- *     cc spheres.c -I../include -lcarom_capi -lm -o spheres
+ *     cc spheres.c $(pkg-config --cflags --libs carom) -lm -o spheres
  *
  * Prints R_x and the balance of energy, compares R_x with the exact impact, and exits with 1 if one
  * is wrong.
