@@ -2,7 +2,8 @@
 
 use crate::outcome::Outcome;
 use crate::{
-    book, browse, cargo, changes, deny, lammps, mutants, python, release, sanitize, test, tidy,
+    book, browse, cargo, changes, deny, install_c, lammps, mutants, python, release, sanitize,
+    test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -34,6 +35,11 @@ const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
     (MANIFESTS, "packages", || passed(release::pack_quickly())),
     (&["docs"], "the book", book::run),
     (
+        &["Cargo.toml", "crates/capi", "xtask/src/install_c"],
+        "the installed C library, by pkg-config and CMake",
+        install_c::check,
+    ),
+    (
         &[
             "plugins",
             "crates/capi",
@@ -61,6 +67,7 @@ const LONG: &[(&str, Step)] = &[
     ("packages", || passed(release::pack_quickly())),
     ("the book", book::run),
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
+    ("the installed C library, by pkg-config and CMake", install_c::check),
     ("the C border under sanitizers", sanitize::run),
     ("a search for a bad path of Coulomb's law", adversary),
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),

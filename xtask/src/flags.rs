@@ -1,5 +1,7 @@
 //! The command line.
 
+use std::path::PathBuf;
+
 xflags::xflags! {
     /// Tasks of the workspace.
     cmd xtask {
@@ -77,6 +79,13 @@ xflags::xflags! {
         cmd lammps {
             /// Leave out the tests that take minutes.
             optional --short
+        }
+        /// Builds the C library and installs header, static and shared library, carom.pc and a CMake package below a
+        /// prefix. Without a prefix it installs below target/, and builds and runs the examples from there by
+        /// pkg-config and CMake.
+        cmd install-c {
+            /// The folder that gets include/ and lib/.
+            optional --prefix dir: PathBuf
         }
         /// Checks the dependencies against deny.toml by cargo-deny: licences, bans, sources, and advisories if
         /// their database can be fetched.

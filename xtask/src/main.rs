@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `release`, `book`, `generate`, `ci`, `bench`.
+//! `python`, `lammps`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`.
 //!
 //! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
 //! builds quickly.
@@ -13,6 +13,7 @@ mod ci;
 mod deny;
 mod flags;
 mod generate;
+mod install_c;
 mod lammps;
 mod mutants;
 mod outcome;
@@ -60,6 +61,10 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             }
         }
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
+        flags::XtaskCmd::InstallC(options) => match &options.prefix {
+            Some(prefix) => install_c::install(prefix)?,
+            None => drop(install_c::check()?.accept()?),
+        },
         flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
         flags::XtaskCmd::Ci(options) => ci::run(options.long)?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,

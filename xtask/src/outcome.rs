@@ -21,6 +21,8 @@ pub(crate) enum Part {
     Advisories,
     /// Licences, bans and sources of the dependencies.
     Dependencies,
+    /// The examples in C and Fortran, with the installed library.
+    CInstalled,
     /// The pages of the book.
     BookPages,
     /// The report or the book in a browser.

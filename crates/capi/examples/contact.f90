@@ -1,6 +1,6 @@
 ! A contact with memory from Fortran, by iso_c_binding: pressed, shifted to and fro.
 !
-!     gfortran contact.f90 -lcarom_capi -o contact
+!     gfortran contact.f90 $(pkg-config --libs carom) -o contact
 module carom
   use, intrinsic :: iso_c_binding
   implicit none

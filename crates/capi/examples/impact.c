@@ -1,6 +1,6 @@
 /* A ball on a plate, and R_x of many balls: carom from C.
  *
- *     cc impact.c -I../include -lcarom_capi -lm -o impact
+ *     cc impact.c $(pkg-config --cflags --libs carom) -lm -o impact
  *
  * Prints its results, and exits with 1 if one is wrong.
  */
@@ -46,6 +46,9 @@ static void impact(void) {
          rebound.body_1_velocity[1], rebound.body_1_velocity[2], rebound.body_1_spin[1]);
   printf("R_x = %.6f in %.1f us at up to %.0f N\n", rebound.R_x, 1e6 * rebound.duration,
          rebound.maximal_force);
+  for (uint32_t bit = 1; bit != 0 && bit <= rebound.warnings; bit *= 2) {
+    if (rebound.warnings & bit) printf("warning: %s\n", carom_warning_text(bit));
+  }
   must(fabs(rebound.body_1_velocity[2] - 2.0) < 1e-12, "it rises as fast as it fell");
   const double balance = rebound.energy_before - rebound.energy_after - rebound.energy_dissipated;
   must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
@@ -107,7 +110,7 @@ static void contacts(void) {
   must(carom_pair_of_spheres(&glass, &glass, 1e-3, 1e-3, 0.4, CAROM_LAW_COULOMB, 0.0, &pair,
                              &error) == CAROM_STATUS_OK,
        "a pair");
-  for (int step = 0; step < 200; ++step) {
+  for (int step = 0; step < 250; ++step) {
     for (int i = 0; i < 8; ++i) {
       const double t = 0.01 * step;
       particles[i].shift.zeta = 1e-7 * sin(3.0 * t) * (1.0 + 0.1 * i) - 1e-8;
@@ -133,7 +136,8 @@ static void contacts(void) {
            carom_contact_load(&pair, &restarted, &again, &error) == CAROM_STATUS_OK,
        "a restart");
   printf("contact 3: F = (%.6e, %.6e, %.6e) N\n", again.f_x, again.f_y, again.f_z);
-  must(fabs(again.f_x - particles[3].load.f_x) <= 1e-12 * fabs(again.f_z), "the same load again");
+  must(again.f_z > 0.0 && fabs(again.f_x - particles[3].load.f_x) <= 1e-12 * again.f_z,
+       "the same load again");
 
   must(carom_contact_advance(&pair, NULL, particles[0].shift, NULL, &error) ==
            CAROM_STATUS_NULL_POINTER,

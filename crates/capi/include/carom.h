@@ -1,695 +1,167 @@
-// carom: elastic impact with friction, for C and C++ (Fortran: see contact.f90).
-//
-// Made by cbindgen from the Rust sources of carom-capi; not to be edited.
+/* carom: elastic impact with friction, for C and C++ (Fortran: see contact.f90).
+ *
+ * Made from the Rust sources of carom-capi; not to be edited.
+ *
+ * Calls. Every function that can fail returns a carom_status. What is wrong it writes as a sentence into the
+ * `text` of a carom_error, which may always be null. A failed call leaves the data of the caller as they
+ * were; a call on many contacts keeps those before the one that failed. The library keeps nothing between
+ * calls, so that different threads may work on different data.
+ *
+ * Data. All structures are plain data that may be copied as bytes. Constants (carom_pair, carom_grains) are
+ * made once. Memories (carom_contact, carom_touch, carom_ring_touch) belong to the caller. A memory must be
+ * zero bytes at first; afterwards only this build of the library may write it. Other bytes give an error
+ * status or meaningless numbers. Units are SI, or any consistent set.
+ *
+ * Pointers. A pointer must be null or point to an object of its type; where the function names a number of
+ * entries, to the first of so many. The objects that a call writes must overlap no other. A null pointer
+ * where none is allowed gives CAROM_STATUS_NULL_POINTER, one that is not aligned CAROM_STATUS_MISALIGNED.
+ *
+ * Contents
+ *
+ *   1. Errors and versions
+ *   2. Constants of a pair
+ *   3. One contact with memory
+ *   4. Contacts of particles: grains and walls
+ *   5. Impacts
+ *   6. R_x of spheres
+ *   7. Limits of the theory
+ *   8. Twist about the normal
+ *   9. Rings: particles of dissimilar materials */
 
 #ifndef CAROM_H
 #define CAROM_H
 
-#include <stdarg.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdlib.h>
 
-// Constants (carom_pair) are made once, memories (carom_contact, carom_touch) are the caller's, and
-// every function returns a carom_status; what is wrong it writes into a carom_error, which may be
-// null. All structures are plain data and may be copied as bytes. Nothing is kept between calls and
-// no function needs another thread's permission: different data may be used by different threads.
+#ifdef __cplusplus
+extern "C" {
+#endif
 
-// Chooses the cheapest law that accounts for the coupling of dissimilar materials. For spheres and planes
-// that is CAROM_IMPACT_RINGS where coupling matters. For other shapes coupling is neglected, and
-// CAROM_WARNING_COUPLING reports it.
-#define CAROM_IMPACT_AUTO 0
+/* ---- 1. Errors and versions --------------------------------------------------- */
 
-// The law `coulomb` for any materials: coupling is neglected.
-#define CAROM_IMPACT_COULOMB 1
-
-// The law `fixed-direction` for any materials: coupling is neglected.
-#define CAROM_IMPACT_FIXED_DIRECTION 2
-
-// The law `rings`, for spheres and planes only: it includes coupling and the spin about the normal.
-#define CAROM_IMPACT_RINGS 3
-
-// With CAROM_IMPACT_AUTO friction changes the spin about the normal where that matters; with other laws it
-// does not.
-#define CAROM_TORSION_AUTO 0
-
-// The spin about the normal is changed by a torsional impact that is computed as if there were no tangential
-// one.
-#define CAROM_TORSION_INCLUDED 1
-
-// The spin about the normal is not changed.
-#define CAROM_TORSION_LEFT_OUT 2
-
-// No energy is dissipated in the material of the bodies.
-#define CAROM_LOSS_NONE 0
-
-// The normal velocity after the impact is `normal_restitution`, in [0, 1], times that of an elastic impact.
-#define CAROM_LOSS_GIVEN 1
-
-// The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
-// ignored.
-#define CAROM_LOSS_BY_WAVES 2
-
-// Number of 8-byte words in a `carom_contact`, without its mark.
-#define CAROM_CONTACT_WORDS 144
-
-// A sphere: `sizes[0]` is its radius.
-#define CAROM_SHAPE_SPHERE 0
-
-// A fixed plane bounding a half-space; its axis c is the outward normal.
-#define CAROM_SHAPE_PLANE 1
-
-// An ellipsoid: `sizes` are its semi-axes.
-#define CAROM_SHAPE_ELLIPSOID 2
-
-// A cylinder about its axis c: radius and length.
-#define CAROM_SHAPE_CYLINDER 3
-
-// A cylinder between two half spheres, about its axis c: radius, and length of the straight part.
-#define CAROM_SHAPE_CAPSULE 4
-
-// A torus about its axis c: radius of the centre circle, radius of the tube.
-#define CAROM_SHAPE_TORUS 5
-
-// A box: `sizes` are its edge lengths. Contact at its edges and corners is not computed.
-#define CAROM_SHAPE_BOX 6
-
-// Normal and tangential displacements are coupled by the materials; the result neglects this.
-#define CAROM_WARNING_COUPLING 1
-
-// The contact is not small compared with the bodies.
-#define CAROM_WARNING_LARGE_CONTACT 2
-
-// Elastic waves would carry away more than 1 % of the normal energy.
-#define CAROM_WARNING_WAVE_LOSS 4
-
-// Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it.
-#define CAROM_WARNING_SPIN_LEFT_ALONE 8
-
-// The outcome did not converge to its tolerance.
-#define CAROM_WARNING_NOT_SETTLED 16
-
-// The contact point was found by sampling the surfaces; the bodies may touch elsewhere too.
-#define CAROM_WARNING_POINT_SAMPLED 32
-
-// `coulomb`: exact return mapping at each depth of the contact, to a tolerance, for paths that turn.
-#define CAROM_LAW_COULOMB 0
-
-// `fixed-direction`: one direction of traction in a slip annulus (chapter 7 of the thesis). Exact on
-// straight paths; where the direction turns, the mean error is 5 % of the friction limit. Faster.
-#define CAROM_LAW_FIXED_DIRECTION 1
-
-// `rings`: approach, shift, twist and the coupling of dissimilar materials act together; the contact, a
-// circle, is divided into concentric rings. For grains (`carom_ring_touch_grains`) only. With 100 steps in
-// an impact the error of R_x is at most .01, unless the tangential velocity is below f/2 times the normal
-// one.
-#define CAROM_LAW_RINGS 2
-
-// R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
-#define CAROM_BY_TABLE 0
-
-// R_x by the exact impact, in microseconds.
-#define CAROM_EXACT 1
-
-// R_x of dissimilar spheres by rings, in milliseconds.
-#define CAROM_BY_RINGS 2
-
-// Number of 8-byte words in a `carom_ring_touch`, without its mark.
-#define CAROM_RING_TOUCH_WORDS 420
-
-// Number of numbers into which a `carom_ring_touch` packs.
-#define CAROM_RING_TOUCH_NUMBERS 309
-
-// The first packed number of grains in contact; it names the format.
-#define CAROM_RING_TOUCH_MARK 30001.0
-
-// Number of numbers in a `carom_state`.
-#define CAROM_STATE_NUMBERS 66
-
-// Number of 8-byte words in a `carom_touch`, without its mark.
-#define CAROM_TOUCH_WORDS 158
-
-// Number of numbers into which a `carom_touch` packs.
-#define CAROM_TOUCH_NUMBERS 79
-
-// Number of numbers in a `carom_twist`.
-#define CAROM_TWIST_NUMBERS 83
-
-// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
-// the loaded library.
-#define CAROM_ABI_VERSION 5
-
-// Result of a call.
+/* Result of a call. */
 enum carom_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+#endif /* defined(__cplusplus) || __STDC_VERSION__ >= 202311L */
  {
-  // Success.
+  /* Success. */
   CAROM_STATUS_OK = 0,
-  // A required pointer is null.
+  /* A required pointer is null. */
   CAROM_STATUS_NULL_POINTER = 1,
-  // A pointer or a stride is not aligned to its type.
+  /* A pointer or a stride is not aligned to its type. */
   CAROM_STATUS_MISALIGNED = 2,
-  // A value is out of range; `carom_error` names the field.
+  /* A value is out of range; `carom_error` names the field. */
   CAROM_STATUS_OUT_OF_RANGE = 3,
-  // A state is not zero and was not written by this library.
+  /* A state is not zero and was not written by this library. */
   CAROM_STATUS_BAD_STATE = 4,
-  // The bodies have no contact that this library can compute.
+  /* The bodies have no contact that this library can compute. */
   CAROM_STATUS_NO_CONTACT = 5,
-  // The impact could not be computed to separation.
+  /* The impact could not be computed to separation. */
   CAROM_STATUS_NOT_FOLLOWED = 6,
-  // Internal error of this library; the results are not valid.
-  CAROM_STATUS_INTERNAL = 7,
+  /* Internal error of this library; the results are not valid. */
+  CAROM_STATUS_INTERNAL = 7
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
 typedef enum carom_status carom_status;
 #else
 typedef int32_t carom_status;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
+#endif /* __STDC_VERSION__ >= 202311L */
+#endif /* __cplusplus */
 
-// The regime of the last step of a contact.
-enum carom_regime
-#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : uint32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
-  // The bodies are separated.
-  CAROM_REGIME_SEPARATED = 0,
-  // The whole contact sticks: its edge grew faster than the slip would.
-  CAROM_REGIME_ADHESION = 1,
-  // The edge receded, and the rest of the contact did not slip.
-  CAROM_REGIME_RELEASE = 2,
-  // An annulus at the edge slipped.
-  CAROM_REGIME_SLIP = 3,
-  // Slip began anew at the edge, in the opposite direction.
-  CAROM_REGIME_REVERSAL = 4,
-  // The slip annulus grew past older ones and erased them.
-  CAROM_REGIME_OVERLAY = 5,
-  // The whole contact slid.
-  CAROM_REGIME_SLIDING = 6,
-};
-#ifndef __cplusplus
-#if __STDC_VERSION__ >= 202311L
-typedef enum carom_regime carom_regime;
-#else
-typedef uint32_t carom_regime;
-#endif // __STDC_VERSION__ >= 202311L
-#endif // __cplusplus
-
-// The matrices of CAROM_LAW_RINGS for two materials and a coefficient of friction, some 60 kilobytes. They
-// serve contacts of any radius, do not change, and may be used by several threads at once.
-typedef struct carom_rings carom_rings;
-
-// The constants of a contact: plain data, made by the functions `carom_pair_of_...` and not to be changed
-// otherwise. Units are SI, or any consistent set.
-typedef struct carom_pair {
-  // Tangential stiffness along x, N/m^1.5: in full adhesion dF_x = c_x sqrt(zeta) dxi.
-  double c_x;
-  // Tangential stiffness along y, N/m^1.5.
-  double c_y;
-  // Normal stiffness, N/m^1.5: F_z = (2/3) c_z zeta^1.5.
-  double c_z;
-  // The coefficient of friction, from 0 to infinity (no slip).
-  double friction;
-  // Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
-  // accuracy with which tractions satisfy the friction limit.
-  double tolerance;
-  // a^2/zeta of the contact ellipse, m; 0 if unknown.
-  double a_squared;
-  // b^2/zeta of the contact ellipse, m; 0 if unknown.
-  double b_squared;
-  // Torsional stiffness: torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if unknown.
-  double torsion_stiffness;
-  // Arm of the sliding torque: torque over f F_z, over zeta^0.5, m^0.5; 0 if unknown.
-  double torsion_arm;
-  // Gamma, the coupling of normal and tangential displacements (15.2); 0 for like materials, or if
-  // unknown.
-  double gamma;
-  // Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
-  // neglect coupling.
-  double coupling_bound;
-  // CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS.
-  uint32_t law;
-  // CAROM_ABI_VERSION of the library that made the pair.
-  uint32_t version;
-} carom_pair;
-
-// The state of a contact in memory of the caller: 1160 bytes, aligned to 8, that may be copied as bytes.
-// Zero bytes stand for two bodies that just touch, without shift.
-//
-// It stores the law with its constants, so that a step reads and writes only what it needs. Only the build
-// that wrote it can read it; `carom_contact_pack` converts it to a `carom_state`.
-//
-// The constants are those of the pair of the first advance. To change them, set the contact to zero.
-typedef struct carom_contact {
-  // Identifies the build that wrote the contact. Written by this library only.
-  uint64_t mark;
-  // The bytes of the law.
-  uint64_t words[CAROM_CONTACT_WORDS];
-} carom_contact;
-
-// Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1.
-typedef struct carom_shift {
-  // The approach, positive in contact, m.
-  double zeta;
-  // The shift along x, m.
-  double xi;
-  // The shift along y, m.
-  double eta;
-} carom_shift;
-
-// The load that body 2 exerts on body 1.
-typedef struct carom_load {
-  // Tangential force along x, N.
-  double f_x;
-  // Tangential force along y, N.
-  double f_y;
-  // Normal force, positive in compression, N.
-  double f_z;
-} carom_load;
-
-// Describes an error. Filled in by a call that does not return `CAROM_STATUS_OK`, otherwise not changed.
+/* Describes an error: `text` is the message to print, `field` and `value` say what was wrong. Filled in by a
+ * call that does not return `CAROM_STATUS_OK`, otherwise not changed. */
 typedef struct carom_error {
-  // Index of the array entry, from 0; -1 if no array is concerned.
+  /* Index of the array entry, from 0; -1 if no array is concerned. */
   int64_t index;
-  // The value of the field; 0 if it has none.
+  /* The value of the field; 0 if it has none. */
   double value;
-  // The name of the field or argument, or an empty string. Zero-terminated.
+  /* The name of the field or argument, or an empty string. Zero-terminated. */
   char field[40];
-  // The message, a sentence. Zero-terminated.
+  /* The message, a sentence such as "friction = -1 is out of range: must be >= 0". Zero-terminated. */
   char text[200];
 } carom_error;
 
-// The state of a contact beside its load.
-typedef struct carom_report {
-  // The share of the contact area that sticks.
-  double sticking;
-  // The regime of the last step.
-  carom_regime regime;
-} carom_report;
+/* A short text for each status. Never null, and not to be freed. */
+const char *carom_status_text(int32_t status);
 
-// The state of a contact as 66 numbers, in memory of the caller; zeros stand for two bodies that just touch,
-// without shift. The numbers mean the same on any machine and in any build of this `carom_state_version()`,
-// so that they can be stored in files and sent to other processes. `carom_contact_pack` writes them;
-// `carom_contact_unpack` makes a contact from them, which continues with the same bits. The friction of the
-// pair must be finite.
-typedef struct carom_state {
-  // Written by this library only.
-  double numbers[CAROM_STATE_NUMBERS];
-} carom_state;
+/* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
+ * the loaded library. */
+#define CAROM_ABI_VERSION 5
 
-// The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
-// changed otherwise.
-typedef struct carom_grains {
-  // The constants of a contact of relative radius 1.
-  struct carom_pair unit;
-  // The viscous relaxation time of the materials, s.
-  double relaxation;
-  // The displacement of body 1 at the contact over the approach.
-  double share_1;
-  // The displacement of body 2 at the contact over the approach.
-  double share_2;
-} carom_grains;
+/* The version of the library, as "0.1.0"; not to be freed. */
+const char *carom_version(void);
 
-// The state of the contact of two grains, in memory of the caller: 1280 bytes, aligned to 8, that may be
-// copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
-// `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
-//
-// The constants are those of the step in which contact began. To change them, set the touch to zero.
-// The constants are those of the step in which it began; to change them, make it zero.
-typedef struct carom_touch {
-  // Identifies the build that wrote the contact. Written by this library only.
-  uint64_t mark;
-  // The bytes of the contact.
-  uint64_t words[CAROM_TOUCH_WORDS];
-} carom_touch;
+/* The version of the structures and functions of this library. */
+uint32_t carom_abi_version(void);
 
-// A sphere with its motion, as a particle code stores it.
-typedef struct carom_grain {
-  // Position of its centre, m.
-  double place[3];
-  // The velocity of its centre, m/s.
-  double velocity[3];
-  // Angular velocity, rad/s.
-  double spin[3];
-  // Its radius, m.
-  double radius;
-} carom_grain;
+/* The version of the numbers in a `carom_state`; files of another version cannot be read. */
+uint32_t carom_state_version(void);
 
-// The load that body 2 exerts on body 1.
-typedef struct carom_grain_load {
-  // The force on body 1, N; the force on body 2 is opposite.
-  double force[3];
-  // The torque on body 1 about its centre, N m.
-  double torque_1[3];
-  // The torque on body 2 about its centre, N m; zero for a wall.
-  double torque_2[3];
-} carom_grain_load;
+/* ---- 2. Constants of a pair ---------------------------------------------------
+ *
+ * carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the
+ * materials and the shape, carom_pair_of_stiffness from stiffnesses. */
 
-// Two grains and their contact, for a call that advances many.
-typedef struct carom_encounter {
-  // The constants of the two materials.
-  const struct carom_grains *grains;
-  // The state of their contact; no two encounters may share one.
-  struct carom_touch *touch;
-  // Body 1.
-  struct carom_grain one;
-  // Body 2.
-  struct carom_grain two;
-  // Output: the load that body 2 exerts on body 1 at the end of the step.
-  struct carom_grain_load load;
-} carom_encounter;
+/* `coulomb`: exact return mapping at each depth of the contact, to a tolerance, for paths that turn. */
+#define CAROM_LAW_COULOMB 0
 
-// Dissipated energy, by cause, J.
-typedef struct carom_heats {
-  // Friction heat, including the energy released at a receding edge.
+/* `fixed-direction`: one direction of traction in a slip annulus (chapter 7 of the thesis). Exact on
+ * straight paths; where the direction turns, the mean error is 5 % of the friction limit. Faster. */
+#define CAROM_LAW_FIXED_DIRECTION 1
+
+/* `rings`: approach, shift, twist and the coupling of dissimilar materials act together; the contact, a
+ * circle, is divided into concentric rings. For grains (`carom_ring_touch_grains`) only. With 100 steps in
+ * an impact the error of R_x is at most .01, unless the tangential velocity is below f/2 times the normal
+ * one. */
+#define CAROM_LAW_RINGS 2
+
+/* The constants of a contact: plain data, made by the functions `carom_pair_of_...` and not to be changed
+ * otherwise. Units are SI, or any consistent set. */
+typedef struct carom_pair {
+  /* Tangential stiffness along x, N/m^1.5: in full adhesion dF_x = c_x sqrt(zeta) dxi. */
+  double c_x;
+  /* Tangential stiffness along y, N/m^1.5. */
+  double c_y;
+  /* Normal stiffness, N/m^1.5: F_z = (2/3) c_z zeta^1.5. */
+  double c_z;
+  /* The coefficient of friction, from 0 to infinity (no slip). */
   double friction;
-  // Energy dissipated by the viscoelastic material.
-  double damping;
-} carom_heats;
+  /* Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
+   * accuracy with which tractions satisfy the friction limit. */
+  double tolerance;
+  /* a^2/zeta of the contact ellipse, m; 0 if unknown. */
+  double a_squared;
+  /* b^2/zeta of the contact ellipse, m; 0 if unknown. */
+  double b_squared;
+  /* Torsional stiffness: torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if unknown. */
+  double torsion_stiffness;
+  /* Arm of the sliding torque: torque over f F_z, over zeta^0.5, m^0.5; 0 if unknown. */
+  double torsion_arm;
+  /* Gamma, the coupling of normal and tangential displacements (15.2); 0 for like materials, or if
+   * unknown. */
+  double gamma;
+  /* Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
+   * neglect coupling. */
+  double coupling_bound;
+  /* CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS. */
+  uint32_t law;
+  /* CAROM_ABI_VERSION of the library that made the pair. */
+  uint32_t version;
+} carom_pair;
 
-// An elastic material, or a rigid one.
+/* An elastic material, or a rigid one. */
 typedef struct carom_material {
-  // Young's modulus, Pa; infinite for a rigid body.
+  /* Young's modulus, Pa; infinite for a rigid body. */
   double young_modulus;
-  // Poisson's ratio, in (-1, 0.5]; ignored for a rigid body.
+  /* Poisson's ratio, in (-1, 0.5]; ignored for a rigid body. */
   double poisson;
 } carom_material;
 
-// A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
-// those of space.
-typedef struct carom_body {
-  // The shape, a CAROM_SHAPE constant.
-  uint32_t shape;
-  // 1 for a thin shell, 0 for a solid.
-  uint32_t hollow;
-  // The dimensions of the shape, m; see the CAROM_SHAPE constants.
-  double sizes[3];
-  // The mass, kg; infinite for a fixed body. Ignored for a plane.
-  double mass;
-  // The principal moments of inertia, kg m^2; zeros for those of a homogeneous body.
-  double moments[3];
-  // The material.
-  struct carom_material material;
-  // The centre of mass, m; for a plane any of its points.
-  double centre[3];
-  // The unit quaternion (w, i, j, k) that transforms components in body axes to space axes; zeros for no
-  // rotation.
-  double attitude[4];
-  // The velocity of the centre of mass, m/s.
-  double velocity[3];
-  // The angular velocity in space axes, rad/s.
-  double spin[3];
-} carom_body;
-
-// Options of an impact. Zero in any field but `size` selects the default.
-typedef struct carom_collide_options {
-  // `sizeof(carom_collide_options)`. Later versions add fields at the end; a smaller `size` leaves these
-  // at zero.
-  size_t size;
-  // The contact law, a CAROM_IMPACT constant.
-  uint32_t law;
-  // The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. Impulse and heat of
-  // friction shrink with the normal impulse; duration, force and approach are those of the elastic impact.
-  uint32_t loss;
-  // The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
-  // elastic, 0 leaves the bodies together.
-  double normal_restitution;
-  // Relative tolerance of the outcome; 0 for the default.
-  double tolerance;
-  // How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
-  // it.
-  uint32_t torsion;
-} carom_collide_options;
-
-// The result of an impact. Relative velocities at the contact are of body 2 against body 1. Columns of the
-// command `carom` and fields of Python's `Rebound` have the same names.
-typedef struct carom_rebound {
-  // 1 if the bodies collide. 0 if they do not approach each other: then only point, normal and motions are
-  // given.
-  uint32_t collides;
-  // The CAROM_WARNING bits that apply.
-  uint32_t warnings;
-  // The velocity of the centre of mass of body 1 after the impact, m/s.
-  double body_1_velocity[3];
-  // The angular velocity of body 1 after the impact, rad/s.
-  double body_1_spin[3];
-  // The velocity of the centre of mass of body 2 after the impact, m/s.
-  double body_2_velocity[3];
-  // The angular velocity of body 2 after the impact, rad/s.
-  double body_2_spin[3];
-  // The impulse that body 2 exerts on body 1, N s.
-  double impulse[3];
-  // The contact point, m.
-  double point[3];
-  // The unit normal at the contact point, from body 2 into body 1.
-  double normal[3];
-  // The relative velocity of the contact points before the impact, m/s.
-  double contact_velocity_before[3];
-  // The relative velocity of the contact points after the impact, m/s.
-  double contact_velocity_after[3];
-  // Minus the tangential velocity of the contact after the impact over that before; valid if `has_R_x` is
-  // 1.
-  double R_x;
-  // 1 if R_x is defined.
-  uint32_t has_R_x;
-  // Number of compression phases, each a maximum of the approach.
-  uint32_t compressions;
-  // The time from first contact to separation, s.
-  double duration;
-  // The maximum normal force, N.
-  double maximal_force;
-  // The maximum approach, m.
-  double maximal_approach;
-  // The semi-axis of the largest contact ellipse along x of the contact, the smaller one, m.
-  double maximal_semi_axis_a;
-  // The semi-axis of the largest contact ellipse along y of the contact, m.
-  double maximal_semi_axis_b;
-  // The kinetic energy before the impact, J.
-  double energy_before;
-  // The kinetic energy after the impact, J.
-  double energy_after;
-  // The energy dissipated by friction, J.
-  double energy_dissipated;
-  // The energy dissipated in the material of the bodies, J; 0 for elastic bodies.
-  double energy_lost;
-  // Estimated error of the velocity after the impact over that before; 0 for an exact solution.
-  double error_estimate;
-  // The relative spin about the normal after the impact over that before; valid if `has_torsion` is 1.
-  double spin_ratio;
-  // The angular impulse on body 1 about the normal, N m s; valid if `has_torsion` is 1.
-  double torque_impulse;
-  // 1 if friction was applied to the spin about the normal.
-  uint32_t has_torsion;
-} carom_rebound;
-
-// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3368 bytes, aligned
-// to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
-// can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
-// can read.
-//
-// Shift, twist and the coupling of dissimilar materials act together, so that no `carom_twist` is needed.
-typedef struct carom_ring_touch {
-  // Identifies the build that wrote the contact. Written by this library only.
-  uint64_t mark;
-  // The bytes of the contact.
-  uint64_t words[CAROM_RING_TOUCH_WORDS];
-} carom_ring_touch;
-
-// A flat wall, which may move.
-typedef struct carom_wall {
-  // Position of any of its points, m.
-  double place[3];
-  // Unit normal, pointing towards the grains.
-  double normal[3];
-  // Its velocity, m/s.
-  double velocity[3];
-} carom_wall;
-
-// The state of a contact that twists about its normal, as 83 numbers in memory of the caller; zeros stand
-// for two bodies that just touch, without twist. Twist and shift are independent: each law neglects the
-// other. As with a `carom_state`, the numbers may be stored in files and sent to other processes.
-//
-// The law stores up to 12 pieces of the history exactly, one or two for each reversal of the twist. Beyond
-// that it joins the pieces that matter least. Over random histories the error of the torque was then below
-// 3e-4 of the sliding torque in the mean, and .02 at most.
-typedef struct carom_twist {
-  // Written by this library only.
-  double numbers[CAROM_TWIST_NUMBERS];
-} carom_twist;
-
-#ifdef __cplusplus
-extern "C" {
-#endif // __cplusplus
-
-// Advances many contacts of one pair, contact i by shift i. A stride is the number of bytes from one entry
-// to the next, so that the arrays may be columns of larger structures. `loads` may be null.
-//
-// All shifts are checked before any contact is advanced: if one is out of range, nothing is changed and
-// `error->index` names it. An invalid contact ends the call at its index; those before it have been
-// advanced.
-//
-// # Safety
-// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count` entries
-// may be read and, except for the shifts, written; no two entries overlap. Each contact is as in
-// `carom_contact_advance`. `error` is null or may be written.
-carom_status carom_contact_advance_many(const struct carom_pair *pair,
-                                        size_t count,
-                                        struct carom_contact *contacts,
-                                        size_t contact_stride,
-                                        const struct carom_shift *shifts,
-                                        size_t shift_stride,
-                                        struct carom_load *loads,
-                                        size_t load_stride,
-                                        struct carom_error *error);
-
-// Moves the contact straight from the present shift to a new one. `load` may be null.
-//
-// A `zeta` that is not positive separates the bodies, and the history is lost.
-//
-// # Safety
-// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
-// contact is zero or was written by this build of the library; other bytes give an error status or
-// meaningless numbers.
-carom_status carom_contact_advance(const struct carom_pair *pair,
-                                   struct carom_contact *contact,
-                                   struct carom_shift shift,
-                                   struct carom_load *load,
-                                   struct carom_error *error);
-
-// The present load.
-//
-// # Safety
-// `pair` and `contact` are null or may be read; `load` and `error` are null or may be written. The
-// contact is as in `carom_contact_advance`.
-carom_status carom_contact_load(const struct carom_pair *pair,
-                                const struct carom_contact *contact,
-                                struct carom_load *load,
-                                struct carom_error *error);
-
-// The elastic energy of the contact, compression included, J.
-//
-// # Safety
-// As `carom_contact_load`.
-carom_status carom_contact_energy(const struct carom_pair *pair,
-                                  const struct carom_contact *contact,
-                                  double *energy,
-                                  struct carom_error *error);
-
-// The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
-// contact is not advanced.
-//
-// # Safety
-// As `carom_contact_load`.
-carom_status carom_contact_heat(const struct carom_pair *pair,
-                                const struct carom_contact *contact,
-                                struct carom_shift shift,
-                                double *heat,
-                                struct carom_error *error);
-
-// The regime of the last step, and the share of the contact that sticks.
-//
-// # Safety
-// As `carom_contact_load`.
-carom_status carom_contact_report(const struct carom_pair *pair,
-                                  const struct carom_contact *contact,
-                                  struct carom_report *report,
-                                  struct carom_error *error);
-
-// Rotates the contact axes by an angle (radians, from x to y). The state is transformed to the new axes and
-// stays the same in space.
-//
-// # Safety
-// `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
-// as in `carom_contact_advance`.
-carom_status carom_contact_turn_frame(const struct carom_pair *pair,
-                                      struct carom_contact *contact,
-                                      double angle,
-                                      struct carom_error *error);
-
-// Writes the state of a contact as plain numbers, for a file or another process.
-//
-// # Safety
-// `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
-// contact is as in `carom_contact_advance`.
-carom_status carom_contact_pack(const struct carom_pair *pair,
-                                const struct carom_contact *contact,
-                                struct carom_state *state,
-                                struct carom_error *error);
-
-// Makes a contact from a stored state. A contact that is not zero keeps its constants, which is faster: one
-// contact may read many states of a pair in turn.
-//
-// # Safety
-// `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
-carom_status carom_contact_unpack(const struct carom_pair *pair,
-                                  const struct carom_state *state,
-                                  struct carom_contact *contact,
-                                  struct carom_error *error);
-
-// One step of duration `dt` for many pairs of grains. Gives the same bits as `carom_touch_grains` for each,
-// in less time, since several pairs share vector instructions.
-//
-// An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
-// `heats` may be null; computing them costs several times the force.
-//
-// # Safety
-// `encounters` is null or `count` of them may be read and written, and what each points to is as in
-// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
-carom_status carom_touch_many(struct carom_encounter *encounters,
-                              size_t count,
-                              double dt,
-                              struct carom_heats *heats,
-                              struct carom_error *error);
-
-// A short text for each status. Never null, and not to be freed.
-const char *carom_status_text(int32_t status);
-
-// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
-// wall of material 2.
-//
-// `relaxation` is the viscous relaxation time A of the pair, s. It adds (2/3) c_z (3/2) A sqrt(zeta)
-// dzeta/dt to the force of Hertz; 0 for none. `law` and `tolerance` are as in `carom_pair_of_spheres`;
-// friction must be finite.
-//
-// # Safety
-// The materials are null or may be read, `grains` and `error` null or may be written.
-carom_status carom_grains_of(const struct carom_material *material_1,
-                             const struct carom_material *material_2,
-                             double friction,
-                             uint32_t law,
-                             double tolerance,
-                             double relaxation,
-                             struct carom_grains *grains,
-                             struct carom_error *error);
-
-// Computes the impact of two bodies that touch at their given positions. If `normal` is not null, body 1 is
-// first moved into contact with body 2 such that this is the common normal, from body 2 into body 1.
-//
-// `options` may be null for the defaults: elastic bodies; for spheres and planes the coupling of normal and
-// tangential displacements of dissimilar materials counts where it matters, and with it the spin about the
-// normal.
-//
-// # Safety
-// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null or may be
-// read for the number of bytes in its `size`; `rebound` and `error` are null or may be written.
-carom_status carom_collide(const struct carom_body *body_1,
-                           const struct carom_body *body_2,
-                           double friction,
-                           const double *normal,
-                           const struct carom_collide_options *options,
-                           struct carom_rebound *rebound,
-                           struct carom_error *error);
-
-// The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
-// radius negative). A `tolerance` of 0 selects the default for particles: 1e-2, for CAROM_LAW_RINGS 3e-3.
-//
-// # Safety
-// The materials are null or may be read, `pair` and `error` null or may be written.
+/* The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
+ * radius negative). A `tolerance` of 0 selects the default for particles: 1e-2, for CAROM_LAW_RINGS 3e-3. */
 carom_status carom_pair_of_spheres(const struct carom_material *material_1,
                                    const struct carom_material *material_2,
                                    double radius_1,
@@ -700,10 +172,7 @@ carom_status carom_pair_of_spheres(const struct carom_material *material_1,
                                    struct carom_pair *pair,
                                    struct carom_error *error);
 
-// The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
-//
-// # Safety
-// As `carom_pair_of_spheres`.
+/* The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m. */
 carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
                                       const struct carom_material *material_2,
                                       double curvature_a,
@@ -714,10 +183,7 @@ carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
                                       struct carom_pair *pair,
                                       struct carom_error *error);
 
-// The constants of a contact of known stiffnesses: dF_x = c_x sqrt(zeta) dxi, F_z = (2/3) c_z zeta^1.5.
-//
-// # Safety
-// `pair` and `error` are null or may be written.
+/* The constants of a contact of known stiffnesses: dF_x = c_x sqrt(zeta) dxi, F_z = (2/3) c_z zeta^1.5. */
 carom_status carom_pair_of_stiffness(double c_x,
                                      double c_y,
                                      double c_z,
@@ -727,27 +193,574 @@ carom_status carom_pair_of_stiffness(double c_x,
                                      struct carom_pair *pair,
                                      struct carom_error *error);
 
-// R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
-//
-// `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
-// tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
-// CAROM_EXACT.
-//
-// # Safety
-// `restitution` and `error` are null or may be written.
+/* ---- 3. One contact with memory -----------------------------------------------
+ *
+ * carom_contact_advance moves a contact of a carom_pair to a new approach and shift and returns the
+ * load; carom_contact_advance_many does so for an array. */
+
+/* The regime of the last step of a contact. */
+enum carom_regime
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif /* defined(__cplusplus) || __STDC_VERSION__ >= 202311L */
+ {
+  /* The bodies are separated. */
+  CAROM_REGIME_SEPARATED = 0,
+  /* The whole contact sticks: its edge grew faster than the slip would. */
+  CAROM_REGIME_ADHESION = 1,
+  /* The edge receded, and the rest of the contact did not slip. */
+  CAROM_REGIME_RELEASE = 2,
+  /* An annulus at the edge slipped. */
+  CAROM_REGIME_SLIP = 3,
+  /* Slip began anew at the edge, in the opposite direction. */
+  CAROM_REGIME_REVERSAL = 4,
+  /* The slip annulus grew past older ones and erased them. */
+  CAROM_REGIME_OVERLAY = 5,
+  /* The whole contact slid. */
+  CAROM_REGIME_SLIDING = 6
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum carom_regime carom_regime;
+#else
+typedef uint32_t carom_regime;
+#endif /* __STDC_VERSION__ >= 202311L */
+#endif /* __cplusplus */
+
+/* Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1. */
+typedef struct carom_shift {
+  /* The approach, positive in contact, m. */
+  double zeta;
+  /* The shift along x, m. */
+  double xi;
+  /* The shift along y, m. */
+  double eta;
+} carom_shift;
+
+/* The load that body 2 exerts on body 1. */
+typedef struct carom_load {
+  /* Tangential force along x, N. */
+  double f_x;
+  /* Tangential force along y, N. */
+  double f_y;
+  /* Normal force, positive in compression, N. */
+  double f_z;
+} carom_load;
+
+/* The state of a contact beside its load. */
+typedef struct carom_report {
+  /* The share of the contact area that sticks. */
+  double sticking;
+  /* The regime of the last step. */
+  carom_regime regime;
+} carom_report;
+
+/* Number of numbers in a `carom_state`. */
+#define CAROM_STATE_NUMBERS 66
+
+/* The state of a contact as 66 numbers, in memory of the caller; zeros stand for two bodies that just touch,
+ * without shift. The numbers mean the same on any machine and in any build of this `carom_state_version()`,
+ * so that they can be stored in files and sent to other processes. `carom_contact_pack` writes them;
+ * `carom_contact_unpack` makes a contact from them, which continues with the same bits. The friction of the
+ * pair must be finite. */
+typedef struct carom_state {
+  /* Written by this library only. */
+  double numbers[CAROM_STATE_NUMBERS];
+} carom_state;
+
+/* Number of 8-byte words in a `carom_contact`, without its mark. */
+#define CAROM_CONTACT_WORDS 144
+
+/* The state of a contact in memory of the caller: 1160 bytes, aligned to 8, that may be copied as bytes.
+ * Zero bytes stand for two bodies that just touch, without shift.
+ *
+ * It stores the law with its constants, so that a step reads and writes only what it needs. Only the build
+ * that wrote it can read it; `carom_contact_pack` converts it to a `carom_state`.
+ *
+ * The constants are those of the pair of the first advance. To change them, set the contact to zero. */
+typedef struct carom_contact {
+  /* Identifies the build that wrote the contact. Written by this library only. */
+  uint64_t mark;
+  /* The bytes of the law. */
+  uint64_t words[CAROM_CONTACT_WORDS];
+} carom_contact;
+
+/* Moves the contact straight from the present shift to a new one. `load` may be null.
+ *
+ * A `zeta` that is not positive separates the bodies, and the history is lost. */
+carom_status carom_contact_advance(const struct carom_pair *pair,
+                                   struct carom_contact *contact,
+                                   struct carom_shift shift,
+                                   struct carom_load *load,
+                                   struct carom_error *error);
+
+/* The present load. */
+carom_status carom_contact_load(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_load *load,
+                                struct carom_error *error);
+
+/* The elastic energy of the contact, compression included, J. */
+carom_status carom_contact_energy(const struct carom_pair *pair,
+                                  const struct carom_contact *contact,
+                                  double *energy,
+                                  struct carom_error *error);
+
+/* The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
+ * contact is not advanced. */
+carom_status carom_contact_heat(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_shift shift,
+                                double *heat,
+                                struct carom_error *error);
+
+/* The regime of the last step, and the share of the contact that sticks. */
+carom_status carom_contact_report(const struct carom_pair *pair,
+                                  const struct carom_contact *contact,
+                                  struct carom_report *report,
+                                  struct carom_error *error);
+
+/* Rotates the contact axes by an angle (radians, from x to y). The state is transformed to the new axes and
+ * stays the same in space. */
+carom_status carom_contact_turn_frame(const struct carom_pair *pair,
+                                      struct carom_contact *contact,
+                                      double angle,
+                                      struct carom_error *error);
+
+/* Writes the state of a contact as plain numbers, for a file or another process. */
+carom_status carom_contact_pack(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_state *state,
+                                struct carom_error *error);
+
+/* Makes a contact from a stored state. A contact that is not zero keeps its constants, which is faster: one
+ * contact may read many states of a pair in turn. */
+carom_status carom_contact_unpack(const struct carom_pair *pair,
+                                  const struct carom_state *state,
+                                  struct carom_contact *contact,
+                                  struct carom_error *error);
+
+/* Advances many contacts of one pair, contact i by shift i. A stride is the number of bytes from one entry
+ * to the next, so that the arrays may be columns of larger structures. `loads` may be null.
+ *
+ * All shifts are checked before any contact is advanced: if one is out of range, nothing is changed and
+ * `error->index` names it. An invalid contact ends the call at its index; those before it have been
+ * advanced.
+ *
+ * `contacts`, `shifts` and, unless null, `loads` must have `count` entries, of which no two overlap. */
+carom_status carom_contact_advance_many(const struct carom_pair *pair,
+                                        size_t count,
+                                        struct carom_contact *contacts,
+                                        size_t contact_stride,
+                                        const struct carom_shift *shifts,
+                                        size_t shift_stride,
+                                        struct carom_load *loads,
+                                        size_t load_stride,
+                                        struct carom_error *error);
+
+/* ---- 4. Contacts of particles: grains and walls -------------------------------
+ *
+ * carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make
+ * one step of a contact: positions, velocities and spins in, force and torques out. */
+
+/* The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
+ * changed otherwise. */
+typedef struct carom_grains {
+  /* The constants of a contact of relative radius 1. */
+  struct carom_pair unit;
+  /* The viscous relaxation time of the materials, s. */
+  double relaxation;
+  /* The displacement of body 1 at the contact over the approach. */
+  double share_1;
+  /* The displacement of body 2 at the contact over the approach. */
+  double share_2;
+} carom_grains;
+
+/* The load that body 2 exerts on body 1. */
+typedef struct carom_grain_load {
+  /* The force on body 1, N; the force on body 2 is opposite. */
+  double force[3];
+  /* The torque on body 1 about its centre, N m. */
+  double torque_1[3];
+  /* The torque on body 2 about its centre, N m; zero for a wall. */
+  double torque_2[3];
+} carom_grain_load;
+
+/* The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
+ * wall of material 2.
+ *
+ * `relaxation` is the viscous relaxation time A of the pair, s. It adds (2/3) c_z (3/2) A sqrt(zeta)
+ * dzeta/dt to the force of Hertz; 0 for none. `law` and `tolerance` are as in `carom_pair_of_spheres`;
+ * friction must be finite. */
+carom_status carom_grains_of(const struct carom_material *material_1,
+                             const struct carom_material *material_2,
+                             double friction,
+                             uint32_t law,
+                             double tolerance,
+                             double relaxation,
+                             struct carom_grains *grains,
+                             struct carom_error *error);
+
+/* A sphere with its motion, as a particle code stores it. */
+typedef struct carom_grain {
+  /* Position of its centre, m. */
+  double place[3];
+  /* The velocity of its centre, m/s. */
+  double velocity[3];
+  /* Angular velocity, rad/s. */
+  double spin[3];
+  /* Its radius, m. */
+  double radius;
+} carom_grain;
+
+/* A flat wall, which may move. */
+typedef struct carom_wall {
+  /* Position of any of its points, m. */
+  double place[3];
+  /* Unit normal, pointing towards the grains. */
+  double normal[3];
+  /* Its velocity, m/s. */
+  double velocity[3];
+} carom_wall;
+
+/* Dissipated energy, by cause, J. Steps add to it. */
+typedef struct carom_heats {
+  /* Friction heat, including the energy released at a receding edge. */
+  double friction;
+  /* Energy dissipated by the viscoelastic material. */
+  double damping;
+} carom_heats;
+
+/* Number of 8-byte words in a `carom_touch`, without its mark. */
+#define CAROM_TOUCH_WORDS 158
+
+/* Number of numbers into which a `carom_touch` packs. */
+#define CAROM_TOUCH_NUMBERS 79
+
+/* The state of the contact of two grains, in memory of the caller: 1280 bytes, aligned to 8, that may be
+ * copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
+ * `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
+ *
+ * The constants are those of the step in which contact began. To change them, set the touch to zero. */
+typedef struct carom_touch {
+  /* Identifies the build that wrote the contact. Written by this library only. */
+  uint64_t mark;
+  /* The bytes of the contact. */
+  uint64_t words[CAROM_TOUCH_WORDS];
+} carom_touch;
+
+/* One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
+ * Velocities are those that led there; in a leapfrog scheme, those of the half step between. The heat of the
+ * step is added to `heats`, which may be null; computing it costs several times the force.
+ *
+ * Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
+ * Grains that are separated and stay so need no call. */
+carom_status carom_touch_grains(const struct carom_grains *grains,
+                                struct carom_touch *touch,
+                                const struct carom_grain *one,
+                                const struct carom_grain *two,
+                                double dt,
+                                struct carom_grain_load *load,
+                                struct carom_heats *heats,
+                                struct carom_error *error);
+
+/* One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`. */
+carom_status carom_touch_wall(const struct carom_grains *grains,
+                              struct carom_touch *touch,
+                              const struct carom_grain *one,
+                              const struct carom_wall *wall,
+                              double dt,
+                              struct carom_grain_load *load,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
+/* The load of two grains after the last step, without a new one: the same bits if the positions are the
+ * same. A touch that is zero carries only the force of Hertz. */
+carom_status carom_touch_grains_load(const struct carom_grains *grains,
+                                     const struct carom_touch *touch,
+                                     const struct carom_grain *one,
+                                     const struct carom_grain *two,
+                                     struct carom_grain_load *load,
+                                     struct carom_error *error);
+
+/* The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`. */
+carom_status carom_touch_wall_load(const struct carom_grains *grains,
+                                   const struct carom_touch *touch,
+                                   const struct carom_grain *one,
+                                   const struct carom_wall *wall,
+                                   struct carom_grain_load *load,
+                                   struct carom_error *error);
+
+/* The elastic energy of a contact, compression included, J. */
+carom_status carom_touch_energy(const struct carom_touch *touch,
+                                double *energy,
+                                struct carom_error *error);
+
+/* The regime of the last step, and the share of the contact that sticks. */
+carom_status carom_touch_report(const struct carom_touch *touch,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+/* Writes a contact as CAROM_TOUCH_NUMBERS numbers, for a file or another process. All are zero for separated
+ * grains; otherwise the first is positive.
+ *
+ * `numbers` must have room for CAROM_TOUCH_NUMBERS entries. */
+carom_status carom_touch_pack(const struct carom_touch *touch,
+                              double *numbers,
+                              struct carom_error *error);
+
+/* Makes a contact from the numbers of `carom_touch_pack`. Constants and radii must be the same as then; the
+ * radius of a wall is infinite. The contact continues with the same bits as the packed one.
+ *
+ * `numbers` must have CAROM_TOUCH_NUMBERS entries. */
+carom_status carom_touch_unpack(const struct carom_grains *grains,
+                                double radius_1,
+                                double radius_2,
+                                const double *numbers,
+                                struct carom_touch *touch,
+                                struct carom_error *error);
+
+/* Two grains and their contact, for a call that advances many. */
+typedef struct carom_encounter {
+  /* The constants of the two materials. */
+  const struct carom_grains *grains;
+  /* The state of their contact; no two encounters may share one. */
+  struct carom_touch *touch;
+  /* Body 1. */
+  struct carom_grain one;
+  /* Body 2. */
+  struct carom_grain two;
+  /* Output: the load that body 2 exerts on body 1 at the end of the step. */
+  struct carom_grain_load load;
+} carom_encounter;
+
+/* One step of duration `dt` for many pairs of grains. Gives the same bits as `carom_touch_grains` for each,
+ * in less time, since several pairs share vector instructions.
+ *
+ * An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
+ * The heat of all is added to `heats`, which may be null; computing it costs several times the force.
+ *
+ * `encounters` must have `count` entries, of which no two have the same touch. */
+carom_status carom_touch_many(struct carom_encounter *encounters,
+                              size_t count,
+                              double dt,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
+/* ---- 5. Impacts ---------------------------------------------------------------
+ *
+ * carom_collide computes the impact of two bodies. */
+
+/* Chooses the cheapest law that accounts for the coupling of dissimilar materials. For spheres and planes
+ * that is CAROM_IMPACT_RINGS where coupling matters. For other shapes coupling is neglected, and
+ * CAROM_WARNING_COUPLING reports it. */
+#define CAROM_IMPACT_AUTO 0
+
+/* The law `coulomb` for any materials: coupling is neglected. */
+#define CAROM_IMPACT_COULOMB 1
+
+/* The law `fixed-direction` for any materials: coupling is neglected. */
+#define CAROM_IMPACT_FIXED_DIRECTION 2
+
+/* The law `rings`, for spheres and planes only: it includes coupling and the spin about the normal. */
+#define CAROM_IMPACT_RINGS 3
+
+/* With CAROM_IMPACT_AUTO friction changes the spin about the normal where that matters; with other laws it
+ * does not. */
+#define CAROM_TORSION_AUTO 0
+
+/* The spin about the normal is changed by a torsional impact that is computed as if there were no tangential
+ * one. */
+#define CAROM_TORSION_INCLUDED 1
+
+/* The spin about the normal is not changed. */
+#define CAROM_TORSION_LEFT_OUT 2
+
+/* No energy is dissipated in the material of the bodies. */
+#define CAROM_LOSS_NONE 0
+
+/* The normal velocity after the impact is `normal_restitution`, in [0, 1], times that of an elastic impact. */
+#define CAROM_LOSS_GIVEN 1
+
+/* The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
+ * ignored. */
+#define CAROM_LOSS_BY_WAVES 2
+
+/* Options of an impact. Zero in any field but `size` selects the default. */
+typedef struct carom_collide_options {
+  /* `sizeof(carom_collide_options)`. Later versions add fields at the end; a smaller `size` leaves these
+   * at zero. */
+  size_t size;
+  /* The contact law, a CAROM_IMPACT constant. */
+  uint32_t law;
+  /* The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. Impulse and heat of
+   * friction shrink with the normal impulse; duration, force and approach are those of the elastic impact. */
+  uint32_t loss;
+  /* The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
+   * elastic, 0 leaves the bodies together. */
+  double normal_restitution;
+  /* Relative tolerance of the outcome; 0 for the default. */
+  double tolerance;
+  /* How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
+   * it. */
+  uint32_t torsion;
+} carom_collide_options;
+
+/* A sphere: `sizes[0]` is its radius. */
+#define CAROM_SHAPE_SPHERE 0
+
+/* A fixed plane bounding a half-space; its axis c is the outward normal. */
+#define CAROM_SHAPE_PLANE 1
+
+/* An ellipsoid: `sizes` are its semi-axes. */
+#define CAROM_SHAPE_ELLIPSOID 2
+
+/* A cylinder about its axis c: radius and length. */
+#define CAROM_SHAPE_CYLINDER 3
+
+/* A cylinder between two half spheres, about its axis c: radius, and length of the straight part. */
+#define CAROM_SHAPE_CAPSULE 4
+
+/* A torus about its axis c: radius of the centre circle, radius of the tube. */
+#define CAROM_SHAPE_TORUS 5
+
+/* A box: `sizes` are its edge lengths. Contact at its edges and corners is not computed. */
+#define CAROM_SHAPE_BOX 6
+
+/* A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
+ * those of space. */
+typedef struct carom_body {
+  /* The shape, a CAROM_SHAPE constant. */
+  uint32_t shape;
+  /* 1 for a thin shell, 0 for a solid. */
+  uint32_t hollow;
+  /* The dimensions of the shape, m; see the CAROM_SHAPE constants. */
+  double sizes[3];
+  /* The mass, kg; infinite for a fixed body. Ignored for a plane. */
+  double mass;
+  /* The principal moments of inertia, kg m^2; zeros for those of a homogeneous body. */
+  double moments[3];
+  /* The material. */
+  struct carom_material material;
+  /* The centre of mass, m; for a plane any of its points. */
+  double centre[3];
+  /* The unit quaternion (w, i, j, k) that transforms components in body axes to space axes; zeros for no
+   * rotation. */
+  double attitude[4];
+  /* The velocity of the centre of mass, m/s. */
+  double velocity[3];
+  /* The angular velocity in space axes, rad/s. */
+  double spin[3];
+} carom_body;
+
+/* The result of an impact. Relative velocities at the contact are of body 2 against body 1. Columns of the
+ * command `carom` and fields of Python's `Rebound` have the same names. */
+typedef struct carom_rebound {
+  /* 1 if the bodies collide. 0 if they do not approach each other: then only point, normal and motions are
+   * given. */
+  uint32_t collides;
+  /* The CAROM_WARNING bits that apply. */
+  uint32_t warnings;
+  /* The velocity of the centre of mass of body 1 after the impact, m/s. */
+  double body_1_velocity[3];
+  /* The angular velocity of body 1 after the impact, rad/s. */
+  double body_1_spin[3];
+  /* The velocity of the centre of mass of body 2 after the impact, m/s. */
+  double body_2_velocity[3];
+  /* The angular velocity of body 2 after the impact, rad/s. */
+  double body_2_spin[3];
+  /* The impulse that body 2 exerts on body 1, N s. */
+  double impulse[3];
+  /* The contact point, m. */
+  double point[3];
+  /* The unit normal at the contact point, from body 2 into body 1. */
+  double normal[3];
+  /* The relative velocity of the contact points before the impact, m/s. */
+  double contact_velocity_before[3];
+  /* The relative velocity of the contact points after the impact, m/s. */
+  double contact_velocity_after[3];
+  /* Minus the tangential velocity of the contact after the impact over that before; valid if `has_R_x` is
+   * 1. */
+  double R_x;
+  /* 1 if R_x is defined. */
+  uint32_t has_R_x;
+  /* Number of compression phases, each a maximum of the approach. */
+  uint32_t compressions;
+  /* The time from first contact to separation, s. */
+  double duration;
+  /* The maximum normal force, N. */
+  double maximal_force;
+  /* The maximum approach, m. */
+  double maximal_approach;
+  /* The semi-axis of the largest contact ellipse along x of the contact, the smaller one, m. */
+  double maximal_semi_axis_a;
+  /* The semi-axis of the largest contact ellipse along y of the contact, m. */
+  double maximal_semi_axis_b;
+  /* The kinetic energy before the impact, J. */
+  double energy_before;
+  /* The kinetic energy after the impact, J. */
+  double energy_after;
+  /* The energy dissipated by friction, J. */
+  double energy_dissipated;
+  /* The energy dissipated in the material of the bodies, J; 0 for elastic bodies. */
+  double energy_lost;
+  /* Estimated error of the velocity after the impact over that before; 0 for an exact solution. */
+  double error_estimate;
+  /* The relative spin about the normal after the impact over that before; valid if `has_torsion` is 1. */
+  double spin_ratio;
+  /* The angular impulse on body 1 about the normal, N m s; valid if `has_torsion` is 1. */
+  double torque_impulse;
+  /* 1 if friction was applied to the spin about the normal. */
+  uint32_t has_torsion;
+} carom_rebound;
+
+/* Computes the impact of two bodies that touch at their given positions. If `normal` is not null, body 1 is
+ * first moved into contact with body 2 such that this is the common normal, from body 2 into body 1.
+ *
+ * `options` may be null for the defaults: elastic bodies; for spheres and planes the coupling of normal and
+ * tangential displacements of dissimilar materials counts where it matters, and with it the spin about the
+ * normal.
+ *
+ * `normal` must be null or have three numbers. `options` must be null or have as many bytes as its `size`
+ * says. */
+carom_status carom_collide(const struct carom_body *body_1,
+                           const struct carom_body *body_2,
+                           double friction,
+                           const double *normal,
+                           const struct carom_collide_options *options,
+                           struct carom_rebound *rebound,
+                           struct carom_error *error);
+
+/* ---- 6. R_x of spheres --------------------------------------------------------
+ *
+ * R_x is minus the tangential velocity of the contact after an impact over that before. */
+
+/* R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds. */
+#define CAROM_BY_TABLE 0
+
+/* R_x by the exact impact, in microseconds. */
+#define CAROM_EXACT 1
+
+/* R_x of dissimilar spheres by rings, in milliseconds. */
+#define CAROM_BY_RINGS 2
+
+/* R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
+ *
+ * `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
+ * tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
+ * CAROM_EXACT. */
 carom_status carom_restitution(double kappa,
                                double lambda,
                                uint32_t method,
                                double *restitution,
                                struct carom_error *error);
 
-// R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
-// takes the same entry again and again. The first pair without an answer ends the call:
-// `error->index` names it, and those before it have been written.
-//
-// # Safety
-// `kappa`, `lambda` and `restitution` are null, or each of their `count` entries may be read, those of
-// `restitution` written; these overlap nothing. `error` is null or may be written.
+/* R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
+ * takes the same entry again and again. The first pair without an answer ends the call:
+ * `error->index` names it, and those before it have been written.
+ *
+ * `kappa`, `lambda` and `restitution` must have `count` entries; those of `restitution` must overlap
+ * nothing. */
 carom_status carom_restitution_many(size_t count,
                                     const double *kappa,
                                     size_t kappa_stride,
@@ -758,20 +771,17 @@ carom_status carom_restitution_many(size_t count,
                                     size_t restitution_stride,
                                     struct carom_error *error);
 
-// R_x of spheres or planes of dissimilar materials without spin about the normal.
-//
-// `gamma`, of either sign, is the coupling (15.2) of the materials, at most 3/2 - `kappa`, which is in
-// [0.75, 1.5]. `friction` is f, from 0 to infinity; `lambda` >= 0 as for `carom_restitution`, 0 where f is
-// infinite. `mobility_ratio`, in (0, 75], is D_xx/D_zz: 3.5 of solid spheres, 2.5 of hollow ones.
-//
-// `method` tells how it was found, and `error_estimate` how far it may be off; each may be null:
-// - CAROM_EXACT: gamma = 0, with the bits of `carom_restitution`, or no friction.
-// - CAROM_BY_TABLE: in half a microsecond, for kappa from 1, lambda to 8, f to 1, |gamma|/f to 12 and
-//   mobility_ratio from 1 to 6.
-// - CAROM_BY_RINGS: elsewhere.
-//
-// # Safety
-// `restitution` may be written; `error_estimate`, `method` and `error` are null or may be written.
+/* R_x of spheres or planes of dissimilar materials without spin about the normal.
+ *
+ * `gamma`, of either sign, is the coupling (15.2) of the materials, at most 3/2 - `kappa`, which is in
+ * [0.75, 1.5]. `friction` is f, from 0 to infinity; `lambda` >= 0 as for `carom_restitution`, 0 where f is
+ * infinite. `mobility_ratio`, in (0, 75], is D_xx/D_zz: 3.5 of solid spheres, 2.5 of hollow ones.
+ *
+ * `method` tells how it was found, and `error_estimate` how far it may be off; each may be null:
+ * - CAROM_EXACT: gamma = 0, with the bits of `carom_restitution`, or no friction.
+ * - CAROM_BY_TABLE: in half a microsecond, for kappa from 1, lambda to 8, f to 1, |gamma|/f to 12 and
+ *   mobility_ratio from 1 to 6.
+ * - CAROM_BY_RINGS: elsewhere. */
 carom_status carom_restitution_dissimilar(double kappa,
                                           double gamma,
                                           double friction,
@@ -782,16 +792,190 @@ carom_status carom_restitution_dissimilar(double kappa,
                                           uint32_t *method,
                                           struct carom_error *error);
 
-// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
-// the torque about the normal. `rings` are those of `grains->unit`. `heats` may be null; here it costs
-// nothing.
-//
-// A step takes 2 to 5 microseconds.
-//
-// # Safety
-// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`;
-// `touch`, `load`, `heats` and `error` are null or may be written. The touch is zero or was written by this
-// build of the library; other bytes give an error status or meaningless numbers.
+/* ---- 7. Limits of the theory --------------------------------------------------
+ *
+ * Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.
+ * carom_pair_validity tells whether a contact is small enough for Hertz's theory. */
+
+/* Normal and tangential displacements are coupled by the materials; the result neglects this. */
+#define CAROM_WARNING_COUPLING 1
+
+/* The contact is not small compared with the bodies: a/R exceeds 0.1, beyond Hertz's theory. */
+#define CAROM_WARNING_LARGE_CONTACT 2
+
+/* Elastic waves would carry away more than 1 % of the normal energy. */
+#define CAROM_WARNING_WAVE_LOSS 4
+
+/* Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it. */
+#define CAROM_WARNING_SPIN_LEFT_ALONE 8
+
+/* The outcome did not converge to its tolerance. */
+#define CAROM_WARNING_NOT_SETTLED 16
+
+/* The contact point was found by sampling the surfaces; the bodies may touch elsewhere too. */
+#define CAROM_WARNING_POINT_SAMPLED 32
+
+/* The approach exceeds a tenth of the radius: the bodies are no half-spaces, and the result is approximate at
+ * best. Check the units. */
+#define CAROM_WARNING_LARGE_APPROACH 64
+
+/* How far a contact lies within Hertz's theory, which holds for contacts that are small compared with the
+ * bodies. R is the smallest radius of curvature of the two bodies at the contact. */
+typedef struct carom_validity {
+  /* a/R: the larger semi-axis of the contact over R. Hertz's theory requires at most 0.1. */
+  double semi_axis_over_radius;
+  /* zeta/R: the approach over R. Above 0.1 the result is approximate at best, above 1 meaningless. */
+  double approach_over_radius;
+  /* CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH, both, or 0 within the theory. */
+  uint32_t warnings;
+} carom_validity;
+
+/* Whether a contact at the approach `zeta` (m, at least 0) lies within Hertz's theory. `radius` is the
+ * smallest radius of curvature of the two bodies at the contact, m: of two spheres the smaller one. For grains
+ * make the pair by `carom_pair_of_spheres`. The pair must know its contact ellipse: one of
+ * `carom_pair_of_stiffness` does not. */
+carom_status carom_pair_validity(const struct carom_pair *pair,
+                                 double zeta,
+                                 double radius,
+                                 struct carom_validity *validity,
+                                 struct carom_error *error);
+
+/* A sentence for one CAROM_WARNING bit. Never null, and not to be freed. */
+const char *carom_warning_text(uint32_t warning);
+
+/* ---- 8. Twist about the normal ------------------------------------------------
+ *
+ * The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains
+ * and carom_touch_twist_wall for particles. */
+
+/* Number of numbers in a `carom_twist`. */
+#define CAROM_TWIST_NUMBERS 83
+
+/* The state of a contact that twists about its normal, as 83 numbers in memory of the caller; zeros stand
+ * for two bodies that just touch, without twist. Twist and shift are independent: each law neglects the
+ * other. As with a `carom_state`, the numbers may be stored in files and sent to other processes.
+ *
+ * The law stores up to 12 pieces of the history exactly, one or two for each reversal of the twist. Beyond
+ * that it joins the pieces that matter least. Over random histories the error of the torque was then below
+ * 3e-4 of the sliding torque in the mean, and .02 at most. */
+typedef struct carom_twist {
+  /* Written by this library only. */
+  double numbers[CAROM_TWIST_NUMBERS];
+} carom_twist;
+
+/* Moves the contact straight to a new approach (m) and twist of body 2 against body 1 about the normal
+ * (radians). `torque`, the torque on body 1 in N m, may be null.
+ *
+ * A `zeta` that is not positive separates the bodies, and the history is lost. */
+carom_status carom_twist_advance(const struct carom_pair *pair,
+                                 struct carom_twist *twist,
+                                 double zeta,
+                                 double omega,
+                                 double *torque,
+                                 struct carom_error *error);
+
+/* The present torque on body 1, N m. */
+carom_status carom_twist_torque(const struct carom_pair *pair,
+                                const struct carom_twist *twist,
+                                double *torque,
+                                struct carom_error *error);
+
+/* The elastic energy of the twist, without that of compression, J. */
+carom_status carom_twist_energy(const struct carom_pair *pair,
+                                const struct carom_twist *twist,
+                                double *energy,
+                                struct carom_error *error);
+
+/* The energy that a straight step to an approach and a twist would turn into heat, J. The contact is not
+ * advanced. */
+carom_status carom_twist_heat(const struct carom_pair *pair,
+                              const struct carom_twist *twist,
+                              double zeta,
+                              double omega,
+                              double *heat,
+                              struct carom_error *error);
+
+/* One step of the twist of two grains about their normal, for use after `carom_touch_grains` in the same
+ * step. It neglects the shift of the contact. Its torque is added to those of `load`, its heat to `heats`,
+ * which may be null.
+ *
+ * The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
+ * except for a new contact. Where the grains separate, the history is lost. It costs tens of times as much
+ * as a touch. */
+carom_status carom_touch_twist_grains(const struct carom_grains *grains,
+                                      struct carom_twist *twist,
+                                      const struct carom_grain *one,
+                                      const struct carom_grain *two,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      struct carom_heats *heats,
+                                      struct carom_error *error);
+
+/* One step of the twist of a grain, body 1, and a wall, whose torque is zero, as `carom_touch_twist_grains`. */
+carom_status carom_touch_twist_wall(const struct carom_grains *grains,
+                                    struct carom_twist *twist,
+                                    const struct carom_grain *one,
+                                    const struct carom_wall *wall,
+                                    double dt,
+                                    struct carom_grain_load *load,
+                                    struct carom_heats *heats,
+                                    struct carom_error *error);
+
+/* The elastic energy of the twist of two grains, J. The radius of a wall is infinite. */
+carom_status carom_touch_twist_energy(const struct carom_grains *grains,
+                                      const struct carom_twist *twist,
+                                      double radius_1,
+                                      double radius_2,
+                                      double *energy,
+                                      struct carom_error *error);
+
+/* ---- 9. Rings: particles of dissimilar materials ------------------------------
+ *
+ * Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the
+ * matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step. */
+
+/* The matrices of CAROM_LAW_RINGS for two materials and a coefficient of friction, some 60 kilobytes. They
+ * serve contacts of any radius, do not change, and may be used by several threads at once. */
+typedef struct carom_rings carom_rings;
+
+/* Computes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (10 ms for the first).
+ * `carom_rings_free` releases them. The matrices of `grains->unit` serve all contacts of the two materials. */
+carom_status carom_rings_of(const struct carom_pair *pair,
+                            struct carom_rings **rings,
+                            struct carom_error *error);
+
+/* Releases the matrices that `carom_rings_of` made; null is allowed.
+ *
+ * `rings` must be null or made by `carom_rings_of`, and is not to be used again. */
+void carom_rings_free(struct carom_rings *rings);
+
+/* Number of 8-byte words in a `carom_ring_touch`, without its mark. */
+#define CAROM_RING_TOUCH_WORDS 420
+
+/* Number of numbers into which a `carom_ring_touch` packs. */
+#define CAROM_RING_TOUCH_NUMBERS 309
+
+/* The first packed number of grains in contact; it names the format. */
+#define CAROM_RING_TOUCH_MARK 30001.0
+
+/* The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3368 bytes, aligned
+ * to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
+ * can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
+ * can read.
+ *
+ * Shift, twist and the coupling of dissimilar materials act together, so that no `carom_twist` is needed. */
+typedef struct carom_ring_touch {
+  /* Identifies the build that wrote the contact. Written by this library only. */
+  uint64_t mark;
+  /* The bytes of the contact. */
+  uint64_t words[CAROM_RING_TOUCH_WORDS];
+} carom_ring_touch;
+
+/* One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
+ * the torque about the normal. `rings` are those of `grains->unit`. The heat of the step is added to `heats`,
+ * which may be null; here it costs nothing.
+ *
+ * A step takes 2 to 5 microseconds. */
 carom_status carom_ring_touch_grains(const struct carom_grains *grains,
                                      const struct carom_rings *rings,
                                      struct carom_ring_touch *touch,
@@ -802,11 +986,8 @@ carom_status carom_ring_touch_grains(const struct carom_grains *grains,
                                      struct carom_heats *heats,
                                      struct carom_error *error);
 
-// One step of the contact of a grain, body 1, and a wall, whose torque is zero, as
-// `carom_ring_touch_grains`.
-//
-// # Safety
-// As `carom_ring_touch_grains`.
+/* One step of the contact of a grain, body 1, and a wall, whose torque is zero, as
+ * `carom_ring_touch_grains`. */
 carom_status carom_ring_touch_wall(const struct carom_grains *grains,
                                    const struct carom_rings *rings,
                                    struct carom_ring_touch *touch,
@@ -817,11 +998,7 @@ carom_status carom_ring_touch_wall(const struct carom_grains *grains,
                                    struct carom_heats *heats,
                                    struct carom_error *error);
 
-// The load of two grains after the last step, without a new one, as `carom_touch_grains_load`.
-//
-// # Safety
-// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
-// written. Rings and touch are as in `carom_ring_touch_grains`.
+/* The load of two grains after the last step, without a new one, as `carom_touch_grains_load`. */
 carom_status carom_ring_touch_grains_load(const struct carom_grains *grains,
                                           const struct carom_rings *rings,
                                           const struct carom_ring_touch *touch,
@@ -830,10 +1007,7 @@ carom_status carom_ring_touch_grains_load(const struct carom_grains *grains,
                                           struct carom_grain_load *load,
                                           struct carom_error *error);
 
-// The load of a grain, body 1, and a wall after the last step, as `carom_ring_touch_grains_load`.
-//
-// # Safety
-// As `carom_ring_touch_grains_load`.
+/* The load of a grain, body 1, and a wall after the last step, as `carom_ring_touch_grains_load`. */
 carom_status carom_ring_touch_wall_load(const struct carom_grains *grains,
                                         const struct carom_rings *rings,
                                         const struct carom_ring_touch *touch,
@@ -842,10 +1016,7 @@ carom_status carom_ring_touch_wall_load(const struct carom_grains *grains,
                                         struct carom_grain_load *load,
                                         struct carom_error *error);
 
-// The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite.
-//
-// # Safety
-// As `carom_ring_touch_grains_load`.
+/* The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite. */
 carom_status carom_ring_touch_energy(const struct carom_grains *grains,
                                      const struct carom_rings *rings,
                                      const struct carom_ring_touch *touch,
@@ -854,33 +1025,25 @@ carom_status carom_ring_touch_energy(const struct carom_grains *grains,
                                      double *energy,
                                      struct carom_error *error);
 
-// The share of the contact that sticks, and the regime of the last step: separated, adhesion, slip or
-// sliding.
-//
-// # Safety
-// `touch` is null or may be read; `rings` is as in `carom_ring_touch_grains`; `report` and `error` are null or may be
-// written.
+/* The share of the contact that sticks, and the regime of the last step: separated, adhesion, slip or
+ * sliding. */
 carom_status carom_ring_touch_report(const struct carom_rings *rings,
                                      const struct carom_ring_touch *touch,
                                      struct carom_report *report,
                                      struct carom_error *error);
 
-// Writes a contact as CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process. All are zero for
-// separated grains; otherwise the first is positive.
-//
-// # Safety
-// `touch` is null or may be read; `numbers` is null or has room for CAROM_RING_TOUCH_NUMBERS entries;
-// `error` is null or may be written. The touch is as in `carom_ring_touch_grains`.
+/* Writes a contact as CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process. All are zero for
+ * separated grains; otherwise the first is positive.
+ *
+ * `numbers` must have room for CAROM_RING_TOUCH_NUMBERS entries. */
 carom_status carom_ring_touch_pack(const struct carom_ring_touch *touch,
                                    double *numbers,
                                    struct carom_error *error);
 
-// Makes a contact from the numbers of `carom_ring_touch_pack`. Constants and radii must be the same as then;
-// the radius of a wall is infinite. The contact continues with the same bits as the packed one.
-//
-// # Safety
-// `grains` is null or may be read, `numbers` null or may be read for CAROM_RING_TOUCH_NUMBERS entries;
-// `touch` and `error` are null or may be written; `rings` is as in `carom_ring_touch_grains`.
+/* Makes a contact from the numbers of `carom_ring_touch_pack`. Constants and radii must be the same as then;
+ * the radius of a wall is infinite. The contact continues with the same bits as the packed one.
+ *
+ * `numbers` must have CAROM_RING_TOUCH_NUMBERS entries. */
 carom_status carom_ring_touch_unpack(const struct carom_grains *grains,
                                      const struct carom_rings *rings,
                                      double radius_1,
@@ -889,217 +1052,8 @@ carom_status carom_ring_touch_unpack(const struct carom_grains *grains,
                                      struct carom_ring_touch *touch,
                                      struct carom_error *error);
 
-// Computes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (10 ms for the first).
-// `carom_rings_free` releases them. The matrices of `grains->unit` serve all contacts of the two materials.
-//
-// # Safety
-// `pair` is null or may be read; `rings` and `error` are null or may be written.
-carom_status carom_rings_of(const struct carom_pair *pair,
-                            struct carom_rings **rings,
-                            struct carom_error *error);
-
-// Releases the matrices that `carom_rings_of` made; null is allowed.
-//
-// # Safety
-// `rings` is null, or was made by `carom_rings_of` and is not used again.
-void carom_rings_free(struct carom_rings *rings);
-
-// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
-// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
-// null; computing them costs several times the force.
-//
-// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
-// Grains that are separated and stay so need no call.
-//
-// # Safety
-// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
-// written. The touch is zero or was written by this build of the library; other bytes give an error status
-// or meaningless numbers.
-carom_status carom_touch_grains(const struct carom_grains *grains,
-                                struct carom_touch *touch,
-                                const struct carom_grain *one,
-                                const struct carom_grain *two,
-                                double dt,
-                                struct carom_grain_load *load,
-                                struct carom_heats *heats,
-                                struct carom_error *error);
-
-// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
-//
-// # Safety
-// As `carom_touch_grains`.
-carom_status carom_touch_wall(const struct carom_grains *grains,
-                              struct carom_touch *touch,
-                              const struct carom_grain *one,
-                              const struct carom_wall *wall,
-                              double dt,
-                              struct carom_grain_load *load,
-                              struct carom_heats *heats,
-                              struct carom_error *error);
-
-// The load of two grains after the last step, without a new one: the same bits if the positions are the
-// same. A touch that is zero carries only the force of Hertz.
-//
-// # Safety
-// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
-// written. The touch is as in `carom_touch_grains`.
-carom_status carom_touch_grains_load(const struct carom_grains *grains,
-                                     const struct carom_touch *touch,
-                                     const struct carom_grain *one,
-                                     const struct carom_grain *two,
-                                     struct carom_grain_load *load,
-                                     struct carom_error *error);
-
-// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
-//
-// # Safety
-// As `carom_touch_grains_load`.
-carom_status carom_touch_wall_load(const struct carom_grains *grains,
-                                   const struct carom_touch *touch,
-                                   const struct carom_grain *one,
-                                   const struct carom_wall *wall,
-                                   struct carom_grain_load *load,
-                                   struct carom_error *error);
-
-// The elastic energy of a contact, compression included, J.
-//
-// # Safety
-// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
-// `carom_touch_grains`.
-carom_status carom_touch_energy(const struct carom_touch *touch,
-                                double *energy,
-                                struct carom_error *error);
-
-// The regime of the last step, and the share of the contact that sticks.
-//
-// # Safety
-// As `carom_touch_energy`.
-carom_status carom_touch_report(const struct carom_touch *touch,
-                                struct carom_report *report,
-                                struct carom_error *error);
-
-// Writes a contact as CAROM_TOUCH_NUMBERS numbers, for a file or another process. All are zero for separated
-// grains; otherwise the first is positive.
-//
-// # Safety
-// `touch` is null or may be read; `numbers` is null or has room for CAROM_TOUCH_NUMBERS entries; `error` is
-// null or may be written. The touch is as in `carom_touch_grains`.
-carom_status carom_touch_pack(const struct carom_touch *touch,
-                              double *numbers,
-                              struct carom_error *error);
-
-// Makes a contact from the numbers of `carom_touch_pack`. Constants and radii must be the same as then; the
-// radius of a wall is infinite. The contact continues with the same bits as the packed one.
-//
-// # Safety
-// `grains` is null or may be read, `numbers` null or may be read for CAROM_TOUCH_NUMBERS entries; `touch`
-// and `error` are null or may be written.
-carom_status carom_touch_unpack(const struct carom_grains *grains,
-                                double radius_1,
-                                double radius_2,
-                                const double *numbers,
-                                struct carom_touch *touch,
-                                struct carom_error *error);
-
-// One step of the twist of two grains about their normal, for use after `carom_touch_grains` in the same
-// step. It neglects the shift of the contact. Its torque is added to those of `load`, its heat to `heats`,
-// which may be null.
-//
-// The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
-// except for a new contact. Where the grains separate, the history is lost. It costs tens of times as much
-// as a touch.
-//
-// # Safety
-// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
-// be written.
-carom_status carom_touch_twist_grains(const struct carom_grains *grains,
-                                      struct carom_twist *twist,
-                                      const struct carom_grain *one,
-                                      const struct carom_grain *two,
-                                      double dt,
-                                      struct carom_grain_load *load,
-                                      struct carom_heats *heats,
-                                      struct carom_error *error);
-
-// One step of the twist of a grain, body 1, and a wall, whose torque is zero, as `carom_touch_twist_grains`.
-//
-// # Safety
-// As `carom_touch_twist_grains`.
-carom_status carom_touch_twist_wall(const struct carom_grains *grains,
-                                    struct carom_twist *twist,
-                                    const struct carom_grain *one,
-                                    const struct carom_wall *wall,
-                                    double dt,
-                                    struct carom_grain_load *load,
-                                    struct carom_heats *heats,
-                                    struct carom_error *error);
-
-// The elastic energy of the twist of two grains, J. The radius of a wall is infinite.
-//
-// # Safety
-// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
-carom_status carom_touch_twist_energy(const struct carom_grains *grains,
-                                      const struct carom_twist *twist,
-                                      double radius_1,
-                                      double radius_2,
-                                      double *energy,
-                                      struct carom_error *error);
-
-// Moves the contact straight to a new approach (m) and twist of body 2 against body 1 about the normal
-// (radians). `torque`, the torque on body 1 in N m, may be null.
-//
-// A `zeta` that is not positive separates the bodies, and the history is lost.
-//
-// # Safety
-// `pair` is null or may be read; `twist`, `torque` and `error` are null or may be written.
-carom_status carom_twist_advance(const struct carom_pair *pair,
-                                 struct carom_twist *twist,
-                                 double zeta,
-                                 double omega,
-                                 double *torque,
-                                 struct carom_error *error);
-
-// The present torque on body 1, N m.
-//
-// # Safety
-// `pair` and `twist` are null or may be read; `torque` and `error` are null or may be written.
-carom_status carom_twist_torque(const struct carom_pair *pair,
-                                const struct carom_twist *twist,
-                                double *torque,
-                                struct carom_error *error);
-
-// The elastic energy of the twist, without that of compression, J.
-//
-// # Safety
-// As `carom_twist_torque`.
-carom_status carom_twist_energy(const struct carom_pair *pair,
-                                const struct carom_twist *twist,
-                                double *energy,
-                                struct carom_error *error);
-
-// The energy that a straight step to an approach and a twist would turn into heat, J. The contact is not
-// advanced.
-//
-// # Safety
-// As `carom_twist_torque`.
-carom_status carom_twist_heat(const struct carom_pair *pair,
-                              const struct carom_twist *twist,
-                              double zeta,
-                              double omega,
-                              double *heat,
-                              struct carom_error *error);
-
-// The version of the library, as "0.1.0"; not to be freed.
-const char *carom_version(void);
-
-// The version of the structures and functions of this library.
-uint32_t carom_abi_version(void);
-
-// The version of the numbers in a `carom_state`; files of another version cannot be read.
-uint32_t carom_state_version(void);
-
 #ifdef __cplusplus
-}  // extern "C"
-#endif  // __cplusplus
+}
+#endif
 
-#endif  /* CAROM_H */
+#endif /* CAROM_H */

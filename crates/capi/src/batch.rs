@@ -16,9 +16,8 @@ use carom_laws::law::{Checked as _, Shift};
 /// advanced.
 ///
 /// # Safety
-/// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count` entries
-/// may be read and, except for the shifts, written; no two entries overlap. Each contact is as in
-/// `carom_contact_advance`. `error` is null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `contacts`, `shifts` and, unless null, `loads` must have `count` entries, of which no two overlap.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_advance_many(
     pair: *const CaromPair,

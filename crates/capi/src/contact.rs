@@ -81,9 +81,7 @@ impl CaromContact {
 /// A `zeta` that is not positive separates the bodies, and the history is lost.
 ///
 /// # Safety
-/// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
-/// contact is zero or was written by this build of the library; other bytes give an error status or
-/// meaningless numbers.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_advance(
     pair: *const CaromPair,
@@ -110,8 +108,7 @@ pub unsafe extern "C" fn carom_contact_advance(
 /// The present load.
 ///
 /// # Safety
-/// `pair` and `contact` are null or may be read; `load` and `error` are null or may be written. The
-/// contact is as in `carom_contact_advance`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_load(
     pair: *const CaromPair,
@@ -126,7 +123,7 @@ pub unsafe extern "C" fn carom_contact_load(
 /// The elastic energy of the contact, compression included, J.
 ///
 /// # Safety
-/// As `carom_contact_load`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_energy(
     pair: *const CaromPair,
@@ -142,7 +139,7 @@ pub unsafe extern "C" fn carom_contact_energy(
 /// contact is not advanced.
 ///
 /// # Safety
-/// As `carom_contact_load`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_heat(
     pair: *const CaromPair,
@@ -163,7 +160,7 @@ pub unsafe extern "C" fn carom_contact_heat(
 /// The regime of the last step, and the share of the contact that sticks.
 ///
 /// # Safety
-/// As `carom_contact_load`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_report(
     pair: *const CaromPair,
@@ -181,8 +178,7 @@ pub unsafe extern "C" fn carom_contact_report(
 /// stays the same in space.
 ///
 /// # Safety
-/// `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
-/// as in `carom_contact_advance`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_turn_frame(
     pair: *const CaromPair,
@@ -206,8 +202,7 @@ pub unsafe extern "C" fn carom_contact_turn_frame(
 /// Writes the state of a contact as plain numbers, for a file or another process.
 ///
 /// # Safety
-/// `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
-/// contact is as in `carom_contact_advance`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_pack(
     pair: *const CaromPair,
@@ -228,7 +223,7 @@ pub unsafe extern "C" fn carom_contact_pack(
 /// contact may read many states of a pair in turn.
 ///
 /// # Safety
-/// `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_unpack(
     pair: *const CaromPair,

@@ -31,11 +31,11 @@ const _: () = assert!(size_of::<CaromGrainLoad>() == size_of::<GrainLoad>());
 /// in less time, since several pairs share vector instructions.
 ///
 /// An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
-/// `heats` may be null; computing them costs several times the force.
+/// The heat of all is added to `heats`, which may be null; computing it costs several times the force.
 ///
 /// # Safety
-/// `encounters` is null or `count` of them may be read and written, and what each points to is as in
-/// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `encounters` must have `count` entries, of which no two have the same touch.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_many(
     encounters: *mut CaromEncounter,

@@ -27,7 +27,8 @@ pub enum CaromStatus {
     Internal = 7,
 }
 
-/// Describes an error. Filled in by a call that does not return `CAROM_STATUS_OK`, otherwise not changed.
+/// Describes an error: `text` is the message to print, `field` and `value` say what was wrong. Filled in by a
+/// call that does not return `CAROM_STATUS_OK`, otherwise not changed.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromError {
@@ -37,7 +38,7 @@ pub struct CaromError {
     pub value: f64,
     /// The name of the field or argument, or an empty string. Zero-terminated.
     pub field: [c_char; 40],
-    /// The message, a sentence. Zero-terminated.
+    /// The message, a sentence such as "friction = -1 is out of range: must be >= 0". Zero-terminated.
     pub text: [c_char; 200],
 }
 

@@ -130,7 +130,7 @@ impl Bodies for (&Grain, &Wall) {
 /// friction must be finite.
 ///
 /// # Safety
-/// The materials are null or may be read, `grains` and `error` null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_grains_of(
     material_1: *const CaromMaterial,

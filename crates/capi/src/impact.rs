@@ -1,15 +1,14 @@
 //! The impact of two bodies.
 
 use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
-use carom_impact::{
-    Body, Collision, CollisionError, Motion, Outcome, Rebound, RingImpactError, Warning,
-};
+use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, RingImpactError};
 use carom_laws::friction::Friction;
 
 use crate::collide_options::CaromCollideOptions;
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pair::CaromMaterial;
 use crate::pointers::{read, write};
+use crate::validity::bits;
 
 /// A sphere: `sizes[0]` is its radius.
 pub const CAROM_SHAPE_SPHERE: u32 = 0;
@@ -25,19 +24,6 @@ pub const CAROM_SHAPE_CAPSULE: u32 = 4;
 pub const CAROM_SHAPE_TORUS: u32 = 5;
 /// A box: `sizes` are its edge lengths. Contact at its edges and corners is not computed.
 pub const CAROM_SHAPE_BOX: u32 = 6;
-
-/// Normal and tangential displacements are coupled by the materials; the result neglects this.
-pub const CAROM_WARNING_COUPLING: u32 = 1;
-/// The contact is not small compared with the bodies.
-pub const CAROM_WARNING_LARGE_CONTACT: u32 = 2;
-/// Elastic waves would carry away more than 1 % of the normal energy.
-pub const CAROM_WARNING_WAVE_LOSS: u32 = 4;
-/// Friction was not applied to the spin about the normal, although torsion would take more than 1 % of it.
-pub const CAROM_WARNING_SPIN_LEFT_ALONE: u32 = 8;
-/// The outcome did not converge to its tolerance.
-pub const CAROM_WARNING_NOT_SETTLED: u32 = 16;
-/// The contact point was found by sampling the surfaces; the bodies may touch elsewhere too.
-pub const CAROM_WARNING_POINT_SAMPLED: u32 = 32;
 
 /// A body before a collision. Zero fields take the defaults: a solid at the origin, at rest, its axes along
 /// those of space.
@@ -139,8 +125,9 @@ pub struct CaromRebound {
 /// normal.
 ///
 /// # Safety
-/// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null or may be
-/// read for the number of bytes in its `size`; `rebound` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `normal` must be null or have three numbers. `options` must be null or have as many bytes as its `size`
+/// says.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_collide(
     body_1: *const CaromBody,
@@ -249,7 +236,7 @@ fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
     let ellipse = rebound.maximal_contact;
     CaromRebound {
         collides: 1,
-        warnings: rebound.warnings.iter().map(bit).fold(0, |all, one| all | one),
+        warnings: bits(rebound),
         impulse: rebound.impulse.into(),
         contact_velocity_before: rebound.contact_velocity_before.into(),
         contact_velocity_after: rebound.contact_velocity_after.into(),
@@ -270,17 +257,6 @@ fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
         torque_impulse: rebound.torsion.map_or(0.0, |torsion| torsion.torque_impulse),
         has_torsion: rebound.torsion.is_some().into(),
         ..known
-    }
-}
-
-fn bit(warning: &Warning) -> u32 {
-    match warning {
-        Warning::Coupling { .. } => CAROM_WARNING_COUPLING,
-        Warning::LargeContact { .. } => CAROM_WARNING_LARGE_CONTACT,
-        Warning::WaveLoss { .. } => CAROM_WARNING_WAVE_LOSS,
-        Warning::SpinLeftAlone { .. } => CAROM_WARNING_SPIN_LEFT_ALONE,
-        Warning::NotSettled { .. } => CAROM_WARNING_NOT_SETTLED,
-        Warning::PointSampled => CAROM_WARNING_POINT_SAMPLED,
     }
 }
 

@@ -15,7 +15,16 @@
 //!   may be null. The library keeps nothing between calls, no panic crosses the border, and a failed call
 //!   leaves the caller's data as they were.
 //!
-//! The header `include/carom.h` is generated from this crate.
+//! The header `include/carom.h` is generated from this crate, in groups by task.
+//!
+//! # Pointers
+//! A pointer must be null or point to an object of its type; where the function names a number of entries, to
+//! the first of so many. The objects that a call writes must overlap no other. A null pointer where none is
+//! allowed gives [`CaromStatus::NullPointer`], one that is not aligned [`CaromStatus::Misaligned`].
+//!
+//! A memory ([`CaromContact`], [`CaromTouch`], [`CaromRingTouch`]) must be zero bytes or written by this build
+//! of the library; other bytes give an error status or meaningless numbers. [`CaromRings`] must be made by
+//! [`carom_rings_of`] and not yet freed.
 
 mod batch;
 mod collide_options;
@@ -35,6 +44,7 @@ mod stored;
 mod touch;
 mod touch_twist;
 mod twist;
+mod validity;
 mod version;
 
 pub use carom_laws::grains::{Grain as CaromGrain, Heats as CaromHeats, Wall as CaromWall};
@@ -55,9 +65,8 @@ pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_of};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
-    CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING,
-    CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED,
-    CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_WAVE_LOSS, CaromBody, CaromRebound, carom_collide,
+    CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CaromBody, CaromRebound,
+    carom_collide,
 };
 pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use pair::{
@@ -85,5 +94,10 @@ pub use touch_twist::{carom_touch_twist_energy, carom_touch_twist_grains, carom_
 pub use twist::{
     CAROM_TWIST_NUMBERS, CaromTwist, carom_twist_advance, carom_twist_energy, carom_twist_heat,
     carom_twist_torque,
+};
+pub use validity::{
+    CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_APPROACH, CAROM_WARNING_LARGE_CONTACT,
+    CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
+    CAROM_WARNING_WAVE_LOSS, CaromValidity, carom_pair_validity, carom_warning_text,
 };
 pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

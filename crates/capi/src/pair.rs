@@ -194,7 +194,7 @@ impl From<CurvatureError> for Failure {
 /// radius negative). A `tolerance` of 0 selects the default for particles: 1e-2, for CAROM_LAW_RINGS 3e-3.
 ///
 /// # Safety
-/// The materials are null or may be read, `pair` and `error` null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_pair_of_spheres(
     material_1: *const CaromMaterial,
@@ -223,7 +223,7 @@ pub unsafe extern "C" fn carom_pair_of_spheres(
 /// The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
 ///
 /// # Safety
-/// As `carom_pair_of_spheres`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_pair_of_curvatures(
     material_1: *const CaromMaterial,
@@ -251,7 +251,7 @@ pub unsafe extern "C" fn carom_pair_of_curvatures(
 /// The constants of a contact of known stiffnesses: dF_x = c_x sqrt(zeta) dxi, F_z = (2/3) c_z zeta^1.5.
 ///
 /// # Safety
-/// `pair` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_pair_of_stiffness(
     c_x: f64,

@@ -23,7 +23,7 @@ pub const CAROM_BY_RINGS: u32 = 2;
 /// CAROM_EXACT.
 ///
 /// # Safety
-/// `restitution` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_restitution(
     kappa: f64,
@@ -47,8 +47,9 @@ pub unsafe extern "C" fn carom_restitution(
 /// `error->index` names it, and those before it have been written.
 ///
 /// # Safety
-/// `kappa`, `lambda` and `restitution` are null, or each of their `count` entries may be read, those of
-/// `restitution` written; these overlap nothing. `error` is null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `kappa`, `lambda` and `restitution` must have `count` entries; those of `restitution` must overlap
+/// nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_restitution_many(
     count: usize,
@@ -89,7 +90,7 @@ pub unsafe extern "C" fn carom_restitution_many(
 /// - CAROM_BY_RINGS: elsewhere.
 ///
 /// # Safety
-/// `restitution` may be written; `error_estimate`, `method` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_restitution_dissimilar(
     kappa: f64,

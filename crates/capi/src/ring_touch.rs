@@ -111,15 +111,13 @@ unsafe fn load_of(
 }
 
 /// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
-/// the torque about the normal. `rings` are those of `grains->unit`. `heats` may be null; here it costs
-/// nothing.
+/// the torque about the normal. `rings` are those of `grains->unit`. The heat of the step is added to `heats`,
+/// which may be null; here it costs nothing.
 ///
 /// A step takes 2 to 5 microseconds.
 ///
 /// # Safety
-/// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`;
-/// `touch`, `load`, `heats` and `error` are null or may be written. The touch is zero or was written by this
-/// build of the library; other bytes give an error status or meaningless numbers.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_grains(
     grains: *const CaromGrains,
@@ -145,7 +143,7 @@ pub unsafe extern "C" fn carom_ring_touch_grains(
 /// `carom_ring_touch_grains`.
 ///
 /// # Safety
-/// As `carom_ring_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_wall(
     grains: *const CaromGrains,
@@ -170,8 +168,7 @@ pub unsafe extern "C" fn carom_ring_touch_wall(
 /// The load of two grains after the last step, without a new one, as `carom_touch_grains_load`.
 ///
 /// # Safety
-/// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
-/// written. Rings and touch are as in `carom_ring_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_grains_load(
     grains: *const CaromGrains,
@@ -192,7 +189,7 @@ pub unsafe extern "C" fn carom_ring_touch_grains_load(
 /// The load of a grain, body 1, and a wall after the last step, as `carom_ring_touch_grains_load`.
 ///
 /// # Safety
-/// As `carom_ring_touch_grains_load`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_wall_load(
     grains: *const CaromGrains,
@@ -214,7 +211,7 @@ pub unsafe extern "C" fn carom_ring_touch_wall_load(
 /// The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite.
 ///
 /// # Safety
-/// As `carom_ring_touch_grains_load`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_energy(
     grains: *const CaromGrains,
@@ -242,8 +239,7 @@ pub unsafe extern "C" fn carom_ring_touch_energy(
 /// sliding.
 ///
 /// # Safety
-/// `touch` is null or may be read; `rings` is as in `carom_ring_touch_grains`; `report` and `error` are null or may be
-/// written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_report(
     rings: *const CaromRings,
@@ -278,8 +274,8 @@ pub unsafe extern "C" fn carom_ring_touch_report(
 /// separated grains; otherwise the first is positive.
 ///
 /// # Safety
-/// `touch` is null or may be read; `numbers` is null or has room for CAROM_RING_TOUCH_NUMBERS entries;
-/// `error` is null or may be written. The touch is as in `carom_ring_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `numbers` must have room for CAROM_RING_TOUCH_NUMBERS entries.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_pack(
     touch: *const CaromRingTouch,
@@ -304,8 +300,8 @@ pub unsafe extern "C" fn carom_ring_touch_pack(
 /// the radius of a wall is infinite. The contact continues with the same bits as the packed one.
 ///
 /// # Safety
-/// `grains` is null or may be read, `numbers` null or may be read for CAROM_RING_TOUCH_NUMBERS entries;
-/// `touch` and `error` are null or may be written; `rings` is as in `carom_ring_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `numbers` must have CAROM_RING_TOUCH_NUMBERS entries.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_ring_touch_unpack(
     grains: *const CaromGrains,

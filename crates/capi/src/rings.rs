@@ -72,7 +72,7 @@ impl CaromRings {
 /// `carom_rings_free` releases them. The matrices of `grains->unit` serve all contacts of the two materials.
 ///
 /// # Safety
-/// `pair` is null or may be read; `rings` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_rings_of(
     pair: *const CaromPair,
@@ -95,7 +95,8 @@ pub unsafe extern "C" fn carom_rings_of(
 /// Releases the matrices that `carom_rings_of` made; null is allowed.
 ///
 /// # Safety
-/// `rings` is null, or was made by `carom_rings_of` and is not used again.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `rings` must be null or made by `carom_rings_of`, and is not to be used again.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_rings_free(rings: *mut CaromRings) {
     if !rings.is_null() {

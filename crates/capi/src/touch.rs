@@ -24,7 +24,6 @@ const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
 /// `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
 ///
 /// The constants are those of the step in which contact began. To change them, set the touch to zero.
-/// The constants are those of the step in which it began; to change them, make it zero.
 #[derive(Debug, Clone, Copy)]
 #[repr(C)]
 pub struct CaromTouch {
@@ -148,16 +147,14 @@ unsafe fn load_of(
 }
 
 /// One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
-/// Velocities are those that led there; in a leapfrog scheme, those of the half step between. `heats` may be
-/// null; computing them costs several times the force.
+/// Velocities are those that led there; in a leapfrog scheme, those of the half step between. The heat of the
+/// step is added to `heats`, which may be null; computing it costs several times the force.
 ///
 /// Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
 /// Grains that are separated and stay so need no call.
 ///
 /// # Safety
-/// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may be
-/// written. The touch is zero or was written by this build of the library; other bytes give an error status
-/// or meaningless numbers.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_grains(
     grains: *const CaromGrains,
@@ -181,7 +178,7 @@ pub unsafe extern "C" fn carom_touch_grains(
 /// One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`.
 ///
 /// # Safety
-/// As `carom_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_wall(
     grains: *const CaromGrains,
@@ -206,8 +203,7 @@ pub unsafe extern "C" fn carom_touch_wall(
 /// same. A touch that is zero carries only the force of Hertz.
 ///
 /// # Safety
-/// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
-/// written. The touch is as in `carom_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_grains_load(
     grains: *const CaromGrains,
@@ -226,7 +222,7 @@ pub unsafe extern "C" fn carom_touch_grains_load(
 /// The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`.
 ///
 /// # Safety
-/// As `carom_touch_grains_load`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_wall_load(
     grains: *const CaromGrains,
@@ -245,8 +241,7 @@ pub unsafe extern "C" fn carom_touch_wall_load(
 /// The elastic energy of a contact, compression included, J.
 ///
 /// # Safety
-/// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
-/// `carom_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_energy(
     touch: *const CaromTouch,
@@ -266,7 +261,7 @@ pub unsafe extern "C" fn carom_touch_energy(
 /// The regime of the last step, and the share of the contact that sticks.
 ///
 /// # Safety
-/// As `carom_touch_energy`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_report(
     touch: *const CaromTouch,
@@ -290,8 +285,8 @@ pub unsafe extern "C" fn carom_touch_report(
 /// grains; otherwise the first is positive.
 ///
 /// # Safety
-/// `touch` is null or may be read; `numbers` is null or has room for CAROM_TOUCH_NUMBERS entries; `error` is
-/// null or may be written. The touch is as in `carom_touch_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `numbers` must have room for CAROM_TOUCH_NUMBERS entries.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_pack(
     touch: *const CaromTouch,
@@ -316,8 +311,8 @@ pub unsafe extern "C" fn carom_touch_pack(
 /// radius of a wall is infinite. The contact continues with the same bits as the packed one.
 ///
 /// # Safety
-/// `grains` is null or may be read, `numbers` null or may be read for CAROM_TOUCH_NUMBERS entries; `touch`
-/// and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+/// `numbers` must have CAROM_TOUCH_NUMBERS entries.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_unpack(
     grains: *const CaromGrains,

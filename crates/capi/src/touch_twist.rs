@@ -17,8 +17,7 @@ use crate::twist::CaromTwist;
 /// as a touch.
 ///
 /// # Safety
-/// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
-/// be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_twist_grains(
     grains: *const CaromGrains,
@@ -46,7 +45,7 @@ pub unsafe extern "C" fn carom_touch_twist_grains(
 /// One step of the twist of a grain, body 1, and a wall, whose torque is zero, as `carom_touch_twist_grains`.
 ///
 /// # Safety
-/// As `carom_touch_twist_grains`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_twist_wall(
     grains: *const CaromGrains,
@@ -72,7 +71,7 @@ pub unsafe extern "C" fn carom_touch_twist_wall(
 /// The elastic energy of the twist of two grains, J. The radius of a wall is infinite.
 ///
 /// # Safety
-/// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_twist_energy(
     grains: *const CaromGrains,

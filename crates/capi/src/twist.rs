@@ -66,7 +66,7 @@ impl CaromPair {
 /// A `zeta` that is not positive separates the bodies, and the history is lost.
 ///
 /// # Safety
-/// `pair` is null or may be read; `twist`, `torque` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_twist_advance(
     pair: *const CaromPair,
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn carom_twist_advance(
 /// The present torque on body 1, N m.
 ///
 /// # Safety
-/// `pair` and `twist` are null or may be read; `torque` and `error` are null or may be written.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_twist_torque(
     pair: *const CaromPair,
@@ -108,7 +108,7 @@ pub unsafe extern "C" fn carom_twist_torque(
 /// The elastic energy of the twist, without that of compression, J.
 ///
 /// # Safety
-/// As `carom_twist_torque`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_twist_energy(
     pair: *const CaromPair,
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn carom_twist_energy(
 /// advanced.
 ///
 /// # Safety
-/// As `carom_twist_torque`.
+/// Pointers and memories are as [the crate](crate#pointers) asks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_twist_heat(
     pair: *const CaromPair,

@@ -5,8 +5,6 @@ use carom_table::short;
 
 /// Largest approach over the radius of curvature for which the bodies count as half-spaces.
 const MAX_APPROACH_OVER_RADIUS: f64 = 0.1;
-/// Largest semi-axis over the smallest radius of the bodies for which Hertz's theory holds.
-const LARGE_CONTACT: f64 = 0.1;
 /// Largest share of the energy that elastic waves may carry away, since the theory neglects them.
 const MAX_WAVE_SHARE: f64 = 0.1;
 
@@ -88,7 +86,7 @@ impl Excess {
 #[must_use]
 pub fn large_contact(semi_axis: f64, radius: f64) -> Option<Warning> {
     let ratio = semi_axis / radius;
-    (ratio > LARGE_CONTACT).then_some(Warning::LargeContact { ratio })
+    (ratio > Warning::LARGE_CONTACT).then_some(Warning::LargeContact { ratio })
 }
 
 /// A number with three digits.

@@ -277,6 +277,12 @@ pub enum Warning {
     PointSampled,
 }
 
+impl Warning {
+    /// Largest a/R for which Hertz's theory holds: of the larger semi-axis over the smallest radius of
+    /// curvature.
+    pub const LARGE_CONTACT: f64 = 0.1;
+}
+
 impl std::fmt::Display for Warning {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -312,7 +318,11 @@ impl std::fmt::Display for Warning {
                  not convex may have other contacts",
             ),
             Self::LargeContact { ratio } => {
-                write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")
+                write!(
+                    f,
+                    "large contact: a/R = {ratio:.3} exceeds {}, beyond Hertz's theory",
+                    Self::LARGE_CONTACT
+                )
             }
         }
     }

@@ -23,7 +23,7 @@ pub(crate) fn root() -> PathBuf {
 }
 
 /// The build folder of cargo.
-fn target() -> PathBuf {
+pub(crate) fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 

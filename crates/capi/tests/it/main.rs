@@ -11,4 +11,5 @@ mod mechanics;
 mod programs;
 mod ring_grains;
 mod told;
+mod validity;
 mod wrong_bodies;

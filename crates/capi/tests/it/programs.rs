@@ -50,18 +50,20 @@ fn compile(compiler: &str, arguments: &[&str], example: &str) -> PathBuf {
 const STRICT: &[&str] = &["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
 #[test]
-fn example_in_c() {
+fn examples_in_c() {
     if !is_installed("cc") {
         return;
     }
-    let program = compile("cc", STRICT, "impact.c");
-    let said = run(&mut Command::new(&program));
-    assert!(said.ends_with("all is well\n"), "{said}");
-    if is_installed("valgrind") {
-        let options = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
-        run(Command::new("valgrind").args(options).arg(&program));
+    for example in ["impact.c", "spheres.c"] {
+        let program = compile("cc", STRICT, example);
+        let said = run(&mut Command::new(&program));
+        assert!(said.ends_with("all is well\n"), "{said}");
+        if is_installed("valgrind") {
+            let options = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
+            run(Command::new("valgrind").args(options).arg(&program));
+        }
+        std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
     }
-    std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
 }
 
 /// Runs the line of a page that compiles with `compiler`, as it stands but for where the files are, and what
@@ -96,32 +98,33 @@ fn pages_compile_the_examples() {
     compiles_as_written("../../docs/book/src/start/c.md", "gfortran");
 }
 
-/// Installed as a system has it: the shared library, found by pkg-config.
+/// Compiles the header alone.
+fn accepts_the_header(compiler: &str, standard: &str, language: &str) {
+    let mut command = Command::new(compiler);
+    command.args([
+        standard,
+        "-pedantic",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-fsyntax-only",
+        "-x",
+        language,
+    ]);
+    run(command.arg(root().join("include/carom.h")));
+}
+
+/// The header holds to the oldest standards of C, but for the types of `stdint.h`, and to new ones.
 #[test]
-fn example_in_c_by_pkg_config() {
-    if !is_installed("cc") || !is_installed("pkg-config") {
-        return;
+fn the_header_in_every_standard() {
+    let standards = [("cc", "c", "c89 c99 c11 c17"), ("c++", "c++", "c++11 c++17")];
+    for (compiler, language, names) in standards {
+        if is_installed(compiler) {
+            for name in names.split(' ') {
+                accepts_the_header(compiler, &format!("-std={name}"), language);
+            }
+        }
     }
-    let prefix = std::env::temp_dir().join(format!("carom-{}-prefix", std::process::id()));
-    std::fs::create_dir_all(prefix.join("include")).unwrap();
-    std::fs::create_dir_all(prefix.join("lib/pkgconfig")).unwrap();
-    std::fs::copy(root().join("include/carom.h"), prefix.join("include/carom.h")).unwrap();
-    let shared = library().with_extension("so");
-    std::fs::copy(&shared, prefix.join("lib/libcarom_capi.so")).unwrap();
-    let template = std::fs::read_to_string(root().join("carom.pc.in")).unwrap();
-    let text = template.replace("@PREFIX@", &prefix.to_string_lossy());
-    let text = text.replace("@VERSION@", env!("CARGO_PKG_VERSION"));
-    std::fs::write(prefix.join("lib/pkgconfig/carom.pc"), text).unwrap();
-    let mut ask = Command::new("pkg-config");
-    ask.env("PKG_CONFIG_PATH", prefix.join("lib/pkgconfig"));
-    let said = run(ask.args(["--cflags", "--libs", "carom"]));
-    let program = prefix.join("program");
-    let mut compile = Command::new("cc");
-    compile.args(STRICT).arg(root().join("examples/impact.c")).args(said.split_whitespace());
-    run(compile.arg("-lm").arg("-o").arg(&program));
-    let said = run(Command::new(&program).env("LD_LIBRARY_PATH", prefix.join("lib")));
-    assert!(said.ends_with("all is well\n"), "{said}");
-    std::fs::remove_dir_all(prefix).unwrap();
 }
 
 /// The header is C++ as well.

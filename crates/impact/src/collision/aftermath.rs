@@ -191,7 +191,7 @@ impl Collision {
             warnings.push(Warning::Coupling { gamma, friction_over_gamma });
         }
         let ratio = maximal_radius / self.contact.smallest_radius();
-        if ratio > 0.1 {
+        if ratio > Warning::LARGE_CONTACT {
             warnings.push(Warning::LargeContact { ratio });
         }
         if wave_share > NOTICEABLE && self.normal_restitution.is_elastic() {

@@ -50,7 +50,7 @@ pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
     pub(super) viscosity: f64,
 }
 
-/// Dissipated energy, by cause, J.
+/// Dissipated energy, by cause, J. Steps add to it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct Heats {

@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 45] = [
+pub(crate) const NAMES: [&str; 47] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -55,6 +55,8 @@ pub(crate) const NAMES: [&str; 45] = [
     "carom_abi_version",
     "carom_rings_of",
     "carom_restitution_dissimilar",
+    "carom_warning_text",
+    "carom_pair_validity",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -66,7 +68,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     let which = match world.pick(400) {
         0 => 38 + world.pick(2),
         1 => 36 + world.pick(2),
-        2 => 40 + world.pick(5),
+        2 => 40 + world.pick(7),
         3..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
@@ -84,6 +86,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         44 => dissimilar(world),
         38 => collide(world),
         43 => rings(world),
+        46 => validity(world),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -179,6 +182,16 @@ fn ring_touch(world: &mut World, which: usize) -> CaromStatus {
             _ => carom_ring_touch_unpack(grains, rings, radius_1, radius_2, numbers, touch, error),
         }
     }
+}
+
+fn validity(world: &mut World) -> CaromStatus {
+    let (of, error) = (world.pick(5), world.error());
+    let (zeta, radius) = (world.number(0.0, 1e-3), world.number(1e-3, 1.0));
+    let mut validity = CaromValidity::default();
+    let pair = &raw mut world.pairs[of];
+    let (pair, to) = (world.point(pair), world.point(&raw mut validity));
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe { carom_pair_validity(pair, zeta, radius, to, error) }
 }
 
 fn rings(world: &mut World) -> CaromStatus {
@@ -412,6 +425,7 @@ fn words(world: &mut World, which: usize) -> CaromStatus {
     let text = match which {
         40 => carom_status_text(world.bits() as i32),
         41 => carom_version(),
+        45 => carom_warning_text(world.bits() as u32),
         _ => carom_status_text((carom_abi_version() + carom_state_version()) as i32),
     };
     // SAFETY: ends with a zero.
