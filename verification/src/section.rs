@@ -2,7 +2,7 @@
 
 use crate::claim::{Claim, number, significant};
 use crate::figure::{Cell, Deviation, Figure, Input, Table};
-use crate::report::markup::{escape, prose};
+use crate::report::markup::{escape, numbers, prose};
 use crate::report::ratio;
 use crate::report::slim::slim;
 use crate::run::Drawn;
@@ -54,7 +54,7 @@ fn data_table(page: &mut String, table: &Table) {
                 if is_wide { format!(" data-head=\"{}\"", escape(head)) } else { String::new() };
             let _ = match cell {
                 Cell::Number(value) => {
-                    let value = shown(*value, table.digits);
+                    let value = numbers(&shown(*value, table.digits));
                     write!(page, "<td class=\"number\"{head}>{value}</td>")
                 }
                 Cell::Text(text) | Cell::Remark(text) => {
@@ -99,20 +99,15 @@ fn claims(page: &mut String, claims: &[Claim]) {
              <td class=\"number\">{}{}</td><td>{} {}</td></tr>",
             mark(claim.passes()),
             prose(&claim.statement),
-            unbroken(&claim.measured()),
-            unbroken(&claim.expected()),
-            ratio(claim.ratio()),
+            numbers(&claim.measured()),
+            numbers(&claim.expected()),
+            numbers(&ratio(claim.ratio())),
             meter(claim.ratio()),
             if claim.has_source() { prose(&claim.source) } else { NO_SOURCE.to_owned() },
             source_line(claim),
         );
     }
     close(page);
-}
-
-/// A number and its tolerance, which stay in one line.
-fn unbroken(text: &str) -> String {
-    escape(text).replace(" ±", "&nbsp;±").replace("± ", "±&nbsp;").replace(" %", "&nbsp;%")
 }
 
 fn mark(passes: bool) -> &'static str {
@@ -152,15 +147,15 @@ fn statistics(page: &mut String, claims: &[Claim]) {
     for (claim, spread) in spreads {
         let _ = writeln!(
             page,
-            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.2e}</td>\
-             <td class=\"number\">{:.2e}</td><td class=\"number\">{:.2e}</td>\
-             <td class=\"number\">{:.2e}</td></tr>",
+            "<tr><td>{}</td><td class=\"number\">{}</td>{}</tr>",
             prose(&claim.statement),
             spread.count,
-            spread.mean,
-            spread.rms,
-            spread.percentile_95,
-            spread.max,
+            [spread.mean, spread.rms, spread.percentile_95, spread.max]
+                .map(|value| format!(
+                    "<td class=\"number\">{}</td>",
+                    numbers(&significant(value, 3))
+                ))
+                .concat(),
         );
     }
     close(page);
@@ -224,7 +219,7 @@ mod tests {
         for part in [
             "&lt; 0.5",
             "assumed",
-            "<div class=\"panel\" style=\"--width:540\"><svg",
+            "<div class=\"panel\" style=\"--width:528\"><svg",
             "3.35 %",
             "Error statistics",
             "(5.3)",

@@ -11,7 +11,8 @@ const WIDTH: f64 = 440.0;
 const HEIGHT: f64 = 310.0;
 const LEFT: f64 = 78.0;
 const RIGHT: f64 = 22.0;
-const TOP: f64 = 34.0;
+/// Space above the axes, for the title.
+pub(crate) const TOP: f64 = 34.0;
 const BOTTOM: f64 = 56.0;
 /// From the foot of the axes to the baseline of the ticks and of the label.
 const TICK_DROP: f64 = 19.0;

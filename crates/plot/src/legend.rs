@@ -1,5 +1,6 @@
 //! The legend: inside the axes where there is space, otherwise beside them.
 
+use crate::axes::TOP;
 use crate::draw;
 use crate::panel::Panel;
 use crate::series::Style;
@@ -79,16 +80,28 @@ impl<'a> Legend<'a> {
             })
     }
 
-    /// Draws it with its upper left corner at that of `frame`.
+    /// Draws it in its frame, column by column.
     pub(crate) fn draw(&self, svg: &mut Svg, frame: Frame) {
         svg.rect(frame, "fill=\"#fff\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
+        let rows = (((frame.height - PAD) / LINE).round() as usize).max(1);
+        let column = self.width().unwrap_or(frame.width);
         for (i, Entry { label, style, size, colour }) in self.entries.iter().enumerate() {
-            let y = frame.y + 0.5 * PAD + i as f64 * LINE;
-            let x = frame.x + PAD;
+            let y = frame.y + 0.5 * PAD + (i % rows) as f64 * LINE;
+            let x = frame.x + PAD + (i / rows) as f64 * column;
             draw::sample(svg, *style, *size, colour, Frame { x, y, width: SAMPLE, height: LINE });
             let at = Pixel { x: x + SAMPLE + PAD, y: y + 0.5 * LINE + 4.5 };
             svg.text(at, Anchor::Start, label, Type::LEGEND);
         }
+    }
+
+    /// Its frame below the axes, which end at `foot`, in as many columns as there is space for.
+    pub(crate) fn below(&self, frame: Frame, foot: f64) -> Option<Frame> {
+        let column = self.width()?;
+        let columns = ((frame.width / column) as usize).clamp(1, self.entries.len());
+        let rows = self.entries.len().div_ceil(columns);
+        let columns = self.entries.len().div_ceil(rows);
+        let (width, height) = (columns as f64 * column, rows as f64 * LINE + PAD);
+        Some(Frame { x: frame.x, y: frame.y - TOP + foot, width, height })
     }
 
     /// Its frame beside the axes.

@@ -21,6 +21,17 @@ pub(crate) struct Plot<'a> {
     legend: Legend<'a>,
     heat: Option<Heat<'a>>,
     axes: Axes<'a>,
+    /// Where the legend stands if there is no space between the axes.
+    outside: Outside,
+}
+
+/// A place outside the axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Outside {
+    /// To the right, where pictures stand side by side.
+    Beside,
+    /// Below, where a picture must be narrow.
+    Below,
 }
 
 /// Leaves out of each legend what an earlier panel with the same axes explains.
@@ -44,10 +55,15 @@ impl<'a> Plot<'a> {
         let heat = panel.field.as_ref().map(Heat::new).transpose()?;
         let legend = Legend::default();
         let styles = panel.series.iter().map(|series| series.style).collect();
-        let mut plot = Self { panel, styles, legend, heat, axes };
+        let mut plot = Self { panel, styles, legend, heat, axes, outside: Outside::Beside };
         plot.tell_apart();
         plot.legend = Legend::of(panel, &plot.styles);
         Ok(plot)
+    }
+
+    /// The same with its legend there if there is no space between the axes.
+    pub(crate) fn with_legend(self, outside: Outside) -> Self {
+        Self { outside, ..self }
     }
 
     /// A solid line that hides an earlier one is dashed, so that both are seen.
@@ -80,9 +96,22 @@ impl<'a> Plot<'a> {
         Axes::width() + self.aside().unwrap_or(0.0)
     }
 
-    /// Height with title, ticks and labels.
+    /// Height with title, ticks, labels and a legend below.
     pub(crate) fn height(&self) -> f64 {
-        self.axes.height()
+        let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
+        let below = self.place_of_legend(frame).filter(|_| self.outside == Outside::Below);
+        let end = below.map_or(0.0, |place| place.y + place.height + 8.0);
+        self.axes.height().max(end)
+    }
+
+    /// The frame of the legend: between the axes if there is space, otherwise outside.
+    fn place_of_legend(&self, frame: Frame) -> Option<Frame> {
+        self.legend.free_corner(frame, &self.inked(frame)).or_else(|| match self.outside {
+            Outside::Below => self.legend.below(frame, self.axes.height()),
+            // The space beside the axes is used by the colour bar.
+            Outside::Beside if self.heat.is_some() => None,
+            Outside::Beside => self.legend.beside(frame),
+        })
     }
 
     /// What is drawn, in words.
@@ -107,10 +136,8 @@ impl<'a> Plot<'a> {
             return Some(heat.aside());
         }
         let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
-        match self.legend.free_corner(frame, &self.inked(frame)) {
-            Some(_) => None,
-            None => self.legend.width().map(|width| width + 12.0),
-        }
+        let end = self.place_of_legend(frame).map(|place| place.x + place.width);
+        end.map(|end| end - frame.x - frame.width).filter(|beyond| *beyond > 0.0)
     }
 
     pub(crate) fn draw(&self, svg: &mut Svg, corner: Pixel, clip: &str) -> Result<(), PlotError> {
@@ -132,10 +159,7 @@ impl<'a> Plot<'a> {
         }
         let title = Pixel { x: frame.x + 0.5 * frame.width, y: frame.y - 10.0 };
         svg.text(title, Anchor::Middle, &self.panel.title, Type::LABEL);
-        let free = self.legend.free_corner(frame, &self.inked(frame));
-        // The space beside the axes is used by the colour bar.
-        let aside = if self.heat.is_some() { None } else { self.legend.beside(frame) };
-        if let Some(place) = free.or(aside) {
+        if let Some(place) = self.place_of_legend(frame) {
             self.legend.draw(svg, place);
         }
         Ok(())

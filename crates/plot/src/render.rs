@@ -2,12 +2,14 @@
 
 use crate::error::PlotError;
 use crate::panel::Panel;
-use crate::plot::{Plot, share_legends};
+use crate::plot::{Outside, Plot, share_legends};
 use crate::raster::png_of;
 use crate::svg::{Anchor, Pixel, Svg};
 use crate::text::Type;
 
 const HEADING: f64 = 30.0;
+/// Space left and right of a panel that it does not need if it stands alone.
+const SPARE: [f64; 2] = [8.0, 4.0];
 
 /// Draws the panels as one SVG document, under `title` if it is not empty.
 ///
@@ -19,7 +21,7 @@ pub fn render(title: &str, panels: &[Panel]) -> Result<String, PlotError> {
 }
 
 /// Draws each panel as an SVG of its own, so that a page can put them below each other on a narrow
-/// screen. Names of clip paths are made from `name`: two pictures on a page need different ones.
+/// screen; a legend without space between the axes stands below them. Names of clip paths are made from `name`: two pictures on a page need different ones.
 ///
 /// ```
 /// use carom_plot::{Panel, Series, render_each};
@@ -33,13 +35,14 @@ pub fn render(title: &str, panels: &[Panel]) -> Result<String, PlotError> {
 /// # Errors
 /// As [`render`].
 pub fn render_each(name: &str, panels: &[Panel]) -> Result<Vec<String>, PlotError> {
-    let plots = plots(panels)?;
-    let one = |(i, plot): (usize, &Plot<'_>)| {
+    let plots = plots(panels)?.into_iter().map(|plot| plot.with_legend(Outside::Below));
+    let one = |(i, plot): (usize, Plot<'_>)| {
         let mut svg = Svg::default();
-        plot.draw(&mut svg, Pixel { x: 0.0, y: 0.0 }, &clip_name(name, i))?;
-        Ok(svg.finish(plot.width(), plot.height(), &plot.spoken()))
+        plot.draw(&mut svg, Pixel { x: -SPARE[0], y: 0.0 }, &clip_name(name, i))?;
+        let width = plot.width() - SPARE[0] - SPARE[1];
+        Ok(svg.finish(width, plot.height(), &plot.spoken()))
     };
-    plots.iter().enumerate().map(one).collect()
+    plots.enumerate().map(one).collect()
 }
 
 /// The same as PNG, two pixels for each unit of the SVG; texts are in DejaVu Sans, which comes with
@@ -183,6 +186,22 @@ mod tests {
         assert!(each[0].contains("role=\"img\" aria-label=\"y over x &lt; y\""));
         assert!(each[1].contains("aria-label=\"spun: y over x &lt; y\""));
         assert_eq!(render_each("none", &[]), Err(PlotError::Empty));
+        // A legend without space between the axes makes the picture higher, not wider.
+        let mut dense = titled();
+        for i in 0..12 {
+            let slope = f64::from(i) / 11.0;
+            let line = [(-1.0, 0.0), (0.0, slope), (1.0, 2.0 * slope)];
+            dense.add(Series::line(format!("slope {slope:.2}"), line));
+        }
+        let size = |svg: &str, name: &str| {
+            let text = svg.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next();
+            text.unwrap().parse::<f64>().unwrap()
+        };
+        let high = &render_each("dense", &[dense]).unwrap()[0];
+        assert_eq!(size(high, "width"), size(&each[0], "width"));
+        let last = high.lines().filter(|line| line.contains(">slope ")).map(|line| size(line, "y"));
+        let last = last.fold(0.0, f64::max);
+        assert!(last > size(&each[0], "height") && last < size(high, "height"), "{last}");
         let whole = render("both", &[titled(), titled()]).unwrap();
         assert!(whole.contains("aria-label=\"both: y over x &lt; y; y over x &lt; y\""));
     }

@@ -2,6 +2,7 @@
 
 use crate::error::PlotError;
 use std::fmt::Write as _;
+use std::sync::LazyLock;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// Size of subscripts and exponents relative to that of the text.
@@ -26,15 +27,15 @@ pub(crate) struct Type {
 
 impl Type {
     /// Style of the numbers on the axes.
-    pub(crate) const TICK: Self = Self { size: 13.0, bold: false, rise: 0.0 };
+    pub(crate) const TICK: Self = Self { size: 14.0, bold: false, rise: 0.0 };
     /// Style of labels and titles of panels.
-    pub(crate) const LABEL: Self = Self { size: 14.0, ..Self::TICK };
+    pub(crate) const LABEL: Self = Self { size: 14.5, ..Self::TICK };
     /// Style of the label of the vertical axis.
     pub(crate) const UPWARDS: Self = Self { rise: 90.0, ..Self::LABEL };
     /// Style of the title above all panels.
     pub(crate) const TITLE: Self = Self { size: 15.0, bold: true, ..Self::TICK };
     /// Style of the legend.
-    pub(crate) const LEGEND: Self = Self { size: 12.5, ..Self::TICK };
+    pub(crate) const LEGEND: Self = Self { size: 13.5, ..Self::TICK };
 }
 
 /// Where a part of a text stands.
@@ -108,9 +109,13 @@ fn exponent(text: &str) -> (&str, usize) {
     (part, part.len())
 }
 
-/// Approximate width of a text with this font size.
+/// Width of a text with this font size, that of the embedded font; others may be a little wider.
 pub(crate) fn text_width(text: &str, font_size: f64) -> f64 {
-    0.56 * font_size * text.chars().count() as f64
+    static FONT: LazyLock<Option<Font>> = LazyLock::new(|| Font::new().ok());
+    let look = Type { size: font_size, ..Type::TICK };
+    let width = FONT.as_ref().map(|font| font.outlines(text, look).1);
+    // Without the font, a letter in the mean.
+    width.unwrap_or_else(|| 0.56 * font_size * text.chars().count() as f64)
 }
 
 /// The embedded font: DejaVu Sans, under the licence of Bitstream Vera.

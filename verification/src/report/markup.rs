@@ -23,6 +23,36 @@ pub(crate) fn prose(text: &str) -> String {
     html
 }
 
+/// Numbers as they are set: a true minus, `1.5e-7` with a power of ten, and a tolerance in one line
+/// with its value.
+pub(crate) fn numbers(text: &str) -> String {
+    let mut set = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find('e') {
+        let (before, after) = (&rest[..at], &rest[at + 1..]);
+        let sign = if after.starts_with('-') { 1 } else { 0 };
+        let digits = after[sign..].find(|c: char| !c.is_ascii_digit());
+        let end = sign + digits.unwrap_or(after.len() - sign);
+        if end == sign || !before.ends_with(|c: char| c.is_ascii_digit()) {
+            set += &escape(&rest[..=at]);
+            rest = after;
+            continue;
+        }
+        // `1e-7` is a power alone.
+        let mantissa = before.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
+        let is_one = &before[mantissa.len()..] == "1";
+        let power = format!("10<sup>{}</sup>", &after[..end]);
+        set += &match is_one {
+            true => escape(mantissa) + &power,
+            false => escape(before) + "·" + &power,
+        };
+        rest = &after[end..];
+    }
+    set += &escape(rest);
+    let set = set.replace(" ±", "&nbsp;±").replace("± ", "±&nbsp;").replace(" %", "&nbsp;%");
+    set.replace('-', "−")
+}
+
 /// A formula in LaTeX's notation, as MathML.
 pub(crate) fn formula(latex: &str) -> String {
     mathml(latex, DisplayMode::Inline)
@@ -109,6 +139,23 @@ mod tests {
             assert_eq!(prose(same), same);
         }
         assert_eq!(prose("v_t'/v_t"), "v<sub>t</sub>'/v<sub>t</sub>");
+    }
+
+    #[test]
+    fn numbers_have_powers_of_ten_and_true_signs() {
+        for (text, set) in [
+            ("0.37 ± 0.07", "0.37&nbsp;±&nbsp;0.07"),
+            ("-1.5e-7", "−1.5·10<sup>−7</sup>"),
+            ("1 ± 1e-13 relative", "1&nbsp;±&nbsp;10<sup>−13</sup> relative"),
+            ("worst of 3: 2e9", "worst of 3: 2·10<sup>9</sup>"),
+            ("yes (1e-5)", "yes (10<sup>−5</sup>)"),
+            ("11e3", "11·10<sup>3</sup>"),
+            ("≤ 1", "≤ 1"),
+            ("exactly 7", "exactly 7"),
+            ("5.291 ± 2 %", "5.291&nbsp;±&nbsp;2&nbsp;%"),
+        ] {
+            assert_eq!(numbers(text), set);
+        }
     }
 
     #[test]

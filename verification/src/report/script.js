@@ -30,7 +30,7 @@
   const pages = new Map(all('.page').map(page => [page.dataset.page, page]));
   const lines = all('nav li[data-page]');
   const words = new Map();
-  const plain = text => text.toLowerCase().replaceAll('_', '').replace(/\s+/g, ' ');
+  const plain = text => text.toLowerCase().replaceAll('_', '').replaceAll('−', '-').replace(/\s+/g, ' ');
   const text = line => {
     const id = line.dataset.page;
     if (!words.has(id)) {
@@ -141,7 +141,7 @@
   for (const page of all('.intro, .page')) watch.observe(page);
 
   // The panels of a picture have one scale: two beside each other if their letters can be read, else one.
-  const least = 0.78;
+  const least = 0.71;
   const scale = picture => {
     const widths = all('.panel', picture).map(panel => Number(panel.style.getPropertyValue('--width')));
     const pairs = widths.slice(1).map((width, i) => width + widths[i]);

@@ -24,13 +24,13 @@ addEventListener('load', () => setTimeout(async () => {
     for (const box of silent()) faults.push(`a box in ${box.closest('.page').id} does not say whether it scrolls: ${box.className}, ${box.scrollWidth} in ${box.clientWidth}`);
   }
 
-  // Pictures: there, described, and with letters that can be read. Ticks are 13 pixels high in the drawing.
+  // Pictures: there, described, and with letters that can be read. Ticks are 14 pixels high in the drawing.
   const pictures = all('.panel > svg');
   for (const picture of pictures) {
     const { width, height } = picture.getBoundingClientRect();
     const page = picture.closest('.page').id;
     if (width < 100 || height < 60) faults.push(`no picture in ${page}`);
-    const letters = 13 * width / picture.viewBox.baseVal.width;
+    const letters = 14 * width / picture.viewBox.baseVal.width;
     if (!(letters > 9.9)) faults.push(`letters of ${letters.toFixed(1)} pixels in ${page}`);
   }
   for (const picture of all('main svg')) {
