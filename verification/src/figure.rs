@@ -231,7 +231,7 @@ impl Origin {
 }
 
 /// A table of numbers and words.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Title above the table.
     pub title: String,
@@ -239,6 +239,8 @@ pub struct Table {
     pub columns: Vec<String>,
     /// The rows, each as long as `columns`.
     pub rows: Vec<Vec<Cell>>,
+    /// Significant digits of its numbers in the report.
+    pub digits: usize,
 }
 
 impl Table {
@@ -252,7 +254,16 @@ impl Table {
             title: title.into(),
             columns: columns.into_iter().map(Into::into).collect(),
             rows: Vec::new(),
+            digits: 6,
         }
+    }
+
+    /// Sets the number of significant digits in the report (default 6), which should not be finer
+    /// than the errors beside them. Snapshot and CSV keep theirs.
+    #[must_use]
+    pub const fn shown_to(mut self, digits: usize) -> Self {
+        self.digits = digits;
+        self
     }
 
     /// Adds a row of cells or numbers.

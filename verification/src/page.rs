@@ -171,7 +171,7 @@ mod tests {
     fn outcome(bound: f64, snapshot: Comparison) -> Outcome {
         let mut figure = Figure::new();
         figure.at_most("small", 3.0, bound).source("given");
-        let drawn = Drawn { figure, svg: None, snapshot };
+        let drawn = Drawn { figure, svg: None, panels: Vec::new(), snapshot };
         let entry = Entry::figure("5.3", "Hertz");
         Outcome { entry, result: Ok(drawn), time: Duration::from_millis(1500) }
     }

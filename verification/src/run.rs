@@ -27,6 +27,8 @@ pub struct Drawn {
     pub figure: Figure,
     /// The picture; `None` for a table without panels.
     pub svg: Option<String>,
+    /// Each panel as a picture of its own, for the report.
+    pub panels: Vec<String>,
     /// Comparison with its snapshot.
     pub snapshot: Comparison,
 }
@@ -62,16 +64,15 @@ fn finish(result: FigureResult, snapshots: &Path) -> Result<Drawn, Failure> {
     for table in &figure.tables {
         crate::data::table_csv(table)?;
     }
-    let svg = match figure.panels.as_slice() {
-        [] => None,
-        panels => Some(carom_plot::render(&heading(&figure), panels)?),
+    let (svg, panels) = match figure.panels.as_slice() {
+        [] => (None, Vec::new()),
+        panels => {
+            let whole = carom_plot::render(&figure.title, panels)?;
+            (Some(whole), carom_plot::render_each(&figure.id, panels)?)
+        }
     };
     let snapshot = snapshot::compare(snapshots, &figure)?;
-    Ok(Drawn { figure, svg, snapshot })
-}
-
-fn heading(figure: &Figure) -> String {
-    format!("{}  {}", figure.id, figure.title)
+    Ok(Drawn { figure, svg, panels, snapshot })
 }
 
 fn panic_message(panic: &(dyn Any + Send)) -> String {

@@ -1,6 +1,6 @@
 //! The section of a page in the report: picture, tables, inputs, claims, deviations.
 
-use crate::claim::{Claim, number};
+use crate::claim::{Claim, number, significant};
 use crate::figure::{Cell, Deviation, Figure, Input, Table};
 use crate::report::markup::{escape, prose};
 use crate::report::ratio;
@@ -14,9 +14,7 @@ use std::fmt::Write as _;
 pub fn html(drawn: &Drawn) -> String {
     let figure: &Figure = &drawn.figure;
     let mut page = String::new();
-    if let Some(svg) = &drawn.svg {
-        let _ = writeln!(page, "<div class=\"picture\" tabindex=\"0\">{}</div>", slim(svg));
-    }
+    picture(&mut page, &drawn.panels);
     figure.tables.iter().for_each(|table| data_table(&mut page, table));
     claims(&mut page, &figure.claims);
     deviations(&mut page, &figure.deviations);
@@ -25,21 +23,53 @@ pub fn html(drawn: &Drawn) -> String {
     page
 }
 
+/// The panels side by side, as far as there is room for letters that can be read.
+fn picture(page: &mut String, panels: &[String]) {
+    if panels.is_empty() {
+        return;
+    }
+    page.push_str("<div class=\"picture\" tabindex=\"0\">");
+    for svg in panels {
+        let width = svg.split(" width=\"").nth(1).and_then(|rest| rest.split('"').next());
+        let width = width.unwrap_or_default();
+        let _ = write!(page, "<div class=\"panel\" style=\"--width:{width}\">{}</div>", slim(svg));
+    }
+    page.push_str("</div>\n");
+}
+
+/// The most columns that fit on a narrow screen beside each other.
+const FEW_COLUMNS: usize = 4;
+
 fn data_table(page: &mut String, table: &Table) {
-    open(page, "data", &table.title, table.columns.iter().map(String::as_str));
+    let has_words =
+        |row: &Vec<Cell>| row.iter().skip(1).any(|cell| !matches!(cell, Cell::Number(_)));
+    let is_wide = table.columns.len() > FEW_COLUMNS && table.rows.iter().any(has_words);
+    let class = if is_wide { "data cards" } else { "data" };
+    open(page, class, &table.title, table.columns.iter().map(String::as_str));
     for row in &table.rows {
         page.push_str("<tr>");
-        for cell in row {
+        for (cell, head) in row.iter().zip(&table.columns) {
+            // On a narrow screen each row is a card, each cell with the head of its column.
+            let head =
+                if is_wide { format!(" data-head=\"{}\"", escape(head)) } else { String::new() };
             let _ = match cell {
                 Cell::Number(value) => {
-                    write!(page, "<td class=\"number\">{}</td>", number(*value))
+                    let value = shown(*value, table.digits);
+                    write!(page, "<td class=\"number\"{head}>{value}</td>")
                 }
-                Cell::Text(text) | Cell::Remark(text) => write!(page, "<td>{}</td>", prose(text)),
+                Cell::Text(text) | Cell::Remark(text) => {
+                    write!(page, "<td{head}>{}</td>", prose(text))
+                }
             };
         }
         page.push_str("</tr>\n");
     }
     close(page);
+}
+
+/// A number of a table; counts in full.
+fn shown(value: f64, digits: usize) -> String {
+    if value.fract() == 0.0 { number(value) } else { significant(value, digits) }
 }
 
 fn inputs(page: &mut String, inputs: &[Input]) {
@@ -69,8 +99,8 @@ fn claims(page: &mut String, claims: &[Claim]) {
              <td class=\"number\">{}{}</td><td>{} {}</td></tr>",
             mark(claim.passes()),
             prose(&claim.statement),
-            escape(&claim.measured()),
-            escape(&claim.expected()),
+            unbroken(&claim.measured()),
+            unbroken(&claim.expected()),
             ratio(claim.ratio()),
             meter(claim.ratio()),
             if claim.has_source() { prose(&claim.source) } else { NO_SOURCE.to_owned() },
@@ -78,6 +108,11 @@ fn claims(page: &mut String, claims: &[Claim]) {
         );
     }
     close(page);
+}
+
+/// A number and its tolerance, which stay in one line.
+fn unbroken(text: &str) -> String {
+    escape(text).replace(" ±", "&nbsp;±").replace("± ", "±&nbsp;").replace(" %", "&nbsp;%")
 }
 
 fn mark(passes: bool) -> &'static str {
@@ -184,12 +219,12 @@ mod tests {
         let mut panel = Panel::new("x", "y");
         panel.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
         figure.panel(panel);
-        let svg = carom_plot::render("t", &figure.panels).ok();
-        let section = html(&Drawn { figure, svg, snapshot: Comparison::Same });
+        let panels = carom_plot::render_each("t", &figure.panels).unwrap();
+        let section = html(&Drawn { figure, svg: None, panels, snapshot: Comparison::Same });
         for part in [
             "&lt; 0.5",
             "assumed",
-            "<svg",
+            "<div class=\"panel\" style=\"--width:540\"><svg",
             "3.35 %",
             "Error statistics",
             "(5.3)",
@@ -198,5 +233,25 @@ mod tests {
         ] {
             assert!(section.contains(part), "{part}");
         }
+    }
+
+    #[test]
+    fn wide_tables_with_words_become_cards_and_numbers_are_rounded() {
+        let of = |columns: &[&str], digits| {
+            let mut table = Table::new("", columns.iter().copied()).shown_to(digits);
+            let numbers = (2..columns.len()).map(|_| Cell::from(1.0 / 3.0));
+            table.row([Cell::from("a"), Cell::from("F_x")].into_iter().chain(numbers));
+            let mut page = String::new();
+            data_table(&mut page, &table);
+            page
+        };
+        let wide = of(&["equation", "printed", "c", "d", "e_x"], 3);
+        assert!(wide.contains("class=\"data cards\""), "{wide}");
+        assert!(wide.contains("<td class=\"number\" data-head=\"e_x\">0.333</td>"), "{wide}");
+        assert!(wide.contains("<td data-head=\"printed\">F<sub>x</sub></td>"), "{wide}");
+        let narrow = of(&["equation", "printed", "c"], 6);
+        assert!(narrow.contains("class=\"data\"") && !narrow.contains("data-head"), "{narrow}");
+        assert!(narrow.contains(">0.333333<"), "{narrow}");
+        assert_eq!(shown(12_345_678.0, 3), "1.2345678e7");
     }
 }

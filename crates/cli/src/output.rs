@@ -45,13 +45,40 @@ pub struct Caution {
 pub struct Picture {
     title: String,
     panels: Vec<Panel>,
+    /// Further panels, shown on request.
+    rest: Vec<Panel>,
+}
+
+/// Which panels of a picture are shown.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Shown {
+    /// Those that say most.
+    #[default]
+    Main,
+    /// All.
+    All,
 }
 
 impl Picture {
     /// The panels under `title`.
     #[must_use]
     pub fn new(title: &str, panels: impl Into<Vec<Panel>>) -> Self {
-        Self { title: title.to_owned(), panels: panels.into() }
+        Self { title: title.to_owned(), panels: panels.into(), rest: Vec::new() }
+    }
+
+    /// The same with further panels, which are shown on request.
+    #[must_use]
+    pub fn with(self, rest: impl Into<Vec<Panel>>) -> Self {
+        Self { rest: rest.into(), ..self }
+    }
+
+    /// The same with these of its panels; the further ones too if there are no others.
+    #[must_use]
+    pub fn showing(mut self, shown: Shown) -> Self {
+        if shown == Shown::All || self.panels.is_empty() {
+            self.panels.append(&mut self.rest);
+        }
+        self
     }
 
     fn encode(&self, kind: Kind) -> Result<Vec<u8>, PlotError> {

@@ -58,7 +58,10 @@ impl<'a> Axes<'a> {
 
     /// Height with title, ticks and labels.
     pub(crate) fn height(&self) -> f64 {
-        TOP + HEIGHT + BOTTOM + self.depth_of_names()
+        // Turned names need no line for a label that is empty.
+        let is_bare = self.depth_of_names() > 0.0 && self.panel.x.label.is_empty();
+        let label = if is_bare { LABEL_DROP - TICK_DROP } else { 0.0 };
+        TOP + HEIGHT + BOTTOM + self.depth_of_names() - label
     }
 
     pub(crate) fn place(&self, point: Point, frame: Frame) -> Pixel {
@@ -186,7 +189,7 @@ mod tests {
 
     #[test]
     fn long_names_are_turned_and_none_is_cut() {
-        let of = |names: &[&str]| Panel::new(Axis::named("", names.iter().copied()), "y");
+        let of = |names: &[&str]| Panel::new(Axis::named("pair", names.iter().copied()), "y");
         let height = |panel: &mut Panel| {
             panel.add(Series::line("", [(1.0, 0.0), (2.0, 1.0)]));
             let axes = Axes::of(panel).unwrap();
@@ -199,6 +202,8 @@ mod tests {
         assert_eq!(turned, NAME_RISE);
         let length = text_width("cellulose acetate", Type::TICK.size);
         assert!((high - low - length * 0.5_f64.sqrt()).abs() < 1e-9);
+        let mut bare = Panel::new(Axis::named("", names), "y");
+        assert!((high - height(&mut bare).1 - (LABEL_DROP - TICK_DROP)).abs() < 1e-9);
         // Turned, the first name would begin left of the picture.
         let first = ["polymethyl methacrylate on itself", "b", "c", "d"];
         assert_eq!(height(&mut of(&first)).0, 90.0);

@@ -11,6 +11,10 @@ use std::collections::HashSet;
 const PALETTE: [&str; 7] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#333333"];
 
+/// The same colours for letters, dark enough to be read on white.
+const LETTERS: [&str; 7] =
+    ["#0072B2", "#B34700", "#007A59", "#A8487A", "#8A5F00", "#1F76A6", "#333333"];
+
 /// From this number on, markers are drawn as one path, which needs a few bytes each.
 const MARKERS_FOR_ONE_PATH: usize = 40;
 
@@ -20,6 +24,12 @@ const LEAST_DISTANCE: f64 = 0.25;
 /// The colour of a series that is the `index`-th of its panel.
 pub(crate) fn colour(series: &Series, index: usize) -> &'static str {
     PALETTE[series.colour.unwrap_or(index) % PALETTE.len()]
+}
+
+/// The colour of letters that belong to what is drawn in this colour.
+fn of_letters(colour: &str) -> &str {
+    let index = PALETTE.iter().position(|known| *known == colour);
+    index.map_or(colour, |index| LETTERS[index])
 }
 
 /// How a series is drawn, and where.
@@ -52,7 +62,7 @@ pub(crate) fn series(
     match style {
         Style::Markers(shape) => {
             let inside: Vec<_> = pixels.into_iter().filter(|pixel| frame.holds(*pixel)).collect();
-            markers(svg, shape, &inside, colour);
+            markers(svg, shape, series.size * MARKER, &inside, colour);
         }
         Style::Line(stroke) => {
             svg.open(&format!("clip-path=\"url(#{clip})\""));
@@ -70,7 +80,7 @@ pub(crate) fn series(
             svg.close();
         }
         Style::Note => {
-            svg.open(&format!("fill=\"{colour}\""));
+            svg.open(&format!("fill=\"{}\"", of_letters(colour)));
             for pixel in pixels.into_iter().filter(|pixel| frame.holds(*pixel)) {
                 // Above the point, towards the middle of the frame.
                 let is_right = pixel.x > frame.x + 0.8 * frame.width;
@@ -85,13 +95,13 @@ pub(crate) fn series(
 }
 
 /// Draws a short piece of the series for the legend, in the middle of `frame`.
-pub(crate) fn sample(svg: &mut Svg, style: Style, colour: &str, frame: Frame) {
+pub(crate) fn sample(svg: &mut Svg, style: Style, size: f64, colour: &str, frame: Frame) {
     let y = frame.y + 0.5 * frame.height;
     let left = Pixel { x: frame.x, y };
     let right = Pixel { x: frame.x + frame.width, y };
     let middle = Pixel { x: frame.x + 0.5 * frame.width, y };
     match style {
-        Style::Markers(shape) => marker(svg, shape, middle, colour),
+        Style::Markers(shape) => marker(svg, shape, size * MARKER, middle, colour),
         Style::Line(stroke) => line(svg, stroke, [left, right].into_iter(), colour),
         Style::Area => svg.rect(Frame { y: y - 5.0, height: 10.0, ..frame }, &area_look(colour)),
         Style::Arrows => {
@@ -123,11 +133,12 @@ pub(crate) fn thinned(pixels: &[Pixel]) -> Vec<Pixel> {
     kept.collect()
 }
 
-fn markers(svg: &mut Svg, shape: Marker, pixels: &[Pixel], colour: &str) {
+/// Markers of half the size `m`.
+fn markers(svg: &mut Svg, shape: Marker, m: f64, pixels: &[Pixel], colour: &str) {
     if pixels.len() <= MARKERS_FOR_ONE_PATH {
-        pixels.iter().for_each(|pixel| marker(svg, shape, *pixel, colour));
+        pixels.iter().for_each(|pixel| marker(svg, shape, m, *pixel, colour));
     } else {
-        svg.repeated(&without_overlaps(pixels), outline(shape), &look(shape, colour));
+        svg.repeated(&without_overlaps(pixels), &outline(shape, m), &look(shape, m, colour));
     }
 }
 
@@ -138,61 +149,68 @@ fn without_overlaps(pixels: &[Pixel]) -> Vec<Pixel> {
     pixels.iter().filter(|pixel| taken.insert(cell(pixel))).copied().collect()
 }
 
-/// The shape as relative moves of a path from its centre.
-const fn outline(shape: Marker) -> &'static str {
+/// The shape as relative moves of a path from its centre; `m` is half the size of a marker.
+fn outline(shape: Marker, m: f64) -> String {
+    let stroke = |(x, y): (f64, f64)| {
+        let [x, y] = [x * m, y * m];
+        format!("m{:.1},{:.1} {:.1},{:.1}m{:.1},{:.1}", -x, -y, 2.0 * x, 2.0 * y, -x, -y)
+    };
     match shape {
-        Marker::Dot => "h0",
-        Marker::Circle => "m-3.6,0a3.6,3.6 0 1 0 7.2,0a3.6,3.6 0 1 0-7.2,0",
-        Marker::Square => "m-3.2-3.2h6.4v6.4h-6.4z",
-        Marker::Triangle => "m0-4.3 4,7.2h-8z",
-        Marker::Cross => "m-3.2-3.2 6.4,6.4m-6.4,0 6.4-6.4",
-        Marker::Star => "m-4,0h8m-4-4v8m-2.7-6.7 5.4,5.4m-5.4,0 5.4-5.4",
+        Marker::Dot => "h0".to_owned(),
+        Marker::Circle => {
+            let d = 2.0 * m;
+            format!("m-{m:.1},0a{m:.1},{m:.1} 0 1 0 {d:.1},0a{m:.1},{m:.1} 0 1 0-{d:.1},0")
+        }
+        Marker::Square => {
+            let (half, side) = (0.9 * m, 1.8 * m);
+            format!("m-{half:.1}-{half:.1}h{side:.1}v{side:.1}h-{side:.1}z")
+        }
+        Marker::Triangle => {
+            format!("m0-{:.1} {:.1},{:.1}h-{:.1}z", 1.2 * m, 1.1 * m, 2.0 * m, 2.2 * m)
+        }
+        Marker::Cross => CROSS.map(stroke).concat(),
+        Marker::Star => STAR.map(stroke).concat(),
     }
 }
 
-fn look(shape: Marker, colour: &str) -> String {
+/// The ends of the strokes of a cross and of a star, in halves of its size.
+const CROSS: [(f64, f64); 2] = [(0.9, 0.9), (0.9, -0.9)];
+const STAR: [(f64, f64); 4] = [(1.1, 0.0), (0.0, 1.1), (0.75, 0.75), (0.75, -0.75)];
+
+fn look(shape: Marker, m: f64, colour: &str) -> String {
     match shape {
         Marker::Dot => format!(
             "fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linecap=\"round\"",
-            1.6 * MARKER
+            1.6 * m
         ),
         Marker::Triangle => format!("fill=\"{colour}\""),
         _ => format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.4\""),
     }
 }
 
-fn marker(svg: &mut Svg, shape: Marker, at: Pixel, colour: &str) {
+fn marker(svg: &mut Svg, shape: Marker, m: f64, at: Pixel, colour: &str) {
     let filled = format!("fill=\"{colour}\"");
     let open = format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.4\"");
+    let shifted = |x: f64, y: f64| Pixel { x: at.x + x * m, y: at.y + y * m };
+    let mut strokes = |ends: &[(f64, f64)]| {
+        for (x, y) in ends {
+            svg.line(shifted(-x, -y), shifted(*x, *y), &open);
+        }
+    };
     match shape {
-        Marker::Dot => svg.circle(at, 0.8 * MARKER, &filled),
-        Marker::Circle => svg.circle(at, MARKER, &open),
+        Marker::Dot => svg.circle(at, 0.8 * m, &filled),
+        Marker::Circle => svg.circle(at, m, &open),
         Marker::Square => {
-            let (x, y, size) = (at.x - 0.9 * MARKER, at.y - 0.9 * MARKER, 1.8 * MARKER);
+            let (x, y, size) = (at.x - 0.9 * m, at.y - 0.9 * m, 1.8 * m);
             svg.rect(Frame { x, y, width: size, height: size }, &open);
         }
         Marker::Triangle => {
-            let corners = [(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)];
-            let corners = corners.map(|(x, y)| shifted(at, x, y)).into_iter();
-            svg.path("polygon", corners, &filled);
+            let corners = [(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)].map(|(x, y)| shifted(x, y));
+            svg.path("polygon", corners.into_iter(), &filled);
         }
-        Marker::Cross => strokes(svg, at, &[(0.9, 0.9), (0.9, -0.9)], &open),
-        Marker::Star => {
-            strokes(svg, at, &[(1.1, 0.0), (0.0, 1.1), (0.75, 0.75), (0.75, -0.75)], &open);
-        }
+        Marker::Cross => strokes(&CROSS),
+        Marker::Star => strokes(&STAR),
     }
-}
-
-/// Lines through `at`, each given by one of its ends.
-fn strokes(svg: &mut Svg, at: Pixel, ends: &[(f64, f64)], look: &str) {
-    for (x, y) in ends {
-        svg.line(shifted(at, -x, -y), shifted(at, *x, *y), look);
-    }
-}
-
-/// `at`, moved by marker sizes.
-fn shifted(at: Pixel, x: f64, y: f64) -> Pixel {
-    Pixel { x: at.x + x * MARKER, y: at.y + y * MARKER }
 }
 
 /// Arrows, given by tail and head alternately.
@@ -205,6 +223,25 @@ fn arrows(svg: &mut Svg, ends: &[Pixel]) {
 mod tests {
     use super::*;
 
+    /// Relative luminance, as the guidelines for accessible pages (WCAG 2) define it.
+    fn luminance(hex: &str) -> f64 {
+        let part = |i: usize| f64::from(u8::from_str_radix(&hex[i..i + 2], 16).unwrap()) / 255.0;
+        let linear = [1, 3, 5].map(part).map(|c| match c <= 0.040_45 {
+            true => c / 12.92,
+            false => libm::pow((c + 0.055) / 1.055, 2.4),
+        });
+        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    }
+
+    #[test]
+    fn letters_stand_out_from_white() {
+        for colour in PALETTE {
+            let contrast = 1.05 / (luminance(of_letters(colour)) + 0.05);
+            assert!(contrast >= 4.5, "{colour}: {contrast:.2}");
+        }
+        assert_eq!(of_letters("#123456"), "#123456");
+    }
+
     #[test]
     fn many_markers_are_one_path() {
         let row = |count: i32| -> Vec<Pixel> {
@@ -212,7 +249,7 @@ mod tests {
         };
         let drawn = |pixels: &[Pixel]| {
             let mut svg = Svg::default();
-            markers(&mut svg, Marker::Dot, pixels, "#000");
+            markers(&mut svg, Marker::Dot, MARKER, pixels, "#000");
             svg.finish(1.0, 1.0, "")
         };
         let few = drawn(&row(40));

@@ -32,7 +32,7 @@ const BAR_WIDTH: f64 = 14.0;
 pub(crate) const BAR_SPACE: f64 = 106.0;
 /// Distance of bar and legend from the axes.
 const GAP: f64 = 14.0;
-/// White where there is no kind, then a colour for each: colour-blind readers distinguish the first
+/// Clear where there is no kind, then a colour for each: colour-blind readers distinguish the first
 /// two by brightness too.
 const KINDS: [[u8; 3]; 6] = [
     [255, 255, 255],
@@ -142,7 +142,8 @@ impl<'a> Heat<'a> {
             let at = |column: &usize| self.place_in_palette(self.field.at(*column, row));
             shades.extend(across.iter().map(at));
         }
-        indexed_png(across.len(), &shades, &self.palette())
+        let is_none_clear = !self.field.kinds().is_empty();
+        indexed_png(across.len(), &shades, &self.palette(), is_none_clear)
     }
 
     /// Beside the axes: the bar, or the legend of the kinds.
@@ -272,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn each_kind_has_its_colour_and_none_is_white() {
+    fn each_kind_has_its_colour_and_none_is_clear() {
         let nodes = vec![0.0, 1.0];
         let kinds = vec![Some(1), None, Some(0), Some(0)];
         let field = Field::of_kinds(["stick", "slip"], nodes.clone(), nodes, kinds).unwrap();
@@ -285,8 +286,10 @@ mod tests {
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut pixels).unwrap();
         // The first row lies below.
-        let expected = [KINDS[1], KINDS[1], KINDS[2], [255; 3]];
-        assert_eq!(pixels, expected.as_flattened());
+        let alphas: Vec<u8> = pixels.iter().skip(3).step_by(4).copied().collect();
+        assert_eq!(alphas, [255, 255, 255, 0]);
+        let colours: Vec<&[u8]> = pixels.chunks(4).map(|pixel| &pixel[..3]).collect();
+        assert_eq!(colours[..3], [KINDS[1], KINDS[1], KINDS[2]]);
         assert_eq!((kind_colour(1), kind_colour(6)), (KINDS[1], KINDS[1]));
     }
 

@@ -15,6 +15,7 @@ const PAD: f64 = 8.0;
 struct Entry<'a> {
     label: &'a str,
     style: Style,
+    size: f64,
     colour: &'static str,
 }
 
@@ -31,7 +32,7 @@ impl<'a> Legend<'a> {
         let mut entries: Vec<Entry<'_>> = Vec::new();
         for (index, (series, style)) in panel.series.iter().zip(styles).enumerate() {
             let colour = draw::colour(series, index);
-            let entry = Entry { label: &series.label, style: *style, colour };
+            let entry = Entry { label: &series.label, style: *style, size: series.size, colour };
             let is_note = *style == Style::Note;
             if !entry.label.is_empty() && !is_note && !entries.contains(&entry) {
                 entries.push(entry);
@@ -81,10 +82,10 @@ impl<'a> Legend<'a> {
     /// Draws it with its upper left corner at that of `frame`.
     pub(crate) fn draw(&self, svg: &mut Svg, frame: Frame) {
         svg.rect(frame, "fill=\"#fff\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
-        for (i, Entry { label, style, colour }) in self.entries.iter().enumerate() {
+        for (i, Entry { label, style, size, colour }) in self.entries.iter().enumerate() {
             let y = frame.y + 0.5 * PAD + i as f64 * LINE;
             let x = frame.x + PAD;
-            draw::sample(svg, *style, colour, Frame { x, y, width: SAMPLE, height: LINE });
+            draw::sample(svg, *style, *size, colour, Frame { x, y, width: SAMPLE, height: LINE });
             let at = Pixel { x: x + SAMPLE + PAD, y: y + 0.5 * LINE + 4.5 };
             svg.text(at, Anchor::Start, label, Type::LEGEND);
         }

@@ -6,11 +6,12 @@ use crate::error::PlotError;
 const SCALE: f32 = 2.0;
 
 /// An image of few colours as PNG: one byte per pixel, rows from the top, each an index into
-/// `palette`.
+/// `palette`, whose first colour may be transparent.
 pub(crate) fn indexed_png(
     width: usize,
     pixels: &[u8],
     palette: &[[u8; 3]],
+    is_first_clear: bool,
 ) -> Result<Vec<u8>, PlotError> {
     let size = |length: usize| u32::try_from(length).map_err(raster);
     let mut bytes = Vec::new();
@@ -19,6 +20,9 @@ pub(crate) fn indexed_png(
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_palette(palette.as_flattened().to_vec());
+    if is_first_clear {
+        encoder.set_trns(vec![0]);
+    }
     let mut writer = encoder.write_header().map_err(raster)?;
     writer.write_image_data(pixels).map_err(raster)?;
     writer.finish().map_err(raster)?;
@@ -83,7 +87,7 @@ mod tests {
     #[test]
     fn an_image_keeps_its_pixels() {
         let palette = [[255, 0, 0], [0, 0, 255]];
-        let png = indexed_png(3, &[0, 1, 0, 1, 1, 0], &palette).unwrap();
+        let png = indexed_png(3, &[0, 1, 0, 1, 1, 0], &palette, false).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
         decoder.set_transformations(png::Transformations::EXPAND);
         let mut reader = decoder.read_info().unwrap();

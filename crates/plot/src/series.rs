@@ -9,6 +9,8 @@ pub struct Series {
     pub style: Style,
     /// Index in the palette; by the order in the panel if not set.
     pub colour: Option<usize>,
+    /// Size of its markers, relative to the usual one.
+    pub size: f64,
     /// The points. Arrows take two each: tail, head.
     pub points: Vec<Point>,
     /// The frames of an animation, if the series moves.
@@ -92,6 +94,7 @@ impl Series {
             label: label.into(),
             style,
             colour: None,
+            size: 1.0,
             points: points.into_iter().map(Into::into).collect(),
             motion: None,
         }
@@ -121,6 +124,23 @@ impl Series {
         // Notes are hidden outside the axes.
         let frames = frames.filter(|_| self.style != Style::Note);
         self.points.iter().chain(frames)
+    }
+
+    /// Sets the size of the markers relative to the usual one, such as 1.5 for open markers around
+    /// others at the same points.
+    ///
+    /// ```
+    /// use carom_plot::{Marker, Panel, Series, render};
+    /// let mut panel = Panel::new("x", "y");
+    /// panel.add(Series::markers("inner", Marker::Dot, [(0.0, 0.0)]));
+    /// panel.add(Series::markers("outer", Marker::Circle, [(0.0, 0.0)]).sized(2.0));
+    /// assert!(render("", &[panel])?.contains("r=\"7.2\""));
+    /// # Ok::<(), carom_plot::PlotError>(())
+    /// ```
+    #[must_use]
+    pub const fn sized(mut self, size: f64) -> Self {
+        self.size = size;
+        self
     }
 
     /// Sets the colour by its index in the palette, for example to match markers with their line.

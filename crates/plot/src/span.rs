@@ -15,6 +15,7 @@ pub(crate) struct Span {
     /// Whether the values are whole numbers, such as steps, so that ticks are too.
     is_whole: bool,
     names: Vec<String>,
+    period: Option<f64>,
 }
 
 /// A labelled position on an axis.
@@ -48,7 +49,8 @@ impl Span {
         if !(low.is_finite() && high.is_finite() && low < high) {
             return Err(PlotError::Limits { label: axis.label.clone(), low, high });
         }
-        Ok(Self { scale: axis.scale, low, high, is_whole, names: axis.names.clone() })
+        let (names, period) = (axis.names.clone(), axis.period);
+        Ok(Self { scale: axis.scale, low, high, is_whole, names, period })
     }
 
     /// The position of `value`: 0 at the lower end, 1 at the upper.
@@ -133,10 +135,13 @@ impl Span {
     }
 
     fn linear_ticks(&self, power: i32) -> Vec<Tick> {
-        let step = nice_step((self.high - self.low) / 7.0);
-        let step = match self.is_whole {
-            true if step < 1.0 => 1.0,
-            true if step == 2.5 => 5.0,
+        let length = self.high - self.low;
+        let step = nice_step(length / 7.0);
+        let step = match self.period {
+            // Quarters, as far as there are three of them.
+            Some(period) if length > 0.75 * period => 0.25 * period,
+            _ if self.is_whole && step < 1.0 => 1.0,
+            _ if self.is_whole && step == 2.5 => 5.0,
             _ => step,
         };
         let first = libm::ceil(self.low / step - 1e-9) as i64;
@@ -233,12 +238,38 @@ pub(crate) fn power_of_ten(power: i32) -> String {
     format!("10{exponent}")
 }
 
-/// A label with the power of ten that was taken out of the numbers beside it.
+/// Units that take a prefix, with the power to which the prefix counts.
+const PREFIXED: [(&str, i32); 11] = [
+    ("m", 1),
+    ("N", 1),
+    ("Pa", 1),
+    ("J", 1),
+    ("W", 1),
+    ("s", 1),
+    ("rad", 1),
+    ("N m", 1),
+    ("m/s", 1),
+    ("N/m", 1),
+    ("m²", 2),
+];
+const PREFIXES: [(i32, &str); 8] =
+    [(-12, "p"), (-9, "n"), (-6, "µ"), (-3, "m"), (3, "k"), (6, "M"), (9, "G"), (12, "T")];
+
+/// A label with the power of ten that was taken out of the numbers beside it: `x / m` becomes `x / µm`
+/// where the unit takes a prefix.
 pub(crate) fn with_power(label: &str, power: i32) -> String {
-    match power {
-        0 => label.to_owned(),
-        _ => format!("{label}  (× {})", power_of_ten(power)),
+    if power == 0 {
+        return label.to_owned();
     }
+    let prefixed = label.rsplit_once(" / ").and_then(|(name, unit)| {
+        let (_, exponent) = PREFIXED.iter().find(|(own, _)| *own == unit)?;
+        let wanted = |(own, _): &&(i32, &str)| own * exponent == power;
+        let (_, prefix) = PREFIXES.iter().find(wanted)?;
+        // Longer and slower, not bigger: lengths and times grow by powers of ten only.
+        let is_odd = power > 3 && ["m", "s", "rad", "m/s"].contains(&unit);
+        (!is_odd).then(|| format!("{name} / {prefix}{unit}"))
+    });
+    prefixed.unwrap_or_else(|| format!("{label}  (× {})", power_of_ten(power)))
 }
 
 /// Replaces the hyphen by a minus sign.
@@ -286,6 +317,15 @@ mod tests {
         assert_eq!(ticks(&[0.0, 10.0]), "0 2 4 6 8 10");
         assert_eq!(ticks(&[1.0, 2.5, 3.0]), "1.0 1.5 2.0 2.5 3.0");
         assert_eq!(ticks(&[0.0, 16.0, 17.0]), "0 5 10 15");
+    }
+
+    #[test]
+    fn angles_have_ticks_at_quarters() {
+        let axis = Axis::linear("").repeating(360.0);
+        let ticks = |low, high| labels(&axis.clone().between(low, high)).0.join(" ");
+        assert_eq!(ticks(-181.0, 179.0), "−180 −90 0 90");
+        assert_eq!(ticks(0.0, 360.0), "0 90 180 270 360");
+        assert_eq!(ticks(0.0, 100.0), "0 20 40 60 80 100");
     }
 
     #[test]

@@ -184,17 +184,17 @@ impl Step {
         sum.map(|sum| sum / f64::max(count, 1.0))
     }
 
-    /// A map: 1 where the surfaces stick, -1 where they slip, 0 outside.
+    /// A map of the cells that stick and of those that slip.
     pub(super) fn stick_map(&self, title: impl Into<String>) -> Result<Panel, Failure> {
-        let values = self.state.cells.values().iter().map(|cell| match cell {
-            CellState::Stick => 1.0,
-            CellState::Slip => -1.0,
-            CellState::Exterior => 0.0,
+        let kinds = self.state.cells.values().iter().map(|cell| match cell {
+            CellState::Stick => Some(0),
+            CellState::Slip => Some(1),
+            CellState::Exterior => None,
         });
         let grid = self.state.cells.grid();
         let x = (0..grid.nx()).map(|i| grid.centred_x(i)).collect();
         let y = (0..grid.ny()).map(|i| grid.centred_y(i)).collect();
-        let field = carom_plot::Field::new("slip −1, stick 1", x, y, values.collect())?;
+        let field = carom_plot::Field::of_kinds(["stick", "slip"], x, y, kinds.collect())?;
         let panel = Panel::new("x", "y").titled(title).equal_aspect();
         Ok(panel.over(field))
     }

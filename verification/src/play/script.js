@@ -57,6 +57,9 @@
     };
   };
 
+  // Subscripts: `F_x`, `F_z,max`.
+  const set = text => text.replace(/_([a-z,]+)/g, '<tspan dy="3" font-size="9">$1</tspan><tspan dy="-3">\u200b</tspan>');
+  const word = (x, y, anchor, kind, text) => `<text class="${kind}" x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}">${set(text)}</text>`;
   const draw = (id, parts) => { document.getElementById(id).innerHTML = parts.join(''); };
   const arrow = (x, y, dx, dy, kind) => {
     const long = Math.hypot(dx, dy);
@@ -86,6 +89,9 @@
     const [x, y] = [along[0], -radius - along[1]];
     const phase = time < 0 ? one.spin * time : one.spinAfter * Math.max(time - 1, 0);
     const spoke = [x + radius * Math.sin(phase * 0.7), y - radius * Math.cos(phase * 0.7)];
+    const tail = [-70 * one.before[0], -radius + 70 * one.before[1]];
+    const head = [70 * one.after[0], -radius - 70 * one.after[1]];
+    const isNear = Math.abs(head[0] - tail[0]) < 40 && Math.abs(head[1] - tail[1]) < 14 && head[0] < -1;
     draw('play-balls', [
       `<circle class="body other" cx="${moved[0].toFixed(1)}" cy="${(far - moved[1]).toFixed(1)}" r="${far}"/>`,
       `<circle class="body" cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius}"/>`,
@@ -94,6 +100,8 @@
       arrow(0, -radius, 70 * one.after[0], -70 * one.after[1], 'after'),
       arrow(0, Math.min(far, 60), 70 * one.other[0], -70 * one.other[1], 'after'),
       curl(0, -radius, radius + 7, one.spin, 'before'), curl(0, -radius, radius + 13, one.spinAfter, 'after'),
+      word(tail[0] - 5, tail[1] + 4, 'end', 'before', 'before'),
+      word(head[0] + (head[0] < -1 ? -5 : 5), head[1] + (isNear ? -12 : 4), head[0] < -1 ? 'end' : 'start', 'after', 'after'),
     ]);
   };
 
@@ -115,7 +123,8 @@
     ]);
   };
   const path = points => points.map(([x, y], i) => `${i ? 'L' : 'M'}${x.toFixed(1)},${y.toFixed(1)}`).join('');
-  const axes = (x, label) => `<path class="axis" d="M0,-105V105M0,0H240"/><text x="236" y="${x}" text-anchor="end">${label}</text><text x="4" y="-98">F_x/(f F_z,max)</text>`;
+  const axes = label => '<path class="axis" d="M0,-102V102M0,0H240"/>'
+    + word(246, 4, 'start', '', label) + word(0, -108, 'start', '', 'F_x/(f F_z,max)');
   const forces = one => {
     const x = k => 230 * data.times[k] / end;
     const limit = data.compressions.map((z, k) => [x(k), -95 * z * Math.sqrt(Math.max(z, 0))]);
@@ -123,7 +132,7 @@
     const line = one.instants.map(([force], k) => [x(k), -95 * force]);
     const now = [230 * one.moment, -95 * within(one.moment, k => one.instants[k][0])];
     draw('play-time', [
-      `<path class="limit" d="${path(limit)}${path(mirrored).replace('M', 'L')}Z"/>`, axes(14, 't/T'),
+      `<path class="limit" d="${path(limit)}${path(mirrored).replace('M', 'L')}Z"/>`, axes('t/T'),
       `<path class="curve" d="${path(line)}"/>`, `<circle class="now" cx="${now[0].toFixed(1)}" cy="${now[1].toFixed(1)}" r="5"/>`,
     ]);
   };
@@ -138,7 +147,7 @@
     const line = one.instants.map(([force], k) => [x(shift[k]), -95 * force]);
     const now = [x(within(one.moment, k => shift[k])), -95 * within(one.moment, k => one.instants[k][0])];
     draw('play-loop', [
-      axes(14, 'ξ'), `<path class="curve" d="${path(line)}"/>`,
+      axes('ξ'), `<path class="curve" d="${path(line)}"/>`,
       `<circle class="now" cx="${now[0].toFixed(1)}" cy="${now[1].toFixed(1)}" r="5"/>`,
     ]);
   };
@@ -150,7 +159,7 @@
   };
   const answer = one => {
     const angle = Math.atan2(one.after[0], one.after[1]) * 180 / Math.PI;
-    document.getElementById('play-answer').textContent = `R_x = ${one.restitution.toFixed(3)}, λ = ${one.lambda.toPrecision(3)}`
+    document.getElementById('play-answer').innerHTML = `R<sub>x</sub> = ${one.restitution.toFixed(3)}, λ = ${one.lambda.toPrecision(3)}`
       + ` (slides throughout from ${sliding(one.nu).toFixed(2)}), leaves at ${angle.toFixed(1)}°`
       + ` with R ω/v = ${one.spinAfter.toFixed(2)}; at this moment: ${state(one)}.`;
   };

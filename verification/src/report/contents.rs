@@ -6,8 +6,8 @@ use crate::catalogue::{Entry, State};
 use crate::page::Page;
 use std::fmt::Write as _;
 
-/// Titles of the chapters of the thesis and of other groups of pages.
-const GROUPS: &[(&str, &str)] = &[
+/// Titles of the chapters of the thesis.
+const CHAPTERS: &[(&str, &str)] = &[
     ("3", "Survey of the theories"),
     ("4", "The elastic half-space"),
     ("5", "Hertz, shift and torsion"),
@@ -23,20 +23,26 @@ const GROUPS: &[(&str, &str)] = &[
     ("15", "Coefficients of restitution"),
 ];
 
-/// The group of a page: its chapter or the first part of its name.
-fn group(entry: &Entry) -> (&str, String) {
-    if let Some((chapter, title)) = GROUPS.iter().find(|(of, _)| *of == entry.chapter()) {
-        return (chapter, format!("{chapter} · {title}"));
+/// Titles of the groups of other pages, by the first part of their names.
+const GROUPS: &[(&str, &str)] = &[
+    ("errata", "Corrections of the print"),
+    ("measured", "What measurement says"),
+    ("rebound", "The oblique impact as a whole"),
+    ("particles", "Tests of particle codes"),
+    ("convergence", "Rates of convergence"),
+    ("accuracy", "Accuracy"),
+    ("rolling", "Rolling contact"),
+    ("proposition", "Propositions"),
+];
+
+/// The group of a page, and its title.
+pub(super) fn group(entry: &Entry) -> (&'static str, String) {
+    let chapter = entry.chapter();
+    if let Some((number, title)) = CHAPTERS.iter().find(|(of, _)| *of == chapter) {
+        return (number, format!("{number} · {title}"));
     }
-    match entry.chapter() {
-        "errata" => ("errata", "Corrections of the print".to_owned()),
-        "measured" => ("measured", "What measurement says".to_owned()),
-        "rebound" => ("rebound", "The oblique impact as a whole".to_owned()),
-        "particles" => ("particles", "Tests of particle codes".to_owned()),
-        "accuracy" => ("accuracy", "Accuracy".to_owned()),
-        name if name.starts_with("proposition") => ("proposition", "Propositions".to_owned()),
-        name => (name, name.to_owned()),
-    }
+    let known = GROUPS.iter().find(|(name, _)| chapter.starts_with(name));
+    known.map_or((chapter, chapter.to_owned()), |(name, title)| (name, (*title).to_owned()))
 }
 
 /// The search bar above the pages.
@@ -104,9 +110,12 @@ fn line(page: &mut String, entry: &Entry, group: &str, record: Option<&Page>) {
         "<li{class} data-page=\"{id}\" data-chapter=\"{group}\" data-state=\"{state}\" \
          data-fails=\"{fails}\" data-deviates=\"{deviates}\">"
     );
-    let number = escape(id.strip_prefix("table-").unwrap_or(id));
-    let table = if id.starts_with("table-") { "Table " } else { "" };
-    let words = format!("<b>{table}{number}</b> {}", prose(entry.title));
+    let number = match id.strip_prefix("table-") {
+        Some(number) => format!("<b>Table {}</b> ", escape(number)),
+        None if entry.is_in_thesis() => format!("<b>{}</b> ", escape(id)),
+        None => String::new(),
+    };
+    let words = format!("{number}{}", prose(entry.title));
     let _ = match record {
         Some(record) => {
             let mark = match (record.passes(), entry.state()) {

@@ -1,4 +1,4 @@
-//! Text as HTML: reserved characters, subscripts, formulas, and links from equation numbers.
+//! Text as HTML: reserved characters, subscripts, exponents, formulas, and links from equation numbers.
 
 use super::equations;
 use pulldown_latex::config::{DisplayMode, RenderConfig};
@@ -9,7 +9,7 @@ pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Text as HTML: `F_x` gets its subscript, `$\sqrt{a}$` becomes a formula, and the number of an
+/// Text as HTML: `F_x` gets its subscript, `N^(1/4)` its exponent, `$\sqrt{a}$` becomes a formula, and the number of an
 /// equation, `(7.48)`, links to its line in the index.
 pub(crate) fn prose(text: &str) -> String {
     let mut html = String::new();
@@ -49,6 +49,7 @@ fn words(html: &mut String, text: &str) {
     let mut before = ' ';
     while let Some(first) = rest.chars().next() {
         let (markup, length) = subscript(before, rest)
+            .or_else(|| exponent(before, rest))
             .or_else(|| reference(rest))
             .unwrap_or_else(|| (escape(&rest[..first.len_utf8()]), first.len_utf8()));
         *html += &markup;
@@ -71,6 +72,24 @@ fn subscript(before: char, text: &str) -> Option<(String, usize)> {
         .then(|| (format!("{single}<sub>{below}</sub>"), letter.len() + 1 + length))
 }
 
+/// `^1.5` or `^(1/4)` at the start of `text`, behind what it raises: its markup and its length.
+fn exponent(before: char, text: &str) -> Option<(String, usize)> {
+    let raised = text.strip_prefix('^').filter(|_| !before.is_whitespace())?;
+    let (exponent, length) = match raised.strip_prefix('(') {
+        Some(inner) => {
+            let end = inner.find(')')?;
+            (&inner[..end], end + 2)
+        }
+        None => {
+            let is_part = |c: char| c.is_alphanumeric() || matches!(c, '.' | '-' | '−');
+            let end = raised.find(|c| !is_part(c)).unwrap_or(raised.len());
+            let exponent = raised[..end].trim_end_matches('.');
+            (exponent, exponent.len())
+        }
+    };
+    (!exponent.is_empty()).then(|| (format!("<sup>{}</sup>", escape(exponent)), length + 1))
+}
+
 /// An equation number at the start of `text`: its markup and its length.
 fn reference(text: &str) -> Option<(String, usize)> {
     let inner = text.strip_prefix('(')?;
@@ -90,6 +109,13 @@ mod tests {
             assert_eq!(prose(same), same);
         }
         assert_eq!(prose("v_t'/v_t"), "v<sub>t</sub>'/v<sub>t</sub>");
+    }
+
+    #[test]
+    fn exponents_are_raised() {
+        assert_eq!(prose("R^(4/3)/1000"), "R<sup>4/3</sup>/1000");
+        assert_eq!(prose("(1 - X)^1.5 and x^2."), "(1 - X)<sup>1.5</sup> and x<sup>2</sup>.");
+        assert_eq!(prose("a ^ b, ∫_ρ^a"), "a ^ b, ∫_ρ<sup>a</sup>");
     }
 
     #[test]

@@ -44,7 +44,7 @@ impl Report<'_> {
         contents::bar(&mut page, self.catalogue);
         page.push_str("<div class=\"frame\">\n");
         contents::list(&mut page, self);
-        page.push_str("<main>\n");
+        page.push_str("<main>\n<p id=\"none\" class=\"none\" role=\"status\"></p>\n");
         self.summary(&mut page, &is_fresh);
         let _ = write!(
             page,
@@ -101,18 +101,19 @@ page lacks something that the thesis shows, and names it; missing pages are grey
 contents. Inputs are <span class=\"origin stated\">stated</span> if the source gives them, \
 <span class=\"origin derived\">derived</span> if they follow from what it gives, and \
 <span class=\"origin assumed\">assumed</span> if they were chosen here. The deviation of a claim is \
-given over its tolerance: the claim holds up to 1. For a bound it is the share that is used. Each \
-claim links to its line in the source. The search covers titles, texts, claims and equation numbers \
+given over its tolerance: the claim holds up to 1. For a bound it is the share that is used. A \
+claim that holds is true as it is worded; on the pages of measurements some state where theory and \
+measurement differ. Each claim links to its line in the source. The search covers titles, texts, claims and equation numbers \
 such as <kbd>7.48</kbd>; the key <kbd>/</kbd> opens it.</p></section>\n";
 
 fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
-    let (id, name) = (entry.id, escape(&entry.name()));
-    let _ = writeln!(
-        page,
-        "<section class=\"page\" id=\"{id}\" data-page=\"{id}\">\
-         <h2><a href=\"#{id}\">{name}</a>{}</h2>",
-        prose(entry.title)
-    );
+    let (id, title) = (entry.id, prose(entry.title));
+    let heading = match entry.is_in_thesis() {
+        true => format!("<a href=\"#{id}\">{}</a>{title}", escape(&entry.name())),
+        false => format!("{title} <a class=\"id\" href=\"#{id}\">{id}</a>"),
+    };
+    let _ =
+        writeln!(page, "<section class=\"page\" id=\"{id}\" data-page=\"{id}\"><h2>{heading}</h2>");
     tags(page, entry, record, is_fresh);
     if let Some(text) = texts::text(id) {
         let _ = writeln!(page, "<p class=\"why\">{}</p>", prose(text));
@@ -209,7 +210,7 @@ mod tests {
             Entry::figure("1.1", "one & only").by(nothing).partial("markers"),
             Entry::figure("1.2", "two").by(nothing),
             Entry::figure("1.3", "three"),
-            Entry::figure("1.4", "four").by(nothing),
+            Entry::check("own", "five").by(nothing),
         ]
     }
 
@@ -247,8 +248,8 @@ mod tests {
     fn the_page_holds_everything() {
         let page = report(|_| true);
         for part in [
-            "0 of 4 of the thesis",
-            "one &amp; only",
+            "0 of 3 of the thesis",
+            "<h2><a href=\"#1.1\">Fig. 1.1</a>one &amp; only</h2>",
             "Partial, without markers.",
             "the picture",
             "failed: no root",
@@ -269,6 +270,30 @@ mod tests {
         let page = report(|entry| entry.id == "1.2");
         assert!(page.contains("1 of these pages are from earlier runs"));
         assert_eq!(page.matches("2000-02-29 00:00 UTC").count(), 2);
+    }
+
+    #[test]
+    fn a_title_is_said_once_and_a_check_s_name_stands_beside_it() {
+        let mut page = String::new();
+        let entry = Entry::check("rebound.regimes", "Which regimes there are").by(nothing);
+        let record = Page::failed(entry, String::new(), Duration::ZERO);
+        section(&mut page, &entry, &record, true);
+        let heading = page.split("<h2>").nth(1).unwrap().split("</h2>").next().unwrap();
+        let name = "<a class=\"id\" href=\"#rebound.regimes\">rebound.regimes</a>";
+        assert_eq!(heading, format!("Which regimes there are {name}"));
+    }
+
+    #[test]
+    fn titles_begin_with_a_capital_and_do_not_repeat_their_group() {
+        for entry in crate::catalogue() {
+            let (_, group) = contents::group(&entry);
+            for text in [entry.title, &group] {
+                assert!(!text.starts_with(char::is_lowercase), "{}: {text}", entry.id);
+            }
+            let before_colon = entry.title.split_once(": ").map_or("", |(before, _)| before);
+            let name = entry.chapter().to_lowercase();
+            assert_ne!(before_colon.to_lowercase(), name, "{}", entry.id);
+        }
     }
 
     /// The colours of the style by name, light and dark.

@@ -26,6 +26,7 @@
   const chapter = find('#chapter');
   const state = find('#state');
   const found = find('#found');
+  const none = find('#none');
   const pages = new Map(all('.page').map(page => [page.dataset.page, page]));
   const lines = all('nav li[data-page]');
   const words = new Map();
@@ -81,6 +82,9 @@
     const filtered = asked || chapter.value !== 'all' || state.value !== 'all';
     const counted = asked && equations ? `, ${equations} equation${equations === 1 ? '' : 's'}` : '';
     found.textContent = filtered ? `${count} of ${lines.length} pages${counted}` : '';
+    const chosen = chapter.value !== 'all' || state.value !== 'all';
+    none.textContent = count > 0 ? '' : asked
+      ? `No page${chosen ? ' of this choice' : ''} mentions “${asked}”.` : 'No page fits this choice.';
   };
   let timer = 0;
   query.addEventListener('input', () => {
@@ -109,6 +113,50 @@
     filter();
     target.scrollIntoView();
   });
+
+  // The contents follow the reader: the entry of the page in view is marked and kept in sight.
+  const nav = find('nav');
+  const entries = new Map(lines.map(line => [line.dataset.page, line]));
+  let marked = null;
+  const mark = id => {
+    const line = entries.get(id) || null;
+    if (line === marked) return;
+    if (marked) marked.removeAttribute('aria-current');
+    marked = line;
+    if (!line) {
+      nav.scrollTop = 0;
+      return;
+    }
+    line.setAttribute('aria-current', 'true');
+    const [box, at] = [nav.getBoundingClientRect(), line.getBoundingClientRect()];
+    const room = Math.min(2 * at.height, 0.2 * box.height);
+    if (at.top < box.top + room || at.bottom > box.bottom - room) {
+      nav.scrollTop += at.top - box.top - 0.4 * box.height;
+    }
+  };
+  // A page is in view while it crosses a line below the bar.
+  const watch = new IntersectionObserver(seen => {
+    for (const { isIntersecting, target } of seen) if (isIntersecting) mark(target.dataset.page);
+  }, { root: document, rootMargin: '-20% 0px -79% 0px' });
+  for (const page of all('.intro, .page')) watch.observe(page);
+
+  // The panels of a picture have one scale: two beside each other if their letters can be read, else one.
+  const least = 0.78;
+  const scale = picture => {
+    const widths = all('.panel', picture).map(panel => Number(panel.style.getPropertyValue('--width')));
+    const pairs = widths.slice(1).map((width, i) => width + widths[i]);
+    const fitted = width => Math.min(1, picture.clientWidth / width);
+    const [pair, one] = [fitted(Math.max(...pairs, ...widths)), fitted(Math.max(...widths))];
+    picture.style.setProperty('--scale', Math.max(pair < least ? one : pair, least).toFixed(3));
+  };
+  // What is wider than its box says so.
+  const fit = new ResizeObserver(seen => requestAnimationFrame(() => {
+    for (const { target } of seen) {
+      if (target.matches('.picture')) scale(target);
+      target.classList.toggle('scrolls', target.scrollWidth > target.clientWidth + 1);
+    }
+  }));
+  for (const box of all('.picture, .wide')) fit.observe(box);
 
   // On a phone the contents start closed; on paper nothing is.
   const contents = find('nav details');

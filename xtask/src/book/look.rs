@@ -7,6 +7,8 @@ use std::path::Path;
 const LOOK: &str = include_str!("look.js");
 /// Widths of a phone and of a desktop screen, in pixels.
 const WIDTHS: [u32; 2] = [400, 1400];
+/// The pages are files, and each is given time to settle.
+const FILES: [&str; 2] = ["--allow-file-access-from-files", "--virtual-time-budget=20000"];
 const THEMES: [&str; 2] = ["light", "navy"];
 
 /// Looks at these pages of the built book; `false` without a browser.
@@ -25,7 +27,8 @@ pub(super) fn run(book: &Path, pages: &[String]) -> anyhow::Result<bool> {
                  <script>const asked = {asked};\n{LOOK}</script></body>"
             );
             std::fs::write(&outer, page)?;
-            let seen = answer(&browser, &outer, width).with_context(|| format!("{width}-{theme}"));
+            let seen =
+                answer(&browser, &outer, width, &FILES).with_context(|| format!("{width}-{theme}"));
             std::fs::remove_file(&outer)?;
             let seen = seen?;
             println!("{width}-{theme}: {} pages, {} drawings", seen["pages"], seen["drawings"]);

@@ -1,4 +1,4 @@
-//! Tests the report in a headless browser: two widths, both themes.
+//! Tests the report in a headless browser: three widths, both themes.
 
 use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, bail};
@@ -6,8 +6,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 const PROBE: &str = include_str!("probe.js");
-/// Widths of a phone and of a desktop screen, in pixels.
-const WIDTHS: [u32; 2] = [400, 1280];
+/// Widths of a phone, a tablet and a desktop screen, in pixels.
+const WIDTHS: [u32; 3] = [400, 800, 1400];
+/// Height of the frame, in pixels.
+const HEIGHT: u32 = 2400;
+/// After so many milliseconds the browser gives up.
+const TIME_LIMIT: &str = "--timeout=120000";
 const THEMES: [&str; 2] = ["light", "dark"];
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
@@ -78,39 +82,42 @@ fn look(
 ) -> anyhow::Result<serde_json::Value> {
     let name = format!("{width}-{theme}");
     let frame = folder.join(format!("{name}.html"));
-    // A window cannot be narrower than 500 pixels; a frame can.
+    // A window cannot be narrower than 500 pixels; a frame can. A second frame, whose document stays
+    // open, holds back the end of loading, and with it the browser's answer, until the test is done.
     let page = format!(
         "<!DOCTYPE html><body style=\"margin:0\"><pre id=\"seen\" hidden></pre>\
-         <script>addEventListener('message',e=>{{seen.textContent=btoa(unescape(encodeURIComponent(\
-         e.data)))}})</script><iframe src=\"probed.html?theme={theme}\" width=\"{width}\" \
-         height=\"2400\" style=\"border:0\"></iframe>"
+         <iframe id=\"hold\" hidden></iframe><script>hold.contentDocument.open();\
+         addEventListener('message',e=>{{seen.textContent=btoa(unescape(encodeURIComponent(\
+         e.data)));hold.contentDocument.close()}})</script>\
+         <iframe src=\"probed.html?theme={theme}\" width=\"{width}\" \
+         height=\"{HEIGHT}\" style=\"border:0\"></iframe>"
     );
     std::fs::write(&frame, page)?;
     let picture = format!("--screenshot={}", folder.join(format!("{name}.png")).display());
-    let seen = answer(browser, &frame, width);
-    start(browser, &frame, width, &picture)?;
+    let seen = answer(browser, &frame, width, &[&picture, TIME_LIMIT]);
     std::fs::remove_file(&frame)?;
     seen
 }
 
-/// Opens a page without a window.
-fn start(browser: &Path, page: &Path, width: u32, what: &str) -> anyhow::Result<Vec<u8>> {
-    let output = Command::new(browser)
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
-        .args(["--allow-file-access-from-files", "--virtual-time-budget=20000", what])
-        .arg(format!("--window-size={},2400", width.max(500)))
-        .arg(format!("file://{}", page.display()))
-        .stderr(Stdio::null())
-        .output()?;
-    Ok(output.stdout)
-}
-
-/// What the script of a page leaves in its element `seen`: JSON in base 64.
+/// What the script of a page leaves in its element `seen`: JSON in base 64. The page opens without a
+/// window, in a browser with these further options.
 ///
 /// # Errors
 /// If the browser does not start or the script leaves nothing.
-pub(crate) fn answer(browser: &Path, page: &Path, width: u32) -> anyhow::Result<serde_json::Value> {
-    let dump = start(browser, page, width, "--dump-dom")?;
+pub(crate) fn answer(
+    browser: &Path,
+    page: &Path,
+    width: u32,
+    options: &[&str],
+) -> anyhow::Result<serde_json::Value> {
+    let output = Command::new(browser)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
+        .arg(format!("--window-size={},{HEIGHT}", width.max(500)))
+        .args(options)
+        .args(["--dump-dom", &format!("file://{}", page.display())])
+        .stderr(Stdio::null())
+        .output()?;
+    let dump = output.stdout;
     let text = String::from_utf8_lossy(&dump);
     let seen = text.split("id=\"seen\"").nth(1).and_then(|rest| rest.split(['>', '<']).nth(1));
     let seen = seen.filter(|seen| !seen.is_empty()).context("the test script gave no result")?;

@@ -24,7 +24,7 @@ use crate::destination::Destination;
 use crate::error::CliError;
 use crate::format::Printing;
 use crate::manner::{Manner, Messages};
-use crate::output::{Answer, Format, Results};
+use crate::output::{Answer, Format, Picture, Results, Shown};
 use crate::outputs::Outputs;
 use carom_cases::case::CaseKind;
 use carom_cases::input::CaseFile;
@@ -86,6 +86,9 @@ struct CaseArguments {
     /// output.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Show the panels of the picture that say most, or all.
+    #[arg(long, value_name = "WHICH", value_enum, default_value_t, hide_possible_values = true)]
+    panels: Shown,
 }
 
 /// A case file and the destination of its picture, if one is requested.
@@ -101,6 +104,11 @@ impl CaseArguments {
             Some(_) => self.printing.format_beside_picture(),
             None => self.printing.format(),
         }
+    }
+
+    /// A picture for the place given with --plot, with the panels asked for.
+    fn drawn(&self, to: Destination, picture: Picture) -> (Destination, Picture) {
+        (to, picture.showing(self.panels))
     }
 
     /// Reads the case after checking that no output goes to the same file.

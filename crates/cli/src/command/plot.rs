@@ -1,6 +1,6 @@
 //! Line plots of several quantities over one, for histories.
 
-use carom_plot::{Axis, Marker, Panel, Series, Style};
+use carom_plot::{Axis, Marker, Panel, Point, Series, Style};
 
 /// A quantity of a record.
 pub(super) type Value<T> = fn(&T) -> f64;
@@ -28,22 +28,31 @@ impl<T> Course<'_, T> {
         label: &str,
         quantities: &[(&'static str, Value<T>)],
     ) -> Panel {
-        let mut panel = Panel::new(Axis::linear(self.label), Axis::linear(label)).titled(title);
-        for (name, value) in quantities {
-            self.draw(&mut panel, name, self.at, *value);
-        }
-        panel
+        let paths: Vec<_> =
+            quantities.iter().map(|(name, value)| (*name, self.at, *value)).collect();
+        self.paths(title, [self.label, label], &paths)
     }
 
-    /// A panel with paths of one quantity over another.
+    /// A panel with paths of one quantity over another. Paths that are zero beside the others are left
+    /// out and named in the title; one that lies on an earlier one is dashed, so that both are seen.
     pub(super) fn paths(
         &self,
         title: &str,
         [x, y]: [&str; 2],
         paths: &[(&'static str, Value<T>, Value<T>)],
     ) -> Panel {
-        let mut panel = Panel::new(Axis::linear(x), Axis::linear(y)).titled(title);
-        for (name, along, value) in paths {
+        let greatest = |value: Value<T>| {
+            let all = self.records.iter().chain(self.marked);
+            all.map(|record| value(record).abs()).fold(0.0, f64::max)
+        };
+        let most = paths.iter().map(|(.., value)| greatest(*value)).fold(0.0, f64::max);
+        let is_there =
+            |path: &&(&str, Value<T>, Value<T>)| most == 0.0 || greatest(path.2) > VANISHES * most;
+        let absent = paths.iter().filter(|path| !is_there(path));
+        let absent: String = absent.map(|(name, ..)| format!(", {name} = 0")).collect();
+        let mut panel =
+            Panel::new(Axis::linear(x), Axis::linear(y)).titled(format!("{title}{absent}"));
+        for (name, along, value) in paths.iter().filter(is_there) {
             self.draw(&mut panel, name, *along, *value);
         }
         panel
@@ -58,16 +67,30 @@ impl<T> Course<'_, T> {
     }
 }
 
-/// Adds a curve with marks, in the next colour.
+/// A quantity below this part of the greatest one beside it is zero but for what the solution is solved to.
+const VANISHES: f64 = 1e-6;
+/// Lines closer than this part of their greatest value lie on each other.
+const ALIKE: f64 = 1e-3;
+
+/// Whether two lines cannot be told apart.
+fn are_alike(one: &[Point], other: &[(f64, f64)]) -> bool {
+    let size = one.iter().map(|point| point.y.abs()).fold(0.0, f64::max);
+    one.len() == other.len()
+        && one.iter().zip(other).all(|(a, b)| a.x == b.0 && (a.y - b.1).abs() <= ALIKE * size)
+}
+
+/// Adds a curve with marks, in the next colour; dashed if it lies on an earlier one.
 pub(super) fn add_curve(
     panel: &mut Panel,
     name: &str,
     line: Vec<(f64, f64)>,
     marks: Vec<(f64, f64)>,
 ) {
-    let colour =
-        panel.series.iter().filter(|series| matches!(series.style, Style::Line(_))).count();
-    panel.add(Series::line(name, line).coloured(colour));
+    let mut lines = panel.series.iter().filter(|series| matches!(series.style, Style::Line(_)));
+    let colour = lines.clone().count();
+    let is_hidden = lines.any(|series| are_alike(&series.points, &line));
+    let series = if is_hidden { Series::dashed(name, line) } else { Series::line(name, line) };
+    panel.add(series.coloured(colour));
     if !marks.is_empty() {
         panel.add(Series::markers("", Marker::Dot, marks).coloured(colour));
     }

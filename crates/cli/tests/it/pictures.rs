@@ -12,7 +12,9 @@ type Wanted<'a> = (&'a str, [&'a str; 2], Vec<(&'a str, [&'a str; 2])>);
 /// Results of a command in JSON, with its picture.
 fn both(arguments: &[&str], name: &str) -> (Value, Vec<Panel>) {
     let file = fresh(name);
-    let plotted = [arguments, &["--format", "json", "--plot", file.to_str().unwrap()]].concat();
+    let all: &[&str] = if arguments[0] == "restitution" { &[] } else { &["--panels", "all"] };
+    let file_name = file.to_str().unwrap();
+    let plotted = [arguments, all, &["--format", "json", "--plot", file_name]].concat();
     let results = serde_json::from_str(&stdout(&plotted)).unwrap();
     (results, panels(&std::fs::read_to_string(&file).unwrap()))
 }
@@ -268,7 +270,11 @@ friction = 0.15
 "#;
     let file = case("picture_impact.toml", text);
     let (results, drawn) = both(&["impact", &file, "--history", "17"], "picture_impact.svg");
-    let rows = results["history"].as_array().unwrap();
+    let mut rows = results["history"].as_array().unwrap().clone();
+    for row in &mut rows {
+        row["limit"] = Value::from(0.15 * number(row, "F.2"));
+    }
+    let rows = &rows;
     let over = |curves: &[[&'static str; 2]]| {
         curves.iter().map(|[name, column]| (*name, ["time", *column])).collect::<Vec<_>>()
     };
@@ -276,10 +282,11 @@ friction = 0.15
         &drawn,
         rows,
         &[
+            ("normal force on body 1", ["time / s", "force / N"], over(&[["", "F.2"]])),
             (
-                "forces on body 1",
+                "friction on body 1",
                 ["time / s", "force / N"],
-                over(&[["F_x", "F.0"], ["F_y", "F.1"], ["F_z", "F.2"]]),
+                over(&[["F_x", "F.0"], ["F_y", "F.1"], ["± f F_z", "limit"]]),
             ),
             (
                 "displacements of body 2 against body 1",
@@ -385,7 +392,11 @@ inside = "{inside}"
     ] {
         let file = case("picture_stress.toml", &text(inside, &places));
         let (results, drawn) = both(&["stress", &file], "picture_stress.svg");
-        let curves = names.map(|name| (name, [along, name])).to_vec();
+        let curves = names.map(|name| match name {
+            "von_mises" => ("von Mises", [along, name]),
+            _ => (name, [along, name]),
+        });
+        let curves = curves.to_vec();
         let rows = results["points"].as_array().unwrap();
         let title = "";
         shows(&drawn, rows, &[(title, [label, "stress / Pa"], curves)]);
@@ -434,6 +445,42 @@ fn the_picture_of_restitution_shows_a_line_for_each_number() {
             assert!(off < 0.8, "{row}: {off}");
         }
     }
+}
+
+/// What says most is shown, the rest on request.
+#[test]
+fn the_main_panels_come_first_and_all_on_request() {
+    let file = case("picture_panels.toml", SOLVE);
+    let titles = |arguments: &[&str]| -> Vec<String> {
+        let picture = fresh("picture_panels.svg");
+        stdout(&[arguments, &["--plot", picture.to_str().unwrap()]].concat());
+        let drawn = panels(&std::fs::read_to_string(&picture).unwrap());
+        drawn.into_iter().map(|panel| panel.title).collect()
+    };
+    let main = titles(&["solve", &file]);
+    let all = titles(&["solve", &file, "--panels", "all"]);
+    assert_eq!(all[..main.len()], main);
+    assert!(main.contains(&"load curves".to_owned()) && !main.contains(&"energy".to_owned()));
+    assert!(all.contains(&"energy".to_owned()) && all.len() > main.len());
+}
+
+/// Rows in which two creepages vary are points over their number, not a line that jumps.
+#[test]
+fn rows_without_order_are_points() {
+    let (rows, drawn) = both(&["roll", &example("roll_spinning.toml")], "picture_spinning.svg");
+    let forces = drawn.iter().find(|panel| panel.title == "forces on body 1").unwrap();
+    assert_eq!(forces.x.label, "number of the row");
+    assert!(forces.lines.is_empty() && forces.marks.len() >= rows.as_array().unwrap().len());
+}
+
+/// Of forces that symmetry makes zero the title tells.
+#[test]
+fn what_is_zero_beside_the_others_is_left_out_and_named() {
+    let name = example("solve_cattaneo_loop.toml");
+    let (_, drawn) = both(&["solve", &name], "picture_zero.svg");
+    let forces = drawn.iter().find(|panel| panel.title.starts_with("forces")).unwrap();
+    assert_eq!(forces.title, "forces on body 1, F_y = 0");
+    assert!(forces.legend.contains_key("F_x") && !forces.legend.contains_key("F_y"));
 }
 
 /// A ball that slides under 30 degrees: the tractions are friction times Hertz's pressure, all along the shift.

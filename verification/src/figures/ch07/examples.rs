@@ -96,23 +96,18 @@ fn draw(number: usize) -> FigureResult {
     }
     let mut forces = Panel::new("step", "F/(f F_z)");
     for k in 0..2 {
-        forces.add(Series::line(["F_x", "F_y"][k], curves[k].clone()));
-        forces.add(Series::markers(
-            ["F_x, sliders", "F_y, sliders"][k],
-            Marker::Circle,
-            markers[k].clone(),
-        ));
-        forces.add(Series::markers(
-            ["F_x, rings", "F_y, rings"][k],
-            Marker::Cross,
-            ring_markers[k].clone(),
-        ));
+        forces.add(Series::line(["F_x", "F_y"][k], curves[k].clone()).coloured(k));
+        let name = ["F_x, sliders", "F_y, sliders"][k];
+        forces.add(Series::markers(name, Marker::Circle, markers[k].clone()).coloured(k));
+        let name = ["F_x, rings", "F_y, rings"][k];
+        let cross = Series::markers(name, Marker::Cross, ring_markers[k].clone());
+        forces.add(cross.coloured(k).sized(0.6));
     }
     let run = example.numerical(12)?;
     for k in 0..2 {
         let points = run.iter().enumerate().map(|(i, step)| ((i + 1) as f64, mesh_force(step)[k]));
         let name = ["F_x, numerical", "F_y, numerical"][k];
-        forces.add(Series::markers(name, Marker::Square, points));
+        forces.add(Series::markers(name, Marker::Square, points).coloured(k).sized(1.7));
     }
     figure.panel(forces);
     numerical_claims(&mut figure, &example, number)?;

@@ -1,6 +1,7 @@
 //! Figs. 14.15, 14.16: dissimilar bodies pressed together and released.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
+use super::angle_axis;
 use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 
@@ -60,7 +61,7 @@ pub(super) fn angle() -> FigureResult {
         let angle = cell.angle();
         (law_angle(&cell, mesh.semi_axes, 1.0), angle - 180.0 * (angle / 180.0).floor())
     });
-    let mut panel = Panel::new("angle of (x/a, y/b) in degrees", "angle of t in degrees");
+    let mut panel = Panel::new("angle of (x/a, y/b) in degrees", angle_axis());
     panel.add(Series::markers("numerical, step 10", Marker::Dot, points.collect::<Vec<_>>()));
     let line = (0..=90).map(|degrees| {
         let angle = f64::from(degrees).to_radians();

@@ -1,6 +1,7 @@
 //! Fig. 14.14: an ellipse with nu = 0.5 shifted along x and back.
 
 use super::super::mesh::{APPROACH, Mesh, Touching, steps};
+use super::angle_axis;
 use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::Memory;
@@ -22,7 +23,7 @@ pub(super) fn draw() -> FigureResult {
     path.extend(steps(at(0.1585), at(-0.1585), 10));
     let run = mesh.follow(&path)?;
     let peak = hertz.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut angles = Panel::new("√(x²/a² + y²/b²)", "angle of t in degrees");
+    let mut angles = Panel::new("√(x²/a² + y²/b²)", angle_axis());
     let mut sizes = Panel::new("√(x²/a² + y²/b²)", "|t|/(f p₀)");
     let radius = |cell: &Touching| (0.5 * cell.x).hypot(cell.y);
     for (colour, number) in [6, 8, 10, 12, 14, 16].into_iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Figs. 14.17 to 14.21: pressed, shifted along x, along y, and back on the same path.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
+use super::angle_axis;
 use super::dissimilar::{law_angle, misfit};
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
@@ -137,7 +138,7 @@ fn angles(numbers: &[usize], friction: f64) -> Result<(Figure, Vec<Step>), Failu
     let mut figure = Figure::new();
     inputs(&mut figure);
     let run = mesh(friction).follow(&history(friction))?;
-    let mut panel = Panel::new("angle of (x/a, y/b) in degrees", "angle of t in degrees");
+    let mut panel = Panel::new("angle of (x/a, y/b) in degrees", angle_axis());
     let markers = [Marker::Cross, Marker::Square, Marker::Circle];
     for (number, marker) in numbers.iter().zip(markers) {
         let points = run[number - 1].touching().map(|cell: Touching| {

@@ -1,6 +1,7 @@
 //! Figs. 14.4, 14.5: the history of fig. 14.1 with nu = 0.5, where directions couple.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
+use super::angle_axis;
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::Memory;
@@ -73,7 +74,7 @@ pub(super) fn stress() -> FigureResult {
     let mesh = mesh(ELEMENTS);
     let run = mesh.follow(&history()[..16])?;
     let peak = mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut angles = Panel::new("r/a", "angle of t in degrees");
+    let mut angles = Panel::new("r/a", angle_axis());
     let mut sizes = Panel::new("r/a", "|t|/(f p₀)");
     let sector = |cell: &Touching| cell.x > 0.0 && cell.y > 0.0;
     for (colour, number) in [6, 8, 10, 12, 14, 16].into_iter().enumerate() {

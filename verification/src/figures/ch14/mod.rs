@@ -12,7 +12,13 @@ mod sphere_stress;
 mod torsion;
 mod turning;
 
+use crate::Axis;
 use crate::catalogue::Entry;
+
+/// The axis of the direction of a traction.
+fn angle_axis() -> Axis {
+    Axis::linear("angle of t in degrees").repeating(360.0)
+}
 
 /// The tables and figures of the chapter, in order.
 pub(super) const ENTRIES: &[Entry] = &[

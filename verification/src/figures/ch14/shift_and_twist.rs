@@ -1,6 +1,7 @@
 //! Figs. 14.25 to 14.29, 14.31, 14.32: an ellipse shifted and twisted at the same time.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
+use super::angle_axis;
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_classic::rigid_slip::spin_about;
 use carom_laws::law::Shift;
@@ -73,7 +74,7 @@ fn mean(values: &[f64]) -> f64 {
 /// Angles along three rows of elements, with rigid slip as lines; sizes over p_0.
 fn panels(figure: &mut Figure, step: &Step, shift: &Shift, title: &str) -> Result<(), Failure> {
     let peak = mesh().hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut angles = Panel::new("x", "angle of t in degrees").titled(title);
+    let mut angles = Panel::new("x", angle_axis()).titled(title);
     let mut sizes = Panel::new("x", "|t|/(f p₀)").titled(title);
     let rows = [-0.5, 1.0 / 30.0, 0.5];
     for (colour, row) in rows.into_iter().enumerate() {
@@ -81,9 +82,10 @@ fn panels(figure: &mut Figure, step: &Step, shift: &Shift, title: &str) -> Resul
             step.touching().filter(|cell| (cell.y - row).abs() < 0.02).collect();
         let name = format!("y = {row:.2}");
         let rigid = cells.iter().map(|cell| (cell.x, rigid_angle(shift, cell.x, cell.y)));
-        angles.add(Series::line(name.clone(), rigid).coloured(colour));
+        angles.add(Series::line(format!("rigid slip, {name}"), rigid).coloured(colour));
         let own = cells.iter().map(|cell| (cell.x, cell.angle()));
-        angles.add(Series::markers("", Marker::Circle, own).coloured(colour));
+        let label = format!("numerical, {name}");
+        angles.add(Series::markers(label, Marker::Circle, own).coloured(colour));
         let size = cells.iter().map(|cell| (cell.x, cell.size() / peak));
         sizes.add(Series::markers(name, Marker::Circle, size).coloured(colour));
     }

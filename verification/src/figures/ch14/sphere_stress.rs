@@ -1,6 +1,7 @@
 //! Fig. 14.3: tangential stress on a sphere that slips back.
 
 use super::super::mesh::{Mesh, Step};
+use super::angle_axis;
 use super::sphere_loop::{history, inputs};
 use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
 
@@ -33,7 +34,7 @@ pub(super) fn draw() -> FigureResult {
     let mesh = Mesh::of([1.0; 2], [ELEMENTS; 2]);
     let run = mesh.follow(&history()[..16])?;
     let peak = mesh.hertz()?.at_approach(super::super::mesh::APPROACH)?.pressure(0.0, 0.0);
-    let mut angles = Panel::new("r/a", "angle of t in degrees");
+    let mut angles = Panel::new("r/a", angle_axis());
     let mut sizes_panel = Panel::new("r/a", "|t|/(f p₀)");
     let radii: Vec<f64> = (0..=100).map(|i| f64::from(i) / 100.0).collect();
     for (colour, number) in STEPS.into_iter().enumerate() {

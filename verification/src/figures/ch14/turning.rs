@@ -2,6 +2,7 @@
 
 use super::super::mesh::{APPROACH, Mesh, Step, steps};
 use super::super::outline::ellipse;
+use super::angle_axis;
 use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::VectorMemory;
@@ -142,7 +143,7 @@ fn panels(
     theory: Option<&Leg>,
 ) -> Result<(), Failure> {
     let peak = mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut directions = Panel::new("r/a", "angle of t in degrees");
+    let mut directions = Panel::new("r/a", angle_axis());
     let mut sizes = Panel::new("r/a", "|t|/(f p₀)");
     for (colour, number) in [8, 10, LEG + 6].into_iter().enumerate() {
         let (name, step) = (format!("step {number}"), &run[number - 1]);

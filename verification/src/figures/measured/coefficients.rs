@@ -54,6 +54,17 @@ fn fitted(kappa: f64) -> Result<f64, Failure> {
     Ok(beta)
 }
 
+/// The names of a pair as short as they are below an axis.
+fn short(pair: &Measured) -> String {
+    let mut name = pair.name.replace(" on itself", "");
+    for (long, short) in
+        [("smooth aluminium plate", "aluminium"), ("Zerodur plate in air", "Zerodur")]
+    {
+        name = name.replace(long, short);
+    }
+    name
+}
+
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
     figure.stated(
@@ -66,7 +77,8 @@ pub(super) fn draw() -> FigureResult {
     let mut table = Table::new(
         "Measured coefficients, and the β₀ of elastic theory",
         ["pair", "e", "f", "β₀ measured", "±", "β₀ elastic", "deviations"],
-    );
+    )
+    .shown_to(3);
     let (mut deviations, mut references) = (Vec::new(), Vec::new());
     let (mut dots, mut ends, mut lines) = (Vec::new(), Vec::new(), Vec::new());
     for (i, one) in pairs.iter().enumerate() {
@@ -90,8 +102,7 @@ pub(super) fn draw() -> FigureResult {
             deviations.push((one.name.clone(), deviation));
         }
     }
-    let mut panel =
-        Panel::new(Axis::linear("pair, in the order of the table").between(0.0, 12.0), "β₀");
+    let mut panel = Panel::new(Axis::named("", pairs.iter().map(short)), "β₀");
     panel.add(Series::markers("elastic theory", Marker::Square, lines));
     bars(ends).into_iter().for_each(|bar| panel.add(bar));
     panel.add(Series::markers("measured", Marker::Dot, dots).coloured(6));

@@ -11,12 +11,11 @@ mod superball;
 
 /// The pages.
 pub(super) const ENTRIES: &[Entry] = &[
-    Entry::check("measured.alumina-on-glass", "Measured: alumina balls on glass at all angles")
+    Entry::check("measured.alumina-on-glass", "Alumina balls on glass at all angles")
         .by(alumina_on_glass::draw),
-    Entry::check("measured.glass-pairs", "Measured: 24 impacts of two glass spheres")
-        .by(glass_pairs::draw),
-    Entry::check("measured.coefficients", "Measured: coefficients of eleven pairs of materials")
+    Entry::check("measured.glass-pairs", "24 impacts of two glass spheres").by(glass_pairs::draw),
+    Entry::check("measured.coefficients", "Coefficients of eleven pairs of materials")
         .by(coefficients::draw),
-    Entry::check("measured.superball", "Measured: a rubber ball, and where the theory ends")
+    Entry::check("measured.superball", "A rubber ball, and where the theory ends")
         .by(superball::draw),
 ];

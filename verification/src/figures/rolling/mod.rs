@@ -7,7 +7,7 @@ mod curves;
 
 /// The pages.
 pub(super) const ENTRIES: &[Entry] = &[
-    Entry::check("rolling.coefficients", "Rolling: Kalker's creep coefficients")
+    Entry::check("rolling.coefficients", "Kalker's creep coefficients")
         .slowly_by(coefficients::draw),
-    Entry::check("rolling.curves", "Rolling: forces by creepage and spin").slowly_by(curves::draw),
+    Entry::check("rolling.curves", "Forces by creepage and spin").slowly_by(curves::draw),
 ];

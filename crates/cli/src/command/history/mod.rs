@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         (Format::Table(_), 1..) => steps.finish()? + &tractions.finish()?,
         _ => steps.finish()?,
     };
-    let picture = plot.map(|to| (to, plot::draw(&drawn)));
+    let picture = plot.map(|to| arguments.given.drawn(to, plot::draw(&drawn)));
     let mut warnings = warnings(&case, &limits, arguments.tractions.is_some());
     let large = large_contact(semi_axis, case.smallest_radius);
     warnings.extend(large.map(|warning| warning.to_string()));

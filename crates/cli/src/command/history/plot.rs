@@ -6,17 +6,12 @@ use crate::output::Picture;
 use carom_cases::history::{Step, Traction};
 use carom_plot::Panel;
 
-/// Loads and sizes against the step, force against shift, torque against twist, and the tractions
-/// after the last step in contact.
+/// Force against shift, torque against twist, the stick area, and the tractions after the last step in
+/// contact; forces and energy against the step on request.
 pub(super) fn draw(drawn: &Drawn) -> Picture {
     let (history, between) = (drawn.marked.as_slice(), drawn.course.as_slice());
     let course = Course { records: between, marked: history, label: "step", at: |step| step.step };
     let mut panels = vec![
-        course.panel(
-            "forces on body 1",
-            "force / N",
-            &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
-        ),
         course.paths(
             "loops",
             ["shift / m", "force / N"],
@@ -26,6 +21,13 @@ pub(super) fn draw(drawn: &Drawn) -> Picture {
             ],
         ),
         areas(&course),
+    ];
+    let mut rest = vec![
+        course.panel(
+            "forces on body 1",
+            "force / N",
+            &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
+        ),
         course.panel(
             "energy",
             "energy / J",
@@ -33,11 +35,13 @@ pub(super) fn draw(drawn: &Drawn) -> Picture {
         ),
     ];
     if history.iter().any(|step| step.twist.is_some()) {
-        panels.extend(torsion(history, between));
+        let [torque, stick] = torsion(history, between);
+        panels.push(torque);
+        rest.push(stick);
     }
     panels.extend(drawn.last.as_ref().map(|[last, given]| tractions(last, &given.tractions)));
     let marks = if history.len() <= MOST_MARKS { " (dots: the steps given)" } else { "" };
-    Picture::new(&format!("Load history{marks}"), panels)
+    Picture::new(&format!("Load history{marks}"), panels).with(rest)
 }
 
 fn areas(course: &Course<'_, Step>) -> Panel {

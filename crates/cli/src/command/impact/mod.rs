@@ -126,7 +126,11 @@ fn single(
         Some(to) if arguments.animate.is_some() => {
             Some((to, movie::movie(&record, &course(path, file, movie::INSTANTS)?)))
         }
-        Some(to) => Some((to, plot::course(&course(path, file, plot::INSTANTS)?))),
+        Some(to) => {
+            let history = course(path, file, plot::INSTANTS)?;
+            let friction = file.nominal().collision.friction();
+            Some(arguments.given.drawn(to, plot::course(&history, friction)))
+        }
         None => None,
     };
     let caution = caution(&[record.excess], several(&record));

@@ -7,8 +7,12 @@ use crate::output::Picture;
 use carom_cases::case::Input;
 use carom_impact::HistoryPoint;
 use carom_impact::coupled::ImpactMethod;
+use carom_laws::friction::Friction;
+use carom_plot::Series;
 use carom_special::linspace;
 
+/// The palette's grey.
+const GREY: usize = 6;
 /// Number of instants of a drawn history.
 pub(super) const INSTANTS: usize = 401;
 /// Number of values of a drawn sweep: of impacts in microseconds, of those by rings (milliseconds), and
@@ -17,8 +21,9 @@ const VALUES: usize = 361;
 const VALUES_BY_RINGS: usize = 121;
 const VALUES_ON_A_GRID: usize = 46;
 
-/// Forces, displacements, velocities and the contact against time.
-pub(super) fn course(history: &[HistoryPoint]) -> Picture {
+/// Normal force, friction with its limit and the contact against time; displacements and velocities
+/// on request.
+pub(super) fn course(history: &[HistoryPoint], friction: Friction) -> Picture {
     let course =
         Course { records: history, marked: &[], label: "time / s", at: |point| point.time };
     let mut areas: Vec<(&'static str, Value<HistoryPoint>)> =
@@ -29,12 +34,23 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
             ("stick", |p| p.stick_radius.unwrap_or_default()),
         ];
     }
-    let panels = [
-        course.panel(
-            "forces on body 1",
+    let mut panels =
+        vec![course.panel("normal force on body 1", "force / N", &[("", |p| p.force.z)])];
+    if friction.get() > 0.0 {
+        let mut panel = course.panel(
+            "friction on body 1",
             "force / N",
-            &[("F_x", |p| p.force.x), ("F_y", |p| p.force.y), ("F_z", |p| p.force.z)],
-        ),
+            &[("F_x", |p| p.force.x), ("F_y", |p| p.force.y)],
+        );
+        for (name, f) in friction.coefficient().into_iter().flat_map(|f| [("± f F_z", f), ("", -f)])
+        {
+            let limit = history.iter().map(|point| (point.time, f * point.force.z));
+            panel.add(Series::dotted(name, limit).coloured(GREY));
+        }
+        panels.push(panel);
+    }
+    panels.push(course.panel("contact", "radius, semi-axis / m", &areas));
+    let rest = [
         course.panel(
             "displacements of body 2 against body 1",
             "displacement / m",
@@ -45,9 +61,8 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
             "velocity / m/s",
             &[("v_x", |p| p.velocity.x), ("v_y", |p| p.velocity.y), ("v_z", |p| p.velocity.z)],
         ),
-        course.panel("contact", "radius, semi-axis / m", &areas),
     ];
-    Picture::new("History of the impact", panels)
+    Picture::new("History of the impact", panels).with(rest)
 }
 
 /// These values, and this number of values from the smallest to the largest; none if these are equal.

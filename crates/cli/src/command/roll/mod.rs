@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let creep = creep.filter(|_| arguments.coefficients);
     let text = text(format, &rows, creep.as_ref())?;
     let picture = match plot {
-        Some(to) => Some((to, plot::draw(&rows, &state)?)),
+        Some(to) => Some(arguments.given.drawn(to, plot::draw(&rows, &state)?)),
         None => None,
     };
     let warnings = warnings(&case, &rows, arguments.coefficients || arguments.fastsim);

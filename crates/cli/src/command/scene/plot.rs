@@ -13,6 +13,8 @@ use std::f64::consts::TAU;
 const INSTANTS: usize = 41;
 /// Largest number of balls drawn; more would hide the path.
 const MOST_BALLS: usize = 12;
+/// Largest number of bounces with their numbers; more would hide each other.
+const MOST_NUMBERED: usize = 20;
 const AXES: [&str; 3] = ["x / m", "y / m", "z / m"];
 
 /// The two axes of the picture and its limits.
@@ -72,6 +74,11 @@ impl<'a> Course<'a> {
             panel.add(Series::area("", circle(flat(centre), radius)).coloured(0));
         }
         panel.add(Series::line("centre of the ball", centres.into_iter().map(flat)).coloured(0));
+        if contacts.len() <= MOST_NUMBERED {
+            for (i, contact) in contacts.iter().enumerate() {
+                panel.add(Series::note((i + 1).to_string(), flat(*contact)));
+            }
+        }
         if !contacts.is_empty() {
             let contacts = contacts.into_iter().map(flat);
             panel.add(Series::markers("bounces", Marker::Dot, contacts).coloured(1));

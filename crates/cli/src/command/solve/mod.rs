@@ -128,7 +128,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     warnings.extend(large);
     warnings.extend(unreached(&case, steps));
     let picture = match plot {
-        Some(to) => Some((to, plot::draw(&followed, &case)?)),
+        Some(to) => Some(arguments.given.drawn(to, plot::draw(&followed, &case)?)),
         None => None,
     };
     Ok(Answer { text, warnings, picture, ..Answer::default() })

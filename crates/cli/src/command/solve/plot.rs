@@ -9,6 +9,8 @@ use carom_cases::solve::Followed;
 use carom_plot::{Arrow, Axis, Field, Marker, Panel, Point, Series};
 use carom_solver::{CellState, ContactState, Contour, StepSummary};
 
+/// Approaches that differ by less than this part are the same, solved to a tolerance.
+const SAME: f64 = 1e-6;
 /// Largest number of arrows along an axis.
 const MAX_ARROWS: usize = 40;
 
@@ -21,48 +23,11 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
         at: |step: &StepSummary| step.step as f64,
     };
     let (state, f) = (&followed.state, case.friction);
-    let mut panels = Vec::new();
+    let (mut panels, mut rest) = (Vec::new(), Vec::new());
     if steps.len() > 1 {
-        panels.push(course.panel(
-            "forces on body 1",
-            "force / N",
-            &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
-        ));
-        if steps.iter().any(|step| step.shift.xi != 0.0 || step.shift.eta != 0.0) {
-            panels.push(course.paths(
-                "load curves",
-                ["shift / m", "force / N"],
-                &[
-                    ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
-                    ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
-                ],
-            ));
-        }
-        if steps.iter().any(|step| step.shift.zeta != steps[0].shift.zeta) {
-            panels.push(course.paths(
-                "approach",
-                ["ζ / m", "force / N"],
-                &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
-            ));
-        }
+        panels.extend(curves(&course));
         panels.extend(limits(case, steps));
-        if steps.iter().any(|step| step.shift.omega != 0.0) {
-            panels.push(course.paths(
-                "torque",
-                ["ω / rad", "torque / N m"],
-                &[("M_z against ω", |s| s.shift.omega, |s| s.load.m_z)],
-            ));
-        }
-        panels.push(course.panel(
-            "energy",
-            "energy / J",
-            &[("stored", |s| s.stored_energy), ("dissipated", |s| s.dissipated)],
-        ));
-        panels.push(course.panel(
-            "areas",
-            "area / m²",
-            &[("contact", |s| s.contact_area), ("stick", |s| s.stick_area)],
-        ));
+        rest.extend(over_steps(&course));
     }
     if state.pressure.values().iter().any(|p| *p > 0.0) {
         let middle = followed.window.middle();
@@ -72,11 +37,64 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
         panels.extend((!outlines.series.is_empty()).then_some(outlines));
         let tractions = [&state.traction_x, &state.traction_y];
         if tractions.iter().any(|t| t.values().iter().any(|t| *t != 0.0)) {
-            panels.push(sizes(state, f));
-            panels.push(angles(state));
+            rest.push(sizes(state, f));
+            rest.push(angles(state));
         }
     }
-    Ok(Picture::new("Contact on a grid", panels))
+    Ok(Picture::new("Contact on a grid", panels).with(rest))
+}
+
+/// Loads over the motions that change.
+fn curves(course: &Course<'_, StepSummary>) -> Vec<Panel> {
+    let steps = course.records;
+    let mut panels = Vec::new();
+    if steps.iter().any(|step| step.shift.xi != 0.0 || step.shift.eta != 0.0) {
+        panels.push(course.paths(
+            "load curves",
+            ["shift / m", "force / N"],
+            &[
+                ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
+                ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
+            ],
+        ));
+    }
+    let first = steps[0].shift.zeta;
+    if steps.iter().any(|step| (step.shift.zeta - first).abs() > SAME * first.abs()) {
+        panels.push(course.paths(
+            "approach",
+            ["ζ / m", "force / N"],
+            &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
+        ));
+    }
+    if steps.iter().any(|step| step.shift.omega != 0.0) {
+        panels.push(course.paths(
+            "torque",
+            ["ω / rad", "torque / N m"],
+            &[("M_z against ω", |s| s.shift.omega, |s| s.load.m_z)],
+        ));
+    }
+    panels
+}
+
+/// Forces, energy and areas after each step.
+fn over_steps(course: &Course<'_, StepSummary>) -> [Panel; 3] {
+    [
+        course.panel(
+            "forces on body 1",
+            "force / N",
+            &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
+        ),
+        course.panel(
+            "energy",
+            "energy / J",
+            &[("stored", |s| s.stored_energy), ("dissipated", |s| s.dissipated)],
+        ),
+        course.panel(
+            "areas",
+            "area / m²",
+            &[("contact", |s| s.contact_area), ("stick", |s| s.stick_area)],
+        ),
+    ]
 }
 
 fn axes(title: &str) -> Panel {

@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Format::Table(page) => {
             columns::upright(page, &row(HertzState::COLUMNS, Some(&state)))
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
-                + "point of maximum equivalent stress:\n"
+                + "maximum equivalent stress among the points:\n"
                 + &columns::upright(page, &row(StressPoint::COLUMNS, greatest(&points)))
         }
         Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, &points)?,
@@ -167,7 +167,7 @@ fn draw(case: &StressCase, points: &[StressPoint]) -> Result<Picture, PlotError>
             Value::Number(stress) => Some((place(along, point.at[along]), stress)),
             _ => None,
         });
-        panel.add(Series::line(column.name(), line));
+        panel.add(Series::line(column.name().replace("von_mises", "von Mises"), line));
     }
     Ok(Picture::new(&title, [panel]))
 }

@@ -157,6 +157,10 @@ fn panel(text: &str) -> Panel {
         }
     }
     for axis in [&mut panel.x, &mut panel.y] {
+        if let Some((label, unit)) = without_prefix(&axis.label) {
+            axis.ticks.iter_mut().for_each(|tick| tick[1] *= unit);
+            axis.label = label;
+        }
         // "force / N  (× 10⁶)": ticks are in thousands or millions.
         if let Some((label, power)) = axis.label.clone().split_once("  (× ") {
             let unit = tick(power.trim_end_matches(')'));
@@ -165,6 +169,26 @@ fn panel(text: &str) -> Panel {
         }
     }
     panel
+}
+
+/// "force / kN" as "force / N" and a thousand.
+fn without_prefix(label: &str) -> Option<(String, f64)> {
+    let (name, unit) = label.rsplit_once(" / ")?;
+    let bare = ["m²", "m/s", "N/m", "N m", "rad", "Pa", "N", "J", "W", "s", "m"];
+    let bare = bare.into_iter().find(|bare| unit.len() > bare.len() && unit.ends_with(bare))?;
+    let power = match unit.strip_suffix(bare)? {
+        "p" => -12,
+        "n" => -9,
+        "µ" => -6,
+        "m" => -3,
+        "k" => 3,
+        "M" => 6,
+        "G" => 9,
+        "T" => 12,
+        _ => return None,
+    };
+    let power = if bare == "m²" { 2 * power } else { power };
+    Some((format!("{name} / {bare}"), 10.0_f64.powi(power)))
 }
 
 impl Panel {
