@@ -16,7 +16,7 @@ pub enum Solved {
     /// A bellows under each of its loads.
     Bellows(FollowedBellows),
     /// A flange under its forces.
-    Flange(SolvedFlange),
+    Flange(Box<SolvedFlange>),
 }
 
 impl Solved {
@@ -37,6 +37,8 @@ impl Solved {
 pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
     match file.parse(ShellCase::parse)? {
         ShellCase::Bellows(case) => bellows::followed(&file.path, &case).map(Solved::Bellows),
-        ShellCase::Flange(case) => flange::solved(&file.path, &case).map(Solved::Flange),
+        ShellCase::Flange(case) => {
+            flange::solved(&file.path, &case).map(|flange| Solved::Flange(Box::new(flange)))
+        }
     }
 }
