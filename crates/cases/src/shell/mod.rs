@@ -12,11 +12,12 @@ use crate::input::CaseFile;
 
 /// The result of a case.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there is one for each case")]
 pub enum Solved {
     /// A bellows under each of its loads.
     Bellows(FollowedBellows),
     /// A flange under its forces.
-    Flange(Box<SolvedFlange>),
+    Flange(SolvedFlange),
 }
 
 impl Solved {
@@ -37,8 +38,6 @@ impl Solved {
 pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
     match file.parse(ShellCase::parse)? {
         ShellCase::Bellows(case) => bellows::followed(&file.path, &case).map(Solved::Bellows),
-        ShellCase::Flange(case) => {
-            flange::solved(&file.path, &case).map(|flange| Solved::Flange(Box::new(flange)))
-        }
+        ShellCase::Flange(case) => flange::solved(&file.path, &case).map(Solved::Flange),
     }
 }
