@@ -1,4 +1,4 @@
-//! Cost of the half-space: coefficient tables, products by size and threads, interior stress.
+//! Cost of the half-space and of plates: tables, products by size and threads, interior stress.
 //!
 //! Sizes are cells along one axis of a square grid; the transforms are twice as long.
 
@@ -6,8 +6,8 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use carom_halfspace::operator::{
-    Blocks, CoefficientTable, DisplacementField, HalfSpaceOperator, InteriorStress,
-    SurfaceOperator, Threads, TractionField,
+    Blocks, CoefficientTable, DisplacementField, HalfSpaceOperator, InteriorStress, Plate,
+    PlateOperator, PlateSymbol, SurfaceOperator, Threads, TractionField,
 };
 use carom_halfspace::{
     Grid, LoadedRectangle, Material, MaterialPair, Offset, Point, Rectangle, RectangleInfluence,
@@ -106,6 +106,38 @@ fn product_coupled(group: &mut Group<'_>, grid: Grid, threads: Threads, pool: &T
     });
 }
 
+/// A product of a plate beside one of the half-space, and the set-up of plates of three thicknesses.
+fn plates(c: &mut Criterion) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+    let mut group = c.benchmark_group("plate");
+    group.sample_size(10).measurement_time(Duration::from_secs(2));
+    for cells in [128, 256, 512] {
+        let plate = |thickness: f64| Plate::new(1.0, 1.0, thickness).expect("a plate");
+        let grid = plate(0.1).grid(cells, cells).expect("a grid");
+        let of = |thickness: f64| {
+            let (pair, kind) = (dissimilar(), PlateSymbol::Layer);
+            PlateOperator::new(pair, plate(thickness), grid, kind, Threads::One).expect("a plate")
+        };
+        for thickness in [0.1, 1e-2, 1e-4] {
+            let name = format!("set-up, h/a = {thickness}");
+            group.bench_function(BenchmarkId::new(name, cells), |b| {
+                b.iter(|| of(black_box(thickness)));
+            });
+        }
+        let operator = of(0.1);
+        let (mut workspace, pressure) = (operator.workspace(), vec![1.0; grid.cells()]);
+        let mut w = vec![0.0; grid.cells()];
+        group.bench_function(BenchmarkId::new("product", cells), |b| {
+            b.iter(|| {
+                let tractions = TractionField::normal(black_box(&pressure));
+                operator.apply(tractions, DisplacementField::normal(&mut w), &mut workspace)
+            });
+        });
+        product_normal(&mut group, grid, Threads::One, &pool);
+    }
+    group.finish();
+}
+
 fn interior(c: &mut Criterion) {
     let body = Material::from_young(208e3, 0.3).expect("a material");
     let mut group = c.benchmark_group("interior stress");
@@ -134,5 +166,5 @@ fn interior(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, coefficients, tables, products, interior);
+criterion_group!(benches, coefficients, tables, products, plates, interior);
 criterion_main!(benches);

@@ -4,8 +4,10 @@ use crate::case::CaseError;
 use crate::history::StepsError;
 use crate::solve::ChosenError;
 use carom_classic::DirectError;
+use carom_impact::scene::SceneError;
 use carom_impact::{CollisionError, RingImpactError};
 use carom_numerical::{CollisionLawError, NumericalImpactError};
+use carom_rolling::RollingError;
 use carom_shells::bellows::BellowsError;
 use carom_shells::flange::FlangeError;
 use carom_solver::{FitError, FrictionalError, NormalError, ProblemError};
@@ -124,6 +126,24 @@ pub enum Error {
         /// Why.
         source: Box<FlangeError>,
     },
+    /// The scene of a case cannot be computed.
+    #[error("{}: {source}", path.display())]
+    Scene {
+        /// The case file.
+        path: PathBuf,
+        /// The cause.
+        source: Box<SceneError<CollisionLawError>>,
+    },
+    /// A rolling contact could not be solved.
+    #[error("{}: row {row}: {source}", path.display())]
+    Rolling {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the creepage or step, from 1.
+        row: usize,
+        /// The cause.
+        source: Box<RollingError>,
+    },
     /// A file of steps has an error.
     #[error("{}: {source}", path.display())]
     Steps {
@@ -188,6 +208,11 @@ impl Error {
             Self::Classic { source, .. } => {
                 !matches!(**source, DirectError::NotConverged { .. } | DirectError::Singular { .. })
             }
+            Self::Scene { source, .. } => match &**source {
+                SceneError::Collision { source, .. } => is_bad_collision(source),
+                _ => true,
+            },
+            Self::Rolling { source, .. } => matches!(**source, RollingError::Range(_)),
             Self::Bellows { source, .. } => matches!(**source, BellowsError::Range(_)),
             Self::Flange { source, .. } => matches!(**source, FlangeError::Range(_)),
             Self::Case { .. }

@@ -3,8 +3,9 @@
 //!
 //! A case is a TOML file that describes a computation: bodies, materials, friction, motions. [`case`] reads
 //! it strictly, in SI units or with units of its own; [`input`] reads files of limited size.
-//! [`impact::followed`], [`history::followed`], [`solve::solved`] and [`shell::solved`] compute a case. The command `carom` and
-//! the Python module are built on this crate.
+//! Each kind has a module that computes a case: [`impact::followed`], [`hertz::followed`], [`history::followed`],
+//! [`scene::followed`], [`solve::solved`], [`roll::rolled`], [`stress::solved`], [`shell::solved`]. [`theory`] tells where
+//! results leave the theory. The command `carom` and the Python module are built on this crate.
 //!
 //! ```
 //! use carom_cases::case::{CaseKind, ImpactFile};
@@ -16,11 +17,16 @@
 
 pub mod case;
 mod error;
+pub mod hertz;
 pub mod history;
 pub mod impact;
 pub mod input;
 pub mod numbers;
+pub mod roll;
+pub mod scene;
 pub mod shell;
 pub mod solve;
+pub mod stress;
+pub mod theory;
 
 pub use error::{Error, is_bad_collision};

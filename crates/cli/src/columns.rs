@@ -1,11 +1,11 @@
 //! Rows of results in every output format, from their columns.
 
 use crate::error::CliError;
-use crate::output::{Format, csv, short};
+use crate::output::{Format, csv};
 use crate::page::Page;
 use crate::round_off::{clear_round_off, without_round_off};
 use carom_table::{
-    Cell, Column, Quantity, Value, cells, described, heads, labels, row, texts as texts_of,
+    Cell, Column, Quantity, Value, cells, described, heads, labels, row, short, texts as texts_of,
 };
 use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};

@@ -3,11 +3,9 @@
 use carom_cases::{Error, is_bad_collision};
 use carom_impact::RingImpactError;
 use carom_impact::oblique::ObliqueError;
-use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
 use carom_numerical::CollisionLawError;
 use carom_plot::PlotError;
-use carom_rolling::RollingError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
 
@@ -17,14 +15,6 @@ pub enum CliError {
     /// A case cannot be read or computed, or a file cannot be written.
     #[error(transparent)]
     Case(Error),
-    /// The scene of a case cannot be computed.
-    #[error("{}: {source}", path.display())]
-    Scene {
-        /// The case file.
-        path: PathBuf,
-        /// The cause.
-        source: Box<SceneError<CollisionLawError>>,
-    },
     /// No sample of an uncertain case gives an outcome.
     #[error("{}: {source}", path.display())]
     Uncertain {
@@ -32,16 +22,6 @@ pub enum CliError {
         path: PathBuf,
         /// The cause.
         source: Box<UncertainError<CollisionLawError>>,
-    },
-    /// A rolling contact could not be solved.
-    #[error("{}: row {row}: {source}", path.display())]
-    Rolling {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the creepage or step, from 1.
-        row: usize,
-        /// The cause.
-        source: Box<RollingError>,
     },
     /// Standard error is redirected to an input, so that no message can be written.
     #[error("{}: standard error goes to this input", path.display())]
@@ -106,17 +86,9 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Case(source) => 1 + u8::from(source.is_bad_input()),
-            Self::Scene { source, .. } => match &**source {
-                SceneError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
-                _ => 2,
-            },
             Self::Uncertain { source, .. } => match &**source {
                 UncertainError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
                 _ => 2,
-            },
-            Self::Rolling { source, .. } => match **source {
-                RollingError::Range(_) => 2,
-                _ => 1,
             },
             Self::Rings(source) => 1 + u8::from(matches!(source, RingImpactError::Range(_))),
             Self::Overflow { .. }

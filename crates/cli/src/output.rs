@@ -300,33 +300,9 @@ pub fn csv_rows(
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// A number with six significant digits, to read.
-#[must_use]
-pub fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    match rounded.abs() {
-        0.0 => "0".to_owned(),
-        size if !size.is_finite() || (1e-4..1e6).contains(&size) => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_to_read_are_short() {
-        for (value, text) in [
-            (1.0 / 3.0, "0.333333"),
-            (-12345678.0, "-1.23457e7"),
-            (1e-5, "1e-5"),
-            (-0.0, "0"),
-            (f64::INFINITY, "inf"),
-        ] {
-            assert_eq!(short(value), text);
-        }
-    }
 
     #[test]
     fn rows_in_every_format() {

@@ -66,7 +66,7 @@ pub(crate) struct Body {
     /// The velocity of the centre of mass, m/s.
     #[pyo3(get)]
     velocity: [f64; 3],
-    /// The angular velocity in space axes, 1/s.
+    /// The angular velocity in space axes, rad/s.
     #[pyo3(get)]
     spin: [f64; 3],
 }

@@ -15,6 +15,7 @@ use crate::bodies::{Body, motion};
 use crate::error::Fault;
 use crate::records::{self, arrays};
 use crate::room;
+use crate::told::of_impacts;
 
 /// Least number of impacts for a thread: an exact impact takes some microseconds, a stepped one much longer.
 const SHARE: usize = 8;
@@ -66,7 +67,7 @@ impl Way {
     }
 }
 
-/// Computes the collision of two bodies.
+/// Computes the collision of two bodies; also gives its warnings.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn collide<'py>(
@@ -79,15 +80,15 @@ pub(crate) fn collide<'py>(
     law: &str,
     tolerance: Option<f64>,
     normal_restitution: Option<f64>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve =
         || -> Result<Outcome, Fault> { Ok(way.law.solve(&way.collision(one, two, friction)?)?) };
-    arrays(py, Outcome::COLUMNS, &[py.detach(solve)?])
+    told(py, &[py.detach(solve)?])
 }
 
-/// Computes the collisions of two bodies for many motions.
+/// Computes the collisions of two bodies for many motions; also gives their warnings.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn collide_many<'py>(
@@ -101,7 +102,7 @@ pub(crate) fn collide_many<'py>(
     law: &str,
     tolerance: Option<f64>,
     normal_restitution: Option<f64>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
@@ -116,7 +117,12 @@ pub(crate) fn collide_many<'py>(
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
         Ok(way.law.solve(&way.collision(one, two, friction[i])?)?)
     })?;
-    arrays(py, Outcome::COLUMNS, &outcomes)
+    told(py, &outcomes)
+}
+
+/// The outcomes as arrays, and their warnings.
+fn told<'py>(py: Python<'py>, outcomes: &[Outcome]) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
+    Ok((arrays(py, Outcome::COLUMNS, outcomes)?, of_impacts(outcomes)))
 }
 
 /// The history of a collision at equally spaced instants.

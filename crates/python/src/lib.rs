@@ -19,6 +19,7 @@ mod solver;
 mod special;
 mod stress;
 mod threads;
+mod told;
 mod twist;
 mod walked;
 
@@ -30,7 +31,10 @@ mod _carom {
     #[pymodule_export]
     use super::bodies::Body;
     #[pymodule_export]
-    use super::cases::{case_history, case_impact, case_new, case_solve};
+    use super::cases::{
+        case_hertz, case_history, case_impact, case_new, case_roll, case_scene, case_solve,
+        case_stress,
+    };
     #[pymodule_export]
     use super::collide::{collide, collide_many, history};
     #[pymodule_export]

@@ -1,10 +1,13 @@
 //! Results as columns; their names, units and meanings come from the tables beside the Rust results.
 
 use carom::impact::restitution::DissimilarRestitution;
+use carom::impact::scene::{Bounce, PathPoint};
 use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::hertz::HertzState;
 use carom::table::{Column, Quantity, Value};
 use carom_cases::history::all_columns as history_columns;
+use carom_cases::roll;
+use carom_cases::scene::rebound_columns;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -35,11 +38,20 @@ pub(crate) fn columns(
     record: &str,
 ) -> PyResult<Vec<(&'static str, &'static str, &'static str, &'static str)>> {
     match record {
+        "Bounce" => {
+            let mut all = about(Bounce::COLUMNS);
+            all.push(("wall", "", "name of the wall", "text"));
+            all.extend(about(&rebound_columns()));
+            Ok(all)
+        }
+        "CreepCoefficients" => Ok(about(roll::CREEP)),
         "DissimilarRestitution" => Ok(about(DissimilarRestitution::COLUMNS)),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),
+        "PathPoint" => Ok(about(PathPoint::COLUMNS)),
         "Rebound" => Ok(about(Outcome::COLUMNS)),
+        "RollState" => Ok(about(roll::COLUMNS)),
         "SolverStep" => Ok(about(&carom::solver::StepSummary::columns())),
         _ => Err(PyValueError::new_err(format!("unknown result `{record}`"))),
     }
@@ -68,6 +80,17 @@ pub(crate) fn arrays<'py, R>(
     records: &[R],
 ) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
+    add(&dict, columns, records)?;
+    Ok(dict)
+}
+
+/// Adds the columns of records to arrays as of [`arrays`].
+pub(crate) fn add<R>(
+    dict: &Bound<'_, PyDict>,
+    columns: &[Column<R>],
+    records: &[R],
+) -> PyResult<()> {
+    let py = dict.py();
     for column in columns {
         let values: Vec<Value> = records.iter().map(|record| column.value(record)).collect();
         let (name, values) = (column.name(), values.into_iter());
@@ -84,7 +107,7 @@ pub(crate) fn arrays<'py, R>(
             _ => dict.set_item(name, PyArray1::from_vec(py, values.map(number).collect()))?,
         }
     }
-    Ok(dict)
+    Ok(())
 }
 
 fn vector(value: Value) -> [f64; 3] {

@@ -27,6 +27,7 @@ def test_examples_of_the_readme_run():
 
 
 def test_examples_of_the_book_run(monkeypatch):
+    pytest.importorskip("matplotlib").use("Agg")
     root = pathlib.Path(__file__).parents[3]
     monkeypatch.chdir(root)
     page = root / "docs/book/src/start/python.md"
@@ -93,3 +94,13 @@ def test_types_of_the_native_part_are_all_there():
         if isinstance(node, ast.ClassDef) and not issubclass(getattr(_carom, name), Exception):
             members = {member.name for member in node.body if isinstance(member, ast.FunctionDef)}
             assert public(members) == public(vars(getattr(_carom, name))), name
+
+
+def test_the_import_is_quick():
+    """At most 0.1 s beyond numpy's: seconds of the processor, the least of several processes."""
+
+    def seconds(module):
+        code = f"import time; start = time.process_time(); import {module}; print(time.process_time() - start)"
+        return min(float(subprocess.check_output([sys.executable, "-c", code])) for _ in range(5))
+
+    assert seconds("carom") - seconds("numpy") < 0.1

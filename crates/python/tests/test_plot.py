@@ -16,7 +16,7 @@ STEEL = carom.Material(208e9, 0.3)
 @pytest.fixture
 def solver():
     x, y = carom.cells((40, 32), (2.6e-4, 3e-4))
-    solving = carom.Solver((x**2 + y**2) / 0.02, (2.6e-4, 3e-4), carom.MaterialPair(STEEL), 0.3)
+    solving = carom.Solver((x**2 + 3 * y**2) / 0.02, (2.6e-4, 3e-4), carom.MaterialPair(STEEL), 0.3)
     solving.step(F_z=10.0)
     solving.step(F_x=1.0, F_y=1.5)
     return solving
@@ -34,15 +34,21 @@ def test_a_pressure_is_drawn_where_there_is_contact_and_in_its_unit(solver):
     assert np.array_equal(np.isnan(shown), solver.cells == 0)
     assert np.allclose(shown[solver.cells > 0] * 1e6, solver.pressure[solver.cells > 0])
     assert axes.figure.axes[1].get_ylabel() == "p / MPa" and axes.get_xlabel() == "x / µm"
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    radius = 1e6 * np.sqrt(0.01 * solver.summary().zeta)
-    assert radius < right < 1.4 * radius and radius < high < 1.4 * radius and (left, low) == (-right, -high)
+    x, y = carom.cells(solver.shape, solver.size)
+    for (low, high), places in ((axes.get_xlim(), x), (axes.get_ylim(), y)):
+        reach = 1e6 * places[solver.cells > 0].max()
+        assert reach < high < 1.4 * reach and low == pytest.approx(-high)
+    assert axes.get_xlim()[1] > 1.5 * axes.get_ylim()[1]
 
 
 def test_stick_and_slip_are_the_states_of_the_cells(solver):
     shown = colours(carom.plot.stick_slip(solver))
     assert np.array_equal(np.nan_to_num(shown), solver.cells)
     assert set(np.unique(solver.cells)) == {0, 1, 2}
+    fresh = carom.Solver(solver.gap, solver.size, carom.MaterialPair(STEEL), 0.3)
+    fresh.step(F_z=1.0)
+    told = [text.get_text() for text in carom.plot.stick_slip(fresh).get_legend().get_texts()]
+    assert told == ["sticks"]
 
 
 def test_arrows_point_along_the_tractions(solver):

@@ -294,6 +294,17 @@ pub fn described<Q: Quantity>(quantities: &[Q]) -> String {
     names.iter().zip(quantities).map(line).collect()
 }
 
+/// A number with six significant digits, to read.
+#[must_use]
+pub fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        size if !size.is_finite() || (1e-4..1e6).contains(&size) => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
 impl From<f64> for Value {
     fn from(number: f64) -> Self {
         Self::Number(number)
@@ -384,5 +395,18 @@ mod tests {
         assert_eq!(labels(&[cell]), ["distance / m"]);
         let notes = Cell::new("notes", "", "", vec!["a, b".to_owned(), "c".to_owned()]);
         assert_eq!(texts(&[notes], |x| x.to_string()), ["a, b; c"]);
+    }
+
+    #[test]
+    fn numbers_to_read_are_short() {
+        for (value, text) in [
+            (1.0 / 3.0, "0.333333"),
+            (-12345678.0, "-1.23457e7"),
+            (1e-5, "1e-5"),
+            (-0.0, "0"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(short(value), text);
+        }
     }
 }

@@ -22,15 +22,73 @@ impl CaseKind {
             comment(&mut text, VARIED);
         }
         for field in self.fields() {
-            // Of tables that replace one another the one that says how it begins.
-            let is_active = match field.need {
-                Need::Must => true,
-                Need::Or(_) => !field.begun.is_empty(),
-                _ => false,
-            };
-            add_table(&mut text, field.name, field, is_active);
+            add_table(&mut text, field.name, field, begins(field));
         }
         text
+    }
+
+    /// A case of this kind with the necessary fields and their units, ready to run.
+    #[must_use]
+    pub fn begin_short(self) -> String {
+        let mut text = String::new();
+        comment(&mut text, self.meaning());
+        let all = format!("SI units. All fields: `carom schema {}`.", self.name());
+        comment(&mut text, &all);
+        for field in self.fields().iter().filter(|field| begins(field)) {
+            add_short(&mut text, field.name, field);
+        }
+        text
+    }
+}
+
+/// Whether a new case has this table: if it is necessary, or if it says how it begins where it is one of
+/// several.
+const fn begins(field: &Field) -> bool {
+    match field.need {
+        Need::Must => true,
+        Need::Or(_) => !field.begun.is_empty(),
+        _ => false,
+    }
+}
+
+/// The fields that a new case sets in a table.
+struct Begun<'a> {
+    table: &'a Field,
+    shape: Option<String>,
+}
+
+impl<'a> Begun<'a> {
+    fn of(table: &'a Field) -> Self {
+        let mut begun = Self { table, shape: None };
+        let shape = table.fields().iter().find(|field| field.name == super::body::SHAPE.name);
+        begun.shape = shape.map(|field| begun.value(field).trim_matches('"').to_owned());
+        begun
+    }
+
+    fn set(&self, field: &Field) -> Option<&'static str> {
+        let found = self.table.begun.iter().find(|(begun, _)| begun.name == field.name);
+        found.map(|(_, value)| *value)
+    }
+
+    fn value(&self, field: &Field) -> String {
+        value(field, self.set(field))
+    }
+
+    fn has(&self, field: &Field) -> bool {
+        let is_needed = self.set(field).is_some() || matches!(field.need, Need::Must);
+        is_needed && field.is_of(self.shape.as_deref())
+    }
+
+    /// Plain fields first, then tables.
+    fn fields(&self) -> (Vec<&'a Field>, Vec<&'a Field>) {
+        self.table.fields().iter().partition(|field| field.fields().is_empty())
+    }
+}
+
+fn head(path: &str, table: &Field) -> String {
+    match table.form {
+        Form::Tables(_) => format!("[[{path}]]"),
+        _ => format!("[{path}]"),
     }
 }
 
@@ -38,30 +96,33 @@ impl CaseKind {
 fn add_table(text: &mut String, path: &str, table: &Field, is_active: bool) {
     text.push('\n');
     comment(text, &capital(&described(table)));
-    let head = match table.form {
-        Form::Tables(_) => format!("[[{path}]]"),
-        _ => format!("[{path}]"),
-    };
-    line(text, &head, is_active);
-    let begun = |field: &Field| {
-        let found = table.begun.iter().find(|(begun, _)| begun.name == field.name);
-        found.map(|(_, value)| *value)
-    };
-    let all = table.fields();
-    let shape = all.iter().find(|field| field.name == super::body::SHAPE.name);
-    let shape = shape.map(|field| value(field, begun(field)).trim_matches('"').to_owned());
-    let is_here = |field: &Field| {
-        let is_needed = begun(field).is_some() || matches!(field.need, Need::Must);
-        is_active && is_needed && field.is_of(shape.as_deref())
-    };
-    let (tables, fields): (Vec<_>, Vec<_>) =
-        all.iter().partition(|field| !field.fields().is_empty());
+    line(text, &head(path, table), is_active);
+    let begun = Begun::of(table);
+    let (fields, tables) = begun.fields();
     for field in fields {
         comment(text, &capital(&described(field)));
-        line(text, &format!("{} = {}", field.name, value(field, begun(field))), is_here(field));
+        let set = format!("{} = {}", field.name, begun.value(field));
+        line(text, &set, is_active && begun.has(field));
     }
     for field in tables {
-        add_table(text, &format!("{path}.{}", field.name), field, is_here(field));
+        let path = format!("{path}.{}", field.name);
+        add_table(text, &path, field, is_active && begun.has(field));
+    }
+}
+
+/// Adds a table with the fields that it begins with and their units, then its tables.
+fn add_short(text: &mut String, path: &str, table: &Field) {
+    text.push('\n');
+    line(text, &head(path, table), true);
+    let begun = Begun::of(table);
+    let (fields, tables) = begun.fields();
+    for field in fields.into_iter().filter(|field| begun.has(field)) {
+        let unit = field.measure().map_or("", |measure| measure.dimension.unit());
+        let note = if unit.is_empty() { String::new() } else { format!("  # {unit}") };
+        line(text, &format!("{} = {}{note}", field.name, begun.value(field)), true);
+    }
+    for field in tables.into_iter().filter(|field| begun.has(field)) {
+        add_short(text, &format!("{path}.{}", field.name), field);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The fields of `[contact]` that all impacts share: friction, law, torsion, loss.
 
 use super::error::CaseError;
-use super::field::{Default, Field, Form, Word};
+use super::field::{Default, Field, Form, Usual, Word};
 use super::range::Range;
 use super::section::Section;
 use carom_impact::coupled::TurningLaw;
@@ -18,7 +18,8 @@ pub(super) const LAWS_OF_SHIFTS: &[Word] = &[RINGS, ONE_DIRECTION];
 
 pub(super) const FRICTION: Field =
     Field::number("friction", Range::Friction.pure(), "coefficient of friction f; inf: no slip")
-        .such_as("0.2");
+        .such_as("0.2")
+        .usually(Usual::FRICTION);
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[

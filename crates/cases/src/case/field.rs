@@ -25,6 +25,46 @@ pub struct Field {
     /// Fields that a new case sets in this table, beside the necessary ones, with their values; an empty
     /// value stands for the example.
     pub(super) begun: &'static [(&'static Field, &'static str)],
+    /// Plain numbers that are usual, if others are probably in another unit.
+    pub(super) usual: Option<Usual>,
+}
+
+/// Plain numbers that are usual in a field; zero and infinity always are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Usual {
+    /// The smallest.
+    pub(super) low: f64,
+    /// The largest.
+    pub(super) high: f64,
+    /// What to keep in mind, in words.
+    pub(super) words: &'static str,
+}
+
+impl Usual {
+    /// Coefficients of friction.
+    pub(super) const FRICTION: Self = Self {
+        low: 1e-4,
+        high: 3.0,
+        words: "most pairs have 0.05 to 1.5 (a percentage is divided by 100)",
+    };
+    /// Densities.
+    pub(super) const DENSITY: Self =
+        Self { low: 20.0, high: 23_000.0, words: "it is in kg/m3, and steel has 7850" };
+    /// Angles of incidence; smaller ones are probably radians.
+    pub(super) const INCIDENCE: Self =
+        Self { low: 1.6, high: 90.0, words: "it is in degrees; \"0.785 rad\" is 45" };
+    /// Radii of bodies.
+    pub(super) const RADIUS: Self =
+        Self { low: 1e-7, high: 5.0, words: "it is in m; \"10 mm\" is 0.01" };
+    /// Moduli of elasticity.
+    pub(super) const MODULUS: Self =
+        Self { low: 1e3, high: 2e12, words: "it is in Pa; \"208 GPa\" is steel" };
+
+    /// Whether the number is usual.
+    pub(super) fn has(self, value: f64) -> bool {
+        let size = value.abs();
+        size == 0.0 || size.is_infinite() || (self.low..=self.high).contains(&size)
+    }
 }
 
 /// A word with its meaning.
@@ -108,7 +148,7 @@ pub(super) const XYZ: &str = "three numbers [x, y, z]";
 impl Field {
     pub(super) const fn new(name: &'static str, form: Form, meaning: &'static str) -> Self {
         let (need, example, shapes, begun): (_, _, &[_], &[_]) = (Need::Must, "", &[], &[]);
-        Self { name, form, need, meaning, example, shapes, begun }
+        Self { name, form, need, meaning, example, shapes, begun, usual: None }
     }
 
     pub(super) const fn number(
@@ -141,6 +181,10 @@ impl Field {
 
     pub(super) const fn default(self, default: Default) -> Self {
         Self { need: Need::Default(default), ..self }
+    }
+
+    pub(super) const fn usually(self, usual: Usual) -> Self {
+        Self { usual: Some(usual), ..self }
     }
 
     pub(super) const fn of(self, shapes: &'static [&'static str]) -> Self {

@@ -7,7 +7,7 @@
 use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, VELOCITY, Velocity};
 use super::contact::Contact;
 use super::error::CaseError;
-use super::field::{Field, Form};
+use super::field::{Field, Form, Usual};
 use super::kind::CaseKind;
 use super::material::MATERIAL;
 use super::range::Range;
@@ -34,7 +34,8 @@ const ANGLE: Field = Field::number(
     Range::Incidence.of(Dimension::Degrees),
     "angle of incidence, from the normal; the tangential velocity is along the projection of +x on the tangent plane",
 )
-.such_as("45");
+.such_as("45")
+.usually(Usual::INCIDENCE);
 const APPROACH: Field = Field::new(
     "approach",
     Form::Table(&[SPEED, ANGLE]),

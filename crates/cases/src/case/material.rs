@@ -1,7 +1,7 @@
 //! The material of a body: `material`.
 
 use super::error::CaseError;
-use super::field::{Default, Field, Form};
+use super::field::{Default, Field, Form, Usual};
 use super::range::Range;
 use super::section::Section;
 use super::unit::Dimension;
@@ -12,10 +12,12 @@ const MODULUS: super::unit::Measure = Range::Positive.of(Dimension::Pressure);
 /// Young's modulus in a table `material`.
 pub(super) const YOUNG: Field = Field::number("young_modulus", MODULUS, "Young's modulus E")
     .or("`shear_modulus`, or `rigid = true`")
-    .such_as("208e9");
+    .such_as("208e9")
+    .usually(Usual::MODULUS);
 const SHEAR: Field = Field::number("shear_modulus", MODULUS, "shear modulus G")
     .or("`young_modulus`")
-    .such_as("80e9");
+    .such_as("80e9")
+    .usually(Usual::MODULUS);
 /// Poisson's ratio in it.
 pub(super) const POISSON: Field =
     Field::number("poisson", Range::Poisson.pure(), "Poisson's ratio")

@@ -1,7 +1,7 @@
 //! The case file of `carom roll`.
 
 use super::error::CaseError;
-use super::field::{Default, Field, Form};
+use super::field::{Default, Field, Form, Usual};
 use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::range::Range;
@@ -33,7 +33,9 @@ const RADII: Field =
 const FORCE: Field =
     Field::number("F_z", Range::Positive.of(Dimension::Force), "normal force").such_as("8e4");
 const FRICTION: Field =
-    Field::number("friction", Range::Positive.pure(), "coefficient of friction f").such_as("0.3");
+    Field::number("friction", Range::Positive.pure(), "coefficient of friction f")
+        .such_as("0.3")
+        .usually(Usual::FRICTION);
 const CONTACT: Field = Field::new(
     "contact",
     Form::Table(&[SEMI_AXES, RADII, FORCE, FRICTION]),

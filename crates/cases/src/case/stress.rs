@@ -1,7 +1,7 @@
 //! The case file of `carom stress`.
 
 use super::error::CaseError;
-use super::field::{Field, Form, Word};
+use super::field::{Field, Form, Usual, Word};
 use super::kind::CaseKind;
 use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
@@ -14,7 +14,8 @@ const FRICTION: Field = Field::number(
     Range::NonNegative.pure(),
     "coefficient of friction f; the tangential force must not exceed f times the normal force",
 )
-.such_as("0.3");
+.such_as("0.3")
+.usually(Usual::FRICTION);
 const CONTACT: Field = Field::new(
     "contact",
     Form::Table(&[ANGLE, FRICTION]),

@@ -11,8 +11,13 @@ pub(super) struct Arguments {
     /// The kind of case.
     #[arg(value_parser = kind())]
     kind: CaseKind,
+    /// Only the necessary fields, without comments.
+    #[arg(long)]
+    short: bool,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    Ok(Answer { text: arguments.kind.begin(), ..Answer::default() })
+    let Arguments { kind, short } = arguments;
+    let text = if *short { kind.begin_short() } else { kind.begin() };
+    Ok(Answer { text, ..Answer::default() })
 }

@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         format => columns::rows(format, Understood::COLUMNS, &fields)?,
     };
-    Ok(Answer { text, ..Answer::default() })
+    Ok(Answer { text, warnings: kind.unusual(file.text()), ..Answer::default() })
 }
 
 /// Checks that the files named by the case can be read.

@@ -2,12 +2,13 @@
 
 use crate::columns::{self, Record, add_fields};
 use crate::command::plot::{Course, MOST_MARKS};
-use crate::command::theory::{Excess, Warnings, caution, large_contact, readable};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::Error;
-use carom_cases::case::{Given, HertzCase, Numbers};
+use carom_cases::case::{HertzCase, Numbers};
+use carom_cases::hertz::{self, Followed};
+use carom_cases::theory::{Excess, caution};
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
@@ -26,7 +27,7 @@ use std::f64::consts::PI;
 #[command(after_long_help = columns::help("A row for each load", HertzState::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
 }
 
 /// A contact under load, in SI units.
@@ -40,21 +41,11 @@ struct Row<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(HertzCase::parse)?;
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
-    let states = case
-        .values
-        .as_slice()
-        .iter()
-        .map(|value| loaded(&case.hertz, case.given, *value))
-        .collect::<Result<Vec<_>, _>>()
-        .map_err(at_fault)?;
-    let radius = smallest_radius(&case.hertz);
-    let excesses: Vec<Excess> =
-        states.iter().map(|state| Excess::of_contact(state.approach, radius)).collect();
-    columns::check(&file.path, HertzState::COLUMNS, &states)?;
+    let followed = hertz::followed(&file)?;
+    let (Followed { case, states }, excesses) = (&followed, followed.excesses());
+    columns::check(&file.path, HertzState::COLUMNS, states)?;
     let format = arguments.given.format();
-    let loads = columns::rows(format, HertzState::COLUMNS, &states)?;
+    let loads = columns::rows(format, HertzState::COLUMNS, states)?;
     let text = match format {
         Format::Json => {
             let record = |(state, excess): (_, &Excess)| Row {
@@ -69,33 +60,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         Format::Csv | Format::None => loads,
     };
+    let at_fault = |source| Error::Law { path: file.path.clone(), source };
     let picture = match plot {
-        Some(to) => Some((to, draw(&case, &states).map_err(at_fault)?)),
+        Some(to) => Some((to, draw(case, states).map_err(at_fault)?)),
         None => None,
     };
-    let mut warnings = Warnings::default();
-    for state in &states {
-        let semi_axis = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
-        let large = large_contact(semi_axis, case.smallest_radius);
-        warnings.add(|| format!("at {} N", readable(state.force)), large.as_slice());
-    }
-    let warnings = warnings.told("loads");
+    let warnings = followed.warnings();
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution(&excesses, "loads"), format))
-}
-
-/// The smaller principal radius of the gap.
-pub(super) fn smallest_radius(hertz: &Hertz) -> f64 {
-    0.5 / hertz.curvature().a()
-}
-
-fn loaded(hertz: &Hertz, given: Given, value: f64) -> Result<HertzState, RangeError> {
-    match given {
-        Given::Force => hertz.at_force(value),
-        Given::Approach => hertz.at_approach(value),
-        Given::SemiAxisA => hertz.at_semi_axis_a(value),
-        Given::SemiAxisB => hertz.at_semi_axis_b(value),
-    }
 }
 
 /// The complete result of a case: the contact and its loads.

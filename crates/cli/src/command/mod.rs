@@ -17,7 +17,6 @@ mod schema;
 mod shell;
 mod solve;
 mod stress;
-mod theory;
 mod thinned;
 
 use crate::destination::Destination;
@@ -30,6 +29,7 @@ use carom_cases::case::CaseKind;
 use carom_cases::input::CaseFile;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 /// Elastic impact with friction: how two bodies make contact, slip, stick, twist and rebound.
 ///
@@ -89,6 +89,9 @@ struct CaseArguments {
     /// Show the panels of the picture that say most, or all.
     #[arg(long, value_name = "WHICH", value_enum, default_value_t, hide_possible_values = true)]
     panels: Shown,
+    /// The text of the case, once it is read.
+    #[arg(skip)]
+    text: OnceLock<String>,
 }
 
 /// A case file and the destination of its picture, if one is requested.
@@ -127,7 +130,9 @@ impl CaseArguments {
         let to = |path: &PathBuf| outputs.picture("plot", path, self.format());
         let plot = self.plot.as_ref().map(to).transpose()?;
         let claimed = claims(&mut outputs)?;
-        Ok((Given { case: outputs.read_case(&self.case)?, plot }, claimed))
+        let case = outputs.read_case(&self.case)?;
+        self.text.get_or_init(|| case.text().to_owned());
+        Ok((Given { case, plot }, claimed))
     }
 }
 
@@ -150,6 +155,24 @@ enum Command {
     Man(man::Arguments),
 }
 
+impl Command {
+    /// Kind and text of the case that the command has read.
+    fn case(&self) -> Option<(CaseKind, &str)> {
+        let (kind, given) = match self {
+            Self::Impact(arguments) => (CaseKind::Impact, &arguments.given),
+            Self::Hertz(arguments) => (CaseKind::Hertz, &arguments.given),
+            Self::History(arguments) => (CaseKind::History, &arguments.given),
+            Self::Scene(arguments) => (CaseKind::Scene, &arguments.given),
+            Self::Solve(arguments) => (CaseKind::Solve, &arguments.given),
+            Self::Roll(arguments) => (CaseKind::Roll, &arguments.given),
+            Self::Stress(arguments) => (CaseKind::Stress, &arguments.given),
+            Self::Shell(arguments) => (CaseKind::Shell, &arguments.given),
+            _ => return None,
+        };
+        Some((kind, given.text.get()?))
+    }
+}
+
 /// Runs the command given by the arguments.
 ///
 /// # Errors
@@ -164,7 +187,20 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
     pool.map_err(failed)?.install(|| go(&arguments.command, messages, results))
 }
 
+/// Runs the command; warnings of unusual numbers in its case come first.
 fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<Answer, CliError> {
+    let mut answer = run_one(command, messages, results)?;
+    if let Some((kind, text)) = command.case() {
+        answer.warnings.splice(..0, kind.unusual(text));
+    }
+    Ok(answer)
+}
+
+fn run_one(
+    command: &Command,
+    messages: &Messages,
+    results: &mut Results,
+) -> Result<Answer, CliError> {
     match command {
         Command::Impact(arguments) => impact::run(arguments, results),
         Command::Restitution(arguments) => restitution::run(arguments, messages, results),

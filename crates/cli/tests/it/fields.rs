@@ -100,6 +100,22 @@ fn a_new_case_of_every_kind_passes_and_runs() {
 }
 
 #[test]
+fn a_short_new_case_has_what_is_necessary_and_runs() {
+    for kind in CaseKind::ALL {
+        let text = stdout(&["new", kind.name(), "--short"]);
+        let file = case(&format!("short_{}.toml", kind.name()), &text);
+        assert!(!stdout(&[kind.name(), &file, "--format", "csv"]).is_empty());
+        assert!(text.lines().count() < 45, "{}: {}", kind.name(), text.lines().count());
+        // The same values as in the long one.
+        let given = |text: &str| -> Vec<_> {
+            let told = kind.understood(text).unwrap().into_iter().filter(|told| told.is_given);
+            told.map(|told| (told.field, told.value)).collect()
+        };
+        assert_eq!(given(&text), given(&kind.begin()));
+    }
+}
+
+#[test]
 fn what_stands_behind_a_sign_in_a_new_case_is_well_formed() {
     for kind in CaseKind::ALL {
         for line in kind.begin().lines().filter(|line| !line.starts_with("# ")) {

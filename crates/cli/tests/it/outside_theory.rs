@@ -1,6 +1,25 @@
 //! How far a result lies outside the theory: by the smallest radius of curvature, of a slender body too.
 
-use crate::common::{carom, case, json};
+use crate::common::{carom, case, example, json};
+
+/// Plain numbers that are probably in another unit are told in one line each; the case runs.
+#[test]
+fn unusual_numbers_are_told() {
+    let text = std::fs::read_to_string(example("alumina_on_plane.toml")).unwrap();
+    let with = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        let output =
+            carom(&["impact", &case("unusual.toml", &text.replace(from, to)), "--format", "csv"]);
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let told = with("friction = 0.092", "friction = 9.2");
+    assert!(
+        told.contains("`contact.friction` = 9.2 is unusual: most pairs have 0.05 to 1.5"),
+        "{told}"
+    );
+    assert!(!with("friction = 0.092", "friction = 0.93").contains("unusual"));
+}
 
 /// An ellipsoid that falls on its flat side, its contact 3 times as long as wide.
 #[test]

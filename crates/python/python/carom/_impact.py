@@ -9,7 +9,7 @@ from ._arrays import counted, line, numbers, rows, spread
 from ._carom import Body, Material
 from ._records import HistoryPoints, Rebound, Rebounds
 from ._types import Vector
-from ._validity import heed
+from ._validity import warn
 
 UP = (0.0, 0.0, 1.0)
 
@@ -24,7 +24,7 @@ def sphere(
     spin: Vector = (0.0, 0.0, 0.0),
     centre: Vector = (0.0, 0.0, 0.0),
 ) -> Body:
-    """A solid sphere or, if `hollow`, a thin spherical shell. m, kg, m/s, 1/s."""
+    """A solid sphere or, if `hollow`, a thin spherical shell. m, kg, m/s, rad/s."""
     return Body(
         "sphere", [radius], material, mass, hollow=hollow, velocity=velocity, spin=spin, centre=centre
     )
@@ -94,8 +94,9 @@ def collide(
     True
     """
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
-    columns = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, left)
-    return heed(Rebound._of(columns))
+    columns, exceeded = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, left)
+    warn(exceeded)
+    return Rebound._of(columns)
 
 
 def collide_many(
@@ -139,8 +140,11 @@ def collide_many(
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", friction, (count,)))
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
-    columns = _carom.collide_many(body_1, body_2, frictions, motions, along, torsion, law, tolerance, left)
-    return heed(Rebounds._shaped(columns, (count,)))
+    columns, exceeded = _carom.collide_many(
+        body_1, body_2, frictions, motions, along, torsion, law, tolerance, left
+    )
+    warn(exceeded)
+    return Rebounds._shaped(columns, (count,))
 
 
 def history(

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from . import _carom
 
-#: The name of one result and of many, the name of the axis of many, and what one is.
+#: The name of one result, of many (if there are), of the axis of many, and what one is.
 RESULTS = (
+    ("Bounce", "Bounces", "bounce", "A bounce of a ball off a wall."),
+    ("CreepCoefficients", "", "contact", "Kalker's creep coefficients of an elliptical contact."),
     ("DissimilarRestitution", "DissimilarRestitutions", "impact", "R_x of spheres of dissimilar materials."),
     ("HertzState", "HertzStates", "load", "A Hertz contact under load."),
     ("HistoryPoint", "HistoryPoints", "time", "An instant of an impact, in contact axes."),
     ("HistoryStep", "HistorySteps", "step", "A contact after a step of a history case. Loads act on body 1."),
     ("SolverStep", "SolverSteps", "step", "A step of the numerical solver. Loads act on body 1."),
+    ("PathPoint", "PathPoints", "point", "An instant of the flight of a ball."),
+    ("RollState", "RollStates", "row", "A rolling contact under one creepage, or after one distance. Loads act on body 1."),
     ("Rebound", "Rebounds", "impact", "The result of an impact. Quantities that only an impact has are NaN without one."),
 )
 #: Types of a column in one result and in many.
@@ -42,6 +46,8 @@ def made() -> str:
         vectors = [column for column, _, _, kind in columns if kind == "vector"]
         text += f"\n    units = {units!r}\n    meanings = {meanings!r}\n"
         text += f"    _vectors = frozenset({vectors!r})\n    _axis = {axis!r}\n"
+        if not many:
+            continue
         text += f'\n\nclass {many}(Records[{name}], one={name}):\n    """Many results `{name}`: arrays of numbers, lists of texts."""\n\n'
         text += "".join(f"    {column}: {KINDS[kind][1]}\n" for column, _, _, kind in columns)
     return text

@@ -12,6 +12,129 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+class Bounce(Record):
+    """A bounce of a ball off a wall.
+
+    time                     since the start, s
+    position                 of the centre, m
+    velocity_before          of the centre, m/s
+    spin_before              , rad/s
+    velocity                 of the centre afterwards, m/s
+    spin                     afterwards, rad/s
+    wall                     name of the wall
+    R_x                      tangential restitution
+    impulse                  on body 1, N s
+    contact_velocity_before  of body 2 against body 1, m/s
+    contact_velocity_after   of body 2 against body 1, m/s
+    duration                 from first contact to separation, s
+    maximal_force            normal, N
+    maximal_approach         of distant points, m
+    maximal_semi_axis_a      semi-axis of the contact along x, m
+    maximal_semi_axis_b      semi-axis of the contact along y, m
+    maximal_pressure         in the middle of the contact, Pa
+    energy_before            kinetic, without fixed bodies, J
+    energy_after             kinetic, without fixed bodies, J
+    energy_dissipated        by friction, J
+    energy_lost              in the material of the bodies, J
+    regimes                  in order; sign: traction on body 1 along the first slip
+    method                   solution method
+    compressions             number of compression phases
+    error_estimate           of the contact velocity, over that before
+    warnings                 limits of validity that the impact exceeds
+    """
+
+    time: float
+    position: Array
+    velocity_before: Array
+    spin_before: Array
+    velocity: Array
+    spin: Array
+    wall: str
+    R_x: float
+    impulse: Array
+    contact_velocity_before: Array
+    contact_velocity_after: Array
+    duration: float
+    maximal_force: float
+    maximal_approach: float
+    maximal_semi_axis_a: float
+    maximal_semi_axis_b: float
+    maximal_pressure: float
+    energy_before: float
+    energy_after: float
+    energy_dissipated: float
+    energy_lost: float
+    regimes: str
+    method: str
+    compressions: int
+    error_estimate: float
+    warnings: str
+
+    units = {'time': 's', 'position': 'm', 'velocity_before': 'm/s', 'spin_before': 'rad/s', 'velocity': 'm/s', 'spin': 'rad/s', 'wall': '', 'R_x': '', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
+    meanings = {'time': 'since the start', 'position': 'of the centre', 'velocity_before': 'of the centre', 'spin_before': '', 'velocity': 'of the centre afterwards', 'spin': 'afterwards', 'wall': 'name of the wall', 'R_x': 'tangential restitution', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
+    _vectors = frozenset(['position', 'velocity_before', 'spin_before', 'velocity', 'spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
+    _axis = 'bounce'
+
+
+class Bounces(Records[Bounce], one=Bounce):
+    """Many results `Bounce`: arrays of numbers, lists of texts."""
+
+    time: Array
+    position: Array
+    velocity_before: Array
+    spin_before: Array
+    velocity: Array
+    spin: Array
+    wall: list[str]
+    R_x: Array
+    impulse: Array
+    contact_velocity_before: Array
+    contact_velocity_after: Array
+    duration: Array
+    maximal_force: Array
+    maximal_approach: Array
+    maximal_semi_axis_a: Array
+    maximal_semi_axis_b: Array
+    maximal_pressure: Array
+    energy_before: Array
+    energy_after: Array
+    energy_dissipated: Array
+    energy_lost: Array
+    regimes: list[str]
+    method: list[str]
+    compressions: NDArray[np.int64]
+    error_estimate: Array
+    warnings: list[str]
+
+
+class CreepCoefficients(Record):
+    """Kalker's creep coefficients of an elliptical contact.
+
+    axis_ratio  a/b, a along the direction of rolling
+    G           shear modulus of each of two equal bodies, Pa
+    nu          Poisson's ratio of each of them
+    C11         F_x = G a b C11 creepage
+    C22         F_y = G a b C22 creepage_across
+    C23         F_y = -G (ab)^1.5 C23 spin
+    C32         M_z = G (ab)^1.5 C32 creepage_across
+    C33         M_z = G (ab)^2 C33 spin
+    """
+
+    axis_ratio: float
+    G: float
+    nu: float
+    C11: float
+    C22: float
+    C23: float
+    C32: float
+    C33: float
+
+    units = {'axis_ratio': '', 'G': 'Pa', 'nu': '', 'C11': '', 'C22': '', 'C23': '', 'C32': '', 'C33': ''}
+    meanings = {'axis_ratio': 'a/b, a along the direction of rolling', 'G': 'shear modulus of each of two equal bodies', 'nu': "Poisson's ratio of each of them", 'C11': 'F_x = G a b C11 creepage', 'C22': 'F_y = G a b C22 creepage_across', 'C23': 'F_y = -G (ab)^1.5 C23 spin', 'C32': 'M_z = G (ab)^1.5 C32 creepage_across', 'C33': 'M_z = G (ab)^2 C33 spin'}
+    _vectors = frozenset([])
+    _axis = 'contact'
+
+
 class DissimilarRestitution(Record):
     """R_x of spheres of dissimilar materials.
 
@@ -296,6 +419,112 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     p_max_error: Array
     contact_area_error: Array
     stick_area_error: Array
+
+
+class PathPoint(Record):
+    """An instant of the flight of a ball.
+
+    time      since the start, s
+    position  of the centre, m
+    velocity  of the centre, m/s
+    spin      , rad/s
+    """
+
+    time: float
+    position: Array
+    velocity: Array
+    spin: Array
+
+    units = {'time': 's', 'position': 'm', 'velocity': 'm/s', 'spin': 'rad/s'}
+    meanings = {'time': 'since the start', 'position': 'of the centre', 'velocity': 'of the centre', 'spin': ''}
+    _vectors = frozenset(['position', 'velocity', 'spin'])
+    _axis = 'point'
+
+
+class PathPoints(Records[PathPoint], one=PathPoint):
+    """Many results `PathPoint`: arrays of numbers, lists of texts."""
+
+    time: Array
+    position: Array
+    velocity: Array
+    spin: Array
+
+
+class RollState(Record):
+    """A rolling contact under one creepage, or after one distance. Loads act on body 1.
+
+    distance             rolled from rest, if the case gives one, m
+    time                 since rest, s
+    creepage             along x
+    creepage_across      along y
+    spin                 about the normal, rad/m
+    F_x                  force on body 1 along x, N
+    F_y                  force on body 1 along y, N
+    F_z                  normal force, N
+    M_z                  torque on body 1, N m
+    used                 tangential force over f F_z
+    power                work rate of the loads on the creepage; heat in the steady state, W
+    p_max                maximum pressure, Pa
+    contact_area         of all cells in contact, m2
+    stick_area           of all cells that stick, m2
+    slides               whether the whole contact slides: the creep force is saturated
+    F_x_springs          F_x of FASTSIM, with --fastsim, N
+    F_y_springs          F_y of FASTSIM, with --fastsim, N
+    residual_normal      residual of the contact conditions
+    residual_tangential  residual of the friction law
+    iterations           linear systems or passes
+    """
+
+    distance: float
+    time: float
+    creepage: float
+    creepage_across: float
+    spin: float
+    F_x: float
+    F_y: float
+    F_z: float
+    M_z: float
+    used: float
+    power: float
+    p_max: float
+    contact_area: float
+    stick_area: float
+    slides: bool
+    F_x_springs: float
+    F_y_springs: float
+    residual_normal: float
+    residual_tangential: float
+    iterations: int
+
+    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'residual_normal': '', 'residual_tangential': '', 'iterations': ''}
+    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x', 'creepage_across': 'along y', 'spin': 'about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'power': 'work rate of the loads on the creepage; heat in the steady state', 'p_max': 'maximum pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides: the creep force is saturated', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes'}
+    _vectors = frozenset([])
+    _axis = 'row'
+
+
+class RollStates(Records[RollState], one=RollState):
+    """Many results `RollState`: arrays of numbers, lists of texts."""
+
+    distance: Array
+    time: Array
+    creepage: Array
+    creepage_across: Array
+    spin: Array
+    F_x: Array
+    F_y: Array
+    F_z: Array
+    M_z: Array
+    used: Array
+    power: Array
+    p_max: Array
+    contact_area: Array
+    stick_area: Array
+    slides: NDArray[np.bool_]
+    F_x_springs: Array
+    F_y_springs: Array
+    residual_normal: Array
+    residual_tangential: Array
+    iterations: NDArray[np.int64]
 
 
 class Rebound(Record):

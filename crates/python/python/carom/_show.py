@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from html import escape
 from typing import Any
 
 import numpy as np
@@ -31,7 +30,7 @@ def short(x: Any) -> str:
     """A value in one line."""
     if isinstance(x, str):
         return x if len(x) <= WIDEST else x[: WIDEST - len(MORE)] + MORE
-    if isinstance(x, np.ndarray) and x.ndim > 1 and x.shape[-1] > 4 and x.size:
+    if isinstance(x, np.ndarray) and (x.ndim > 2 or x.ndim == 2 and x.shape[1] > 4) and x.size:
         return f"{' x '.join(map(str, x.shape))}, {number(x.min())} to {number(x.max())}"
     if isinstance(x, (list, tuple, np.ndarray)):
         shown = ENDS if np.ndim(x[0] if len(x) else 0) == 0 else 1
@@ -58,6 +57,13 @@ def text(title: str, rows: Iterable[Row]) -> str:
     width = max((len(name) for name, *_ in told), default=0)
     lines = [f"  {name:<{width}}  {value}{f' {unit}' if unit else ''}" for name, value, unit in told]
     return "\n".join([title, *lines])
+
+
+def escape(text: str) -> str:
+    """A text as HTML. Python's module is imported when it is needed, since that takes milliseconds."""
+    from html import escape
+
+    return escape(text)
 
 
 def html(title: str, rows: Iterable[Row]) -> str:

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import warnings
-from typing import TypeVar
-
-from ._records import Rebound, Rebounds
-
-Impacts = TypeVar("Impacts", bound="Rebound | Rebounds")
 
 
 class OutsideTheoryWarning(UserWarning):
-    """A contact or an impact exceeds a limit of the theory: see `Rebound.warnings`.
+    """Results exceed a limit of the theory. The text says by how much, and of many results which is the worst.
+
+    The warnings of each impact are also in `Rebound.warnings`.
 
     >>> import carom, warnings
     >>> rubber = carom.Material(1e6, 0.49)
@@ -24,11 +21,7 @@ class OutsideTheoryWarning(UserWarning):
     """
 
 
-def heed(rebound: Impacts) -> Impacts:
-    """Warns once of the limits that these impacts exceed."""
-    texts = [rebound.warnings] if isinstance(rebound.warnings, str) else rebound.warnings
-    exceeding = [text for text in texts if text]
-    if exceeding:
-        where = "" if len(texts) == 1 else f" (the first of {len(exceeding)} of {len(texts)} impacts)"
-        warnings.warn(exceeding[0] + where, OutsideTheoryWarning, stacklevel=3)
-    return rebound
+def warn(texts: list[str], depth: int = 3) -> None:
+    """Warns once of all limits that results exceed, each in a line; `depth` functions up stands the call of the user."""
+    if texts:
+        warnings.warn("\n".join(texts), OutsideTheoryWarning, stacklevel=depth)

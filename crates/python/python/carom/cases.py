@@ -13,30 +13,48 @@ True
 from __future__ import annotations
 
 import os
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _carom
-from ._record import Result
-from ._records import HistorySteps, Rebound, Rebounds, SolverSteps
+from ._arrays import counted
+from ._carom import RangeError
+from ._case_results import Rolled, Scene, Solved, Stresses, Sweep
+from ._records import (
+    Bounces,
+    CreepCoefficients,
+    HertzState,
+    HertzStates,
+    HistorySteps,
+    PathPoint,
+    PathPoints,
+    Rebound,
+    RollStates,
+    SolverSteps,
+)
 from ._types import Array
 from ._solver import FIELDS
-from ._validity import heed
+from ._validity import warn
 
-Path = str | os.PathLike[str]
+Path = Union[str, "os.PathLike[str]"]
 
-__all__ = ["Solved", "Sweep", "history", "impact", "new", "solve"]
-
-
-class Sweep(Rebounds, one=Rebound):
-    """The impacts of a case that sweeps over one of its fields."""
-
-    @property
-    def swept(self) -> tuple[str, str, Array]:
-        """Name, unit and values of that field: the index of `to_pandas` and the coordinate of `to_xarray`."""
-        assert self._swept is not None
-        return self._swept
+__all__ = [
+    "Rolled",
+    "Scene",
+    "Solved",
+    "Stresses",
+    "Sweep",
+    "hertz",
+    "history",
+    "impact",
+    "new",
+    "roll",
+    "scene",
+    "solve",
+    "stress",
+]
 
 
 def new(kind: str) -> str:
@@ -63,10 +81,11 @@ def impact(path: Path) -> Rebound | Sweep:
     >>> rebounds.swept[0], rebounds.R_x.shape
     ('contact.friction', (3,))
     """
-    swept, columns = _carom.case_impact(os.fspath(path))
+    swept, columns, exceeded = _carom.case_impact(os.fspath(path))
+    warn(exceeded)
     if swept is None:
-        return heed(Rebound._of(columns))
-    return heed(Sweep._shaped(columns, (len(swept[2]),), swept))
+        return Rebound._of(columns)
+    return Sweep._shaped(columns, (len(swept[2]),), swept)
 
 
 def history(path: Path) -> HistorySteps:
@@ -85,44 +104,6 @@ def history(path: Path) -> HistorySteps:
     return HistorySteps._shaped(columns, (len(columns["step"]),))
 
 
-class Solved(Result):
-    """A contact on a grid after all its steps. Fields are arrays (ny, nx) after the last step.
-
-    steps           the contact after each step, arrays (n,)
-    x, y            cell centres, (nx,) and (ny,), m
-    pressure        Pa
-    traction_x, _y  on body 1, Pa
-    displacement_x, _y  elastic, of body 1 against body 2, m
-    cells           state of each: 0 separated, 1 sticks, 2 slips
-    warnings        reasons to distrust the result: few cells, a plate bent by more than half its thickness
-    """
-
-    steps: SolverSteps
-    x: Array
-    y: Array
-    pressure: Array
-    traction_x: Array
-    traction_y: Array
-    displacement_x: Array
-    displacement_y: Array
-    cells: NDArray[np.int8]
-    warnings: list[str]
-
-    meanings = {
-        "steps": "the contact after each step",
-        "x": "cell centres",
-        "y": "cell centres",
-        "pressure": "after the last step",
-        "traction_x": "on body 1",
-        "traction_y": "on body 1",
-        "displacement_x": "elastic, of body 1 against body 2",
-        "displacement_y": "elastic, of body 1 against body 2",
-        "cells": "0 separated, 1 sticks, 2 slips",
-        "warnings": "reasons to distrust the result",
-    }
-    units = dict(zip(meanings, ("", "m", "m", "Pa", "Pa", "Pa", "m", "m", "", ""), strict=True))
-
-
 def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     """A contact with friction on a grid, step by step.
 
@@ -136,16 +117,116 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
     True
     """
-    steps, (x, y), fields, cells, warnings = _carom.case_solve(os.fspath(path), accuracy)
+    steps, axes, fields, cells, warnings = _carom.case_solve(os.fspath(path), accuracy)
+    gridded = _gridded(axes, fields, cells, warnings)
+    return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **gridded})
+
+
+def _gridded(
+    axes: list[Array], fields: list[Array], cells: NDArray[np.int8], warnings: list[str]
+) -> dict[str, Any]:
+    """Fields of a grid by name, in its shape."""
+    x, y = axes
     shape = (len(y), len(x))
     named = dict(zip(FIELDS, (field.reshape(shape) for field in fields), strict=True))
-    return Solved(
+    return {"x": x, "y": y, **named, "cells": cells.reshape(shape), "warnings": warnings}
+
+
+def hertz(path: Path) -> HertzStates:
+    """The contact of two surfaces under each of its normal loads, arrays (n,).
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "lens.toml"
+    >>> _ = path.write_text(carom.cases.new("hertz"))
+    >>> states = carom.cases.hertz(path)
+    >>> bool((states.peak_pressure > 0).all())
+    True
+    """
+    columns, exceeded = _carom.case_hertz(os.fspath(path))
+    warn(exceeded)
+    return HertzStates._shaped(columns, (len(columns["force"]),))
+
+
+def stress(path: Path) -> Stresses:
+    """The stresses in a body below a contact with normal force (Hertz) and tangential force (Cattaneo and Mindlin).
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
+    >>> _ = path.write_text(carom.cases.new("stress"))
+    >>> below = carom.cases.stress(path)
+    >>> below.stress.shape == (len(below.depth), len(below.y), len(below.x), 6)
+    True
+    >>> bool(np.allclose(carom.von_mises(below.stress), below.von_mises))
+    True
+    """
+    contact, stick_radius, (x, y, depth), (flat, *scalars), exceeded = _carom.case_stress(os.fspath(path))
+    warn(exceeded)
+    shape = (len(depth), len(y), len(x))
+    von_mises, maximum_shear = (values.reshape(shape) for values in scalars)
+    return Stresses(
         {
-            "steps": SolverSteps._shaped(steps, (len(steps["step"]),)),
+            "contact": HertzState._of(contact),
+            "stick_radius": stick_radius,
             "x": x,
             "y": y,
-            **named,
-            "cells": cells.reshape(shape),
-            "warnings": warnings,
+            "depth": depth,
+            "stress": flat.reshape(*shape, 6),
+            "von_mises": von_mises,
+            "maximum_shear": maximum_shear,
+        }
+    )
+
+
+def scene(path: Path, *, points: int = 0) -> Scene:
+    """Path and bounces of a ball between walls; with `points` also the ball at so many instants of every flight.
+
+    `points` is 0 or from 2 to 100000.
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
+    >>> _ = path.write_text(carom.cases.new("scene"))
+    >>> scene = carom.cases.scene(path, points=20)
+    >>> len(scene.path) % 20, bool(scene.path.time[-1] <= scene.end.time)
+    (0, True)
+    """
+    count = counted("points", points)
+    if count == 1 or count > 100_000:
+        error = RangeError(f"points = {count} is out of range: must be 0 or from 2 to 100000")
+        error.field, error.value, error.index = "points", float(count), None
+        raise error
+    bounces, ending, end, course, exceeded = _carom.case_scene(os.fspath(path), count)
+    warn(exceeded)
+    return Scene(
+        {
+            "bounces": Bounces._shaped(bounces, (len(bounces["time"]),)),
+            "ending": ending,
+            "end": PathPoint._of(end),
+            "path": PathPoints._shaped(course, (len(course["time"]),)),
+        }
+    )
+
+
+def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Rolled:
+    """A rolling contact: creep forces in the steady state, or step by step from rest.
+
+    `coefficients` also computes Kalker's creep coefficients of the contact, `fastsim` the forces of FASTSIM in the
+    steady state, `rows.F_x_springs` and `rows.F_y_springs`. `carom.plot` draws the last contact.
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "wheel.toml"
+    >>> _ = path.write_text(carom.cases.new("roll"))
+    >>> rolled = carom.cases.roll(path)
+    >>> bool((rolled.rows.used <= 1 + 1e-6).all()), rolled.rows.slides.dtype
+    (True, dtype('bool'))
+    """
+    rows, creep, axes, (fields, cells), (exceeded, others) = _carom.case_roll(
+        os.fspath(path), coefficients, fastsim
+    )
+    warn(exceeded)
+    return Rolled(
+        {
+            "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
+            "coefficients": None if creep is None else CreepCoefficients._of(creep),
+            **_gridded(axes, fields, cells, exceeded + others),
         }
     )

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import numbers
+from ._case_results import Gridded
 from ._contact_theory import restitution as r_x
 from ._records import HistoryPoints
 from ._solver import Solver, cells
@@ -28,9 +29,8 @@ from ._types import Array
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .cases import Solved
-
-    Grid = Union[Solver, Solved]
+#: A solver after a step, or the result of a case.
+Grid = Union[Solver, Gridded]
 
 __all__ = ["history", "loop", "pressure", "restitution", "stick_slip", "tractions"]
 
@@ -68,9 +68,7 @@ def _scaled(values: ArrayLike, unit: str) -> tuple[Array, str]:
 
 def _places(of: Grid) -> tuple[Array, Array, str]:
     """x and y of the cell centres, (nx,) and (ny,), and their unit."""
-    from .cases import Solved
-
-    if isinstance(of, Solved):
+    if isinstance(of, Gridded):
         x, y = of.x, of.y
     else:
         across, up = cells(of.shape, of.size)
@@ -107,7 +105,7 @@ def _field(axes: Axes, x: Array, y: Array, of: Grid, values: Array, name: str) -
 
 
 def pressure(of: Grid, axes: Axes | None = None) -> Axes:
-    """The pressure of a contact on a grid, of a `Solver` after a step or of a solved case."""
+    """The pressure of a contact on a grid, of a `Solver` after a step, or of a case that was solved or rolled."""
     axes, x, y = _map(of, axes, "pressure")
     _field(axes, x, y, of, of.pressure, "p")
     return axes
@@ -122,7 +120,8 @@ def stick_slip(of: Grid, axes: Axes | None = None) -> Axes:
     colours = {"sticks": COLOURS[0], "slips": COLOURS[4]}
     states = np.ma.masked_equal(of.cells, 0)
     axes.pcolormesh(x, y, states, cmap=ListedColormap(list(colours.values())), norm=BoundaryNorm([0.5, 1.5, 2.5], 2))
-    names = [Patch(color=colour, label=name) for name, colour in colours.items()]
+    present = [i in of.cells for i in (1, 2)]
+    names = [Patch(color=colour, label=name) for (name, colour), is_there in zip(colours.items(), present) if is_there]
     axes.legend(handles=names, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
     return axes
 

@@ -1,6 +1,6 @@
 //! The fields of `[body_1]`, `[body_2]` and `[ball]`.
 
-use crate::case::field::{AXES, Default, Field, Form};
+use crate::case::field::{AXES, Default, Field, Form, Usual};
 use crate::case::material::MATERIAL;
 use crate::case::range::Range;
 use crate::case::unit::{Dimension, Measure};
@@ -39,7 +39,8 @@ pub(in crate::case) const SHAPE: Field = Field::new(
 pub(super) const RADIUS: Field =
     Field::number("radius", LENGTH_ABOVE_0, "radius; for a torus that of its centre circle")
         .of(&[SPHERE, CYLINDER, CAPSULE, TORUS])
-        .such_as("0.01");
+        .such_as("0.01")
+        .usually(Usual::RADIUS);
 pub(super) const LENGTH: Field =
     Field::number("length", LENGTH_ABOVE_0, "length of the straight part along axis c")
         .of(&[CYLINDER, CAPSULE])
@@ -103,7 +104,8 @@ pub(in crate::case) const MASS: Field = Field::number(
 pub(super) const DENSITY: Field =
     Field::number("density", Range::Positive.of(Dimension::Density), "density of a solid body")
         .or("`mass`, or `fixed = true`")
-        .such_as("7850");
+        .such_as("7850")
+        .usually(Usual::DENSITY);
 pub(in crate::case) const FIXED: Field =
     Field::new("fixed", Form::Switch, "fixed: of infinite mass and at rest")
         .default(Default::False)

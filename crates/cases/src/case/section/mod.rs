@@ -4,6 +4,7 @@ mod arrays;
 mod error;
 mod spelling;
 pub(super) mod survey;
+mod usual;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};

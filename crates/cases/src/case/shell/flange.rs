@@ -75,8 +75,9 @@ const SECTOR: Field = Field::new(
 )
 .may("the ring is uniform");
 
-const TUBE_RADIUS: Field =
-    Field::number("radius", LENGTH, "radius of its middle surface").may("that of the ring");
+const TUBE_RADIUS: Field = Field::number("radius", LENGTH, "radius of its middle surface")
+    .may("that of the ring")
+    .such_as("0.15");
 const THICKNESS: Field =
     Field::number("thickness", LENGTH, "thickness of its wall").such_as("0.004");
 const HALF_MOMENTLESS: &str = "half-momentless";
@@ -98,7 +99,8 @@ const EDGE_ALONG: Field =
     Field::number("along", PLACE, "from the centroid of the ring to the edge, along the tube")
         .default(Default::Number(0.0));
 const EDGE_OUTWARD: Field = Field::number("outward", PLACE, "the same outward")
-    .may("radius of the tube less that of the ring");
+    .may("radius of the tube less that of the ring")
+    .such_as("0");
 const TUBE_MATERIAL: Field =
     Field::new("material", MATERIAL.form, "material of the tube: two elastic constants")
         .may("that of the ring");

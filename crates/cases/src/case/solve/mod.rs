@@ -11,7 +11,7 @@ pub use method::SolveMethod;
 pub use plate::PlateCase;
 
 use super::error::CaseError;
-use super::field::{Default, Field, Form};
+use super::field::{Default, Field, Form, Usual};
 use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::range::Range;
@@ -69,7 +69,8 @@ const GRID: Field =
         .begun(&[(&CELLS, ""), (&SIZE, "")]);
 const FRICTION: Field =
     Field::number("friction", Range::NonNegative.pure(), "coefficient of friction f")
-        .such_as("0.3");
+        .such_as("0.3")
+        .usually(Usual::FRICTION);
 const STATIC: Field = Field::number(
     "static_friction",
     Range::NonNegative.pure(),

@@ -5,15 +5,15 @@ mod plot;
 mod view;
 
 use crate::columns;
-use crate::command::hertz::smallest_radius;
-use crate::command::theory::{Excess, Worst, large_contact};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{Rows, check_count, indented};
 use carom_cases::Error;
 use carom_cases::case::HistoryCase;
+use carom_cases::hertz::smallest_radius;
 use carom_cases::history::{self, Step, Traction, shifts};
+use carom_cases::theory::{Excess, Worst, large_contact};
 use carom_laws::stiffness::ContactStiffness;
 use carom_table::row;
 use follow::{Wanted, follow};
@@ -28,7 +28,7 @@ use follow::{Wanted, follow};
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give the tangential traction after each step, at this number of radii from the centre
     /// to the edge.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]

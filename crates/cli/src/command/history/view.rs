@@ -1,8 +1,8 @@
 //! The states of a history as records.
 
 use crate::columns::Record;
-use crate::command::theory::Excess;
 use carom_cases::history::{Step, TRACTION_COLUMNS, Traction};
+use carom_cases::theory::Excess;
 use carom_table::Column;
 use serde::Serialize;
 

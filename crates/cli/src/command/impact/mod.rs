@@ -7,7 +7,6 @@ mod uncertain;
 mod view;
 
 use crate::columns;
-use crate::command::theory::{Warnings, Worst, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
@@ -15,6 +14,7 @@ use crate::output::{Answer, Format, Results, json};
 use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_cases::case::{ImpactCase, ImpactFile, Input, Uncertainty};
 use carom_cases::impact::{self, outcome, swept};
+use carom_cases::theory::{Warnings, Worst, caution};
 use carom_impact::HistoryPoint;
 use carom_table::row;
 use rayon::prelude::*;
@@ -35,7 +35,7 @@ use view::{Parameter, Record};
     + "\n" + &uncertain::help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give the history of the impact at this many instants; not for a sweep. For bodies other than
     /// spheres and planes, values are interpolated linearly between computed steps.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]

@@ -1,15 +1,16 @@
 //! An impact with uncertain inputs: the distribution of its outcome.
 
 use crate::columns::{self, add_fields};
-use crate::command::theory::{Excess, readable};
 use crate::error::CliError;
-use crate::output::{Format, Picture, json, short};
+use crate::output::{Format, Picture, json};
 use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
+use carom_cases::theory::{Excess, readable};
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
 use carom_impact::{CollisionError, Outcome};
 use carom_numerical::CollisionLawError;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
+use carom_table::short;
 use carom_table::{Cell, Column, row};
 use serde::Serialize;
 use serde::ser::SerializeMap as _;

@@ -1,9 +1,9 @@
 //! The outcome of a collision as records for JSON and rows of cells.
 
 use crate::columns::{self, Fields, add_fields};
-use crate::command::theory::Excess;
 use carom_cases::case::{ImpactCase, Input};
 use carom_cases::impact;
+use carom_cases::theory::Excess;
 use carom_impact::{
     Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
 };

@@ -2,13 +2,13 @@
 
 use super::{Arguments, rows, rows::Row};
 use crate::error::CliError;
-use crate::output::short;
 use crate::range::Values;
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::restitution::{DissimilarGroups, DissimilarRestitution, DissimilarTable};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 use carom_table::Column;
+use carom_table::short;
 
 /// Which bodies meet.
 #[derive(Debug, Clone, Copy)]

@@ -3,9 +3,10 @@
 use super::Plane;
 use crate::command::plot::{MOST_MARKS, add_curve};
 use crate::error::CliError;
-use crate::output::{Picture, short};
+use crate::output::Picture;
 use carom_plot::{Axis, Field, Marker, Panel, Series};
 use carom_special::linspace;
+use carom_table::short;
 use rayon::prelude::*;
 
 /// Nodes of a map, at most: its picture takes eight bytes for each.

@@ -1,19 +1,17 @@
 //! `carom roll`: a rolling contact under creepage and spin.
 
 mod plot;
-mod solve;
 mod view;
 
 use crate::columns::{self, Record};
-use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
 use carom_cases::case::RollCase;
+use carom_cases::roll::{self, COLUMNS, CREEP, Creep, Rolled, Row, Wanted};
+use carom_cases::theory::caution;
 use carom_table::row;
 use serde::Serialize;
-use solve::Rolling;
-use view::{COLUMNS, CREEP, Creep, Row};
 
 /// A rolling contact: creep forces in the steady state, or step by step from rest.
 ///
@@ -26,7 +24,7 @@ use view::{COLUMNS, CREEP, Creep, Row};
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give Kalker's creep coefficients of the contact; as CSV they replace the rows.
     #[arg(long)]
     coefficients: bool,
@@ -56,28 +54,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             "--fastsim supports the steady state only: remove `distance`",
         ));
     }
-    let creep = (arguments.coefficients || arguments.fastsim)
-        .then(|| solve::creep(&file.path, &case))
-        .transpose()?;
-    let rolling = Rolling::new(&file.path, &case)?;
-    let (rows, state) = match case.distance {
-        Some(distance) => rolling.step_by_step(distance)?,
-        None => rolling.steadily(creep.as_ref().filter(|_| arguments.fastsim))?,
-    };
+    let wanted = Wanted { coefficients: arguments.coefficients, springs: arguments.fastsim };
+    let Rolled { rows, state, creep } = roll::rolled(&file.path, &case, wanted)?;
     let format = arguments.given.format();
     columns::check(&file.path, &view::columns(&rows, false), &rows)?;
-    let creep = creep.filter(|_| arguments.coefficients);
     let text = text(format, &rows, creep.as_ref())?;
     let picture = match plot {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&rows, &state)?)),
         None => None,
     };
-    let warnings = warnings(&case, &rows, arguments.coefficients || arguments.fastsim);
-    let curvature = case.hertz.curvature();
-    let radius = 0.5 / curvature.a().max(curvature.b());
-    let excess = Excess::of_contact(case.loaded.approach, radius);
+    let warnings = roll::warnings(&case, &rows, wanted);
     let answer = Answer { text, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&[excess], "contacts"), format))
+    Ok(answer.cautioned(caution(&[roll::excess(&case)], "contacts"), format))
 }
 
 fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, CliError> {
@@ -95,22 +83,4 @@ fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, C
         }
         (format, _) => columns::rows(format, &view::columns(rows, false), rows),
     }
-}
-
-/// Warnings about full sliding, and about effects that creep coefficients neglect.
-fn warnings(case: &RollCase, rows: &[Row], uses_coefficients: bool) -> Vec<String> {
-    let sliding = rows.iter().filter(|row| row.slides).count();
-    let mut warnings = Vec::new();
-    if sliding > 0 {
-        warnings.push(format!(
-            "full sliding in {sliding} of {} rows: the creep force is saturated, and more creepage \
-             does not increase it",
-            rows.len()
-        ));
-    }
-    if uses_coefficients && !case.hertz.materials().is_uncoupled() {
-        let note = "creep coefficients and FASTSIM replace dissimilar bodies by two equal ones";
-        warnings.push(note.to_owned());
-    }
-    warnings
 }

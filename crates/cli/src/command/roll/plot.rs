@@ -1,10 +1,10 @@
 //! The picture of a rolling contact.
 
-use super::view::Row;
 use crate::command::plot::{Value, add_curve};
 use crate::command::solve::plot::{pressures, stick_and_slip};
 use crate::error::CliError;
 use crate::output::Picture;
+use carom_cases::roll::Row;
 use carom_plot::{Axis, Marker, Panel, Series};
 use carom_solver::ContactState;
 

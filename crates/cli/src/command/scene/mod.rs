@@ -4,14 +4,14 @@ mod plot;
 mod view;
 
 use crate::columns;
-use crate::command::theory::{Excess, Warnings, Worst};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, Results, short};
+use crate::output::{Answer, Format, Results};
 use crate::rows::{BLOCK, Rows, indented};
 use carom_cases::case::SceneCase;
-use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
-use carom_table::row;
+use carom_cases::scene::{End, Heed, follow};
+use carom_impact::scene::{Bounce, Leg, PathPoint};
+use carom_table::{row, short};
 use std::path::Path;
 
 /// Path and bounces of a ball between walls.
@@ -25,7 +25,7 @@ use std::path::Path;
     + &columns::help("With --points a row for each instant", PathPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Also give the ball at this many instants of every flight; as CSV, these replace the bounces.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
     points: Option<u32>,
@@ -37,22 +37,18 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let (format, points) = (arguments.given.format(), arguments.points.map(|count| count as usize));
     let mut bounces = Rows::new(format).at_depth(1).showing(view::READABLE.to_vec());
     let mut course = plot.is_some().then(|| plot::Course::new(&case));
-    let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
+    let mut heed = Heed::default();
     if format == Format::Json {
         results.put(b"{\n  \"bounces\": ")?;
     }
-    let end = follow(&file.path, &case, |legs| {
+    let end = follow::<CliError>(&file.path, &case, |legs| {
         for leg in legs {
             if let Some(course) = &mut course {
                 course.push(leg)?;
             }
         }
         let met: Vec<&Bounce> = legs.iter().filter_map(Leg::bounce).collect();
-        for bounce in &met {
-            let number = warnings.count() + 1;
-            warnings.add(|| format!("at bounce {number}"), &bounce.rebound.warnings);
-            worst.add(Excess::of_impact(&bounce.rebound));
-        }
+        met.iter().for_each(|bounce| heed.add(bounce));
         if format == Format::Csv && points.is_some() {
             return Ok(());
         }
@@ -84,34 +80,9 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         (Some(to), Some(course)) => Some((to, course.draw())),
         _ => None,
     };
-    let caution = worst.caution("bounces");
-    let answer = Answer { text, warnings: warnings.told("bounces"), picture, ..Answer::default() };
+    let (caution, warnings) = heed.told();
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
-}
-
-/// The end of a path and its reason.
-struct End {
-    ending: Ending,
-    last: PathPoint,
-}
-
-/// Computes the path; `visit` receives several legs at a time.
-fn follow(
-    path: &Path,
-    case: &SceneCase,
-    mut visit: impl FnMut(&[Leg]) -> Result<(), CliError>,
-) -> Result<End, CliError> {
-    let at_fault = |source| CliError::Scene { path: path.to_owned(), source: Box::new(source) };
-    let legs = case.scene.legs_by(case.law, &case.ball, case.limits);
-    let mut legs = legs.map_err(at_fault)?;
-    let mut ending = Ending::Time;
-    loop {
-        let some = legs.by_ref().take(BLOCK).collect::<Result<Vec<_>, _>>().map_err(at_fault)?;
-        let Some(last) = some.last() else { break };
-        ending = last.ending().unwrap_or(ending);
-        visit(&some)?;
-    }
-    Ok(End { ending, last: legs.now() })
 }
 
 /// Computes the path again and writes `count` instants of every flight; returns the end of the list, which is
@@ -132,7 +103,7 @@ fn instants(
         };
         rows.put(points, cells, json, results)
     };
-    follow(path, case, |legs| {
+    follow::<CliError>(path, case, |legs| {
         for leg in legs {
             waiting.extend(leg.points(count)?);
             if waiting.len() >= BLOCK {
@@ -148,6 +119,6 @@ fn instants(
 
 fn read_end(case: &SceneCase, end: &End) -> String {
     let place = <[f64; 3]>::from(end.last.position).map(short).join("  ");
-    let (ending, time) = (view::ending(case, end.ending), short(end.last.time));
+    let (ending, time) = (end.reason(case), short(end.last.time));
     format!("end: {ending} after {time} s at {place} m\n")
 }

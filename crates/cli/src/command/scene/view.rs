@@ -1,14 +1,13 @@
 //! A path as records for JSON and rows of cells.
 
-use super::End;
 use crate::columns::{self, add_fields};
-use crate::command::theory::Excess;
 use crate::error::CliError;
 use crate::rows::indented;
 use carom_cases::case::SceneCase;
-use carom_impact::Rebound;
-use carom_impact::scene::{Bounce, Ending, PathPoint};
-use carom_table::{Cell, Quantity as _, row};
+use carom_cases::scene::{End, rebound_columns};
+use carom_cases::theory::Excess;
+use carom_impact::scene::{Bounce, PathPoint};
+use carom_table::{Cell, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Columns of a bounce in a table.
@@ -34,27 +33,14 @@ pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
     let mut cells = row(Bounce::COLUMNS, bounce.map(|(_, bounce)| bounce));
     let wall = bounce.map(|(case, bounce)| case.names[bounce.wall].clone());
     cells.insert(1, Cell::new("wall", "", "name of the wall", wall));
-    let rebound = row(Rebound::COLUMNS, bounce.map(|(_, bounce)| &bounce.rebound));
     // The motions of the ball, body 1, are listed already; the walls do not move.
-    let is_new = |cell: &Cell| cell.name() != "outcome" && !cell.name().starts_with("body_");
-    cells.extend(rebound.into_iter().filter(is_new));
+    cells.extend(row(&rebound_columns(), bounce.map(|(_, bounce)| &bounce.rebound)));
     cells
-}
-
-/// Why a path ends, in words.
-pub(super) fn ending(case: &SceneCase, ending: Ending) -> String {
-    let name = |wall: usize| &case.names[wall];
-    match ending {
-        Ending::Time => "the time is over".to_owned(),
-        Ending::Bounces => "the last bounce is done".to_owned(),
-        Ending::Rest { wall } => format!("it stays on {}", name(wall)),
-        Ending::Edge { wall } => format!("it meets an edge of {}", name(wall)),
-    }
 }
 
 /// The part of the JSON after the bounces.
 pub(super) fn end(case: &SceneCase, end: &End) -> Result<String, CliError> {
-    let ending = indented(&ending(case, end.ending), 1)?;
+    let ending = indented(&end.reason(case), 1)?;
     let last = indented(&columns::Record::new(PathPoint::COLUMNS, &end.last), 1)?;
     Ok(format!(",\n  \"ending\": {ending},\n  \"end\": {last}"))
 }

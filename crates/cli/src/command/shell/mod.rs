@@ -26,7 +26,7 @@ use std::path::Path;
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Give displacements and stresses at the places of the wall instead of the rows: around a
     /// flange, from crest to root of a corrugation after the last load.
     #[arg(long)]

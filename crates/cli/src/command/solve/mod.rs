@@ -33,7 +33,7 @@ use store::Store;
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
     /// Save each step in this folder when it is complete: loads.csv, and the fields as NumPy
     /// archives step-000001.npz, ... The folder must be new, empty or from an earlier run, and no
     /// other run may use it at the same time.

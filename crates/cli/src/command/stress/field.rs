@@ -1,10 +1,10 @@
 //! The stresses at all points as a file for other programs: NumPy arrays or a VTK grid.
 
-use super::point::StressPoint;
 use crate::command::npz::{self, Array};
 use crate::error::CliError;
 use crate::outputs::{Outputs, Place};
 use carom_cases::case::StressCase;
+use carom_cases::stress::StressPoint;
 use carom_table::{Column, Value};
 use std::collections::BTreeMap;
 use std::path::Path;

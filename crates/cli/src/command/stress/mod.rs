@@ -1,28 +1,21 @@
 //! `carom stress`: stresses in a body below a contact under normal and tangential load.
 
 mod field;
-mod point;
 
 use crate::columns::{self, Record};
-use crate::command::hertz::smallest_radius;
-use crate::command::theory::{Excess, caution, large_contact};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
-use carom_cases::Error;
 use carom_cases::case::StressCase;
-use carom_halfspace::{Point, Stress, Traction};
-use carom_laws::field::partial_slip_stress;
+use carom_cases::stress::{self, Solved, StressPoint};
+use carom_cases::theory::caution;
 use carom_laws::hertz::HertzState;
 use carom_plot::{Axis, Field, Panel, PlotError, Series};
-use carom_special::RangeError;
 use carom_table::{Value, row};
-use rayon::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;
 
 use field::FieldFile;
-use point::StressPoint;
 
 /// Stresses below a contact with normal force (Hertz) and tangential force (Cattaneo and Mindlin).
 ///
@@ -36,7 +29,7 @@ use point::StressPoint;
 #[command(after_long_help = columns::help("A row for each point", StressPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
-    given: CaseArguments,
+    pub(super) given: CaseArguments,
 
     /// Write the stresses at all points to this file: as NumPy arrays over depth, y and x, with the
     /// names of the columns below, if it ends in .npz; as a grid for ParaView if it ends in .vtk.
@@ -57,73 +50,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let (command::Given { case: file, plot }, to) = arguments.given.read_beside(|outputs| {
         arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
     })?;
-    let case = file.parse(StressCase::parse)?;
-    let failed = |source| Error::Law { path: file.path.clone(), source };
-    let state = case.hertz.at_force(case.force[2]).map_err(failed)?;
-    let stick_radius = stick_radius(&case);
-    let points = stresses(&case, &state, stick_radius).map_err(failed)?;
-    columns::check(&file.path, StressPoint::COLUMNS, &points)?;
+    let solved = stress::solved(&file)?;
+    let Solved { case, state, stick_radius, points } = &solved;
+    columns::check(&file.path, StressPoint::COLUMNS, points)?;
     let format = arguments.given.format();
     let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
     let text = match format {
         Format::Json => json(&Report {
-            contact: Record::new(HertzState::COLUMNS, &state),
-            stick_radius,
+            contact: Record::new(HertzState::COLUMNS, state),
+            stick_radius: *stick_radius,
             points: records(),
         })?,
         Format::Table(page) => {
-            columns::upright(page, &row(HertzState::COLUMNS, Some(&state)))
+            columns::upright(page, &row(HertzState::COLUMNS, Some(state)))
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
                 + "maximum equivalent stress among the points:\n"
-                + &columns::upright(page, &row(StressPoint::COLUMNS, greatest(&points)))
+                + &columns::upright(page, &row(StressPoint::COLUMNS, greatest(points)))
         }
-        Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, &points)?,
+        Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, points)?,
     };
     let picture = match plot {
-        Some(to) => Some((to, draw(&case, &points).map_err(CliError::from)?)),
+        Some(to) => Some((to, draw(case, points).map_err(CliError::from)?)),
         None => None,
     };
-    let excess = Excess::of_contact(state.approach, smallest_radius(&case.hertz));
-    let file = to.map(|to| to.encoded(&case, &points)).transpose()?;
-    let semi_axis = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
-    let large = large_contact(semi_axis, case.smallest_radius);
-    let warnings = large.iter().map(ToString::to_string).collect();
+    let file = to.map(|to| to.encoded(case, points)).transpose()?;
+    let warnings = solved.warning().iter().map(ToString::to_string).collect();
     let answer = Answer { text, warnings, picture, file, ..Answer::default() };
-    Ok(answer.cautioned(caution(&[excess], "loads"), format))
-}
-
-/// a*/a of Cattaneo and Mindlin: (1 - F_t/(f F_z))^(1/3).
-fn stick_radius(case: &StressCase) -> f64 {
-    let [x, y, normal] = case.force;
-    let pushed = libm::hypot(x, y);
-    if pushed == 0.0 { 1.0 } else { libm::cbrt((1.0 - pushed / (case.friction * normal)).max(0.0)) }
-}
-
-/// The stresses at all points: for each depth, for each y, for each x.
-fn stresses(
-    case: &StressCase,
-    state: &HertzState,
-    stick_radius: f64,
-) -> Result<Vec<StressPoint>, RangeError> {
-    let [x, y, _] = case.force;
-    let pushed = libm::hypot(x, y);
-    let [unit_x, unit_y] = if pushed > 0.0 { [x / pushed, y / pushed] } else { [0.0; 2] };
-    // Body 2 feels the opposite traction; seen from inside it, the normal points the other way.
-    let (body, side) = match case.is_in_body_1 {
-        true => (case.hertz.materials().body_1(), 1.0),
-        false => (case.hertz.materials().body_2(), -1.0),
-    };
-    let limit = side * case.friction * state.peak_pressure;
-    let peak = Traction { x: limit * unit_x, y: limit * unit_y, normal: state.peak_pressure };
-    let [xs, ys, depths] = &case.places;
-    let at = |i: usize| {
-        let (column, rest) = (i % xs.len(), i / xs.len());
-        let at = [xs[column], ys[rest % ys.len()], depths[rest / ys.len()]];
-        let point = Point { x: at[0], y: at[1], z: at[2] };
-        let s = partial_slip_stress(state.ellipse, body, peak, stick_radius, point)?;
-        Ok(StressPoint { at, stress: Stress { yz: side * s.yz, zx: side * s.zx, ..s } })
-    };
-    (0..xs.len() * ys.len() * depths.len()).into_par_iter().map(at).collect()
+    Ok(answer.cautioned(caution(&[solved.excess()], "loads"), format))
 }
 
 fn greatest(points: &[StressPoint]) -> Option<&StressPoint> {

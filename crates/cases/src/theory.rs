@@ -1,7 +1,7 @@
 //! Checks whether results lie within the theory and reports the worst case once.
 
-use crate::output::short;
 use carom_impact::{Rebound, Warning};
+use carom_table::short;
 
 /// Largest approach over the radius of curvature for which the bodies count as half-spaces.
 const MAX_APPROACH_OVER_RADIUS: f64 = 0.1;
@@ -16,7 +16,7 @@ const MEANINGLESS: &str = "The results are meaningless. Is a unit wrong? Plain n
 
 /// How far results exceed the limits of the theory; empty if they lie within.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Excess {
+pub struct Excess {
     /// Approach over radius of curvature.
     approach: Option<f64>,
     /// Energy of waves over kinetic energy of the approach.
@@ -25,13 +25,15 @@ pub(super) struct Excess {
 
 impl Excess {
     /// The excess of a contact with this approach and smallest radius of curvature.
-    pub(super) fn of_contact(approach: f64, radius: f64) -> Self {
+    #[must_use]
+    pub fn of_contact(approach: f64, radius: f64) -> Self {
         let share = approach / radius;
         Self { approach: (share > MAX_APPROACH_OVER_RADIUS).then_some(share), waves: None }
     }
 
     /// The excess of an impact, from its warnings.
-    pub(super) fn of_impact(rebound: &Rebound) -> Self {
+    #[must_use]
+    pub fn of_impact(rebound: &Rebound) -> Self {
         rebound.warnings.iter().fold(Self::default(), |worst, warning| match warning {
             Warning::LargeContact { ratio } => {
                 let contact = rebound.maximal_contact;
@@ -46,7 +48,8 @@ impl Excess {
     }
 
     /// The worse of both.
-    pub(super) fn and(self, other: Self) -> Self {
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
         let worst = |one: Option<f64>, other: Option<f64>| match (one, other) {
             (Some(one), Some(other)) => Some(one.max(other)),
             (one, other) => one.or(other),
@@ -67,7 +70,8 @@ impl Excess {
     }
 
     /// One text for each limit that is exceeded.
-    pub(super) fn reasons(self) -> Vec<String> {
+    #[must_use]
+    pub fn reasons(self) -> Vec<String> {
         let approach = self.approach.map(|share| {
             format!("the approach is {} times the radius, more than a tenth", readable(share))
         });
@@ -81,19 +85,22 @@ impl Excess {
 
 /// The warning on a contact with this larger semi-axis between bodies with this smallest radius of
 /// curvature, as for impacts.
-pub(super) fn large_contact(semi_axis: f64, radius: f64) -> Option<Warning> {
+#[must_use]
+pub fn large_contact(semi_axis: f64, radius: f64) -> Option<Warning> {
     let ratio = semi_axis / radius;
     (ratio > LARGE_CONTACT).then_some(Warning::LargeContact { ratio })
 }
 
 /// A number with three digits.
-pub(super) fn readable(value: f64) -> String {
+#[must_use]
+pub fn readable(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 /// The warning on results outside the theory; `None` if all lie within. `what` names several
 /// results.
-pub(super) fn caution(excesses: &[Excess], what: &str) -> Option<String> {
+#[must_use]
+pub fn caution(excesses: &[Excess], what: &str) -> Option<String> {
     let mut worst = Worst::default();
     excesses.iter().for_each(|excess| worst.add(*excess));
     worst.caution(what)
@@ -101,7 +108,7 @@ pub(super) fn caution(excesses: &[Excess], what: &str) -> Option<String> {
 
 /// The worst of many excesses, added one by one.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Worst {
+pub struct Worst {
     excess: Excess,
     concerned: usize,
     all: usize,
@@ -109,14 +116,15 @@ pub(super) struct Worst {
 
 impl Worst {
     /// Adds a result.
-    pub(super) fn add(&mut self, excess: Excess) {
+    pub fn add(&mut self, excess: Excess) {
         self.excess = self.excess.and(excess);
         self.concerned += usize::from(excess.is_some());
         self.all += 1;
     }
 
     /// The warning as in [`caution`], for all of them.
-    pub(super) fn caution(&self, what: &str) -> Option<String> {
+    #[must_use]
+    pub fn caution(&self, what: &str) -> Option<String> {
         if !self.excess.is_some() {
             return None;
         }
@@ -133,14 +141,14 @@ impl Worst {
 /// Warnings of many results, added one by one: each kind once, in the order of occurrence, in its
 /// worst form and with the number of results concerned.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Warnings {
+pub struct Warnings {
     kinds: Vec<(Warning, String, usize)>,
     all: usize,
 }
 
 impl Warnings {
     /// Adds the warnings of one result; `place` names it, for example `at 5°`.
-    pub(super) fn add(&mut self, place: impl Fn() -> String, warnings: &[Warning]) {
+    pub fn add(&mut self, place: impl Fn() -> String, warnings: &[Warning]) {
         self.all += 1;
         for warning in warnings {
             let kind = std::mem::discriminant(warning);
@@ -157,12 +165,14 @@ impl Warnings {
     }
 
     /// Number of results so far.
-    pub(super) const fn count(&self) -> usize {
+    #[must_use]
+    pub const fn count(&self) -> usize {
         self.all
     }
 
     /// The texts of the warnings; `what` names all results.
-    pub(super) fn told(self, what: &str) -> Vec<String> {
+    #[must_use]
+    pub fn told(self, what: &str) -> Vec<String> {
         let all = self.all;
         let told = self.kinds.into_iter().map(|(worst, place, count)| match all {
             1 => worst.to_string(),

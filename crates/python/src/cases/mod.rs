@@ -1,5 +1,11 @@
 //! Cases from TOML files, the same as for the command `carom`.
 
+mod contact;
+mod scene;
+
+pub(crate) use contact::{case_hertz, case_roll, case_stress};
+pub(crate) use scene::case_scene;
+
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState, GridWarning};
 use carom::special::WordError;
@@ -18,20 +24,24 @@ use std::path::PathBuf;
 use crate::error::{CaromError, Fault};
 use crate::records::arrays;
 use crate::threads::without_python;
+use crate::told::of_impacts;
 
 /// Name, unit and values of the field that a case sweeps over.
 type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
 
-/// The impact of a case, or all impacts of its sweep.
+/// The fields of a state and the states of its cells, flat.
+pub(crate) type Lines<'py> = ([Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>);
+
+/// The impact of a case, or all impacts of its sweep, and warnings.
 #[pyfunction]
 pub(crate) fn case_impact<'py>(
     py: Python<'py>,
     path: PathBuf,
-) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>)> {
+) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>, Vec<String>)> {
     let followed = without_python(py, || impact::followed(&CaseFile::read(&path)?));
     let Impacts { swept, outcomes } = followed.map_err(raised)?;
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
-    Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?))
+    Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?, of_impacts(&outcomes)))
 }
 
 /// The contact after each step of a history.
@@ -59,12 +69,7 @@ pub(crate) fn case_solve<'py>(
 )> {
     let solved = without_python(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
     let Solved { steps, state, window, too_large, .. } = solved.map_err(raised)?;
-    let (grid, [x, y]) = (window.grid(), window.middle());
-    let axes = [
-        (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect::<Vec<_>>(),
-        (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect(),
-    ];
-    let axes = axes.map(|axis| PyArray1::from_vec(py, axis));
+    let axes = contact::centres(py, &window.grid(), window.middle());
     // A contact that may not reach the border has not reached it.
     let few = state.warnings().into_iter().filter(|w| matches!(w, GridWarning::FewCells { .. }));
     let large = too_large.map(|(step, warning)| format!("step {step}: {warning}"));
@@ -82,11 +87,7 @@ pub(crate) fn case_new(kind: &str) -> PyResult<String> {
 }
 
 /// Fields and cell states as flat arrays: pressure, tractions, displacements.
-#[allow(clippy::type_complexity)]
-pub(crate) fn lines<'py>(
-    py: Python<'py>,
-    state: &ContactState,
-) -> ([Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
+pub(crate) fn lines<'py>(py: Python<'py>, state: &ContactState) -> Lines<'py> {
     let fields = [
         &state.pressure,
         &state.traction_x,

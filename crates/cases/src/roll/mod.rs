@@ -1,9 +1,12 @@
-//! Solves the rolling contact on its grid.
+//! A rolling contact on its grid: creep forces in the steady state, or step by step from rest.
 
-use super::view::{Creep, Row};
-use crate::error::CliError;
-use carom_cases::Error;
-use carom_cases::case::RollCase;
+mod row;
+
+pub use row::{COLUMNS, CREEP, Creep, Row};
+
+use crate::Error;
+use crate::case::RollCase;
+use crate::theory::Excess;
 use carom_halfspace::Grid;
 use carom_laws::friction::Friction;
 use carom_rolling::{
@@ -19,15 +22,75 @@ const BORDER: [usize; 2] = [2, 1];
 /// Strips and elements of FASTSIM.
 const SPRINGS: [usize; 2] = [100, 100];
 
+/// A rolling contact: its rows, and the contact after the last one.
+#[derive(Debug, Clone)]
+pub struct Rolled {
+    /// A row for each creepage, or from rest for each cell rolled.
+    pub rows: Vec<Row>,
+    /// The last contact.
+    pub state: ContactState,
+    /// The creep coefficients, if they were wanted.
+    pub creep: Option<Creep>,
+}
+
+/// What is computed beside the rows.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// Kalker's creep coefficients.
+    pub coefficients: bool,
+    /// The forces of FASTSIM, in the steady state; not from rest.
+    pub springs: bool,
+}
+
+/// Computes a rolling contact.
+///
+/// # Errors
+/// [`Error::Rolling`] if a row cannot be solved; [`Error::Law`], [`Error::Problem`] if a value is out of range.
+pub fn rolled(path: &Path, case: &RollCase, wanted: Wanted) -> Result<Rolled, Error> {
+    let creep = (wanted.coefficients || wanted.springs).then(|| creep(path, case)).transpose()?;
+    let rolling = Rolling::new(path, case)?;
+    let (rows, state) = match case.distance {
+        Some(distance) => rolling.step_by_step(distance)?,
+        None => rolling.steadily(creep.as_ref().filter(|_| wanted.springs))?,
+    };
+    Ok(Rolled { rows, state, creep: creep.filter(|_| wanted.coefficients) })
+}
+
+/// By how much the contact exceeds the limits of the theory.
+#[must_use]
+pub fn excess(case: &RollCase) -> Excess {
+    let curvature = case.hertz.curvature();
+    Excess::of_contact(case.loaded.approach, 0.5 / curvature.a().max(curvature.b()))
+}
+
+/// Warnings about full sliding, and about effects that creep coefficients neglect.
+#[must_use]
+pub fn warnings(case: &RollCase, rows: &[Row], wanted: Wanted) -> Vec<String> {
+    let sliding = rows.iter().filter(|row| row.slides).count();
+    let mut warnings = Vec::new();
+    if sliding > 0 {
+        warnings.push(format!(
+            "full sliding in {sliding} of {} rows: the creep force is saturated, and more creepage \
+             does not increase it",
+            rows.len()
+        ));
+    }
+    if (wanted.coefficients || wanted.springs) && !case.hertz.materials().is_uncoupled() {
+        let note = "creep coefficients and FASTSIM replace dissimilar bodies by two equal ones";
+        warnings.push(note.to_owned());
+    }
+    warnings
+}
+
 /// A contact prepared for rolling.
-pub(super) struct Rolling<'a> {
+struct Rolling<'a> {
     path: &'a Path,
     case: &'a RollCase,
     problem: ContactProblem,
 }
 
 impl<'a> Rolling<'a> {
-    pub(super) fn new(path: &'a Path, case: &'a RollCase) -> Result<Self, CliError> {
+    fn new(path: &'a Path, case: &'a RollCase) -> Result<Self, Error> {
         let range = |source| Error::Law { path: path.to_owned(), source };
         let ellipse = case.loaded.ellipse;
         let count = case.elements as f64;
@@ -44,8 +107,8 @@ impl<'a> Rolling<'a> {
         Ok(Self { path, case, problem })
     }
 
-    fn failed(&self, row: usize, source: impl Into<RollingError>) -> CliError {
-        CliError::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
+    fn failed(&self, row: usize, source: impl Into<RollingError>) -> Error {
+        Error::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
     }
 
     fn row(&self, state: &ContactState, convergence: Convergence, creepage: Creepage) -> Row {
@@ -53,10 +116,7 @@ impl<'a> Rolling<'a> {
     }
 
     /// A row for each creepage, and the state of the last one.
-    pub(super) fn steadily(
-        &self,
-        creep: Option<&Creep>,
-    ) -> Result<(Vec<Row>, ContactState), CliError> {
+    fn steadily(&self, creep: Option<&Creep>) -> Result<(Vec<Row>, ContactState), Error> {
         let mut last = ContactState::apart(self.problem.grid());
         let mut rows = Vec::new();
         let (force, distance) = (Driven::Load(self.case.loaded.force), self.problem.grid().dx());
@@ -77,7 +137,7 @@ impl<'a> Rolling<'a> {
         &self,
         coefficients: CreepCoefficients,
         creepage: Creepage,
-    ) -> Result<[f64; 2], CliError> {
+    ) -> Result<[f64; 2], Error> {
         let loaded = &self.case.loaded;
         let fastsim = Fastsim {
             semi_axes: [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()],
@@ -93,7 +153,7 @@ impl<'a> Rolling<'a> {
     }
 
     /// A row for each cell rolled, the first one at rest, and the state at the end.
-    pub(super) fn step_by_step(&self, distance: f64) -> Result<(Vec<Row>, ContactState), CliError> {
+    fn step_by_step(&self, distance: f64) -> Result<(Vec<Row>, ContactState), Error> {
         let method = Frictional::default();
         let mut scratch = method.scratch(&self.problem).map_err(|source| self.failed(1, source))?;
         let apart = ContactState::apart(self.problem.grid());
@@ -121,13 +181,13 @@ impl<'a> Rolling<'a> {
 }
 
 /// The creep coefficients of the contact, with its bodies replaced by two equal ones.
-pub(super) fn creep(path: &Path, case: &RollCase) -> Result<Creep, CliError> {
+fn creep(path: &Path, case: &RollCase) -> Result<Creep, Error> {
     let (ellipse, materials) = (case.loaded.ellipse, case.hertz.materials());
     let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();
     let poisson = materials.poisson();
     let coefficients = creep_coefficients(ratio, poisson).map_err(|source| match source {
-        RollingError::Range(source) => Error::Law { path: path.to_owned(), source }.into(),
-        source => CliError::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
+        RollingError::Range(source) => Error::Law { path: path.to_owned(), source },
+        source => Error::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
     })?;
     Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })
 }

@@ -1,0 +1,120 @@
+//! The path of a ball between walls.
+
+use crate::Error;
+use crate::case::SceneCase;
+use crate::input::CaseFile;
+use crate::theory::{Excess, Warnings, Worst};
+use carom_impact::Rebound;
+use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
+use carom_table::Column;
+use std::path::Path;
+
+/// Legs that are computed before they are visited.
+const BLOCK: usize = 1024;
+
+/// The end of a path and its reason.
+#[derive(Debug, Clone, PartialEq)]
+pub struct End {
+    /// Why the path ends.
+    pub ending: Ending,
+    /// The ball at the end.
+    pub last: PathPoint,
+}
+
+impl End {
+    /// Why the path ends, in words.
+    #[must_use]
+    pub fn reason(&self, case: &SceneCase) -> String {
+        let name = |wall: usize| &case.names[wall];
+        match self.ending {
+            Ending::Time => "the time is over".to_owned(),
+            Ending::Bounces => "the last bounce is done".to_owned(),
+            Ending::Rest { wall } => format!("it stays on {}", name(wall)),
+            Ending::Edge { wall } => format!("it meets an edge of {}", name(wall)),
+        }
+    }
+}
+
+/// Computes the path; `visit` receives several legs at a time.
+///
+/// # Errors
+/// [`Error::Scene`] if an impact cannot be computed; errors of `visit`.
+pub fn follow<E: From<Error>>(
+    path: &Path,
+    case: &SceneCase,
+    mut visit: impl FnMut(&[Leg]) -> Result<(), E>,
+) -> Result<End, E> {
+    let at_fault = |source| Error::Scene { path: path.to_owned(), source: Box::new(source) };
+    let legs = case.scene.legs_by(case.law, &case.ball, case.limits);
+    let mut legs = legs.map_err(at_fault)?;
+    let mut ending = Ending::Time;
+    loop {
+        let some = legs.by_ref().take(BLOCK).collect::<Result<Vec<_>, _>>().map_err(at_fault)?;
+        let Some(last) = some.last() else { break };
+        ending = last.ending().unwrap_or(ending);
+        visit(&some)?;
+    }
+    Ok(End { ending, last: legs.now() })
+}
+
+/// What the bounces of a path exceed.
+#[derive(Debug, Clone, Default)]
+pub struct Heed {
+    warnings: Warnings,
+    worst: Worst,
+}
+
+impl Heed {
+    /// Adds the next bounce.
+    pub fn add(&mut self, bounce: &Bounce) {
+        let number = self.warnings.count() + 1;
+        self.warnings.add(|| format!("at bounce {number}"), &bounce.rebound.warnings);
+        self.worst.add(Excess::of_impact(&bounce.rebound));
+    }
+
+    /// The warning on bounces outside the theory, and the texts of all other warnings.
+    #[must_use]
+    pub fn told(self) -> (Option<String>, Vec<String>) {
+        (self.worst.caution("bounces"), self.warnings.told("bounces"))
+    }
+}
+
+/// The whole path of a ball.
+#[derive(Debug, Clone)]
+pub struct Followed {
+    /// The case.
+    pub case: SceneCase,
+    /// All bounces, in their order.
+    pub bounces: Vec<Bounce>,
+    /// Instants of every flight.
+    pub points: Vec<PathPoint>,
+    /// The end of the path.
+    pub end: End,
+}
+
+/// Computes the whole path, with `count` instants of every flight; none for 0.
+///
+/// # Errors
+/// If the case has an error, or an impact cannot be computed; [`Error::Range`] if `count` is 1.
+pub fn followed(file: &CaseFile, count: usize) -> Result<Followed, Error> {
+    let case = file.parse(SceneCase::parse)?;
+    let (mut bounces, mut points) = (Vec::new(), Vec::new());
+    let end = follow(&file.path, &case, |legs| {
+        bounces.extend(legs.iter().filter_map(Leg::bounce).cloned());
+        for leg in legs.iter().filter(|_| count > 0) {
+            points.extend(leg.points(count)?);
+        }
+        Ok::<(), Error>(())
+    })?;
+    Ok(Followed { case, bounces, points, end })
+}
+
+/// The columns of the impact of a bounce, without those that [`Bounce::COLUMNS`] has: the ball is body 1, and walls
+/// do not move.
+#[must_use]
+pub fn rebound_columns() -> Vec<Column<Rebound>> {
+    let is_new = |column: &&Column<Rebound>| {
+        column.name() != "outcome" && !column.name().starts_with("body_")
+    };
+    Rebound::COLUMNS.iter().filter(is_new).copied().collect()
+}

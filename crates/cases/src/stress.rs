@@ -1,0 +1,119 @@
+//! The stresses below a contact under normal and tangential load.
+
+use crate::Error;
+use crate::case::StressCase;
+use crate::hertz::smallest_radius;
+use crate::input::CaseFile;
+use crate::theory::{Excess, large_contact};
+use carom_halfspace::{Point, Stress, Traction};
+use carom_impact::Warning;
+use carom_laws::field::partial_slip_stress;
+use carom_laws::hertz::HertzState;
+use carom_special::RangeError;
+use carom_table::Column;
+use rayon::prelude::*;
+
+/// The stress at a point, in the axes of the contact.
+#[derive(Debug, Clone, Copy)]
+pub struct StressPoint {
+    /// x, y and depth.
+    pub at: [f64; 3],
+    /// The stress, tension positive.
+    pub stress: Stress,
+}
+
+impl StressPoint {
+    /// The columns of a point.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("x", "m", "along the larger relative curvature", |point| point.at[0].into()),
+        Column::new("y", "m", "perpendicular to x", |point| point.at[1].into()),
+        Column::new("depth", "m", "below the surface", |point| point.at[2].into()),
+        Column::new("s_xx", "Pa", "stress, tension positive; z points into body 1", |p| {
+            p.stress.xx.into()
+        }),
+        Column::new("s_yy", "Pa", "", |point| point.stress.yy.into()),
+        Column::new("s_zz", "Pa", "", |point| point.stress.zz.into()),
+        Column::new("s_xy", "Pa", "", |point| point.stress.xy.into()),
+        Column::new("s_yz", "Pa", "", |point| point.stress.yz.into()),
+        Column::new("s_zx", "Pa", "", |point| point.stress.zx.into()),
+        Column::new("von_mises", "Pa", "equivalent stress", |p| p.stress.von_mises().into()),
+        Column::new("maximum_shear", "Pa", "half of Tresca's equivalent stress", |point| {
+            point.stress.maximum_shear().into()
+        }),
+    ];
+}
+
+/// A contact under its load, and the stresses at all points.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// The case.
+    pub case: StressCase,
+    /// The contact under its normal force.
+    pub state: HertzState,
+    /// Radius of the stick area over that of the contact.
+    pub stick_radius: f64,
+    /// The points: for each depth, for each y, for each x.
+    pub points: Vec<StressPoint>,
+}
+
+impl Solved {
+    /// By how much the contact exceeds the limits of the theory.
+    #[must_use]
+    pub fn excess(&self) -> Excess {
+        Excess::of_contact(self.state.approach, smallest_radius(&self.case.hertz))
+    }
+
+    /// The warning on a contact that is large for its bodies.
+    #[must_use]
+    pub fn warning(&self) -> Option<Warning> {
+        let semi_axis = self.state.ellipse.semi_axis_a().max(self.state.ellipse.semi_axis_b());
+        large_contact(semi_axis, self.case.smallest_radius)
+    }
+}
+
+/// Computes the stresses at all points of a case, in parallel.
+///
+/// # Errors
+/// If the case has an error, or a value is out of range.
+pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
+    let case = file.parse(StressCase::parse)?;
+    let failed = |source| Error::Law { path: file.path.clone(), source };
+    let state = case.hertz.at_force(case.force[2]).map_err(failed)?;
+    let stick_radius = stick_radius(&case);
+    let points = stresses(&case, &state, stick_radius).map_err(failed)?;
+    Ok(Solved { case, state, stick_radius, points })
+}
+
+/// a*/a of Cattaneo and Mindlin: (1 - F_t/(f F_z))^(1/3).
+fn stick_radius(case: &StressCase) -> f64 {
+    let [x, y, normal] = case.force;
+    let pushed = libm::hypot(x, y);
+    if pushed == 0.0 { 1.0 } else { libm::cbrt((1.0 - pushed / (case.friction * normal)).max(0.0)) }
+}
+
+/// The stresses at all points: for each depth, for each y, for each x.
+fn stresses(
+    case: &StressCase,
+    state: &HertzState,
+    stick_radius: f64,
+) -> Result<Vec<StressPoint>, RangeError> {
+    let [x, y, _] = case.force;
+    let pushed = libm::hypot(x, y);
+    let [unit_x, unit_y] = if pushed > 0.0 { [x / pushed, y / pushed] } else { [0.0; 2] };
+    // Body 2 feels the opposite traction; seen from inside it, the normal points the other way.
+    let (body, side) = match case.is_in_body_1 {
+        true => (case.hertz.materials().body_1(), 1.0),
+        false => (case.hertz.materials().body_2(), -1.0),
+    };
+    let limit = side * case.friction * state.peak_pressure;
+    let peak = Traction { x: limit * unit_x, y: limit * unit_y, normal: state.peak_pressure };
+    let [xs, ys, depths] = &case.places;
+    let at = |i: usize| {
+        let (column, rest) = (i % xs.len(), i / xs.len());
+        let at = [xs[column], ys[rest % ys.len()], depths[rest / ys.len()]];
+        let point = Point { x: at[0], y: at[1], z: at[2] };
+        let s = partial_slip_stress(state.ellipse, body, peak, stick_radius, point)?;
+        Ok(StressPoint { at, stress: Stress { yz: side * s.yz, zx: side * s.zx, ..s } })
+    };
+    (0..xs.len() * ys.len() * depths.len()).into_par_iter().map(at).collect()
+}

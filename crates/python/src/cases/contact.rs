@@ -1,0 +1,112 @@
+//! Cases of a contact: under loads, the stresses below it, and rolling.
+
+use carom::halfspace::Grid;
+use carom::laws::hertz::HertzState;
+use carom_cases::case::RollCase;
+use carom_cases::hertz;
+use carom_cases::input::CaseFile;
+use carom_cases::roll::{self, Rolled, Wanted};
+use carom_cases::stress::{self, Solved};
+use carom_cases::theory::caution;
+use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+
+use super::{Lines, lines, raised};
+use crate::records::arrays;
+use crate::threads::without_python;
+use crate::told::together;
+
+/// The contact under each of its loads, and warnings.
+#[pyfunction]
+pub(crate) fn case_hertz(
+    py: Python<'_>,
+    path: PathBuf,
+) -> PyResult<(Bound<'_, PyDict>, Vec<String>)> {
+    let followed = without_python(py, || hertz::followed(&CaseFile::read(&path)?));
+    let followed = followed.map_err(raised)?;
+    let told = together(caution(&followed.excesses(), "loads"), followed.warnings());
+    Ok((arrays(py, HertzState::COLUMNS, &followed.states)?, told))
+}
+
+/// The contact, its relative stick radius, the places along x, y and depth, the stresses (xx, yy, zz, xy, yz, zx) at all
+/// points, von Mises' and the maximum shear stress there, and warnings.
+#[pyfunction]
+#[allow(clippy::type_complexity)] // as Python has it: lines of numbers
+pub(crate) fn case_stress<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+) -> PyResult<(
+    Bound<'py, PyDict>,
+    f64,
+    [Bound<'py, PyArray1<f64>>; 3],
+    [Bound<'py, PyArray1<f64>>; 3],
+    Vec<String>,
+)> {
+    let solved = without_python(py, || stress::solved(&CaseFile::read(&path)?)).map_err(raised)?;
+    let large = solved.warning().iter().map(ToString::to_string).collect();
+    let told = together(caution(&[solved.excess()], "loads"), large);
+    let Solved { case, state, stick_radius, points } = solved;
+    let parts = points.iter().map(|point| point.stress);
+    let values = [
+        parts.clone().flat_map(|s| [s.xx, s.yy, s.zz, s.xy, s.yz, s.zx]).collect(),
+        parts.clone().map(|stress| stress.von_mises()).collect(),
+        parts.map(|stress| stress.maximum_shear()).collect::<Vec<_>>(),
+    ];
+    let array = |values| PyArray1::from_vec(py, values);
+    let contact = arrays(py, HertzState::COLUMNS, &[state])?;
+    Ok((contact, stick_radius, case.places.map(array), values.map(array), told))
+}
+
+/// A rolling contact: its rows, the creep coefficients if wanted, the cell centres and the fields of the last contact in
+/// the format of a solver's state, what exceeds the theory, and other warnings.
+#[pyfunction]
+#[allow(clippy::type_complexity)] // as Python has it: lines of numbers
+pub(crate) fn case_roll<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    coefficients: bool,
+    fastsim: bool,
+) -> PyResult<(
+    Bound<'py, PyDict>,
+    Option<Bound<'py, PyDict>>,
+    [Bound<'py, PyArray1<f64>>; 2],
+    Lines<'py>,
+    [Vec<String>; 2],
+)> {
+    let wanted = Wanted { coefficients, springs: fastsim };
+    let file = CaseFile::read(&path).map_err(raised)?;
+    let case = file.parse(RollCase::parse).map_err(raised)?;
+    if fastsim && case.distance.is_some() {
+        let text = "fastsim: supports the steady state only: the case must have no `distance`";
+        return Err(PyValueError::new_err(text));
+    }
+    let rolled = without_python(py, || roll::rolled(&path, &case, wanted)).map_err(raised)?;
+    let Rolled { rows, state, creep } = rolled;
+    let warnings = roll::warnings(&case, &rows, wanted);
+    let exceeded = together(caution(&[roll::excess(&case)], "contacts"), Vec::new());
+    let creep = creep.map(|creep| arrays(py, roll::CREEP, &[creep])).transpose()?;
+    let rows = arrays(py, roll::COLUMNS, &rows)?;
+    Ok((
+        rows,
+        creep,
+        centres(py, &state.pressure.grid(), [0.0; 2]),
+        lines(py, &state),
+        [exceeded, warnings],
+    ))
+}
+
+/// The cell centres along x and y of a grid about its middle.
+pub(super) fn centres<'py>(
+    py: Python<'py>,
+    grid: &Grid,
+    [x, y]: [f64; 2],
+) -> [Bound<'py, PyArray1<f64>>; 2] {
+    let axes = [
+        (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect::<Vec<_>>(),
+        (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect(),
+    ];
+    axes.map(|axis| PyArray1::from_vec(py, axis))
+}
