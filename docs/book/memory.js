@@ -126,6 +126,8 @@
     shift.addEventListener('input', follow);
     approach.addEventListener('input', follow);
     find('again').addEventListener('click', restart);
+    // The arrow keys move a slider here; elsewhere they turn the pages of the book.
+    find('controls').addEventListener('keydown', event => event.stopPropagation());
     restart();
     find('controls').hidden = false;
     for (shift.value of [0.8, 0.1]) follow();

@@ -43,6 +43,11 @@
       if (!(Number(figure.dataset.misses) < 1e-12)) fault(`the drawing of memory is off by ${figure.dataset.misses}`);
       const part = name => figure.querySelector(`[data-part="${name}"]`);
       if (part('controls').hidden) fault('the drawing of memory has no sliders');
+      const key = new view.KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true });
+      let turns = false;
+      inside.addEventListener('keydown', () => { turns = true; });
+      part('shift').dispatchEvent(key);
+      if (turns) fault('an arrow key on a slider turns the page');
       for (const name of ['shift', 'approach']) {
         const [was, slider] = [part('says').textContent, part(name)];
         slider.value = Number(slider.value) - 0.4;

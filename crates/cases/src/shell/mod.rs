@@ -12,6 +12,7 @@ use crate::input::CaseFile;
 
 /// The result of a case.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there is one for each case")]
 pub enum Solved {
     /// A bellows under each of its loads.
     Bellows(FollowedBellows),
