@@ -159,7 +159,9 @@ impl CaseKind {
             let is_one_of = |field: &&Field| matches!(field.need, Need::Or(_));
             let is_none_there = kind.fields().iter().any(|field| is_one_of(&field))
                 && !there.iter().any(|field| is_one_of(field))
-                && !lacking.iter().any(|field| is_one_of(field) && like.contains(&Some(field.name)));
+                && !lacking
+                    .iter()
+                    .any(|field| is_one_of(field) && like.contains(&Some(field.name)));
             2 * (there.len() as i32 - missed.count() as i32 - i32::from(is_none_there))
                 + like.iter().map(of_unknown).sum::<i32>()
         };

@@ -57,7 +57,7 @@ fn hertz_draws_powers_of_the_approach_through_its_loads() {
 
 #[test]
 fn a_history_is_drawn_between_its_steps() {
-    let (lines, dots) = drawn(&["history", &example("history_loop.toml")]);
+    let (lines, dots) = drawn(&["history", &example("history_loop.toml"), "--panels", "all"]);
     // Three forces, two loops, two radii, two energies at nine steps.
     assert_eq!((lines.len(), dots.len()), (9, 9 * 9));
     lies_on_a_line(&dots, &lines);
@@ -65,7 +65,7 @@ fn a_history_is_drawn_between_its_steps() {
     let text = std::fs::read_to_string(example("history_loop.toml")).unwrap();
     let (head, _) = text.split_once("steps = [").unwrap();
     let press = case("press.toml", &format!("{head}steps = [[1e-6, 0, 0]]\n"));
-    let (lines, _) = drawn(&["history", &press]);
+    let (lines, _) = drawn(&["history", &press, "--panels", "all"]);
     let force = lines.iter().find(|line| (line[0][1] - line[line.len() - 1][1]).abs() > 100.0);
     is_power(force.unwrap(), 1.5);
 }

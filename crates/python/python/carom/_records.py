@@ -12,6 +12,86 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+class BellowsResponse(Record):
+    """The response of a bellows to small loads.
+
+    length          at rest, m
+    spring_rate     force over small dilatation, without pressure, N/m
+    effective_area  thrust over pressure at fixed ends, m2
+    """
+
+    length: float
+    spring_rate: float
+    effective_area: float
+
+    units = {'length': 'm', 'spring_rate': 'N/m', 'effective_area': 'm2'}
+    meanings = {'length': 'at rest', 'spring_rate': 'force over small dilatation, without pressure', 'effective_area': 'thrust over pressure at fixed ends'}
+    _vectors = frozenset([])
+    _axis = 'bellows'
+
+
+class BellowsState(Record):
+    """A bellows under one load; forces, lengths and energies of all corrugations.
+
+    pressure                   inside, Pa
+    dilatation                 growth of the length, m
+    force                      tension of closed ends beside the pressure on them; the thrust on anchors is -force, N
+    spring_rate                dF/dDelta in this state, at fixed pressure, N/m
+    stored_energy              in the wall, J
+    volume                     enclosed, m3
+    least_gap                  least distance of neighbouring folds along the axis, m
+    maximal_rotation           of the meridian, rad
+    maximal_meridional_stress  greatest, on either face, Pa
+    maximal_hoop_stress        greatest, on either face, Pa
+    maximal_equivalent_stress  after von Mises, on either face, Pa
+    end                        whether the load is reached, or a limit before it
+    iterations                 steps of Newton's method at the end
+    residual                   of the equations, in units E = t = 1
+    truncation                 last coefficients over the greatest
+    """
+
+    pressure: float
+    dilatation: float
+    force: float
+    spring_rate: float
+    stored_energy: float
+    volume: float
+    least_gap: float
+    maximal_rotation: float
+    maximal_meridional_stress: float
+    maximal_hoop_stress: float
+    maximal_equivalent_stress: float
+    end: str
+    iterations: int
+    residual: float
+    truncation: float
+
+    units = {'pressure': 'Pa', 'dilatation': 'm', 'force': 'N', 'spring_rate': 'N/m', 'stored_energy': 'J', 'volume': 'm3', 'least_gap': 'm', 'maximal_rotation': 'rad', 'maximal_meridional_stress': 'Pa', 'maximal_hoop_stress': 'Pa', 'maximal_equivalent_stress': 'Pa', 'end': '', 'iterations': '', 'residual': '', 'truncation': ''}
+    meanings = {'pressure': 'inside', 'dilatation': 'growth of the length', 'force': 'tension of closed ends beside the pressure on them; the thrust on anchors is -force', 'spring_rate': 'dF/dDelta in this state, at fixed pressure', 'stored_energy': 'in the wall', 'volume': 'enclosed', 'least_gap': 'least distance of neighbouring folds along the axis', 'maximal_rotation': 'of the meridian', 'maximal_meridional_stress': 'greatest, on either face', 'maximal_hoop_stress': 'greatest, on either face', 'maximal_equivalent_stress': 'after von Mises, on either face', 'end': 'whether the load is reached, or a limit before it', 'iterations': "steps of Newton's method at the end", 'residual': 'of the equations, in units E = t = 1', 'truncation': 'last coefficients over the greatest'}
+    _vectors = frozenset([])
+    _axis = 'load'
+
+
+class BellowsStates(Records[BellowsState], one=BellowsState):
+    """Many results `BellowsState`: arrays of numbers, lists of texts."""
+
+    pressure: Array
+    dilatation: Array
+    force: Array
+    spring_rate: Array
+    stored_energy: Array
+    volume: Array
+    least_gap: Array
+    maximal_rotation: Array
+    maximal_meridional_stress: Array
+    maximal_hoop_stress: Array
+    maximal_equivalent_stress: Array
+    end: list[str]
+    iterations: NDArray[np.int64]
+    residual: Array
+    truncation: Array
+
+
 class Bounce(Record):
     """A bounce of a ball off a wall.
 
@@ -133,6 +213,38 @@ class CreepCoefficients(Record):
     meanings = {'axis_ratio': 'a/b, a along the direction of rolling', 'G': 'shear modulus of each of two equal bodies', 'nu': "Poisson's ratio of each of them", 'C11': 'F_x = G a b C11 creepage', 'C22': 'F_y = G a b C22 creepage_across', 'C23': 'F_y = -G (ab)^1.5 C23 spin', 'C32': 'M_z = G (ab)^1.5 C32 creepage_across', 'C33': 'M_z = G (ab)^2 C33 spin'}
     _vectors = frozenset([])
     _axis = 'contact'
+
+
+class FlangeSummary(Record):
+    """Greatest absolute values of a flange around, and what tells of their accuracy.
+
+    stored_energy         in ring and tube, J
+    maximal_radial        greatest displacement outward or inward, m
+    maximal_axial         greatest displacement along the tube, m
+    maximal_rotation      greatest rotation of a section, rad
+    maximal_in_plane      greatest bending moment in the plane, N m
+    maximal_out_of_plane  greatest bending moment out of it, N m
+    maximal_torsion       greatest torque, N m
+    harmonic              harmonic n with most of the energy of the tube
+    shallowness           mean of n^2 t/R, weighted by energy in the tube
+    truncation            last coefficients over the greatest
+    """
+
+    stored_energy: float
+    maximal_radial: float
+    maximal_axial: float
+    maximal_rotation: float
+    maximal_in_plane: float
+    maximal_out_of_plane: float
+    maximal_torsion: float
+    harmonic: int
+    shallowness: float
+    truncation: float
+
+    units = {'stored_energy': 'J', 'maximal_radial': 'm', 'maximal_axial': 'm', 'maximal_rotation': 'rad', 'maximal_in_plane': 'N m', 'maximal_out_of_plane': 'N m', 'maximal_torsion': 'N m', 'harmonic': '', 'shallowness': '', 'truncation': ''}
+    meanings = {'stored_energy': 'in ring and tube', 'maximal_radial': 'greatest displacement outward or inward', 'maximal_axial': 'greatest displacement along the tube', 'maximal_rotation': 'greatest rotation of a section', 'maximal_in_plane': 'greatest bending moment in the plane', 'maximal_out_of_plane': 'greatest bending moment out of it', 'maximal_torsion': 'greatest torque', 'harmonic': 'harmonic n with most of the energy of the tube', 'shallowness': 'mean of n^2 t/R, weighted by energy in the tube', 'truncation': 'last coefficients over the greatest'}
+    _vectors = frozenset([])
+    _axis = 'flange'
 
 
 class DissimilarRestitution(Record):
@@ -448,6 +560,94 @@ class PathPoints(Records[PathPoint], one=PathPoint):
     position: Array
     velocity: Array
     spin: Array
+
+
+class RingPlace(Record):
+    """A place around a flange: displacement and loads of its section.
+
+    angle         around the ring, deg
+    radial        displacement w outward, m
+    tangential    displacement v along the ring, m
+    axial         displacement u along the tube, m
+    rotation      beta of the section, dw/dx of a wall fixed to it, rad
+    stretching    hoop force N, tension is positive, N
+    in_plane      bending moment M in the plane of the ring, N m
+    out_of_plane  bending moment M_o out of the plane, N m
+    torsion       torque T along the ring, N m
+    """
+
+    angle: float
+    radial: float
+    tangential: float
+    axial: float
+    rotation: float
+    stretching: float
+    in_plane: float
+    out_of_plane: float
+    torsion: float
+
+    units = {'angle': 'deg', 'radial': 'm', 'tangential': 'm', 'axial': 'm', 'rotation': 'rad', 'stretching': 'N', 'in_plane': 'N m', 'out_of_plane': 'N m', 'torsion': 'N m'}
+    meanings = {'angle': 'around the ring', 'radial': 'displacement w outward', 'tangential': 'displacement v along the ring', 'axial': 'displacement u along the tube', 'rotation': 'beta of the section, dw/dx of a wall fixed to it', 'stretching': 'hoop force N, tension is positive', 'in_plane': 'bending moment M in the plane of the ring', 'out_of_plane': 'bending moment M_o out of the plane', 'torsion': 'torque T along the ring'}
+    _vectors = frozenset([])
+    _axis = 'place'
+
+
+class RingPlaces(Records[RingPlace], one=RingPlace):
+    """Many results `RingPlace`: arrays of numbers, lists of texts."""
+
+    angle: Array
+    radial: Array
+    tangential: Array
+    axial: Array
+    rotation: Array
+    stretching: Array
+    in_plane: Array
+    out_of_plane: Array
+    torsion: Array
+
+
+class WallPlace(Record):
+    """A place of a bellows between crest and root.
+
+    parameter            xi, from 0 at the crest to pi at the root
+    radius               distance from the axis, m
+    height               above the crest, m
+    radial_displacement  growth u of the radius, m
+    rotation             growth beta of the angle of the meridian, rad
+    meridional_membrane  stress N_s/t, Pa
+    meridional_bending   stress 6 M_s/t^2, Pa
+    hoop_membrane        stress N_t/t, Pa
+    hoop_bending         stress 6 M_t/t^2, Pa
+    """
+
+    parameter: float
+    radius: float
+    height: float
+    radial_displacement: float
+    rotation: float
+    meridional_membrane: float
+    meridional_bending: float
+    hoop_membrane: float
+    hoop_bending: float
+
+    units = {'parameter': '', 'radius': 'm', 'height': 'm', 'radial_displacement': 'm', 'rotation': 'rad', 'meridional_membrane': 'Pa', 'meridional_bending': 'Pa', 'hoop_membrane': 'Pa', 'hoop_bending': 'Pa'}
+    meanings = {'parameter': 'xi, from 0 at the crest to pi at the root', 'radius': 'distance from the axis', 'height': 'above the crest', 'radial_displacement': 'growth u of the radius', 'rotation': 'growth beta of the angle of the meridian', 'meridional_membrane': 'stress N_s/t', 'meridional_bending': 'stress 6 M_s/t^2', 'hoop_membrane': 'stress N_t/t', 'hoop_bending': 'stress 6 M_t/t^2'}
+    _vectors = frozenset([])
+    _axis = 'place'
+
+
+class WallPlaces(Records[WallPlace], one=WallPlace):
+    """Many results `WallPlace`: arrays of numbers, lists of texts."""
+
+    parameter: Array
+    radius: Array
+    height: Array
+    radial_displacement: Array
+    rotation: Array
+    meridional_membrane: Array
+    meridional_bending: Array
+    hoop_membrane: Array
+    hoop_bending: Array
 
 
 class RollState(Record):
