@@ -158,7 +158,7 @@ impl CaseKind {
             // Of tables that replace one another one must be there.
             let is_one_of = |field: &&Field| matches!(field.need, Need::Or(_));
             let is_none_there = kind.fields().iter().any(|field| is_one_of(&field))
-                && !there.iter().any(|field| is_one_of(field))
+                && !there.iter().any(is_one_of)
                 && !lacking
                     .iter()
                     .any(|field| is_one_of(field) && like.contains(&Some(field.name)));

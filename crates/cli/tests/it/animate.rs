@@ -50,6 +50,28 @@ fn bodies_of_every_shape_touch_and_part() {
     }
 }
 
+/// The spinning ring is seen along its axis: twice around, outside with 50 mm and inside with 10 mm.
+#[test]
+fn a_torus_has_its_hole() {
+    let ring = &moving(&animated("spinning_torus"), "polygon")[0][16];
+    let (outer, inner) = ring.split_at(ring.len() / 2);
+    let centre = middle(&outer[1..]);
+    let radius = |at: &[f64; 2]| (at[0] - centre[0]).hypot(at[1] - centre[1]);
+    let rim = radius(&outer[0]);
+    assert!(outer.iter().all(|at| (radius(at) / rim - 1.0).abs() < 0.02));
+    assert!(inner.iter().all(|at| (radius(at) / rim - 0.2).abs() < 0.01), "{inner:?}");
+    // The other way around, so that the hole is empty.
+    let turn = |points: &[[f64; 2]]| -> f64 {
+        let arm = |at: &[f64; 2]| [at[0] - centre[0], at[1] - centre[1]];
+        let crossed = |pair: &[[f64; 2]]| {
+            let ([a, b], [c, d]) = (arm(&pair[0]), arm(&pair[1]));
+            a * d - b * c
+        };
+        points.windows(2).map(crossed).sum()
+    };
+    assert!(turn(outer) * turn(inner) < 0.0);
+}
+
 #[test]
 fn a_ball_goes_as_fast_as_the_outcome_says() {
     let outcome = json(&["impact", &example("rubber_on_table.toml")]);

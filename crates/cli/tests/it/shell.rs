@@ -79,6 +79,38 @@ fn corrugations_in_a_row_and_other_units() {
     }
 }
 
+/// The greatest stresses are those of both faces; under this pressure and elongation the inner face has them.
+#[test]
+fn greatest_stresses_are_those_of_the_face_that_has_them() {
+    let text = std::fs::read_to_string(example("shell_bellows.toml")).unwrap();
+    let head = text.split("dilatation").next().unwrap();
+    let load = "pressure = \"8 bar\"\ndilatation = \"12 mm\"\n";
+    let found = solved("faces.toml", &format!("{head}{load}"));
+    let face = |side: f64, of: &dyn Fn(f64, f64) -> f64| {
+        let at = |place: &Value| {
+            let stress = |name: &str| {
+                let of = |part: &str| place[format!("{name}_{part}")].as_f64().unwrap();
+                of("membrane") + side * of("bending")
+            };
+            of(stress("meridional"), stress("hoop"))
+        };
+        found["places"].as_array().unwrap().iter().map(at).fold(0.0, f64::max)
+    };
+    let kinds: [(&str, &dyn Fn(f64, f64) -> f64); 3] = [
+        ("meridional", &|along, _| along.abs()),
+        ("hoop", &|_, hoop| hoop.abs()),
+        ("equivalent", &|s, t| (s * s - s * t + t * t).sqrt()),
+    ];
+    for (name, of) in kinds {
+        let (outer, inner) = (face(1.0, of), face(-1.0, of));
+        let told = &found["loads"][0][format!("maximal_{name}_stress")];
+        close(told, outer.max(inner), 1e-9 * outer);
+        if name == "meridional" {
+            assert!(inner > 1.02 * outer, "{inner} {outer}");
+        }
+    }
+}
+
 /// A thin ring of stiffness EI = 1 and radius 2 under two forces P = 3 outward (Timoshenko).
 #[test]
 fn a_bare_ring_opens_as_timoshenkos() {
@@ -92,6 +124,7 @@ fn a_bare_ring_opens_as_timoshenkos() {
     close(&found["stored_energy"], 0.5 * 3.0 * unit * (0.25 * PI - 2.0 / PI), 1e-4);
     let places = found["places"].as_array().unwrap();
     assert_eq!(places.len(), 8);
+    close(&places[1]["angle"], 45.0, 1e-12);
     close(&places[0]["radial"], 0.5 * unit * (0.25 * PI - 2.0 / PI), 1e-4);
     close(&places[2]["radial"], -0.5 * unit * (2.0 / PI - 0.5), 1e-4);
     close(&places[0]["in_plane"], 6.0 / PI, 1e-8);

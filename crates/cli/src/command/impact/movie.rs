@@ -108,7 +108,8 @@ impl View {
             (0..STEPS).find_map(|k| {
                 let start = middle + direction * (step * k as f64);
                 let way = body.entry(&start, &direction)?;
-                let is_near = way > 0.0 && way <= step;
+                // From inside the body the way goes back, and is negative.
+                let is_near = way > 0.0 && way < 1.5 * step;
                 is_near.then(|| self.flat(&(start + direction * way - self.origin)))
             })
         };
