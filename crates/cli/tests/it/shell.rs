@@ -79,6 +79,9 @@ fn corrugations_in_a_row_and_other_units() {
     }
 }
 
+/// A stress made of those along the meridian and around it.
+type Kind = fn(f64, f64) -> f64;
+
 /// The greatest stresses are those of both faces; under this pressure and elongation the inner face has them.
 #[test]
 fn greatest_stresses_are_those_of_the_face_that_has_them() {
@@ -86,7 +89,7 @@ fn greatest_stresses_are_those_of_the_face_that_has_them() {
     let head = text.split("dilatation").next().unwrap();
     let load = "pressure = \"8 bar\"\ndilatation = \"12 mm\"\n";
     let found = solved("faces.toml", &format!("{head}{load}"));
-    let face = |side: f64, of: &dyn Fn(f64, f64) -> f64| {
+    let face = |side: f64, of: Kind| {
         let at = |place: &Value| {
             let stress = |name: &str| {
                 let of = |part: &str| place[format!("{name}_{part}")].as_f64().unwrap();
@@ -96,10 +99,10 @@ fn greatest_stresses_are_those_of_the_face_that_has_them() {
         };
         found["places"].as_array().unwrap().iter().map(at).fold(0.0, f64::max)
     };
-    let kinds: [(&str, &dyn Fn(f64, f64) -> f64); 3] = [
-        ("meridional", &|along, _| along.abs()),
-        ("hoop", &|_, hoop| hoop.abs()),
-        ("equivalent", &|s, t| (s * s - s * t + t * t).sqrt()),
+    let kinds: [(&str, Kind); 3] = [
+        ("meridional", |along, _| along.abs()),
+        ("hoop", |_, hoop| hoop.abs()),
+        ("equivalent", |s, t| (s * s - s * t + t * t).sqrt()),
     ];
     for (name, of) in kinds {
         let (outer, inner) = (face(1.0, of), face(-1.0, of));
