@@ -1,6 +1,8 @@
 //! Contact without friction.
 
-use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField, Workspace};
+use carom_halfspace::operator::{
+    DisplacementField, OperatorError, SurfaceOperator, TractionField, Workspace,
+};
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
@@ -39,8 +41,16 @@ use crate::state::{CellState, ContactState};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frictionless {
-    target: Target,
+    tolerance: f64,
+    /// The limit of the caller; without one the operator decides.
+    iterations: Option<usize>,
 }
+
+/// Greatest number of iterations on each grid, unless the caller sets one.
+const ITERATIONS: usize = 1000;
+/// The same for a plate. Where it is thin, the contact is a ring of cells, and bending hardly
+/// varies from cell to cell: the equations are nearly singular there.
+const ITERATIONS_OF_PLATE: usize = 40_000;
 
 /// Why a frictionless step failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -81,7 +91,7 @@ pub enum NormalError {
 impl Default for Frictionless {
     /// Tolerance 1e-10, relative to the greatest displacement.
     fn default() -> Self {
-        Self { target: Target { tolerance: 1e-10, iterations: 1000 } }
+        Self { tolerance: 1e-10, iterations: None }
     }
 }
 
@@ -94,13 +104,18 @@ impl Frictionless {
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         let holds = (1e-14..=0.1).contains(&tolerance);
         RangeError::check("tolerance", tolerance, holds, "from 1e-14 to 0.1")?;
-        Ok(Self { target: Target { tolerance, ..self.target } })
+        Ok(Self { tolerance, ..self })
     }
 
-    /// Limits the iterations on each grid.
+    /// Limits the iterations on each grid. The default is 1000, for a plate 40 000.
     #[must_use]
     pub const fn at_most(self, iterations: usize) -> Self {
-        Self { target: Target { iterations, ..self.target } }
+        Self { iterations: Some(iterations), ..self }
+    }
+
+    fn target(self, operator: &dyn SurfaceOperator) -> Target {
+        let own = if operator.is_invariant() { ITERATIONS } else { ITERATIONS_OF_PLATE };
+        Target { tolerance: self.tolerance, iterations: self.iterations.unwrap_or(own) }
     }
 }
 
@@ -166,12 +181,13 @@ impl Frictionless {
         }
         problem.check_approach(driven)?;
         let (operator, grids) = (problem.operator(), &mut scratch.grids);
-        let started = grids.start(operator, driven, self.target)?;
-        let (approach, reached) = grids.solve(operator, driven, self.target, observer)?;
+        let target = self.target(operator);
+        let started = grids.start(operator, driven, target)?;
+        let (approach, reached) = grids.solve(operator, driven, target, observer)?;
         let mut products = started.plus(reached.products);
         if reached.stop != Stop::Converged {
             let reached = Convergence { products, ..reached };
-            return Err(NormalError::NotConverged { tolerance: self.target.tolerance, reached });
+            return Err(NormalError::NotConverged { tolerance: target.tolerance, reached });
         }
         let pressure = grids.pressure();
         to.shift.zeta = approach;

@@ -115,6 +115,25 @@ fn sphere_on_kirchhoffs_square_plate_has_the_closed_force() {
     }
 }
 
+/// By default a plate may take as many iterations as a ring on 96 x 96 cells needs.
+#[test]
+fn kirchhoffs_plate_on_many_cells_converges_by_default() {
+    let data = data();
+    let mut cases = data["paraboloid"].as_array().unwrap().iter();
+    let case = cases.find(|case| kind(case) == PlateSymbol::Kirchhoff && case["nx"] == 96).unwrap();
+    let number = |name: &str| case[name].as_f64().unwrap();
+    let plate = Plate::new(number("a"), number("b"), number("h")).unwrap();
+    let problem = under_paraboloid(&operator(plate, [96; 2], PlateSymbol::Kirchhoff), number("R"));
+    let approach = Driven::Shift(number("approach"));
+    let (state, convergence) = pressed_by(Frictionless::default(), &problem, approach).unwrap();
+    assert!(convergence.iterations > 1000);
+    assert!((state.load().f_z / number("force") - 1.0).abs() < 1e-7);
+    // A limit that the caller sets holds for plates too.
+    let limited = Frictionless::default().at_most(1000);
+    let error = pressed_by(limited, &problem, approach).unwrap_err();
+    assert!(matches!(error, NormalError::NotConverged { .. }), "{error}");
+}
+
 #[test]
 fn flat_punches_bear_on_their_corners_or_rim() {
     let data = data();
