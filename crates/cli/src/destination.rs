@@ -10,6 +10,8 @@ pub enum Kind {
     Svg,
     /// Raster graphics.
     Png,
+    /// Vector graphics on a page, as papers want it.
+    Pdf,
 }
 
 impl Kind {
@@ -22,12 +24,14 @@ impl Kind {
         match () {
             () if ending.eq_ignore_ascii_case("svg") => Ok(Self::Svg),
             () if ending.eq_ignore_ascii_case("png") => Ok(Self::Png),
+            () if ending.eq_ignore_ascii_case("pdf") => Ok(Self::Pdf),
             () => Err(KINDS),
         }
     }
 }
 
-const KINDS: &str = "a picture's name must end in .svg or .png, or be - for SVG on standard output";
+const KINDS: &str =
+    "a picture's name must end in .svg, .png or .pdf, or be - for SVG on standard output";
 
 /// A destination of a picture, checked to be writable.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -12,7 +12,7 @@ pub use crate::format::Format;
 use crate::manner::Messages;
 use crate::page::Page;
 use crate::place::Place;
-use carom_plot::{Panel, PlotError, render, render_png};
+use carom_plot::{Panel, PlotError, render, render_pdf, render_png};
 use serde::Serialize;
 use std::io::{BufWriter, ErrorKind, Stdout, Write};
 use std::path::Path;
@@ -85,6 +85,7 @@ impl Picture {
         match kind {
             Kind::Svg => render(&self.title, &self.panels).map(String::into_bytes),
             Kind::Png => render_png(&self.title, &self.panels),
+            Kind::Pdf => render_pdf(&self.title, &self.panels),
         }
     }
 }

@@ -56,7 +56,7 @@ impl Outputs {
     /// Claims the place of the picture of `option`; nothing is written yet.
     ///
     /// # Errors
-    /// [`CliError::Destination`] unless the name ends in `.svg` or `.png`, or if it is `-` while
+    /// [`CliError::Destination`] unless the name ends in `.svg`, `.png` or `.pdf`, or if it is `-` while
     /// results go to standard output; otherwise as [`Outputs::file`].
     pub fn picture(
         &mut self,

@@ -41,7 +41,8 @@ pub(crate) fn png_of(svg: &str) -> Result<Vec<u8>, PlotError> {
     pixmap.encode_png().map_err(raster)
 }
 
-fn raster(error: impl std::fmt::Display) -> PlotError {
+/// The error of a picture that cannot be made.
+pub(crate) fn raster(error: impl std::fmt::Display) -> PlotError {
     PlotError::Raster(error.to_string())
 }
 

@@ -2,6 +2,7 @@
 
 use crate::error::PlotError;
 use crate::panel::Panel;
+use crate::pdf::pdf_of;
 use crate::plot::{Outside, Plot, share_legends};
 use crate::raster::png_of;
 use crate::svg::{Anchor, Pixel, Svg};
@@ -52,6 +53,24 @@ pub fn render_each(name: &str, panels: &[Panel]) -> Result<Vec<String>, PlotErro
 /// As [`render`], and [`PlotError::Raster`] if the picture is too large for memory.
 pub fn render_png(title: &str, panels: &[Panel]) -> Result<Vec<u8>, PlotError> {
     png_of(&laid_out(Svg::with_outlines()?, title, panels)?)
+}
+
+/// The same as PDF on one page as large as the picture, a point for each unit of the SVG; texts are outlines
+/// of DejaVu Sans.
+///
+/// ```
+/// use carom_plot::{Panel, Series, render_pdf};
+///
+/// let mut panel = Panel::new("x", "y");
+/// panel.add(Series::line("rising", [(0.0, 0.0), (1.0, 1.0)]));
+/// assert!(render_pdf("", &[panel])?.starts_with(b"%PDF"));
+/// # Ok::<(), carom_plot::PlotError>(())
+/// ```
+///
+/// # Errors
+/// As [`render_png`].
+pub fn render_pdf(title: &str, panels: &[Panel]) -> Result<Vec<u8>, PlotError> {
+    pdf_of(&laid_out(Svg::with_outlines()?, title, panels)?, title)
 }
 
 fn plots(panels: &[Panel]) -> Result<Vec<Plot<'_>>, PlotError> {

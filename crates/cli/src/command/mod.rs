@@ -82,7 +82,7 @@ struct CaseArguments {
     case: PathBuf,
     #[command(flatten)]
     printing: Printing,
-    /// Draw the results into this file, as SVG or PNG according to its ending; - is standard
+    /// Draw the results into this file, as SVG, PNG or PDF according to its ending; - is standard
     /// output.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,

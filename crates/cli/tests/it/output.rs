@@ -62,7 +62,7 @@ fn no_way_leads_to_an_overwritten_input() {
     let toml = folder.join("case.toml");
     std::fs::copy(&case, &toml).unwrap();
     let output = carom(&["impact", toml.to_str().unwrap(), "--plot", toml.to_str().unwrap()]);
-    refused(&output, "a picture's name must end in .svg or .png");
+    refused(&output, "a picture's name must end in .svg, .png or .pdf");
     assert_eq!(std::fs::read_to_string(&toml).unwrap(), text);
 }
 
@@ -80,10 +80,10 @@ fn two_outputs_never_share_a_file() {
 fn names_that_are_no_picture_are_refused() {
     let balls = example("steel_balls.toml");
     let folder = folder();
-    for name in ["a", "a.pdf", "a.svg.txt", ".svg", "a.", ""] {
+    for name in ["a", "a.eps", "a.svg.txt", ".svg", "a.", ""] {
         let place = folder.join(name);
         let output = carom(&["impact", &balls, "--plot", place.to_str().unwrap()]);
-        refused(&output, "a picture's name must end in .svg or .png");
+        refused(&output, "a picture's name must end in .svg, .png or .pdf");
     }
     std::fs::create_dir(folder.join("folder.svg")).unwrap();
     let output = carom(&["impact", &balls, "--plot", folder.join("folder.svg").to_str().unwrap()]);
@@ -246,4 +246,17 @@ fn rows_in_blocks_are_the_same_on_any_number_of_threads() {
             }
         }
     }
+}
+
+/// The places of letters and lines were looked at; here that it is a whole file with an image.
+#[test]
+fn a_picture_for_a_paper_is_a_pdf() {
+    let file = fresh("map.pdf");
+    let balls = ["restitution", "--kappa", "1:1.5:9", "--lambda", "1:9:9", "--map"];
+    stdout(&[&balls[..], &[file.to_str().unwrap()]].concat());
+    let bytes = std::fs::read(&file).unwrap();
+    assert!(bytes.starts_with(b"%PDF-1.7"));
+    assert!(bytes.trim_ascii_end().ends_with(b"%%EOF"));
+    let has = |text: &[u8]| bytes.windows(text.len()).any(|part| part == text);
+    assert!(has(b"/Subtype /Image") && has(b"/MediaBox [0 0 "));
 }

@@ -41,7 +41,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     history: Option<u32>,
     /// Draw the moving bodies, the contact and the forces into this SVG file, which a browser shows; instead
-    /// of --plot, and not for a sweep. A .png shows one frame.
+    /// of --plot, and not for a sweep. A .png or .pdf shows one frame.
     #[arg(long, value_name = "FILE", conflicts_with = "plot")]
     animate: Option<PathBuf>,
 }

@@ -67,7 +67,7 @@ pub(super) struct Arguments {
     mobility_ratio: f64,
     #[command(flatten)]
     printing: Printing,
-    /// Draw lines over the second number into this file, as SVG or PNG by its ending; - is
+    /// Draw lines over the second number into this file, as SVG, PNG or PDF by its ending; - is
     /// standard output.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
