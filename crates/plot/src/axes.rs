@@ -9,6 +9,8 @@ use crate::text::{Type, text_width};
 
 const WIDTH: f64 = 440.0;
 const HEIGHT: f64 = 310.0;
+/// Least width and height of a map, whose frame has its shape.
+const LEAST: f64 = 150.0;
 const LEFT: f64 = 78.0;
 const RIGHT: f64 = 22.0;
 /// Space above the axes, for the title.
@@ -25,6 +27,8 @@ pub(crate) struct Axes<'a> {
     panel: &'a Panel,
     x: Span,
     y: Span,
+    /// Width and height of the frame.
+    size: [f64; 2],
 }
 
 impl<'a> Axes<'a> {
@@ -40,11 +44,21 @@ impl<'a> Axes<'a> {
                 Span::fit(&panel.y, points().map(|point| point.y))?,
             ),
         };
+        let size = match (panel.aspect, &panel.field) {
+            (Aspect::Equal, Some(_)) => shaped(&x, &y),
+            _ => [WIDTH, HEIGHT],
+        };
         let (x, y) = match panel.aspect {
             Aspect::Free => (x, y),
-            Aspect::Equal => equalised(x, y),
+            Aspect::Equal => equalised(x, y, size),
         };
-        Ok(Self { panel, x, y })
+        Ok(Self { panel, x, y, size })
+    }
+
+    /// The frame of the axes in a picture with this corner.
+    pub(crate) const fn frame_at(&self, corner: Pixel) -> Frame {
+        let [width, height] = self.size;
+        Frame { x: corner.x + LEFT, y: corner.y + TOP, width, height }
     }
 
     /// The spans of both axes.
@@ -53,8 +67,8 @@ impl<'a> Axes<'a> {
     }
 
     /// Width with ticks and labels.
-    pub(crate) const fn width() -> f64 {
-        LEFT + WIDTH + RIGHT
+    pub(crate) const fn width(&self) -> f64 {
+        LEFT + self.size[0] + RIGHT
     }
 
     /// Height with title, ticks and labels.
@@ -62,7 +76,7 @@ impl<'a> Axes<'a> {
         // Turned names need no line for a label that is empty.
         let is_bare = self.depth_of_names() > 0.0 && self.panel.x.label.is_empty();
         let label = if is_bare { LABEL_DROP - TICK_DROP } else { 0.0 };
-        TOP + HEIGHT + BOTTOM + self.depth_of_names() - label
+        TOP + self.size[1] + BOTTOM + self.depth_of_names() - label
     }
 
     pub(crate) fn place(&self, point: Point, frame: Frame) -> Pixel {
@@ -90,12 +104,12 @@ impl<'a> Axes<'a> {
         let length = |name: &str| text_width(name, Type::TICK.size);
         let Some(longest) = self.x.longest_name().map(length) else { return 0.0 };
         let (ticks, _) = self.x.ticks();
-        if longest < 0.95 * WIDTH * (self.x.place(2.0) - self.x.place(1.0)) {
+        if longest < 0.95 * self.size[0] * (self.x.place(2.0) - self.x.place(1.0)) {
             return 0.0;
         }
         let starts = ticks.iter().map(|tick| {
             let reach = libm::cos(NAME_RISE.to_radians()) * length(&tick.label);
-            LEFT + WIDTH * self.x.place(tick.at) - reach
+            LEFT + self.size[0] * self.x.place(tick.at) - reach
         });
         if starts.fold(f64::INFINITY, f64::min) > 4.0 { NAME_RISE } else { 90.0 }
     }
@@ -152,14 +166,15 @@ impl<'a> Axes<'a> {
     }
 }
 
-/// The frame of the axes in a picture with this corner.
-pub(crate) fn frame_at(corner: Pixel) -> Frame {
-    Frame { x: corner.x + LEFT, y: corner.y + TOP, width: WIDTH, height: HEIGHT }
+/// Width and height of the frame that a map fills, as large as the frame of other panels allows.
+fn shaped(x: &Span, y: &Span) -> [f64; 2] {
+    let scale = (WIDTH / x.length()).min(HEIGHT / y.length());
+    [x, y].map(|span| (scale * span.length()).max(LEAST))
 }
 
 /// Spans with the same unit length on both axes, each containing at least its former range.
-fn equalised(x: Span, y: Span) -> (Span, Span) {
-    let (along_x, along_y) = (x.length() / WIDTH, y.length() / HEIGHT);
+fn equalised(x: Span, y: Span, [width, height]: [f64; 2]) -> (Span, Span) {
+    let (along_x, along_y) = (x.length() / width, y.length() / height);
     if along_x > along_y {
         let y = y.stretched(along_x / along_y);
         (x, y)
@@ -171,6 +186,7 @@ fn equalised(x: Span, y: Span) -> (Span, Span) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::Field;
     use crate::panel::Axis;
 
     fn panel() -> Panel {
@@ -182,10 +198,28 @@ mod tests {
         let mut panel = panel().equal_aspect();
         panel.add(Series::line("", [(0.0, 0.0), (10.0, 1.0)]));
         let axes = Axes::of(&panel).unwrap();
-        let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
+        let frame = axes.frame_at(Pixel { x: 0.0, y: 0.0 });
         let origin = axes.place(Point::new(0.0, 0.0), frame);
         let unit = axes.place(Point::new(1.0, 1.0), frame);
         assert!((unit.x - origin.x - (origin.y - unit.y)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_map_fills_its_frame() {
+        let of = |x: Vec<f64>, y: Vec<f64>| {
+            let values = vec![0.5; x.len() * y.len()];
+            let field = Field::new("p", x, y, values).unwrap();
+            let map = panel().equal_aspect().over(field);
+            let axes = Axes::of(&map).unwrap();
+            let [x, y] = axes.spans().map(Span::length);
+            (axes.size, [x, y])
+        };
+        assert_eq!(of(vec![0.0, 3.0], vec![0.0, 3.0]), ([HEIGHT, HEIGHT], [3.0, 3.0]));
+        assert_eq!(of(vec![0.0, 4.4], vec![0.0, 2.2]), ([WIDTH, 0.5 * WIDTH], [4.4, 2.2]));
+        // A map that is much longer than wide keeps a readable frame.
+        let (size, lengths) = of(vec![0.0, 44.0], vec![0.0, 1.0]);
+        assert_eq!((size, lengths[0]), ([WIDTH, LEAST], 44.0));
+        assert!((lengths[1] - 15.0).abs() < 1e-12);
     }
 
     #[test]

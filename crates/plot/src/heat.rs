@@ -117,15 +117,26 @@ impl<'a> Heat<'a> {
             return Ok(());
         }
         svg.open(&format!("clip-path=\"url(#{clip})\" fill=\"none\" stroke=\"#222\""));
+        let mut numbers: Vec<(Pixel, String)> = Vec::new();
         for tick in self.span.ticks().0 {
             let place = |(a, b): &(f64, f64)| Pixel { x: left(x.place(*a)), y: top(y.place(*b)) };
             let lines = contours(self.field, tick.at);
-            let lines =
-                lines.iter().map(|line| thinned(&line.iter().map(place).collect::<Vec<_>>()));
+            let lines: Vec<Vec<Pixel>> = lines
+                .iter()
+                .map(|line| thinned(&line.iter().map(place).collect::<Vec<_>>()))
+                .collect();
+            let taken = |at: Pixel| numbers.iter().any(|(other, _)| is_near(at, *other));
+            if let Some(at) = number_place(&lines, frame, taken) {
+                numbers.push((at, tick.label.clone()));
+            }
             let bold = if tick.at == 0.0 { 1.6 } else { 0.7 };
-            svg.lines(lines, &format!("stroke-width=\"{bold}\" stroke-linejoin=\"round\""));
+            svg.lines(
+                lines.into_iter(),
+                &format!("stroke-width=\"{bold}\" stroke-linejoin=\"round\""),
+            );
         }
         svg.close();
+        draw_numbers(svg, &numbers);
         Ok(())
     }
 
@@ -187,6 +198,43 @@ impl<'a> Heat<'a> {
         }
         let at = Pixel { x: bar.x + BAR_SPACE - GAP - 6.0, y: bar.y + 0.5 * bar.height };
         svg.text(at, Anchor::Middle, &with_power(&self.field.label, power), Type::UPWARDS);
+    }
+}
+
+/// Least distance between two numbers on contour lines, along and across them.
+const APART: [f64; 2] = [44.0, 18.0];
+/// Shortest contour line that has a number.
+const SHORTEST: f64 = 90.0;
+
+fn is_near(one: Pixel, other: Pixel) -> bool {
+    (one.x - other.x).abs() < APART[0] && (one.y - other.y).abs() < APART[1]
+}
+
+/// A place for the number of contour lines of one level: on the longest one, as far left as it goes on
+/// free ground inside the frame.
+fn number_place(
+    lines: &[Vec<Pixel>],
+    frame: Frame,
+    is_taken: impl Fn(Pixel) -> bool,
+) -> Option<Pixel> {
+    let length = |line: &[Pixel]| -> f64 {
+        line.windows(2).map(|pair| libm::hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y)).sum()
+    };
+    let long = lines.iter().map(|line| (length(line), line));
+    let (_, line) =
+        long.filter(|(length, _)| *length > SHORTEST).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let inner = frame.grown(-0.5 * APART[0]);
+    let free = line.iter().copied().filter(|at| inner.holds(*at) && !is_taken(*at));
+    free.min_by(|a, b| a.x.total_cmp(&b.x))
+}
+
+/// Numbers on contour lines, each on a light ground.
+fn draw_numbers(svg: &mut Svg, numbers: &[(Pixel, String)]) {
+    for (at, label) in numbers {
+        let width = text_width(label, Type::TICK.size) + 4.0;
+        let ground = Frame { x: at.x - 0.5 * width, y: at.y - 7.0, width, height: 14.0 };
+        svg.rect(ground, "fill=\"#fff\" fill-opacity=\"0.8\" rx=\"2\"");
+        svg.text(Pixel { x: at.x, y: at.y + 4.5 }, Anchor::Middle, label, Type::TICK);
     }
 }
 

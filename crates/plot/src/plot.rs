@@ -1,6 +1,6 @@
 //! One panel as it is drawn: axes, series, legend.
 
-use crate::axes::{Axes, frame_at};
+use crate::axes::Axes;
 use crate::draw;
 use crate::error::PlotError;
 use crate::heat::Heat;
@@ -68,7 +68,7 @@ impl<'a> Plot<'a> {
 
     /// A solid line that hides an earlier one is dashed, so that both are seen.
     fn tell_apart(&mut self) {
-        let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
+        let frame = self.axes.frame_at(Pixel { x: 0.0, y: 0.0 });
         let solid = |series: &&Series| {
             series.style == Style::Line(Stroke::Solid) && series.motion.is_none()
         };
@@ -93,12 +93,12 @@ impl<'a> Plot<'a> {
 
     /// Width with the colour bar or legend beside the axes.
     pub(crate) fn width(&self) -> f64 {
-        Axes::width() + self.aside().unwrap_or(0.0)
+        self.axes.width() + self.aside().unwrap_or(0.0)
     }
 
     /// Height with title, ticks, labels and a legend below.
     pub(crate) fn height(&self) -> f64 {
-        let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
+        let frame = self.axes.frame_at(Pixel { x: 0.0, y: 0.0 });
         let below = self.place_of_legend(frame).filter(|_| self.outside == Outside::Below);
         let end = below.map_or(0.0, |place| place.y + place.height + 8.0);
         self.axes.height().max(end)
@@ -135,13 +135,13 @@ impl<'a> Plot<'a> {
         if let Some(heat) = &self.heat {
             return Some(heat.aside());
         }
-        let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
+        let frame = self.axes.frame_at(Pixel { x: 0.0, y: 0.0 });
         let end = self.place_of_legend(frame).map(|place| place.x + place.width);
         end.map(|end| end - frame.x - frame.width).filter(|beyond| *beyond > 0.0)
     }
 
     pub(crate) fn draw(&self, svg: &mut Svg, corner: Pixel, clip: &str) -> Result<(), PlotError> {
-        let frame = frame_at(corner);
+        let frame = self.axes.frame_at(corner);
         svg.clip(clip, frame);
         self.axes.draw(svg, frame);
         if let Some(heat) = &self.heat {

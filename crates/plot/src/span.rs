@@ -16,6 +16,8 @@ pub(crate) struct Span {
     is_whole: bool,
     names: Vec<String>,
     period: Option<f64>,
+    /// Whether the unit takes a prefix.
+    takes_prefix: bool,
 }
 
 /// A labelled position on an axis.
@@ -50,7 +52,8 @@ impl Span {
             return Err(PlotError::Limits { label: axis.label.clone(), low, high });
         }
         let (names, period) = (axis.names.clone(), axis.period);
-        Ok(Self { scale: axis.scale, low, high, is_whole, names, period })
+        let takes_prefix = prefixed(&axis.label).is_some();
+        Ok(Self { scale: axis.scale, low, high, is_whole, names, period, takes_prefix })
     }
 
     /// The position of `value`: 0 at the lower end, 1 at the upper.
@@ -105,7 +108,10 @@ impl Span {
 
     /// The power of ten to take out of labels; a multiple of three.
     pub(crate) fn power(&self) -> i32 {
-        common_power(self.low.abs().max(self.high.abs()))
+        let largest = self.low.abs().max(self.high.abs());
+        let power = common_power(largest);
+        // 10 mm rather than 0.010 m.
+        if power == 0 && self.takes_prefix && largest < 0.1 { -3 } else { power }
     }
 
     /// Ticks with this power of ten taken out of their labels, if the axis is linear.
@@ -255,14 +261,20 @@ const PREFIXED: [(&str, i32); 11] = [
 const PREFIXES: [(i32, &str); 8] =
     [(-12, "p"), (-9, "n"), (-6, "µ"), (-3, "m"), (3, "k"), (6, "M"), (9, "G"), (12, "T")];
 
+/// Name, unit and power of the unit of a label whose unit takes a prefix.
+fn prefixed(label: &str) -> Option<(&str, &str, i32)> {
+    let (name, unit) = label.rsplit_once(" / ")?;
+    let (_, exponent) = PREFIXED.iter().find(|(own, _)| *own == unit)?;
+    Some((name, unit, *exponent))
+}
+
 /// A label with the power of ten that was taken out of the numbers beside it: `x / m` becomes `x / µm`
 /// where the unit takes a prefix.
 pub(crate) fn with_power(label: &str, power: i32) -> String {
     if power == 0 {
         return label.to_owned();
     }
-    let prefixed = label.rsplit_once(" / ").and_then(|(name, unit)| {
-        let (_, exponent) = PREFIXED.iter().find(|(own, _)| *own == unit)?;
+    let prefixed = prefixed(label).and_then(|(name, unit, exponent)| {
         let wanted = |(own, _): &&(i32, &str)| own * exponent == power;
         let (_, prefix) = PREFIXES.iter().find(wanted)?;
         // Longer and slower, not bigger: lengths and times grow by powers of ten only.

@@ -1,5 +1,7 @@
 //! The picture of a solution.
 
+use std::ops::Range;
+
 use super::limits::limits;
 use crate::command::plot::Course;
 use crate::error::CliError;
@@ -97,21 +99,11 @@ fn over_steps(course: &Course<'_, StepSummary>) -> [Panel; 3] {
     ]
 }
 
+/// Part of the contact's width by which the map of pressures extends beyond it.
+const MARGIN: usize = 8;
+
 fn axes(title: &str) -> Panel {
     Panel::new(Axis::linear("x / m"), Axis::linear("y / m")).titled(title).equal_aspect()
-}
-
-/// A field over the grid about its middle.
-fn field(
-    state: &ContactState,
-    [x, y]: [f64; 2],
-    label: &str,
-    values: Vec<f64>,
-) -> Result<Field, CliError> {
-    let grid = state.pressure.grid();
-    let x = (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect();
-    let y = (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect();
-    Ok(Field::new(label, x, y, values)?)
 }
 
 fn outlines(panel: &mut Panel, lines: &[Contour], middle: [f64; 2], label: &str, colour: usize) {
@@ -126,9 +118,28 @@ pub(in crate::command) fn pressures(
     state: &ContactState,
     middle: [f64; 2],
 ) -> Result<Panel, CliError> {
-    let mut panel = axes("pressure, last step");
-    panel = panel.over(field(state, middle, "p / Pa", state.pressure.values().to_vec())?);
-    Ok(panel)
+    let grid = state.pressure.grid();
+    let [columns, rows] = around_contact(state);
+    let x = columns.clone().map(|i| middle[0] + grid.centred_x(i)).collect();
+    let y = rows.clone().map(|j| middle[1] + grid.centred_y(j)).collect();
+    let pressure = |(i, j): (usize, usize)| state.pressure.values()[j * grid.nx() + i];
+    let cells = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
+    let field = Field::new("p / Pa", x, y, cells.map(pressure).collect())?;
+    Ok(axes("pressure, last step").over(field))
+}
+
+/// Columns and rows of the contact and a few cells around it.
+fn around_contact(state: &ContactState) -> [Range<usize>; 2] {
+    let grid = state.pressure.grid();
+    let all = [grid.nx(), grid.ny()];
+    let Some(extent) = state.extent() else { return all.map(|count| 0..count) };
+    [0, 1].map(|axis| {
+        let [first, last] = extent[axis];
+        let margin = 2 + (last - first) / MARGIN;
+        let (from, to) = (first.saturating_sub(margin), (last + margin + 1).min(all[axis]));
+        // A field has two nodes or more along each axis.
+        if to - from < 2 { 0..all[axis] } else { from..to }
+    })
 }
 
 /// Tractions as arrows, with the outlines of contact and stick area.
@@ -137,7 +148,8 @@ pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2])
     outlines(&mut panel, &state.contact_outlines(), middle, "contact", 0);
     outlines(&mut panel, &state.stick_outlines(), middle, "stick", 1);
     let grid = state.pressure.grid();
-    let stride = grid.nx().max(grid.ny()).div_ceil(MAX_ARROWS);
+    let widest = around_contact(state).iter().map(Range::len).max().unwrap_or(1);
+    let stride = widest.div_ceil(MAX_ARROWS);
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
     let longest = x.iter().zip(y).map(|(x, y)| libm::hypot(*x, *y)).fold(0.0, f64::max);
     let scale = 2.0 * stride as f64 * grid.dx().max(grid.dy()) / longest;
