@@ -5,8 +5,9 @@ use crate::case::StressCase;
 use crate::hertz::smallest_radius;
 use crate::input::CaseFile;
 use crate::theory::{Excess, large_contact};
-use carom_halfspace::{Point, Stress, Traction};
+use carom_halfspace::{Material, Point, Stress, Traction};
 use carom_impact::Warning;
+use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::partial_slip_stress;
 use carom_laws::hertz::HertzState;
 use carom_special::RangeError;
@@ -54,6 +55,9 @@ pub struct Solved {
     pub stick_radius: f64,
     /// The points: for each depth, for each y, for each x.
     pub points: Vec<StressPoint>,
+    /// The point of greatest equivalent stress, found by a search that starts at the greatest of the
+    /// points and goes on between them.
+    pub greatest: StressPoint,
 }
 
 impl Solved {
@@ -80,8 +84,10 @@ pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
     let failed = |source| Error::Law { path: file.path.clone(), source };
     let state = case.hertz.at_force(case.force[2]).map_err(failed)?;
     let stick_radius = stick_radius(&case);
-    let points = stresses(&case, &state, stick_radius).map_err(failed)?;
-    Ok(Solved { case, state, stick_radius, points })
+    let field = StressField::new(&case, &state, stick_radius);
+    let points = field.at_all(&case.places).map_err(failed)?;
+    let greatest = field.greatest(&case.places, &points).map_err(failed)?;
+    Ok(Solved { case, state, stick_radius, points, greatest })
 }
 
 /// a*/a of Cattaneo and Mindlin: (1 - F_t/(f F_z))^(1/3).
@@ -91,29 +97,90 @@ fn stick_radius(case: &StressCase) -> f64 {
     if pushed == 0.0 { 1.0 } else { libm::cbrt((1.0 - pushed / (case.friction * normal)).max(0.0)) }
 }
 
-/// The stresses at all points: for each depth, for each y, for each x.
-fn stresses(
-    case: &StressCase,
-    state: &HertzState,
+/// The stresses in one body under its tractions.
+struct StressField {
+    ellipse: ContactEllipse,
     stick_radius: f64,
-) -> Result<Vec<StressPoint>, RangeError> {
-    let [x, y, _] = case.force;
-    let pushed = libm::hypot(x, y);
-    let [unit_x, unit_y] = if pushed > 0.0 { [x / pushed, y / pushed] } else { [0.0; 2] };
-    // Body 2 feels the opposite traction; seen from inside it, the normal points the other way.
-    let (body, side) = match case.is_in_body_1 {
-        true => (case.hertz.materials().body_1(), 1.0),
-        false => (case.hertz.materials().body_2(), -1.0),
-    };
-    let limit = side * case.friction * state.peak_pressure;
-    let peak = Traction { x: limit * unit_x, y: limit * unit_y, normal: state.peak_pressure };
-    let [xs, ys, depths] = &case.places;
-    let at = |i: usize| {
-        let (column, rest) = (i % xs.len(), i / xs.len());
-        let at = [xs[column], ys[rest % ys.len()], depths[rest / ys.len()]];
+    body: Material,
+    /// The tractions where the pressure is greatest, if that place slips.
+    peak: Traction,
+    /// 1 in body 1, -1 in body 2.
+    side: f64,
+}
+
+/// The search for the greatest stress ends with steps of this part of the first ones.
+const FINEST: f64 = 1e-7;
+
+impl StressField {
+    fn new(case: &StressCase, state: &HertzState, stick_radius: f64) -> Self {
+        let [x, y, _] = case.force;
+        let pushed = libm::hypot(x, y);
+        let [unit_x, unit_y] = if pushed > 0.0 { [x / pushed, y / pushed] } else { [0.0; 2] };
+        // Body 2 feels the opposite traction; seen from inside it, the normal points the other way.
+        let (body, side) = match case.is_in_body_1 {
+            true => (case.hertz.materials().body_1(), 1.0),
+            false => (case.hertz.materials().body_2(), -1.0),
+        };
+        let limit = side * case.friction * state.peak_pressure;
+        let peak = Traction { x: limit * unit_x, y: limit * unit_y, normal: state.peak_pressure };
+        Self { ellipse: state.ellipse, stick_radius, body, peak, side }
+    }
+
+    fn at(&self, at: [f64; 3]) -> Result<StressPoint, RangeError> {
         let point = Point { x: at[0], y: at[1], z: at[2] };
-        let s = partial_slip_stress(state.ellipse, body, peak, stick_radius, point)?;
-        Ok(StressPoint { at, stress: Stress { yz: side * s.yz, zx: side * s.zx, ..s } })
-    };
-    (0..xs.len() * ys.len() * depths.len()).into_par_iter().map(at).collect()
+        let s = partial_slip_stress(self.ellipse, self.body, self.peak, self.stick_radius, point)?;
+        let stress = Stress { yz: self.side * s.yz, zx: self.side * s.zx, ..s };
+        Ok(StressPoint { at, stress })
+    }
+
+    /// The stresses at all points: for each depth, for each y, for each x.
+    fn at_all(&self, [xs, ys, depths]: &[Vec<f64>; 3]) -> Result<Vec<StressPoint>, RangeError> {
+        let at = |i: usize| {
+            let (column, rest) = (i % xs.len(), i / xs.len());
+            self.at([xs[column], ys[rest % ys.len()], depths[rest / ys.len()]])
+        };
+        (0..xs.len() * ys.len() * depths.len()).into_par_iter().map(at).collect()
+    }
+
+    /// The point of greatest equivalent stress between the places: from the greatest of the points
+    /// along each axis to either side, with half the steps where no step leads up.
+    fn greatest(
+        &self,
+        places: &[Vec<f64>; 3],
+        points: &[StressPoint],
+    ) -> Result<StressPoint, RangeError> {
+        let size = |point: &StressPoint| point.stress.von_mises();
+        let mut best = points
+            .iter()
+            .fold(points[0], |best, point| if size(point) > size(&best) { *point } else { best });
+        let ends = places.each_ref().map(|places| {
+            places.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], place| {
+                [low.min(*place), high.max(*place)]
+            })
+        });
+        let steps = [0, 1, 2].map(|axis| {
+            let parts = (places[axis].len() - 1).max(1) as f64;
+            (ends[axis][1] - ends[axis][0]) / parts
+        });
+        let mut part = 1.0;
+        while part > FINEST {
+            let mut found = best;
+            for axis in (0..3).filter(|axis| steps[*axis] > 0.0) {
+                for way in [-part, part] {
+                    let mut at = best.at;
+                    at[axis] = (at[axis] + way * steps[axis]).clamp(ends[axis][0], ends[axis][1]);
+                    let point = self.at(at)?;
+                    if size(&point) > size(&found) {
+                        found = point;
+                    }
+                }
+            }
+            if size(&found) > size(&best) {
+                best = found;
+            } else {
+                part *= 0.5;
+            }
+        }
+        Ok(best)
+    }
 }

@@ -43,6 +43,24 @@ fn below_the_middle_it_is_the_closed_form() {
     assert!((most / pressure - 0.310).abs() < 1e-3 && (depth[at] / a - 0.48).abs() < 0.03);
 }
 
+/// Below a ball it lies at .48 a, where Mises' stress is .62 p_0; the places asked for are coarse.
+#[test]
+fn the_greatest_stress_is_searched_between_the_points() {
+    let points = "inside = \"body 2\"\nx = [-2e-4, 1e-5, 2e-4]\ny = 0\ndepth = [0, 1e-4, 4e-4]";
+    let found = json(&["stress", &with("stress_greatest.toml", [0.0; 2], points)]);
+    let of = |part: &str, column: &str| found[part][column].as_f64().unwrap();
+    let (a, pressure) = (of("contact", "semi_axis_a"), of("contact", "peak_pressure"));
+    assert!(of("greatest", "x").abs() < 1e-4 * a);
+    assert!((of("greatest", "depth") / a - 0.4809).abs() < 1e-3);
+    assert!((of("greatest", "von_mises") / pressure - 0.620_0).abs() < 5e-4);
+    let most = numbers(&found, "von_mises").into_iter().fold(0.0, f64::max);
+    assert!(of("greatest", "von_mises") > 1.001 * most);
+    // Where all of it slides under much friction, it lies on the rear edge.
+    let edge = json(&["stress", &example("stress_sliding_rail.toml")]);
+    let at = edge["greatest"]["y"].as_f64().unwrap();
+    assert!((at / edge["contact"]["semi_axis_b"].as_f64().unwrap() - 1.0).abs() < 1e-3);
+}
+
 #[test]
 fn both_bodies_feel_the_same_traction() {
     let inside = |body: &str, force| {

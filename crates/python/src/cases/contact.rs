@@ -48,7 +48,7 @@ pub(crate) fn case_stress<'py>(
     let solved = without_python(py, || stress::solved(&CaseFile::read(&path)?)).map_err(raised)?;
     let large = solved.warning().iter().map(ToString::to_string).collect();
     let told = together(caution(&[solved.excess()], "loads"), large);
-    let Solved { case, state, stick_radius, points } = solved;
+    let Solved { case, state, stick_radius, points, .. } = solved;
     let parts = points.iter().map(|point| point.stress);
     let values = [
         parts.clone().flat_map(|s| [s.xx, s.yy, s.zz, s.xy, s.yz, s.zx]).collect(),

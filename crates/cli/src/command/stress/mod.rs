@@ -6,11 +6,10 @@ use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
-use carom_cases::case::StressCase;
 use carom_cases::stress::{self, Solved, StressPoint};
 use carom_cases::theory::caution;
 use carom_laws::hertz::HertzState;
-use carom_plot::{Axis, Field, Panel, PlotError, Series};
+use carom_plot::{Axis, Field, Marker, Panel, PlotError, Series};
 use carom_table::{Value, row};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -22,8 +21,8 @@ use field::FieldFile;
 /// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
 /// examples/stress_*.toml. x is the direction of the larger relative curvature, so that a <= b. The
 /// tangential force was applied after the normal force: an outer annulus of the ellipse slips, all
-/// of it at the limit. Stresses are exact for these tractions. The table gives the point of maximum
-/// equivalent stress; CSV and JSON give every point. The picture shows the equivalent stress in a
+/// of it at the limit. Stresses are exact for these tractions. The table gives the point of greatest
+/// equivalent stress, also between the points; CSV and JSON give every point. The picture shows the equivalent stress in a
 /// plane, or all stresses along a line.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each point", StressPoint::COLUMNS))]
@@ -44,6 +43,8 @@ struct Report<'a> {
     /// Radius of the stick area over that of the contact.
     stick_radius: f64,
     points: Vec<Record<'a, StressPoint>>,
+    /// The point of greatest equivalent stress, searched between the points too.
+    greatest: Record<'a, StressPoint>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
@@ -51,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
     })?;
     let solved = stress::solved(&file)?;
-    let Solved { case, state, stick_radius, points } = &solved;
+    let Solved { case, state, stick_radius, points, greatest } = &solved;
     columns::check(&file.path, StressPoint::COLUMNS, points)?;
     let format = arguments.given.format();
     let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
@@ -60,17 +61,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             contact: Record::new(HertzState::COLUMNS, state),
             stick_radius: *stick_radius,
             points: records(),
+            greatest: Record::new(StressPoint::COLUMNS, greatest),
         })?,
         Format::Table(page) => {
             columns::upright(page, &row(HertzState::COLUMNS, Some(state)))
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
-                + "maximum equivalent stress among the points:\n"
-                + &columns::upright(page, &row(StressPoint::COLUMNS, greatest(points)))
+                + "greatest equivalent stress, searched between the points too:\n"
+                + &columns::upright(page, &row(StressPoint::COLUMNS, Some(greatest)))
         }
         Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, points)?,
     };
     let picture = match plot {
-        Some(to) => Some((to, draw(case, points).map_err(CliError::from)?)),
+        Some(to) => Some((to, draw(&solved).map_err(CliError::from)?)),
         None => None,
     };
     let file = to.map(|to| to.encoded(case, points)).transpose()?;
@@ -79,12 +81,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(answer.cautioned(caution(&[solved.excess()], "loads"), format))
 }
 
-fn greatest(points: &[StressPoint]) -> Option<&StressPoint> {
-    points.iter().max_by(|one, two| one.stress.von_mises().total_cmp(&two.stress.von_mises()))
-}
-
 /// The equivalent stress over the plane of the points, or the stresses along their line.
-fn draw(case: &StressCase, points: &[StressPoint]) -> Result<Picture, PlotError> {
+fn draw(solved: &Solved) -> Result<Picture, PlotError> {
+    let Solved { case, points, greatest, .. } = solved;
     const NAMES: [&str; 3] = ["x / m", "y / m", "z / m"];
     // Body 2 lies below.
     let side = if case.is_in_body_1 { 1.0 } else { -1.0 };
@@ -104,13 +103,8 @@ fn draw(case: &StressCase, points: &[StressPoint]) -> Result<Picture, PlotError>
         let field = Field::new("von Mises / Pa", x, y, rows.concat())?;
         let panel = Panel::new(NAMES[across], NAMES[up]).titled("equivalent stress");
         let mut panel = panel.equal_aspect().over(field);
-        if let Some(point) = greatest(points) {
-            panel.add(Series::markers(
-                "",
-                carom_plot::Marker::Cross,
-                [(point.at[across], place(up, point.at[up]))],
-            ));
-        }
+        let most = (greatest.at[across], place(up, greatest.at[up]));
+        panel.add(Series::markers("greatest", Marker::Cross, [most]));
         return Ok(Picture::new(&title, [panel]));
     }
     let along = many.first().copied().unwrap_or(2);
