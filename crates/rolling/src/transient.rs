@@ -1,6 +1,6 @@
 //! Rolling as a sequence of steps.
 
-use super::{Creepage, RollingError, check_room, columns};
+use super::{Creepage, RollingError, Way, check_room};
 use carom_solver::Method as _;
 use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, FrictionalScratch,
@@ -60,8 +60,9 @@ impl Roll {
     ) -> Result<Convergence, RollingError> {
         problem.operator().check_invariant()?;
         self.creepage.check()?;
-        let shift = columns(problem, self.distance)?;
-        let before = ahead(from, shift);
+        let way = Way::new(self.distance)?;
+        way.check_on(problem.grid())?;
+        let before = ahead(from, self.distance / problem.grid().dx());
         let Creepage { along, across, spin } = self.creepage;
         let drive = Drive {
             normal: self.normal,
@@ -70,7 +71,7 @@ impl Roll {
             twist: Driven::Shift(from.shift.omega + spin * self.distance),
         };
         let convergence = method.step(problem, &before, &drive, to, scratch, observer)?;
-        check_room(to, shift)?;
+        check_room(problem, to, &way)?;
         Ok(convergence)
     }
 }

@@ -1,3 +1,4 @@
 //! The integration tests of `carom-rolling`: one executable.
 
+mod contact_cases;
 mod rolling;

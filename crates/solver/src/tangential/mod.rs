@@ -8,6 +8,7 @@ mod iteration_state;
 mod law;
 mod limit_surface;
 mod loads;
+mod newton;
 mod plane;
 mod precondition;
 mod rigid;

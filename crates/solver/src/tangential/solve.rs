@@ -22,7 +22,13 @@ impl ActiveSet {
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
-        self.on_the_contact(task, |set, own, cells| set.iterate(own, limits, cells, observer))
+        self.on_the_contact(task, |set, own, cells| {
+            if own.operator.is_reciprocal() {
+                set.iterate(own, limits, cells, observer)
+            } else {
+                set.iterate_by_newton(own, limits, cells, observer)
+            }
+        })
     }
 
     /// Solves a task with prescribed loads by iterating on the shifts.

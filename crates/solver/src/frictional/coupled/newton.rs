@@ -9,7 +9,7 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, SurfaceOperato
 use nalgebra::{Matrix4, Vector4};
 
 use super::cells::Cells;
-use super::krylov::{self, LinearMap};
+use crate::krylov::{self, LinearMap};
 use super::system::{MOTIONS, System, count, given};
 use super::task::CoupledTask;
 use crate::convergence::Products;

@@ -1,0 +1,57 @@
+//! Rolling cases shipped with CONTACT, with the numbers that it prints.
+
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_rolling::{Creepage, RollingDrive, SteadyContact, Way};
+use carom_solver::{CellState, ContactProblem, Driven, Gap};
+use serde_json::Value;
+
+fn cases() -> Value {
+    serde_json::from_str(include_str!("../data/contact.json")).unwrap()
+}
+
+/// Whether a number agrees with a printed one of four digits within half a unit of the last.
+fn agrees(got: f64, printed: f64) -> bool {
+    let unit = if printed == 0.0 { 0.0 } else { 10_f64.powi(printed.abs().log10().floor() as i32 - 3) };
+    (got - printed).abs() <= 0.5 * unit * (1.0 + 1e-9)
+}
+
+/// An ellipse under 30 longitudinal creepages.
+#[test]
+fn a_traction_curve() {
+    let [a, b] = [6.303_597_245_518, 12.607_194_491_036];
+    let [a1, b1] = [0.0008, 2.814_173_138_273e-4];
+    let grid = Grid::new(48, 44, 2.2 * a / 48.0, 2.2 * b / 44.0).unwrap();
+    let gap = Gap::from_function(grid, |x, y| a1 * x * x + b1 * y * y).unwrap();
+    let body = Material::from_shear(82000.0, 0.28).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.33).unwrap()).unwrap();
+    let now = std::time::Instant::now();
+    let mut contact = SteadyContact::new(&problem, Way::new(grid.dx()).unwrap()).unwrap();
+    println!("set-up {:?}", now.elapsed());
+    let force = 106_700.0;
+    let mut wrong = Vec::new();
+    for row in cases()["tractcurv"]["results"].as_array().unwrap() {
+        let along = -row["xi"].as_f64().unwrap();
+        let creepage = Creepage { along, ..Creepage::default() };
+        let drive = RollingDrive::by_creepage(Driven::Load(force), creepage);
+        let now = std::time::Instant::now();
+        let rolled = contact.roll(&drive, &mut ()).unwrap();
+        let time = now.elapsed();
+        let load = rolled.state.load();
+        let [stick, slip] = [CellState::Stick, CellState::Slip].map(|s| rolled.state.count(s));
+        println!(
+            "{along} {:.5} {stick} {slip} [{} {} {}] {time:?} its {} T {:.1} P {:.1}",
+            load.f_x, row["F_x"], row["stick"], row["slip"], rolled.convergence.iterations,
+            rolled.convergence.products.tangential, rolled.convergence.products.preconditioner
+        );
+        let ok = agrees(load.f_x, row["F_x"].as_f64().unwrap())
+            && agrees(load.f_x / (0.33 * force), row["Fx_over_f_Fz"].as_f64().unwrap())
+            && stick as u64 == row["stick"].as_u64().unwrap()
+            && slip as u64 == row["slip"].as_u64().unwrap();
+        if !ok {
+            wrong.push(along);
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
