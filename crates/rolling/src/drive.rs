@@ -1,9 +1,10 @@
 //! What drives a rolling contact: creepages or forces.
 
-use carom_solver::Driven;
+use carom_laws::law::Shift;
+use carom_solver::{Drive, Driven};
 use carom_special::RangeError;
 
-use crate::Creepage;
+use crate::{Creepage, Way};
 
 /// What drives a rolling contact: approach or normal force, and for each creepage the creepage
 /// itself ([`Driven::Shift`], per distance rolled) or its force ([`Driven::Load`]).
@@ -60,7 +61,8 @@ impl RollingDrive {
             Driven::Load(force) => RangeError::positive("normal force", force)?,
         };
         let names = [("creepage along", "F_x"), ("creepage across", "F_y"), ("spin", "M_z")];
-        for (driven, (creepage, load)) in [self.along, self.across, self.spin].into_iter().zip(names)
+        for (driven, (creepage, load)) in
+            [self.along, self.across, self.spin].into_iter().zip(names)
         {
             match driven {
                 Driven::Shift(value) => RangeError::finite(creepage, value)?,
@@ -68,5 +70,31 @@ impl RollingDrive {
             };
         }
         Ok(())
+    }
+
+    /// The same; also that the creepages at the point about which spin turns the bodies are known.
+    pub(crate) fn check_about(&self, way: &Way) -> Result<(), RangeError> {
+        self.check()?;
+        let at = way.spin_offset();
+        let given = |driven, arm: f64| arm != 0.0 && matches!(driven, Driven::Shift(_));
+        let unknown = matches!(self.spin, Driven::Load(_))
+            && (given(self.along, at.y) || given(self.across, at.x));
+        let allowed = "0 where M_z is given together with a creepage that depends on it";
+        RangeError::check("spin offset", way.spin_at(), !unknown, allowed).map(drop)
+    }
+
+    /// The shifts and loads at the end of a step, after these shifts.
+    pub(crate) fn step(&self, way: &Way, before: Shift) -> Drive {
+        let (length, at, given) = (way.length(), way.spin_offset(), self.creepage());
+        let driven = |driven, before: f64, creepage: f64| match driven {
+            Driven::Shift(_) => Driven::Shift(before + length * creepage),
+            load @ Driven::Load(_) => load,
+        };
+        Drive {
+            normal: self.normal,
+            x: driven(self.along, before.xi, given.along + at.y * given.spin),
+            y: driven(self.across, before.eta, given.across - at.x * given.spin),
+            twist: driven(self.spin, before.omega, given.spin),
+        }
     }
 }

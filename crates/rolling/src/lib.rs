@@ -1,5 +1,6 @@
-//! Rolling contact, which the thesis leaves to further research (16.2). The contact moves along +x
-//! over both bodies; in axes moving with the contact the surfaces flow through it towards -x.
+//! Rolling contact, which the thesis leaves to further research (16.2). The contact moves over both
+//! bodies on a [`Way`], along +x unless another direction is given; in axes moving with the contact
+//! the surfaces flow through it the other way.
 //!
 //! In a step of length d the particle now at x comes from x + d and brings its displacement along.
 //! The rigid creepage moves it by d (xi + y phi, eta - x phi). The slip of the step is therefore
@@ -24,7 +25,7 @@ pub use creep::{CreepCoefficients, creep_coefficients, creep_coefficients_on};
 pub use drive::RollingDrive;
 pub use fastsim::{Fastsim, FastsimForces};
 pub use steady::{SteadyContact, SteadyRolling, roll_steadily};
-pub use transient::Roll;
+pub use transient::RollingContact;
 pub use way::Way;
 
 use carom_classic::DirectError;
@@ -123,11 +124,8 @@ fn check_room(
     let axes = [(ahead.x / grid.dx(), grid.nx(), 1), (ahead.y / grid.dy(), grid.ny(), grid.nx())];
     for (cells, count, stride) in axes {
         let places = touching.iter().map(|cell| cell / stride % count);
-        let free = if cells > 0.0 {
-            places.map(|place| count - 1 - place).min()
-        } else {
-            places.min()
-        };
+        let free =
+            if cells > 0.0 { places.map(|place| count - 1 - place).min() } else { places.min() };
         // A whole number of cells but for rounding counts as whole.
         let needed = (cells.abs() - 1e-9).ceil().max(0.0) as usize;
         if let Some(free) = free.filter(|free| *free < needed) {

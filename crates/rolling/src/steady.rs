@@ -7,8 +7,8 @@ use carom_laws::law::Shift;
 
 use super::{Creepage, RollingDrive, RollingError, Way, check_friction, check_room};
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictional,
-    FrictionalScratch, Method as _, Observer,
+    CellState, ContactProblem, ContactState, Convergence, Driven, Frictional, FrictionalScratch,
+    Method as _, Observer,
 };
 
 /// Steady rolling.
@@ -30,8 +30,8 @@ pub struct SteadyRolling {
 ///
 /// In the steady state the displacements are constant in the moving axes, so that the slip of a
 /// step is `u(x) - u(x + d) - d (xi + y phi, eta - x phi)` with the same tractions in both terms:
-/// one step with the influence of a [`RolledOperator`]. It is the limit of [`super::Roll`] on the
-/// same way. Each solution starts from the last one.
+/// one step with the influence of a [`RolledOperator`]. It is the limit of [`super::RollingContact`]
+/// on the same way. Each solution starts from the last one.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -71,7 +71,8 @@ impl SteadyContact {
     pub fn new(problem: &ContactProblem, way: Way) -> Result<Self, RollingError> {
         check_friction(problem)?;
         way.check_on(problem.grid())?;
-        let operator = RolledOperator::new(problem.shared_operator(), way.ahead(), Threads::One)?;
+        let operator =
+            RolledOperator::new(Arc::clone(problem.shared_operator()), way.ahead(), Threads::One)?;
         let friction = problem.friction().clone();
         let rolled = ContactProblem::new(problem.gap().clone(), Arc::new(operator), friction)?;
         let method = Frictional::default();
@@ -99,53 +100,22 @@ impl SteadyContact {
         drive: &RollingDrive,
         observer: &mut dyn Observer,
     ) -> Result<SteadyRolling, RollingError> {
-        drive.check()?;
+        drive.check_about(&self.way)?;
         let mut state = ContactState::apart(self.problem.grid());
         let convergence = self.method.step(
             &self.rolled,
             &self.last,
-            &self.step(drive),
+            &drive.step(&self.way, Shift::default()),
             &mut state,
             &mut self.scratch,
             observer,
         )?;
         check_room(&self.problem, &state, &self.way)?;
         self.remember(&state);
-        let creepage = self.creepage(&state);
+        let creepage = self.way.creepage(state.shift);
         self.displace(&mut state)?;
         let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
         Ok(SteadyRolling { state, creepage, convergence, slides })
-    }
-
-    /// The shifts and loads of one step.
-    fn step(&self, drive: &RollingDrive) -> Drive {
-        let (length, at) = (self.way.length(), self.way.spin_offset());
-        let by_way = |driven| match driven {
-            Driven::Shift(creepage) => Driven::Shift(length * creepage),
-            load @ Driven::Load(_) => load,
-        };
-        let twist = by_way(drive.spin);
-        let turned = |driven, arm: f64| match (by_way(driven), twist) {
-            (Driven::Shift(shift), Driven::Shift(twist)) => Driven::Shift(shift + arm * twist),
-            (other, _) => other,
-        };
-        Drive {
-            normal: drive.normal,
-            x: turned(drive.along, at.y),
-            y: turned(drive.across, -at.x),
-            twist,
-        }
-    }
-
-    /// The creepages of the shifts of a step.
-    fn creepage(&self, state: &ContactState) -> Creepage {
-        let (Shift { xi, eta, omega, .. }, length) = (state.shift, self.way.length());
-        let at = self.way.spin_offset();
-        Creepage {
-            along: (xi - at.y * omega) / length,
-            across: (eta + at.x * omega) / length,
-            spin: omega / length,
-        }
     }
 
     /// Keeps a solution as the start of the next one. What the particles bring is part of the

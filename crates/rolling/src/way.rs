@@ -1,7 +1,10 @@
 //! The way of a step of rolling.
 
 use carom_halfspace::{Grid, Offset};
+use carom_laws::law::Shift;
 use carom_special::RangeError;
+
+use crate::Creepage;
 
 /// The way that the contact moves over both bodies in a step: its length d, its direction chi from
 /// the x axis, and the point about which spin turns the bodies.
@@ -63,6 +66,23 @@ impl Way {
     #[must_use]
     pub const fn direction(&self) -> f64 {
         self.direction
+    }
+
+    /// The part q of the way at which the rigid shift of a spin is taken.
+    #[must_use]
+    pub const fn spin_at(&self) -> f64 {
+        self.spin_at
+    }
+
+    /// The creepages of the shifts of a step.
+    #[must_use]
+    pub fn creepage(&self, shift: Shift) -> Creepage {
+        let (Shift { xi, eta, omega, .. }, at) = (shift, self.spin_offset());
+        Creepage {
+            along: (xi - at.y * omega) / self.length,
+            across: (eta + at.x * omega) / self.length,
+            spin: omega / self.length,
+        }
     }
 
     /// The vector d, from a particle at the end of a step to where it comes from.

@@ -179,8 +179,8 @@ impl ContactProblem {
 
     /// The operator, shared.
     #[must_use]
-    pub fn shared_operator(&self) -> Arc<dyn SurfaceOperator> {
-        Arc::clone(&self.operator)
+    pub const fn shared_operator(&self) -> &Arc<dyn SurfaceOperator> {
+        &self.operator
     }
 
     /// The friction of the surface.

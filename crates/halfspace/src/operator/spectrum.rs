@@ -114,8 +114,11 @@ impl Spectrum {
     fn at(&self, column: usize, row: usize) -> Complex64 {
         match self {
             Self::Symmetric { values, half, imaginary, row_parity } => {
-                let (row, sign) =
-                    if row < *half { (row, 1.0) } else { (2 * (half - 1) - row, row_parity.sign()) };
+                let (row, sign) = if row < *half {
+                    (row, 1.0)
+                } else {
+                    (2 * (half - 1) - row, row_parity.sign())
+                };
                 let value = sign * values[column * half + row];
                 if *imaginary { Complex64::new(0.0, value) } else { Complex64::new(value, 0.0) }
             }

@@ -12,7 +12,8 @@ fn cases() -> Value {
 
 /// Whether a number agrees with a printed one of four digits within half a unit of the last.
 fn agrees(got: f64, printed: f64) -> bool {
-    let unit = if printed == 0.0 { 0.0 } else { 10_f64.powi(printed.abs().log10().floor() as i32 - 3) };
+    let unit =
+        if printed == 0.0 { 0.0 } else { 10_f64.powi(printed.abs().log10().floor() as i32 - 3) };
     (got - printed).abs() <= 0.5 * unit * (1.0 + 1e-9)
 }
 
@@ -42,8 +43,13 @@ fn a_traction_curve() {
         let [stick, slip] = [CellState::Stick, CellState::Slip].map(|s| rolled.state.count(s));
         println!(
             "{along} {:.5} {stick} {slip} [{} {} {}] {time:?} its {} T {:.1} P {:.1}",
-            load.f_x, row["F_x"], row["stick"], row["slip"], rolled.convergence.iterations,
-            rolled.convergence.products.tangential, rolled.convergence.products.preconditioner
+            load.f_x,
+            row["F_x"],
+            row["stick"],
+            row["slip"],
+            rolled.convergence.iterations,
+            rolled.convergence.products.tangential,
+            rolled.convergence.products.preconditioner
         );
         let ok = agrees(load.f_x, row["F_x"].as_f64().unwrap())
             && agrees(load.f_x / (0.33 * force), row["Fx_over_f_Fz"].as_f64().unwrap())
@@ -54,4 +60,55 @@ fn a_traction_curve() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+/// Cylinders of dissimilar materials that roll along -x, by given forces. The first result is that
+/// of pressures that do not feel the tractions; at f = 1e-4 they hardly do.
+#[test]
+fn cylinders_of_dissimilar_materials() {
+    let grid = Grid::new(216, 1, 0.001, 1000.0).unwrap();
+    let [one, two] =
+        [[23000.0, 0.31], [82000.0, 0.28]].map(|[g, nu]| Material::from_shear(g, nu).unwrap());
+    let pair = MaterialPair::new(one, two).unwrap();
+    let way = Way::new(0.001).unwrap().towards(std::f64::consts::PI).unwrap();
+    let force = 16201.9;
+    let all = cases();
+    let results = all["bentall"]["results"].as_array().unwrap();
+    let mut wrong = Vec::new();
+    for (row, friction) in results.iter().zip([1e-4, 10.0, 0.05, 0.05, 0.05]) {
+        let gap = Gap::from_function(grid, |x, _| 0.02 * x * x).unwrap();
+        let friction = Friction::new(friction).unwrap();
+        let problem = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+        let mut contact = SteadyContact::new(&problem, way).unwrap();
+        let drive = RollingDrive {
+            along: Driven::Load(row["F_x"].as_f64().unwrap()),
+            ..RollingDrive::by_creepage(Driven::Load(force), Creepage::default())
+        };
+        let now = std::time::Instant::now();
+        let rolled = match contact.roll(&drive, &mut ()) {
+            Ok(rolled) => rolled,
+            Err(error) => {
+                println!("{row}: {error}");
+                wrong.push(row.clone());
+                continue;
+            }
+        };
+        let time = now.elapsed();
+        let highest = rolled.state.pressure.values().iter().copied().fold(0.0, f64::max);
+        let [stick, slip] = [CellState::Stick, CellState::Slip].map(|s| rolled.state.count(s));
+        println!(
+            "{row} {} {highest} {stick} {slip} {} {time:?} {}",
+            -rolled.creepage.along,
+            rolled.state.load().f_x,
+            rolled.state.shift.zeta
+        );
+        let ok = agrees(-rolled.creepage.along, row["creepage"].as_f64().unwrap())
+            && agrees(highest, row["p_max"].as_f64().unwrap())
+            && stick as u64 == row["stick"].as_u64().unwrap()
+            && slip as u64 == row["slip"].as_u64().unwrap();
+        if !ok {
+            wrong.push(row.clone());
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

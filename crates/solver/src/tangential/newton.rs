@@ -13,7 +13,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
-use super::law::{Violation, force_scale, is_lost};
+use super::law::{Violation, force_scale};
 use super::rigid;
 use super::task::{Limits, TangentialTask};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
@@ -49,11 +49,14 @@ impl ActiveSet {
             let tangential = if off.distance.is_nan() { off.distance } else { tangential };
             if std::env::var_os("ROLL_DEBUG").is_some() {
                 let slip = task.cells.iter().filter(|c| **c == CellState::Slip).count();
-                eprintln!("  newton {iteration} n {touching} res {tangential:.2e} slip {slip} changed {changed} T {:.1} P {:.1}", state.products.tangential, state.products.preconditioner);
+                eprintln!(
+                    "  newton {iteration} n {touching} res {tangential:.2e} slip {slip} changed {changed} T {:.1} P {:.1}",
+                    state.products.tangential, state.products.preconditioner
+                );
             }
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if tangential.is_nan() || is_lost(task, off.violation) {
+            let stop = if tangential.is_nan() {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance || tangential < 0.1 * limits.change {
                 Some(Stop::Converged)
@@ -84,7 +87,9 @@ impl ActiveSet {
             let slips = task.cells[i] == CellState::Slip;
             let pulled = [0, 1].map(|axis| at[axis] - self.slip[axis][i] / self.own);
             let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
-            let to = if limit < NEGLIGIBLE_BOUND * pull {
+            // Slip along the traction: it turns back, unless the cell comes to stick.
+            let along = self.slip[0][i] * at[0] + self.slip[1][i] * at[1] > 0.0;
+            let to = if limit < NEGLIGIBLE_BOUND * pull || (along && slips && pull > limit) {
                 pulled.map(|t| limit * (t / pull))
             } else if norm > limit || (slips && norm > 0.0) {
                 at.map(|t| limit * (t / norm))
@@ -108,7 +113,8 @@ impl ActiveSet {
             let slip = [self.slip[0][i] / self.own, self.slip[1][i] / self.own];
             let pulled = (at[0] - slip[0]).hypot(at[1] - slip[1]);
             let norm = at[0].hypot(at[1]);
-            let cell = if pulled > limit && norm > 0.0 { CellState::Slip } else { CellState::Stick };
+            let cell =
+                if pulled > limit && norm > 0.0 { CellState::Slip } else { CellState::Stick };
             changed += usize::from(cell != task.cells[i]);
             task.cells[i] = cell;
             (self.bend[i], self.rim[0][i], self.rim[1][i]) = (0.0, 0.0, 0.0);
