@@ -1,4 +1,5 @@
 //! The integration tests of `carom-rolling`: one executable.
 
 mod contact_cases;
+mod drawn;
 mod rolling;
