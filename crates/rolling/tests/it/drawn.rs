@@ -101,7 +101,6 @@ fn drawn(draw: &mut Draw, most: usize) -> Task {
     } else {
         ContactProblem::of_half_spaces(gap, pair, Friction::new(friction).unwrap()).unwrap()
     };
-    let length = [0.5, 1.0, 1.0, 1.0, 1.3, 2.0][draw.count(0, 5)] * dx;
     let angle = if line || draw.part() < 0.5 {
         [0.0, 180.0][draw.count(0, 1)]
     } else if draw.part() < 0.5 {
@@ -109,6 +108,10 @@ fn drawn(draw: &mut Draw, most: usize) -> Task {
     } else {
         draw.between(0.0, 360.0)
     };
+    // A step of less than half a cell is no longer seen by the centres of the cells.
+    let (sin, cos) = angle.to_radians().sin_cos();
+    let cell = 1.0 / (cos.abs() / dx).max(sin.abs() / dy);
+    let length = [0.5, 1.0, 1.0, 1.0, 1.3, 2.0][draw.count(0, 5)] * cell;
     let way = Way::new(length).unwrap().towards(angle.to_radians()).unwrap();
     // The order of the creepage that saturates.
     let scale = friction * approach;
@@ -241,7 +244,7 @@ fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
                 tally.solved += 1;
             }
             Err(RollingError::Step(FrictionalError::Slides { .. } | FrictionalError::Turns { .. })) => tally.beyond += 1,
-            Err(error) => tally.failed.push((number, format!("coupled {} f {:.3} {} x {} {:?} {error}", task.problem.operator().is_coupled(), task.friction, task.problem.grid().nx(), task.problem.grid().ny(), task.drive))),
+            Err(error) => tally.failed.push((number, format!("d {:.3} {:.3} coupled {} f {:.3} {} x {} {:?} {error}", task.way.ahead().x / task.problem.grid().dx(), task.way.ahead().y / task.problem.grid().dy(), task.problem.operator().is_coupled(), task.friction, task.problem.grid().nx(), task.problem.grid().ny(), task.drive))),
         }
     }
     tally

@@ -71,7 +71,62 @@ impl Descent {
                 }
             }
         }
-        ahead = [task.traction[0].to_vec(), task.traction[1].to_vec()];
+        self.settle(set, task, products)
+    }
+
+    /// Moves the tractions towards the solution for a positive influence that is no gradient: each
+    /// step is repeated from its beginning with the slip to which it leads, because the slip alone
+    /// would drive the tractions around the solution.
+    pub(super) fn run_twice(
+        &self,
+        set: &mut ActiveSet,
+        task: &mut TangentialTask<'_>,
+        steps: usize,
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        for i in 0..task.limits.len() {
+            let inside =
+                project_to_disc([task.traction[0][i], task.traction[1][i]], task.limits[i]);
+            (task.traction[0][i], task.traction[1][i]) = (inside[0], inside[1]);
+        }
+        let mut from = [task.traction[0].to_vec(), task.traction[1].to_vec()];
+        let mut trial = from.clone();
+        for _ in 0..steps {
+            self.slip_at(set, task, &from, products)?;
+            self.move_with(set, task, &from, &mut trial);
+            self.slip_at(set, task, &trial, products)?;
+            self.move_with(set, task, &from, &mut trial);
+            std::mem::swap(&mut from, &mut trial);
+        }
+        for (traction, from) in task.traction.iter_mut().zip(&from) {
+            traction.copy_from_slice(from);
+        }
+        self.settle(set, task, products)
+    }
+
+    /// A step from given tractions with the present slip, onto the discs and the prescribed loads.
+    fn move_with(
+        &self,
+        set: &mut ActiveSet,
+        task: &mut TangentialTask<'_>,
+        from: &Plane,
+        to: &mut Plane,
+    ) {
+        self.meet_loads(set, task, from);
+        for (i, limit) in task.limits.iter().enumerate() {
+            let pulled = [0, 1].map(|axis| from[axis][i] - self.length * set.slip[axis][i]);
+            [to[0][i], to[1][i]] = project_to_disc(pulled, *limit);
+        }
+    }
+
+    /// Slip and states of the cells for the present tractions.
+    fn settle(
+        &self,
+        set: &mut ActiveSet,
+        task: &mut TangentialTask<'_>,
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        let ahead = [task.traction[0].to_vec(), task.traction[1].to_vec()];
         self.slip_at(set, task, &ahead, products)?;
         for (i, limit) in task.limits.iter().enumerate() {
             let (x, y) = (task.traction[0][i], task.traction[1][i]);

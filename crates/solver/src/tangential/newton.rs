@@ -12,18 +12,26 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::ActiveSet;
+use super::descent::Descent;
 use super::iteration_state::IterationState;
 use super::law::{Violation, force_scale};
 use super::rigid;
 use super::task::{Limits, TangentialTask};
-use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
+use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 use crate::krylov::{self, LinearMap};
 use crate::state::CellState;
 
 /// Relative residual to which each linear system is solved.
 const LINEAR_RESIDUAL: f64 = 1e-2;
+/// Relative residual to which the response to a shift is solved.
+const RESPONSE_RESIDUAL: f64 = 1e-6;
 /// Greatest number of products for one linear system.
 const MOST_PRODUCTS: usize = 200;
+/// Newton steps in which the violation is not halved, before slow but sure steps are made.
+const PATIENCE: usize = 10;
+/// Number of slow steps at first; each time they are needed again it doubles, at most so often.
+const DESCENT_STEPS: usize = 16;
+const MOST_PHASES: usize = 7;
 /// A cell slips in the direction that its slip asks for if its bound is below this fraction of the
 /// traction that sticking would need.
 const NEGLIGIBLE_BOUND: f64 = 0.003;
@@ -40,7 +48,8 @@ impl ActiveSet {
         let mut state = IterationState::default();
         let (scale, touching) = (force_scale(task), task.limits.len());
         self.begin(task, &mut state)?;
-        let mut iteration = 0;
+        let (mut iteration, mut phases) = (0, 0);
+        let (mut least, mut since) = (f64::INFINITY, 0);
         loop {
             iteration += 1;
             let off = self.take_to_discs(task, &mut state)?;
@@ -56,7 +65,7 @@ impl ActiveSet {
             }
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if tangential.is_nan() {
+            let stop = if tangential.is_nan() || phases > MOST_PHASES {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance || tangential < 0.1 * limits.change {
                 Some(Stop::Converged)
@@ -70,8 +79,47 @@ impl ActiveSet {
                 let products = state.products;
                 return Ok(Convergence { iterations: iteration, products, residuals, stop });
             }
-            self.newton_step(task, &mut state)?;
+            if tangential < 0.5 * least {
+                (least, since) = (tangential, 0);
+            } else {
+                since += 1;
+            }
+            if since > PATIENCE {
+                let steps = DESCENT_STEPS << phases;
+                Descent::new(task.operator).run_twice(self, task, steps, &mut state.products)?;
+                (phases, least, since) = (phases + 1, f64::INFINITY, 0);
+            } else {
+                self.newton_step(task, &mut state)?;
+            }
         }
+    }
+
+    /// The loads of the tractions due to a unit of one motion, at fixed states of the cells.
+    pub(super) fn answer_by_newton(
+        &mut self,
+        task: &TangentialTask<'_>,
+        k: usize,
+        products: &mut Products,
+    ) -> Result<Vector3<f64>, OperatorError> {
+        let n = task.limits.len();
+        let mut state = IterationState::default();
+        let mut right = vec![0.0; 2 * n + 3];
+        let motion = Vector3::from_fn(|l, _| f64::from(u8::from(l == k)));
+        for i in 0..n {
+            let whole = rigid::displacement(&motion, self.centres[0][i], self.centres[1][i]);
+            let [x, y] = self.admitted(task.cells[i], i, whole);
+            (right[i], right[n + i]) = (x, y);
+        }
+        let mut step = vec![0.0; 2 * n + 3];
+        let least = RESPONSE_RESIDUAL * krylov::norm(&right);
+        let mut map = Newton::new(self, task, &mut state);
+        map.given = [false; 3];
+        krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
+        *products = products.plus(state.products);
+        for axis in 0..2 {
+            self.direction[axis].copy_from_slice(&step[axis * n..][..n]);
+        }
+        Ok(rigid::sums(&self.centres, [&self.direction[0], &self.direction[1]]))
     }
 
     /// Takes tractions beyond their discs, and those of slipping cells, to the rim. Returns the

@@ -22,13 +22,7 @@ impl ActiveSet {
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
-        self.on_the_contact(task, |set, own, cells| {
-            if own.operator.is_reciprocal() {
-                set.iterate(own, limits, cells, observer)
-            } else {
-                set.iterate_by_newton(own, limits, cells, observer)
-            }
-        })
+        self.on_the_contact(task, |set, own, cells| set.iterate(own, limits, cells, observer))
     }
 
     /// Solves a task with prescribed loads by iterating on the shifts.
@@ -66,7 +60,22 @@ impl ActiveSet {
         convergence
     }
 
+    /// Solves a compressed task.
     pub(super) fn iterate(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        cells: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        if task.operator.is_reciprocal() {
+            self.iterate_by_gradients(task, limits, cells, observer)
+        } else {
+            self.iterate_by_newton(task, limits, cells, observer)
+        }
+    }
+
+    fn iterate_by_gradients(
         &mut self,
         task: &mut TangentialTask<'_>,
         limits: Limits,
