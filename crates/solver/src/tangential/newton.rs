@@ -88,8 +88,8 @@ impl ActiveSet {
                 let steps = DESCENT_STEPS << phases;
                 Descent::new(task.operator).run_twice(self, task, steps, &mut state.products)?;
                 (phases, least, since) = (phases + 1, f64::INFINITY, 0);
-            } else {
-                self.newton_step(task, &mut state)?;
+            } else if !self.newton_step(task, &mut state)? {
+                since = PATIENCE;
             }
         }
     }
@@ -176,11 +176,12 @@ impl ActiveSet {
         changed
     }
 
+    /// Makes a step; returns false if there is none, as where no cell can take up a load.
     fn newton_step(
         &mut self,
         task: &mut TangentialTask<'_>,
         state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
+    ) -> Result<bool, OperatorError> {
         let n = task.limits.len();
         let excess = self.excess(task);
         let mut right = vec![0.0; 2 * n + 3];
@@ -195,6 +196,9 @@ impl ActiveSet {
         let mut step = vec![0.0; 2 * n + 3];
         let least = LINEAR_RESIDUAL * krylov::norm(&right);
         krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
+        if !step.iter().all(|value| value.is_finite()) {
+            return Ok(false);
+        }
         for axis in 0..2 {
             let steps = &step[axis * n..][..n];
             task.traction[axis].iter_mut().zip(steps).for_each(|(t, step)| *t += step);
@@ -210,7 +214,7 @@ impl ActiveSet {
             self.slip[0][i] += self.image[0][i] - x;
             self.slip[1][i] += self.image[1][i] - y;
         }
-        Ok(())
+        Ok(true)
     }
 }
 
