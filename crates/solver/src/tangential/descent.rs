@@ -19,6 +19,8 @@ use crate::state::CellState;
 const GRADIENT_STEPS: usize = 12;
 /// Newton steps to find the shifts for prescribed loads.
 const NEWTON_STEPS: usize = 20;
+/// Newton steps longer than this many sure ones are not made.
+const FARTHEST: f64 = 1e6;
 /// The squared error of the loads is reduced by this factor.
 const LOAD_REDUCTION: f64 = 1e-20;
 
@@ -153,14 +155,21 @@ impl Descent {
             if size(&wrong) <= enough {
                 break;
             }
+            let sure = bound * wrong.loads;
             let newton = wrong.slope.try_inverse().unwrap_or_default() * wrong.loads;
+            // Far beyond the discs loads no longer depend on the shifts.
+            if newton.iter().any(|part| !part.is_finite()) || newton.norm() > FARTHEST * sure.norm()
+            {
+                move_rigidly(set, task, &-sure);
+                wrong = self.load_error(set, task, ahead);
+                continue;
+            }
             move_rigidly(set, task, &-newton);
             let next = self.load_error(set, task, ahead);
             if size(&next) < size(&wrong) {
                 wrong = next;
                 continue;
             }
-            let sure = bound * wrong.loads;
             move_rigidly(set, task, &(newton - sure));
             wrong = self.load_error(set, task, ahead);
         }

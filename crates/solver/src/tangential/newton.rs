@@ -31,18 +31,19 @@ const MOST_PRODUCTS: usize = 200;
 const PATIENCE: usize = 10;
 /// Number of slow steps at first; each time they are needed again it doubles, at most so often.
 const DESCENT_STEPS: usize = 16;
-const MOST_PHASES: usize = 7;
+pub(super) const MOST_PHASES: usize = 7;
 /// A cell slips in the direction that its slip asks for if its bound is below this fraction of the
 /// traction that sticking would need.
 const NEGLIGIBLE_BOUND: f64 = 0.003;
 
 impl ActiveSet {
-    /// Solves a compressed task whose influence is not reciprocal.
+    /// Solves a compressed task whose influence is not reciprocal, with slow but sure steps at most
+    /// so many times.
     pub(super) fn iterate_by_newton(
         &mut self,
         task: &mut TangentialTask<'_>,
         limits: Limits,
-        cells: usize,
+        (cells, most_phases): (usize, usize),
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         let mut state = IterationState::default();
@@ -65,7 +66,7 @@ impl ActiveSet {
             }
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if tangential.is_nan() || phases > MOST_PHASES {
+            let stop = if tangential.is_nan() || (since > PATIENCE && phases == most_phases) {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance || tangential < 0.1 * limits.change {
                 Some(Stop::Converged)

@@ -8,6 +8,7 @@ use super::active_set::ActiveSet;
 use super::descent::Descent;
 use super::iteration_state::IterationState;
 use super::law::{force_scale, is_lost};
+use super::newton::MOST_PHASES;
 use super::task::{Limits, TangentialTask};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 
@@ -36,6 +37,22 @@ impl ActiveSet {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         self.on_the_contact(task, |set, own, cells| set.search(own, limits, cells, observer))
+    }
+
+    /// Solves a task with prescribed loads whose influence is not reciprocal, with slow steps where
+    /// Newton's method fails.
+    ///
+    /// # Errors
+    /// The errors of the operator.
+    pub(super) fn solve_slowly(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        self.on_the_contact(task, |set, own, cells| {
+            set.iterate_by_newton(own, limits, (cells, MOST_PHASES), observer)
+        })
     }
 
     /// Compresses a task to the contact and calls a solver, with the number of cells of the grid.
@@ -71,7 +88,9 @@ impl ActiveSet {
         if task.operator.is_reciprocal() {
             self.iterate_by_gradients(task, limits, cells, observer)
         } else {
-            self.iterate_by_newton(task, limits, cells, observer)
+            // Iterating on the shifts is better than slow steps to prescribed loads.
+            let phases = if task.rigid.is_loaded() { 0 } else { MOST_PHASES };
+            self.iterate_by_newton(task, limits, (cells, phases), observer)
         }
     }
 
