@@ -203,9 +203,6 @@ struct Tally {
 fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
     let mut tally = Tally::default();
     for number in 0..count {
-        if std::env::var("NUMBER").is_ok_and(|n| n != number.to_string()) {
-            continue;
-        }
         let mut draw = Draw(
             seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)
                 .wrapping_add(number.wrapping_mul(0xD134_2543_DE82_EF95)),
@@ -323,9 +320,6 @@ fn drawn_forces() {
 #[ignore = "a long sample"]
 fn many_drawn_creepages() {
     for seed in 10..40 {
-        if std::env::var("SEED").is_ok_and(|n| n != seed.to_string()) {
-            continue;
-        }
         let tally = check(seed, 500, 12 + seed as usize % 12, false);
         println!("{seed}: {tally:?}");
     }
@@ -336,9 +330,6 @@ fn many_drawn_creepages() {
 #[ignore = "a long sample"]
 fn many_drawn_forces() {
     for seed in 10..40 {
-        if std::env::var("SEED").is_ok_and(|n| n != seed.to_string()) {
-            continue;
-        }
         let tally = check(seed, 200, 12 + seed as usize % 12, true);
         println!("{seed}: {tally:?}");
     }

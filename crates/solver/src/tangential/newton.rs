@@ -54,19 +54,17 @@ impl ActiveSet {
         loop {
             iteration += 1;
             let off = self.take_to_discs(task, &mut state)?;
-            let changed = self.choose_states(task);
+            self.choose_states(task);
             let tangential = off.distance.max(self.unbalance(task, touching)) / scale;
             let tangential = if off.distance.is_nan() { off.distance } else { tangential };
-            if std::env::var_os("ROLL_DEBUG").is_some() {
-                let slip = task.cells.iter().filter(|c| **c == CellState::Slip).count();
-                eprintln!(
-                    "  newton {iteration} n {touching} res {tangential:.2e} slip {slip} changed {changed} T {:.1} P {:.1}",
-                    state.products.tangential, state.products.preconditioner
-                );
+            if tangential < 0.5 * least {
+                (least, since) = (tangential, 0);
+            } else {
+                since += 1;
             }
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if tangential.is_nan() || (since > PATIENCE && phases == most_phases) {
+            let stop = if tangential.is_nan() || (since > PATIENCE && phases >= most_phases) {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance || tangential < 0.1 * limits.change {
                 Some(Stop::Converged)
@@ -80,17 +78,12 @@ impl ActiveSet {
                 let products = state.products;
                 return Ok(Convergence { iterations: iteration, products, residuals, stop });
             }
-            if tangential < 0.5 * least {
-                (least, since) = (tangential, 0);
-            } else {
-                since += 1;
-            }
             if since > PATIENCE {
                 let steps = DESCENT_STEPS << phases;
                 Descent::new(task.operator).run_twice(self, task, steps, &mut state.products)?;
                 (phases, least, since) = (phases + 1, f64::INFINITY, 0);
             } else if !self.newton_step(task, &mut state)? {
-                since = PATIENCE;
+                since = PATIENCE + 1;
             }
         }
     }
@@ -153,10 +146,8 @@ impl ActiveSet {
         Ok(self.correct(task, 1.0, state))
     }
 
-    /// Decides from tractions and slip which cells stick and which slip. Returns the number of
-    /// cells that change.
-    fn choose_states(&mut self, task: &mut TangentialTask<'_>) -> usize {
-        let mut changed = 0;
+    /// Decides from tractions and slip which cells stick and which slip.
+    fn choose_states(&mut self, task: &mut TangentialTask<'_>) {
         for (i, &limit) in task.limits.iter().enumerate() {
             let at = [task.traction[0][i], task.traction[1][i]];
             let slip = [self.slip[0][i] / self.own, self.slip[1][i] / self.own];
@@ -164,7 +155,6 @@ impl ActiveSet {
             let norm = at[0].hypot(at[1]);
             let cell =
                 if pulled > limit && norm > 0.0 { CellState::Slip } else { CellState::Stick };
-            changed += usize::from(cell != task.cells[i]);
             task.cells[i] = cell;
             (self.bend[i], self.rim[0][i], self.rim[1][i]) = (0.0, 0.0, 0.0);
             if cell == CellState::Slip {
@@ -174,7 +164,6 @@ impl ActiveSet {
             }
         }
         self.weigh();
-        changed
     }
 
     /// Makes a step; returns false if there is none, as where no cell can take up a load.
