@@ -9,7 +9,7 @@ use super::plan::Plan;
 use super::workspace::{Lane, each};
 
 /// By this power of e the sum over points ahead fades along the torus.
-const FADING: f64 = 2.0;
+const FADING: f64 = 4.0;
 
 /// Symmetry of a kernel in one coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,4 +2,5 @@
 
 mod contact_cases;
 mod drawn;
+mod oracle;
 mod rolling;

@@ -25,6 +25,9 @@ use crate::state::CellState;
 const LINEAR_RESIDUAL: f64 = 1e-2;
 /// Relative residual to which the response to a shift is solved.
 const RESPONSE_RESIDUAL: f64 = 1e-6;
+/// Diagonal term that stands for B in slipping cells, relative to the influence of a cell on itself.
+/// Measured: on 200 x 200 elements 1, 2, 4 take 178, 170, 200 products.
+const ISOLATED_CELL_COMPLIANCE: f64 = 2.0;
 /// Greatest number of products for one linear system.
 const MOST_PRODUCTS: usize = 200;
 /// Newton steps in which the violation is not halved, before slow but sure steps are made.
@@ -163,7 +166,25 @@ impl ActiveSet {
                 self.bend[i] = (-along).max(0.0) / limit;
             }
         }
-        self.weigh();
+        self.weigh_for_rolling();
+    }
+
+    /// The weights of the preconditioner. B is of order zero, so that slipping cells need no more
+    /// than the diagonal; the inverse on the torus would exaggerate waves across the way, which B
+    /// hardly resists but the curvature of the rim does.
+    fn weigh_for_rolling(&mut self) {
+        if !self.influence.has_inverse() {
+            self.weigh();
+            return;
+        }
+        for (i, bend) in self.bend.iter().enumerate() {
+            let slips = self.rim[0][i] != 0.0 || self.rim[1][i] != 0.0;
+            (self.root[i], self.alone[i]) = if slips {
+                (0.0, 1.0 / (bend + ISOLATED_CELL_COMPLIANCE * self.own))
+            } else {
+                (1.0, 0.0)
+            };
+        }
     }
 
     /// Makes a step; returns false if there is none, as where no cell can take up a load.
