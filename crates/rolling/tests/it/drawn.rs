@@ -245,13 +245,6 @@ fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
         }
         let spent = now.elapsed().as_secs_f64();
         tally.slowest = tally.slowest.max(spent);
-        if spent > 1.0 {
-            println!(
-                "{number}: {spent} s, {} cells, {:?}",
-                task.problem.grid().cells(),
-                task.drive
-            );
-        }
         match rolled {
             Ok(rolled) => {
                 if rolled.state.count(CellState::Exterior) == task.problem.grid().cells() {
@@ -304,33 +297,36 @@ fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
 #[test]
 fn drawn_creepages() {
     let tally = check(1, 300, 14, false);
-    println!("{tally:#?}");
-    assert!(tally.failed.is_empty());
+    assert!(tally.failed.is_empty() && tally.solved == 300, "{tally:#?}");
 }
 
 #[test]
 fn drawn_forces() {
     let tally = check(2, 300, 12, true);
-    println!("{tally:#?}");
-    assert!(tally.failed.is_empty());
+    assert!(tally.failed.is_empty() && tally.solved > 240, "{tally:#?}");
 }
 
-/// Run with `--ignored` before a release.
+/// Run with `--ignored` before a release: 15 000 problems, a minute.
 #[test]
 #[ignore = "a long sample"]
 fn many_drawn_creepages() {
     for seed in 10..40 {
         let tally = check(seed, 500, 12 + seed as usize % 12, false);
         println!("{seed}: {tally:?}");
+        assert!(tally.failed.is_empty(), "{tally:#?}");
     }
 }
 
-/// Run with `--ignored` before a release.
+/// Run with `--ignored` before a release: 6000 problems, a minute. Most of those without an answer
+/// are cylinders with two given forces under much spin.
 #[test]
 #[ignore = "a long sample"]
 fn many_drawn_forces() {
+    let mut failed = 0;
     for seed in 10..40 {
         let tally = check(seed, 200, 12 + seed as usize % 12, true);
         println!("{seed}: {tally:?}");
+        failed += tally.failed.len();
     }
+    assert!(failed <= 60, "{failed}");
 }
