@@ -43,6 +43,20 @@ struct Task {
     friction: f64,
 }
 
+impl Task {
+    /// The greatest force, where the normal force does not depend on the tractions and friction is
+    /// the same everywhere.
+    fn limit(&self, pressed: f64) -> Option<f64> {
+        let uniform = self.problem.friction().grid().is_none();
+        let force = match self.drive.normal {
+            Driven::Load(force) => force,
+            Driven::Shift(_) if !self.problem.operator().is_coupled() => pressed,
+            Driven::Shift(_) => return None,
+        };
+        uniform.then_some(self.friction * force)
+    }
+}
+
 fn heights(draw: &mut Draw, grid: Grid) -> Field {
     let half = [0.5 * grid.nx() as f64 * grid.dx(), 0.5 * grid.ny() as f64 * grid.dy()];
     let (power, share, tilt) =
@@ -214,6 +228,7 @@ fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
         };
         let now = std::time::Instant::now();
         let mut rolled = contact.roll(&task.drive, &mut ());
+        let pressed = rolled.as_ref().map_or(0.0, |rolled| rolled.state.load().f_z);
         if by_load && let Ok(first) = &rolled {
             let load = first.state.load();
             if load.f_z == 0.0 {
@@ -273,9 +288,13 @@ fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
                 }
                 tally.solved += 1;
             }
-            Err(RollingError::Step(
-                FrictionalError::Slides { .. } | FrictionalError::Turns { .. },
-            )) => tally.beyond += 1,
+            Err(RollingError::Step(FrictionalError::Slides { force, .. })) => {
+                if let Some(limit) = task.limit(pressed) {
+                    assert!(force >= limit * (1.0 - 1e-9), "{seed} {number}: {force} {limit}");
+                }
+                tally.beyond += 1;
+            }
+            Err(RollingError::Step(FrictionalError::Turns { .. })) => tally.beyond += 1,
             Err(error) => tally.failed.push((
                 number,
                 format!(
@@ -328,5 +347,6 @@ fn many_drawn_forces() {
         println!("{seed}: {tally:?}");
         failed += tally.failed.len();
     }
-    assert!(failed <= 60, "{failed}");
+    // As measured; each ends with an error that says so.
+    assert!(failed <= 29, "{failed}");
 }
