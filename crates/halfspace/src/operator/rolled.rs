@@ -233,3 +233,90 @@ impl std::fmt::Debug for RolledOperator {
             .finish_non_exhaustive()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::operator::{HalfSpaceOperator, PeriodicOperator};
+    use crate::{Material, MaterialPair, RectangleInfluence};
+
+    fn pair() -> MaterialPair {
+        let [one, two] = [0.1, 0.45].map(|nu| Material::from_shear(1.0, nu).unwrap());
+        MaterialPair::new(one, two).unwrap()
+    }
+
+    fn half_space(grid: Grid) -> Arc<dyn SurfaceOperator> {
+        Arc::new(HalfSpaceOperator::new(pair(), grid).unwrap())
+    }
+
+    /// Displacements u, v, w due to tractions that vary from cell to cell.
+    fn displaced(operator: &dyn SurfaceOperator) -> [Vec<f64>; 3] {
+        let cells = operator.grid().cells();
+        let [x, y, p] = [0.3, 1.1, 2.0]
+            .map(|phase| (0..cells).map(|i| (phase + 1.7 * i as f64).sin()).collect::<Vec<_>>());
+        let [mut u, mut v, mut w] = [(); 3].map(|()| vec![0.0; cells]);
+        let out = DisplacementField::full(&mut u, &mut v, &mut w);
+        operator.apply(TractionField::full(&x, &y, &p), out, &mut operator.workspace()).unwrap();
+        [u, v, w]
+    }
+
+    #[test]
+    fn whole_steps_move_the_displacements_by_columns_and_rows() {
+        let grid = Grid::new(9, 7, 0.3, 0.2).unwrap();
+        let body = half_space(grid);
+        let ahead = Offset { x: 2.0 * 0.3, y: -0.2 };
+        let rolled = RolledOperator::new(body.clone(), ahead, Threads::One).unwrap();
+        let (still, moved) = (displaced(&*body), displaced(&rolled));
+        for row in 1..7 {
+            for column in 0..7 {
+                let (at, from) = (grid.index(column, row), grid.index(column + 2, row - 1));
+                for axis in 0..2 {
+                    let want = still[axis][at] - still[axis][from];
+                    assert!((moved[axis][at] - want).abs() < 1e-14);
+                }
+                assert!((moved[2][at] - still[2][at]).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn steps_between_cells_and_beyond_the_grid_are_exact() {
+        let grid = Grid::new(5, 4, 0.3, 0.2).unwrap();
+        let cell = RectangleInfluence::new(pair(), grid.cell());
+        for ahead in [Offset { x: 0.13, y: 0.05 }, Offset { x: 1.2, y: 0.0 }] {
+            let rolled = RolledOperator::new(half_space(grid), ahead, Threads::One).unwrap();
+            let own = rolled.coefficients(-3, 2);
+            let at = |x: f64, y: f64| cell.coefficients(Offset { x, y }).unwrap().rows;
+            let (now, before) = (at(-0.9, 0.4), at(-0.9 - ahead.x, 0.4 - ahead.y));
+            for axis in 0..2 {
+                for by in 0..3 {
+                    let want = now[axis][by] - before[axis][by];
+                    assert!((own.rows[axis][by] - want).abs() < 1e-15);
+                }
+            }
+            assert!(own.rows[2].iter().zip(now[2]).all(|(own, now)| (own - now).abs() < 1e-15));
+        }
+        let still = RolledOperator::new(half_space(grid), Offset::default(), Threads::One);
+        assert!(matches!(still, Err(OperatorError::Range(e)) if e.field == "rolling distance"));
+    }
+
+    #[test]
+    fn a_period_repeats_ahead_and_fewer_cells_have_the_same_influence() {
+        let grid = Grid::new(8, 6, 0.3, 0.2).unwrap();
+        let period: Arc<dyn SurfaceOperator> =
+            Arc::new(PeriodicOperator::new(pair(), grid, Threads::One).unwrap());
+        let ahead = Offset { x: 0.6, y: 0.0 };
+        let rolled = RolledOperator::new(period.clone(), ahead, Threads::One).unwrap();
+        let (still, moved) = (displaced(&*period), displaced(&rolled));
+        for at in 0..grid.cells() {
+            let from = at - at % 8 + (at % 8 + 2) % 8;
+            let want = still[0][at] - still[0][from];
+            assert!((moved[0][at] - want).abs() < 1e-13, "{at}: {} {want}", moved[0][at]);
+        }
+        let rolled = RolledOperator::new(half_space(grid), ahead, Threads::One).unwrap();
+        let fewer = rolled.on_fewer(4, 3).unwrap().unwrap();
+        assert_eq!(fewer.coefficients(-2, 1), rolled.coefficients(-2, 1));
+        let coarse = rolled.coarser().unwrap().unwrap();
+        assert_eq!((coarse.grid().nx(), coarse.is_reciprocal()), (4, false));
+    }
+}
