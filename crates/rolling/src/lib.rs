@@ -1,5 +1,6 @@
-//! Rolling contact, which the thesis leaves to further research (16.2). The contact moves along +x
-//! over both bodies; in axes moving with the contact the surfaces flow through it towards -x.
+//! Rolling contact, which the thesis leaves to further research (16.2). The contact moves over both
+//! bodies on a [`Way`], along +x unless another direction is given; in axes moving with the contact
+//! the surfaces flow through it the other way.
 //!
 //! In a step of length d the particle now at x comes from x + d and brings its displacement along.
 //! The rigid creepage moves it by d (xi + y phi, eta - x phi). The slip of the step is therefore
@@ -10,20 +11,25 @@
 #![forbid(unsafe_code)]
 
 mod creep;
+mod drive;
 mod fastsim;
 mod steady;
 mod transient;
+mod way;
 
+use carom_halfspace::Offset;
 use carom_halfspace::operator::OperatorError;
 use carom_special::RangeError;
 
 pub use creep::{CreepCoefficients, creep_coefficients, creep_coefficients_on};
+pub use drive::RollingDrive;
 pub use fastsim::{Fastsim, FastsimForces};
-pub use steady::{SteadyRolling, roll_steadily};
-pub use transient::Roll;
+pub use steady::{SteadyContact, SteadyRolling, roll_steadily};
+pub use transient::RollingContact;
+pub use way::Way;
 
 use carom_classic::DirectError;
-use carom_solver::{ContactProblem, ContactState, FrictionalError, NormalError};
+use carom_solver::{ContactProblem, ContactState, FrictionalError, ProblemError};
 
 /// Rigid motion of body 2 relative to body 1 per distance rolled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -56,51 +62,75 @@ pub enum RollingError {
     /// A step of the solver failed.
     #[error(transparent)]
     Step(#[from] FrictionalError),
-    /// The frictionless contact, from which the search for a normal force starts, could not be
-    /// solved.
+    /// The problem of a step could not be set up.
     #[error(transparent)]
-    Normal(#[from] NormalError),
-    /// No approach was found that gives the normal force.
-    #[error("no approach found for the normal force {force}: the last trial gave {reached}")]
-    NormalForce {
-        /// The prescribed force.
-        force: f64,
-        /// The force of the last trial.
-        reached: f64,
+    Problem(#[from] ProblemError),
+    /// The linear system of the creep coefficients could not be solved.
+    #[error(transparent)]
+    Coefficients(#[from] DirectError),
+    /// Static friction exceeds kinetic friction.
+    #[error(
+        "the static friction {rest} exceeds the kinetic friction {motion}: rolling needs one coefficient, \
+         because particles would carry the memory of their slip through the contact"
+    )]
+    TwoFrictions {
+        /// The static coefficient.
+        rest: f64,
+        /// The kinetic coefficient.
+        motion: f64,
     },
-    /// The direct solution failed.
-    #[error(transparent)]
-    Steady(#[from] DirectError),
     /// The contact comes too close to the leading border of the grid.
     #[error(
-        "the contact ends {free} columns before the leading border of the grid: particles that enter \
-         it come from {needed} columns ahead"
+        "the contact ends {free} cells before the leading border of the grid: particles that enter \
+         it come from {needed} cells ahead"
     )]
     NoRoomAhead {
-        /// Columns without contact at that border.
+        /// Cells without contact at that border.
         free: usize,
-        /// Columns without contact that a step needs.
+        /// Cells without contact that a step needs.
         needed: usize,
     },
 }
 
-/// The distance of a step in columns of the grid, not necessarily whole.
-fn columns(problem: &ContactProblem, distance: f64) -> Result<f64, RangeError> {
-    RangeError::positive("rolling distance", distance)?;
-    let columns = distance / problem.grid().dx();
-    let nx = problem.grid().nx() as f64;
-    RangeError::check("rolling distance", distance, columns < nx, "below the length of the grid")?;
-    // A whole number of columns but for rounding counts as whole.
-    let whole = columns.round();
-    Ok(if (columns - whole).abs() < 1e-9 { whole } else { columns })
+/// Checks that a contact has one coefficient of friction in each cell: where static friction exceeds
+/// it, particles would keep the memory of their slip as they flow through the contact.
+fn check_friction(problem: &ContactProblem) -> Result<(), RollingError> {
+    let friction = problem.friction();
+    let count = friction.grid().map_or(1, |grid| grid.cells());
+    let two = (0..count).map(|cell| friction.at(cell)).find(|own| own.rest() > own.motion());
+    match two {
+        Some(own) => {
+            let [rest, motion] = [own.rest(), own.motion()].map(|friction| friction.get());
+            Err(RollingError::TwoFrictions { rest, motion })
+        }
+        None => Ok(()),
+    }
 }
 
-/// Checks that particles entering the contact come from cells of the grid.
-fn check_room(state: &ContactState, columns: f64) -> Result<(), RollingError> {
-    let nx = state.pressure.grid().nx();
+/// Checks that particles entering the contact come from cells of the grid, for operators that know
+/// no displacements beyond it.
+fn check_room(
+    problem: &ContactProblem,
+    state: &ContactState,
+    way: &Way,
+) -> Result<(), RollingError> {
+    let (grid, operator) = (problem.grid(), problem.operator());
+    if operator.coefficients_at(Offset::default()).is_some() || !operator.displaces_on_average() {
+        return Ok(());
+    }
     let pressures = state.pressure.values().iter().enumerate();
-    let touching = pressures.filter(|(_, pressure)| **pressure > 0.0);
-    let Some(last) = touching.map(|(i, _)| i % nx).max() else { return Ok(()) };
-    let (free, needed) = (nx - 1 - last, columns.ceil() as usize);
-    if free < needed { Err(RollingError::NoRoomAhead { free, needed }) } else { Ok(()) }
+    let touching: Vec<usize> = pressures.filter(|(_, p)| **p > 0.0).map(|(i, _)| i).collect();
+    let ahead = way.ahead();
+    let axes = [(ahead.x / grid.dx(), grid.nx(), 1), (ahead.y / grid.dy(), grid.ny(), grid.nx())];
+    for (cells, count, stride) in axes {
+        let places = touching.iter().map(|cell| cell / stride % count);
+        let free =
+            if cells > 0.0 { places.map(|place| count - 1 - place).min() } else { places.min() };
+        // A whole number of cells but for rounding counts as whole.
+        let needed = (cells.abs() - 1e-9).ceil().max(0.0) as usize;
+        if let Some(free) = free.filter(|free| *free < needed) {
+            return Err(RollingError::NoRoomAhead { free, needed });
+        }
+    }
+    Ok(())
 }

@@ -1,20 +1,15 @@
-//! Steady rolling, solved directly.
+//! Steady rolling: the tractions that the surfaces flow through.
 
-use carom_halfspace::operator::{DisplacementField, TractionField};
+use std::sync::Arc;
+
+use carom_halfspace::operator::{DisplacementField, RolledOperator, Threads, TractionField};
 use carom_laws::law::Shift;
-use carom_special::RangeError;
 
-use super::{Creepage, RollingError, check_room, columns};
-use carom_classic::kalker::{KalkerScratch, Panagiotopoulos};
-use carom_solver::Method as _;
+use super::{Creepage, RollingDrive, RollingError, Way, check_friction, check_room};
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictionless,
+    CellState, ContactProblem, ContactState, Convergence, Driven, Frictional, FrictionalScratch,
+    Method as _, Observer,
 };
-
-/// Relative accuracy of a prescribed normal force.
-const FORCE_TOLERANCE: f64 = 1e-9;
-/// Greatest number of approaches tried for a normal force.
-const MOST_SECANTS: usize = 20;
 
 /// Steady rolling.
 #[derive(Debug, Clone)]
@@ -22,6 +17,8 @@ pub struct SteadyRolling {
     /// Tractions, displacements and areas, which are constant in time; the shift is that of one
     /// step.
     pub state: ContactState,
+    /// The creepages, given or found.
+    pub creepage: Creepage,
     /// The convergence of the solution.
     pub convergence: Convergence,
     /// Whether the creepage is above saturation: the whole contact slides, and more creepage does
@@ -29,12 +26,126 @@ pub struct SteadyRolling {
     pub slides: bool,
 }
 
-/// Solves for steady rolling at an approach or under a normal force, in steps of this distance, by
-/// NORM and TANG with the coefficients of u(x) - u(x + distance). It is the limit of
-/// [`super::Roll`] with the same distance.
+/// A contact prepared for steady rolling on one way, for curves of many creepages or forces.
 ///
-/// For a prescribed normal force the approach is found by a secant iteration, starting from the
-/// approach without friction; for uncoupled materials that is the solution.
+/// In the steady state the displacements are constant in the moving axes, so that the slip of a
+/// step is `u(x) - u(x + d) - d (xi + y phi, eta - x phi)` with the same tractions in both terms:
+/// one step with the influence of a [`RolledOperator`]. It is the limit of [`super::RollingContact`]
+/// on the same way. Each solution starts from the last one.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::friction::Friction;
+/// use carom_rolling::{Creepage, RollingDrive, SteadyContact, Way};
+/// use carom_solver::{ContactProblem, Driven, Gap};
+/// let grid = Grid::new(14, 12, 0.2, 0.2)?;
+/// let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
+/// let body = Material::from_shear(1.0, 0.3)?;
+/// let pair = MaterialPair::new(body, body)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3)?)?;
+/// let mut contact = SteadyContact::new(&problem, Way::new(grid.dx())?)?;
+/// let free = RollingDrive::by_creepage(Driven::Load(2.0), Creepage::default());
+/// let driven = contact.roll(&RollingDrive { along: Driven::Load(0.3), ..free }, &mut ())?;
+/// assert!((driven.state.load().f_x - 0.3).abs() < 1e-8);
+/// let again = contact.roll(&RollingDrive::by_creepage(Driven::Load(2.0), driven.creepage), &mut ())?;
+/// assert!((again.state.load().f_x - 0.3).abs() < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+pub struct SteadyContact {
+    problem: ContactProblem,
+    /// The same with the change of displacement in a step for the displacement.
+    rolled: ContactProblem,
+    way: Way,
+    method: Frictional,
+    scratch: FrictionalScratch,
+    last: ContactState,
+}
+
+impl SteadyContact {
+    /// Prepares a contact for rolling on a way.
+    ///
+    /// # Errors
+    /// [`RollingError`] for a way beyond the grid, an operator that is not translation-invariant,
+    /// static friction above kinetic friction, and too little memory.
+    pub fn new(problem: &ContactProblem, way: Way) -> Result<Self, RollingError> {
+        check_friction(problem)?;
+        way.check_on(problem.grid())?;
+        let operator =
+            RolledOperator::new(Arc::clone(problem.shared_operator()), way.ahead(), Threads::One)?;
+        let friction = problem.friction().clone();
+        let rolled = ContactProblem::new(problem.gap().clone(), Arc::new(operator), friction)?;
+        let method = Frictional::default();
+        let scratch = method.scratch(&rolled)?;
+        let (problem, last) = (problem.clone(), ContactState::apart(problem.grid()));
+        Ok(Self { problem, rolled, way, method, scratch, last })
+    }
+
+    /// The same with this tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
+    ///
+    /// # Errors
+    /// [`RollingError::Range`] unless it is in the range 1e-13 to 0.01.
+    pub fn within(self, tolerance: f64) -> Result<Self, RollingError> {
+        Ok(Self { method: self.method.within(tolerance)?, ..self })
+    }
+
+    /// Solves for steady rolling, starting from the last solution.
+    ///
+    /// # Errors
+    /// [`RollingError`] for values out of range, forces that friction cannot hold, a contact too
+    /// close to the leading border, and if the solution does not converge.
+    pub fn roll(
+        &mut self,
+        drive: &RollingDrive,
+        observer: &mut dyn Observer,
+    ) -> Result<SteadyRolling, RollingError> {
+        drive.check_about(&self.way)?;
+        let mut state = ContactState::apart(self.problem.grid());
+        let convergence = self.method.step(
+            &self.rolled,
+            &self.last,
+            &drive.step(&self.way, Shift::default()),
+            &mut state,
+            &mut self.scratch,
+            observer,
+        )?;
+        check_room(&self.problem, &state, &self.way)?;
+        self.remember(&state);
+        let creepage = self.way.creepage(state.shift);
+        self.displace(&mut state)?;
+        let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
+        Ok(SteadyRolling { state, creepage, convergence, slides })
+    }
+
+    /// Keeps a solution as the start of the next one. What the particles bring is part of the
+    /// influence, so that nothing is displaced before the step.
+    fn remember(&mut self, state: &ContactState) {
+        self.last.clone_from(state);
+        self.last.displacement_x.values_mut().fill(0.0);
+        self.last.displacement_y.values_mut().fill(0.0);
+        let zeta = state.shift.zeta;
+        self.last.shift = Shift { zeta, ..Shift::default() };
+    }
+
+    /// Writes the displacements of the bodies.
+    fn displace(&self, state: &mut ContactState) -> Result<(), RollingError> {
+        let load = TractionField::full(
+            state.traction_x.values(),
+            state.traction_y.values(),
+            state.pressure.values(),
+        );
+        let out = DisplacementField::tangential(
+            state.displacement_x.values_mut(),
+            state.displacement_y.values_mut(),
+        );
+        let operator = self.problem.operator();
+        Ok(operator.apply(load, out, &mut operator.workspace())?)
+    }
+}
+
+/// Solves for steady rolling at an approach or under a normal force, at given creepages, in steps
+/// of this distance along +x. For many creepages of one contact use [`SteadyContact`].
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -57,8 +168,7 @@ pub struct SteadyRolling {
 /// ```
 ///
 /// # Errors
-/// [`RollingError`] for a distance or force that is not positive, a contact too close to the
-/// leading border, and if the active sets do not converge or no approach gives the force.
+/// As [`SteadyContact::new`] and [`SteadyContact::roll`].
 pub fn roll_steadily(
     problem: &ContactProblem,
     normal: Driven,
@@ -66,90 +176,6 @@ pub fn roll_steadily(
     creepage: Creepage,
 ) -> Result<SteadyRolling, RollingError> {
     creepage.check()?;
-    let shift = columns(problem, distance)?;
-    let scratch = KalkerScratch::rolling(problem, shift)?;
-    let mut rolling = Rolling { problem, distance, shift, creepage, scratch, iterations: 0 };
-    match normal {
-        Driven::Shift(approach) => rolling.at(approach),
-        Driven::Load(force) => rolling.under(force),
-    }
-}
-
-/// The search for steady rolling.
-struct Rolling<'a> {
-    problem: &'a ContactProblem,
-    distance: f64,
-    /// The distance in columns.
-    shift: f64,
-    creepage: Creepage,
-    scratch: KalkerScratch,
-    iterations: usize,
-}
-
-impl Rolling<'_> {
-    fn at(&mut self, approach: f64) -> Result<SteadyRolling, RollingError> {
-        let Self { problem, distance, creepage, .. } = *self;
-        let apart = ContactState::apart(problem.grid());
-        let mut state = apart.clone();
-        let drive = Drive::by_shift(Shift {
-            zeta: approach,
-            xi: creepage.along * distance,
-            eta: creepage.across * distance,
-            omega: creepage.spin * distance,
-        });
-        let (method, scratch) = (Panagiotopoulos::default(), &mut self.scratch);
-        let convergence = method.step(problem, &apart, &drive, &mut state, scratch, &mut ())?;
-        check_room(&state, self.shift)?;
-        self.iterations += convergence.iterations;
-        let load = TractionField::full(
-            state.traction_x.values(),
-            state.traction_y.values(),
-            state.pressure.values(),
-        );
-        let out = DisplacementField::tangential(
-            state.displacement_x.values_mut(),
-            state.displacement_y.values_mut(),
-        );
-        let operator = problem.operator();
-        operator.apply(load, out, &mut operator.workspace())?;
-        let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
-        let convergence = Convergence { iterations: self.iterations, ..convergence };
-        Ok(SteadyRolling { state, convergence, slides })
-    }
-
-    fn under(&mut self, force: f64) -> Result<SteadyRolling, RollingError> {
-        RangeError::positive("normal force", force)?;
-        let mut approach = approach_without_friction(self.problem, force)?;
-        let mut last: Option<[f64; 2]> = None;
-        let mut reached = 0.0;
-        for _ in 0..MOST_SECANTS {
-            let rolling = self.at(approach)?;
-            reached = rolling.state.load().f_z;
-            let missing = force - reached;
-            if missing.abs() <= FORCE_TOLERANCE * force {
-                return Ok(rolling);
-            }
-            // Hertz's tangent as the first estimate.
-            let tangent = match last {
-                Some([before, then]) if before != approach => {
-                    (reached - then) / (approach - before)
-                }
-                _ => 1.5 * reached / approach,
-            };
-            last = Some([approach, reached]);
-            approach += missing / tangent;
-        }
-        Err(RollingError::NormalForce { force, reached })
-    }
-}
-
-fn approach_without_friction(problem: &ContactProblem, force: f64) -> Result<f64, RollingError> {
-    let smooth = problem.clone().without_friction();
-    let method = Frictionless::default().within(1e-12)?;
-    let apart = ContactState::apart(problem.grid());
-    let mut state = apart.clone();
-    let drive = Drive { normal: Driven::Load(force), ..Drive::default() };
-    let mut scratch = method.scratch(&smooth)?;
-    method.step(&smooth, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-    Ok(state.shift.zeta)
+    let mut contact = SteadyContact::new(problem, Way::new(distance)?)?;
+    contact.roll(&RollingDrive::by_creepage(normal, creepage), &mut ())
 }

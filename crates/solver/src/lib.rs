@@ -37,6 +37,7 @@ mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+mod krylov;
 mod law;
 mod method;
 mod nested;

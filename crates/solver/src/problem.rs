@@ -177,6 +177,12 @@ impl ContactProblem {
         &*self.operator
     }
 
+    /// The operator, shared.
+    #[must_use]
+    pub const fn shared_operator(&self) -> &Arc<dyn SurfaceOperator> {
+        &self.operator
+    }
+
     /// The friction of the surface.
     #[must_use]
     pub const fn friction(&self) -> &SurfaceFriction {

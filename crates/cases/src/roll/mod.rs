@@ -10,7 +10,8 @@ use crate::theory::Excess;
 use carom_halfspace::Grid;
 use carom_laws::friction::Friction;
 use carom_rolling::{
-    CreepCoefficients, Creepage, Fastsim, Roll, RollingError, creep_coefficients, roll_steadily,
+    CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError,
+    SteadyContact, Way, creep_coefficients,
 };
 use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Gap, Method as _,
@@ -119,9 +120,14 @@ impl<'a> Rolling<'a> {
     fn steadily(&self, creep: Option<&Creep>) -> Result<(Vec<Row>, ContactState), Error> {
         let mut last = ContactState::apart(self.problem.grid());
         let mut rows = Vec::new();
-        let (force, distance) = (Driven::Load(self.case.loaded.force), self.problem.grid().dx());
+        let force = Driven::Load(self.case.loaded.force);
+        let mut contact = Way::new(self.problem.grid().dx())
+            .map_err(RollingError::from)
+            .and_then(|way| SteadyContact::new(&self.problem, way))
+            .map_err(|source| self.failed(1, source))?;
         for (i, creepage) in self.case.creepages.iter().copied().enumerate() {
-            let rolled = roll_steadily(&self.problem, force, distance, creepage)
+            let rolled = contact
+                .roll(&RollingDrive::by_creepage(force, creepage), &mut ())
                 .map_err(|source| self.failed(i + 1, source))?;
             let mut row = self.row(&rolled.state, rolled.convergence, creepage);
             if let Some(creep) = creep {
@@ -167,12 +173,16 @@ impl<'a> Rolling<'a> {
         let step = self.problem.grid().dx();
         let at = |row: Row, steps: usize| Row { distance: Some(steps as f64 * step), ..row };
         let mut rows = vec![at(self.row(&state, convergence, creepage), 0)];
-        let roll = Roll { distance: step, creepage, normal };
+        let mut contact = Way::new(step)
+            .map_err(RollingError::from)
+            .and_then(|way| RollingContact::new(&self.problem, way))
+            .map_err(|source| self.failed(1, source))?;
+        let drive = RollingDrive::by_creepage(normal, creepage);
         // A whole number of cells, up to round-off.
         for number in 1..=(distance / step * (1.0 - 1e-9)).ceil() as usize {
             let before = state.clone();
-            let convergence = roll
-                .step(&method, &self.problem, &before, &mut state, &mut scratch, &mut ())
+            let convergence = contact
+                .step(&drive, &before, &mut state, &mut ())
                 .map_err(|source| self.failed(number + 1, source))?;
             rows.push(at(self.row(&state, convergence, creepage), number));
         }

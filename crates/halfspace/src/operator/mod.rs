@@ -5,7 +5,8 @@
 //! `coefficients`, single entries for dense and Gauss-Seidel solvers. [`HalfSpaceOperator`] is the
 //! elastic half-space of (4.14), [`PeriodicOperator`] the half-space under periodic tractions,
 //! [`TabulatedKernel`] a measured or computed point response of another body (section 16.2),
-//! [`PlateOperator`] a rectangular plate (proposition 3), which is not translation-invariant.
+//! [`PlateOperator`] a rectangular plate (proposition 3), which is not translation-invariant,
+//! [`RolledOperator`] the change of displacement of particles between two steps of rolling.
 
 mod error;
 mod field;
@@ -18,6 +19,7 @@ mod plan;
 mod plate;
 mod preconditioner;
 mod product;
+mod rolled;
 mod spectrum;
 mod table;
 mod tabulated;
@@ -34,6 +36,7 @@ pub use length::transform_length;
 pub use periodic::PeriodicOperator;
 pub use plate::{Plate, PlateOperator, PlateSymbol};
 pub use preconditioner::Preconditioner;
+pub use rolled::RolledOperator;
 pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{KernelOperator, TabulatedKernel};
 pub use threads::Threads;
@@ -44,7 +47,7 @@ pub use workspace::Workspace;
 
 use std::sync::Arc;
 
-use crate::{Coefficients, Grid};
+use crate::{Coefficients, Grid, Offset};
 
 /// An influence of tractions on displacements on one grid.
 pub trait SurfaceOperator: Send + Sync {
@@ -73,6 +76,12 @@ pub trait SurfaceOperator: Send + Sync {
         true
     }
 
+    /// Whether the displacement of one cell due to a traction on another equals the converse, as
+    /// Betti's theorem says for displacements in one state of elastic bodies.
+    fn is_reciprocal(&self) -> bool {
+        true
+    }
+
     /// Checks that the operator is translation-invariant, for methods that need it.
     ///
     /// # Errors
@@ -90,6 +99,12 @@ pub trait SurfaceOperator: Send + Sync {
     /// receiver, n - k and m - j in (4.23); zero beyond the extent of the grid. If the operator is
     /// not [invariant](SurfaceOperator::is_invariant), those of the middle cell, as a scale.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
+
+    /// The nine coefficients for a source at any offset from the receiver, source minus receiver;
+    /// `None` if they are known for whole cells only.
+    fn coefficients_at(&self, _offset: Offset) -> Option<Coefficients> {
+        None
+    }
 
     /// An approximate inverse, used as preconditioner; `None` if the operator has none.
     fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {

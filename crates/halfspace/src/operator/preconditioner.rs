@@ -1,6 +1,9 @@
 //! What a solver uses instead of the exact inverse.
 
+use std::sync::Arc;
+
 use super::Workspace;
+use crate::Offset;
 
 /// An approximate inverse of an operator: tractions from displacements, in the order of the grid.
 ///
@@ -32,5 +35,11 @@ pub trait Preconditioner: Send + Sync {
                 (_, None) => {}
             }
         }
+    }
+
+    /// The inverse for `part` times the change of displacement of particles that come from `ahead`
+    /// in a step of rolling, which is not symmetric; `None` if there is none.
+    fn rolled(&self, _ahead: Offset, _part: f64) -> Option<Arc<dyn Preconditioner>> {
+        None
     }
 }

@@ -1,10 +1,15 @@
 //! The transform of one scalar kernel on the padded grid.
 
+use std::f64::consts::TAU;
+
 use rustfft::num_complex::Complex64;
 
-use super::length::BLOCK;
+use super::length::{BLOCK, Sizes};
 use super::plan::Plan;
 use super::workspace::{Lane, each};
+
+/// By this power of e the sum over points ahead fades along the torus.
+const FADING: f64 = 4.0;
 
 /// Symmetry of a kernel in one coordinate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,6 +89,41 @@ impl Spectrum {
             }
         }
         Self::General { values, length: py }
+    }
+
+    /// This spectrum of a torus times that of the sum over all points `cells` apart, from the
+    /// present one on ahead, divided by `part`. The sum fades along the torus, so that its end does
+    /// not count at its beginning.
+    pub(crate) fn summed_ahead(&self, sizes: &Sizes, cells: [f64; 2], part: f64) -> Self {
+        let (px, py) = (sizes.px as f64, sizes.py as f64);
+        let share = (cells[0] / px).abs().max((cells[1] / py).abs());
+        let fading = libm::exp(-FADING * share);
+        let mut values = Vec::with_capacity(sizes.columns() * sizes.py);
+        for column in 0..sizes.columns() {
+            for row in 0..sizes.py {
+                let wave = if 2 * row > sizes.py { row as f64 - py } else { row as f64 };
+                let turn = TAU * (column as f64 * cells[0] / px + wave * cells[1] / py);
+                let ahead = Complex64::new(libm::cos(turn), libm::sin(turn)) * fading;
+                values.push(self.at(column, row) / ((1.0 - ahead) * part));
+            }
+        }
+        Self::General { values, length: sizes.py }
+    }
+
+    /// The value at one point.
+    fn at(&self, column: usize, row: usize) -> Complex64 {
+        match self {
+            Self::Symmetric { values, half, imaginary, row_parity } => {
+                let (row, sign) = if row < *half {
+                    (row, 1.0)
+                } else {
+                    (2 * (half - 1) - row, row_parity.sign())
+                };
+                let value = sign * values[column * half + row];
+                if *imaginary { Complex64::new(0.0, value) } else { Complex64::new(value, 0.0) }
+            }
+            Self::General { values, length } => values[column * length + row],
+        }
     }
 
     /// `sum = sign * spectrum * values` in one column; added to `sum` unless `fresh`.

@@ -129,6 +129,11 @@ impl CoefficientTable {
         self.influence.pair()
     }
 
+    /// The influence of one cell.
+    pub(crate) const fn influence(&self) -> &RectangleInfluence {
+        &self.influence
+    }
+
     /// Memory of the coefficients, in bytes.
     #[must_use]
     pub fn size_in_bytes(&self) -> usize {

@@ -239,6 +239,10 @@ impl KernelOperator {
         });
         Ok(Self { kernel, plan, spectra })
     }
+
+    pub(super) const fn threads(&self) -> Threads {
+        self.plan.threads
+    }
 }
 
 impl SurfaceOperator for KernelOperator {

@@ -12,7 +12,7 @@ use super::{
     Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, Preconditioner,
     SurfaceOperator, Threads, TorusInverse, TractionField, Workspace,
 };
-use crate::{Coefficients, Grid, MaterialPair};
+use crate::{Coefficients, Grid, MaterialPair, Offset};
 use carom_special::RangeError;
 
 /// The operator (4.13) of two elastic half-spaces on a grid.
@@ -164,6 +164,10 @@ impl SurfaceOperator for HalfSpaceOperator {
             return Coefficients::default();
         }
         self.table.coefficients(columns, rows)
+    }
+
+    fn coefficients_at(&self, offset: Offset) -> Option<Coefficients> {
+        self.table.influence().coefficients(offset).ok()
     }
 
     fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {

@@ -9,7 +9,7 @@ use super::plan::Plan;
 use super::product::{self, Term};
 use super::spectrum::{Parity, Spectrum};
 use super::{Preconditioner, Threads, Workspace};
-use crate::{Grid, MaterialPair};
+use crate::{Grid, MaterialPair, Offset};
 
 /// Tractions from displacements for a half-space that is periodic with the sides of the grid. It is
 /// not a solution, but close to one away from the borders, at a third of the cost of a product.
@@ -69,8 +69,52 @@ impl Preconditioner for TorusInverse {
         traction: [Option<&mut [f64]>; 2],
         workspace: &mut Workspace,
     ) {
-        let tangential = self.blocks.tangential(&self.plan.sizes);
-        let [xx, xy, yy] = tangential.each_ref().map(|spectrum| Some(term(spectrum)));
+        let blocks = self.blocks.tangential(&self.plan.sizes);
+        self.tangential(blocks, displacement, traction, workspace);
+    }
+
+    fn rolled(&self, ahead: Offset, part: f64) -> Option<Arc<dyn Preconditioner>> {
+        let (sizes, grid) = (self.plan.sizes, self.blocks.grid);
+        let cells = [ahead.x / grid.dx(), ahead.y / grid.dy()];
+        let sums = |spectrum: &Spectrum| spectrum.summed_ahead(&sizes, cells, part);
+        let blocks = self.blocks.tangential(&sizes).each_ref().map(sums);
+        Some(Arc::new(RolledInverse { torus: self.clone(), blocks: Arc::new(blocks) }))
+    }
+}
+
+/// The inverse for a step of rolling: the changes of displacement are added up from the leading end
+/// of the grid, and the sums inverted on the torus.
+struct RolledInverse {
+    torus: TorusInverse,
+    /// xx, xy, yy.
+    blocks: Arc<[Spectrum; 3]>,
+}
+
+impl Preconditioner for RolledInverse {
+    fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
+        self.torus.pressure(displacement, pressure, workspace);
+    }
+
+    fn traction(
+        &self,
+        displacement: [Option<&[f64]>; 2],
+        traction: [Option<&mut [f64]>; 2],
+        workspace: &mut Workspace,
+    ) {
+        self.torus.tangential(&self.blocks, displacement, traction, workspace);
+    }
+}
+
+impl TorusInverse {
+    /// The product with the blocks xx, xy, yy.
+    fn tangential(
+        &self,
+        blocks: &[Spectrum; 3],
+        displacement: [Option<&[f64]>; 2],
+        traction: [Option<&mut [f64]>; 2],
+        workspace: &mut Workspace,
+    ) {
+        let [xx, xy, yy] = blocks.each_ref().map(|spectrum| Some(term(spectrum)));
         // For a Poisson's ratio of zero the two directions do not couple.
         let xy = xy.filter(|_| self.blocks.pair.poisson() != 0.0);
         let (mut inputs, mut outputs): ([&[f64]; 2], [&mut [f64]; 2]) = Default::default();

@@ -1,3 +1,6 @@
 //! The integration tests of `carom-rolling`: one executable.
 
+mod contact_cases;
+mod drawn;
+mod oracle;
 mod rolling;

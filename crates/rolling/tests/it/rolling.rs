@@ -7,12 +7,11 @@ use carom_halfspace::operator::{KernelOperator, TabulatedKernel, Threads};
 use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_rolling::{
-    CreepCoefficients, Creepage, Fastsim, Roll, RollingError, creep_coefficients,
-    creep_coefficients_on, roll_steadily,
+    CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError, Way,
+    creep_coefficients, creep_coefficients_on, roll_steadily,
 };
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap,
-    Method as _,
+    CellState, ContactProblem, ContactState, Drive, Driven, Frictionless, Gap, Method as _,
 };
 
 const FRICTION: f64 = 0.3;
@@ -26,19 +25,13 @@ fn sphere(n: usize, poisson: [f64; 2]) -> ContactProblem {
     ContactProblem::of_half_spaces(gap, pair, Friction::new(FRICTION).unwrap()).unwrap()
 }
 
-fn roll_on(
-    problem: &ContactProblem,
-    distance: f64,
-    creepage: Creepage,
-    steps: usize,
-) -> ContactState {
-    let method = Frictional::default().within(1e-11).unwrap();
-    let mut scratch = method.scratch(problem).unwrap();
+fn roll_on(problem: &ContactProblem, way: Way, creepage: Creepage, steps: usize) -> ContactState {
+    let mut contact = RollingContact::new(problem, way).unwrap().within(1e-11).unwrap();
     let mut state = ContactState::apart(problem.grid());
-    let roll = Roll { distance, creepage, normal: Driven::Shift(1.0) };
+    let drive = RollingDrive::by_creepage(Driven::Shift(1.0), creepage);
     for _ in 0..steps {
         let before = state.clone();
-        roll.step(&method, problem, &before, &mut state, &mut scratch, &mut ()).unwrap();
+        contact.step(&drive, &before, &mut state, &mut ()).unwrap();
     }
     state
 }
@@ -56,7 +49,8 @@ fn rolling_on_tends_to_steady_rolling() {
                 let distance = columns * problem.grid().dx();
                 let steady =
                     roll_steadily(&problem, Driven::Shift(1.0), distance, creepage).unwrap();
-                let state = roll_on(&problem, distance, creepage, steps);
+                let way = Way::new(distance).unwrap();
+                let state = roll_on(&problem, way, creepage, steps);
                 let (a, b) = (state.load(), steady.state.load());
                 let scale = FRICTION * b.f_z;
                 let worst = [a.f_x - b.f_x, a.f_y - b.f_y, a.m_z - b.m_z, a.f_z - b.f_z]
@@ -259,8 +253,13 @@ fn rolling_that_makes_no_sense_is_named() {
     let broken = Creepage { spin: f64::NAN, ..creepage };
     let error = roll_steadily(&problem, Driven::Shift(1.0), 0.1, broken).unwrap_err();
     assert!(matches!(error, RollingError::Range(e) if e.field == "spin"));
+    // The displacements beyond the grid are known for a half-space, not for a table.
     let far = 4.0 * problem.grid().dx();
-    let error = roll_steadily(&problem, Driven::Shift(1.0), far, creepage).unwrap_err();
+    assert!(roll_steadily(&problem, Driven::Shift(1.0), far, creepage).is_ok());
+    let table = cylinders(44);
+    let far = 4.0 * table.grid().dx();
+    let force = Driven::Load(PI / (4.0 * (1.0 - 0.3)));
+    let error = roll_steadily(&table, force, far, creepage).unwrap_err();
     assert!(matches!(error, RollingError::NoRoomAhead { needed: 4, .. }), "{error}");
     for (field, error) in [
         ("a/b", creep_coefficients(0.01, 0.3).unwrap_err()),
@@ -355,7 +354,8 @@ fn random_rolling_on_tends_to_steady_rolling() {
             spin: creepage.spin.clamp(-2.0, 2.0),
         };
         let steady = roll_steadily(&problem, Driven::Shift(1.0), distance, creepage).unwrap();
-        let (a, b) = (roll_on(&problem, distance, creepage, 140).load(), steady.state.load());
+        let way = Way::new(distance).unwrap();
+        let (a, b) = (roll_on(&problem, way, creepage, 140).load(), steady.state.load());
         let off = (a.f_x - b.f_x).hypot(a.f_y - b.f_y) / (FRICTION * b.f_z);
         assert!(off < 1e-8, "{creepage:?}: {off:.1e}");
     }

@@ -19,6 +19,8 @@ use crate::state::CellState;
 const GRADIENT_STEPS: usize = 12;
 /// Newton steps to find the shifts for prescribed loads.
 const NEWTON_STEPS: usize = 20;
+/// Newton steps longer than this many sure ones are not made.
+const FARTHEST: f64 = 1e6;
 /// The squared error of the loads is reduced by this factor.
 const LOAD_REDUCTION: f64 = 1e-20;
 
@@ -71,7 +73,62 @@ impl Descent {
                 }
             }
         }
-        ahead = [task.traction[0].to_vec(), task.traction[1].to_vec()];
+        self.settle(set, task, products)
+    }
+
+    /// Moves the tractions towards the solution for a positive influence that is no gradient: each
+    /// step is repeated from its beginning with the slip to which it leads, because the slip alone
+    /// would drive the tractions around the solution.
+    pub(super) fn run_twice(
+        &self,
+        set: &mut ActiveSet,
+        task: &mut TangentialTask<'_>,
+        steps: usize,
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        for i in 0..task.limits.len() {
+            let inside =
+                project_to_disc([task.traction[0][i], task.traction[1][i]], task.limits[i]);
+            (task.traction[0][i], task.traction[1][i]) = (inside[0], inside[1]);
+        }
+        let mut from = [task.traction[0].to_vec(), task.traction[1].to_vec()];
+        let mut trial = from.clone();
+        for _ in 0..steps {
+            self.slip_at(set, task, &from, products)?;
+            self.move_with(set, task, &from, &mut trial);
+            self.slip_at(set, task, &trial, products)?;
+            self.move_with(set, task, &from, &mut trial);
+            std::mem::swap(&mut from, &mut trial);
+        }
+        for (traction, from) in task.traction.iter_mut().zip(&from) {
+            traction.copy_from_slice(from);
+        }
+        self.settle(set, task, products)
+    }
+
+    /// A step from given tractions with the present slip, onto the discs and the prescribed loads.
+    fn move_with(
+        &self,
+        set: &mut ActiveSet,
+        task: &mut TangentialTask<'_>,
+        from: &Plane,
+        to: &mut Plane,
+    ) {
+        self.meet_loads(set, task, from);
+        for (i, limit) in task.limits.iter().enumerate() {
+            let pulled = [0, 1].map(|axis| from[axis][i] - self.length * set.slip[axis][i]);
+            [to[0][i], to[1][i]] = project_to_disc(pulled, *limit);
+        }
+    }
+
+    /// Slip and states of the cells for the present tractions.
+    fn settle(
+        &self,
+        set: &mut ActiveSet,
+        task: &mut TangentialTask<'_>,
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        let ahead = [task.traction[0].to_vec(), task.traction[1].to_vec()];
         self.slip_at(set, task, &ahead, products)?;
         for (i, limit) in task.limits.iter().enumerate() {
             let (x, y) = (task.traction[0][i], task.traction[1][i]);
@@ -98,14 +155,21 @@ impl Descent {
             if size(&wrong) <= enough {
                 break;
             }
+            let sure = bound * wrong.loads;
             let newton = wrong.slope.try_inverse().unwrap_or_default() * wrong.loads;
+            // Far beyond the discs loads no longer depend on the shifts.
+            if newton.iter().any(|part| !part.is_finite()) || newton.norm() > FARTHEST * sure.norm()
+            {
+                move_rigidly(set, task, &-sure);
+                wrong = self.load_error(set, task, ahead);
+                continue;
+            }
             move_rigidly(set, task, &-newton);
             let next = self.load_error(set, task, ahead);
             if size(&next) < size(&wrong) {
                 wrong = next;
                 continue;
             }
-            let sure = bound * wrong.loads;
             move_rigidly(set, task, &(newton - sure));
             wrong = self.load_error(set, task, ahead);
         }

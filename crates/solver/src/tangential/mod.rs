@@ -8,6 +8,7 @@ mod iteration_state;
 mod law;
 mod limit_surface;
 mod loads;
+mod newton;
 mod plane;
 mod precondition;
 mod rigid;
@@ -39,6 +40,11 @@ pub(crate) use task::TangentialTask;
 const COARSE_CHANGE: f64 = 1e-2;
 /// Number of rings of cells around the contact to which the ratio of traction to bound is extended.
 const EXTENSION_RINGS: usize = 2;
+
+/// Whether nothing else is to be tried.
+const fn has_ended(reached: &Convergence) -> bool {
+    matches!(reached.stop, Stop::Converged | Stop::Observer)
+}
 
 /// The coarser grids of the problem, finest first, and the working memory of all grids.
 #[derive(Clone)]
@@ -182,28 +188,40 @@ impl TangentialScratch {
         if given.loads == [None; 3] {
             return self.set.solve(task, limits, observer);
         }
-        if self.by_motions {
-            return self.set.solve_by_motions(task, limits, observer);
-        }
         for (begun, traction) in self.begun.iter_mut().zip(&task.traction) {
             begun.clear();
             begun.extend_from_slice(traction);
         }
         self.cells.clear();
         self.cells.extend_from_slice(task.cells);
-        let convergence = self.set.solve(task, limits, observer)?;
-        if matches!(convergence.stop, Stop::Converged | Stop::Observer) {
-            return Ok(convergence);
+        let mut products = Products::default();
+        if !self.by_motions {
+            let reached = self.set.solve(task, limits, observer)?;
+            if has_ended(&reached) {
+                return Ok(reached);
+            }
+            // Deflated corrections do not reach these loads.
+            self.by_motions = true;
+            products = reached.products;
+            self.go_back(task, given);
         }
-        // Deflated corrections do not reach these loads.
-        self.by_motions = true;
+        let reached = self.set.solve_by_motions(task, limits, observer)?;
+        products = products.plus(reached.products);
+        if has_ended(&reached) || task.operator.is_reciprocal() {
+            return Ok(Convergence { products, ..reached });
+        }
+        self.go_back(task, given);
+        let reached = self.set.solve_slowly(task, limits, observer)?;
+        Ok(Convergence { products: products.plus(reached.products), ..reached })
+    }
+
+    /// Returns to the initial tractions.
+    fn go_back(&self, task: &mut TangentialTask<'_>, given: Rigid) {
         for (begun, traction) in self.begun.iter().zip(&mut task.traction) {
             traction.copy_from_slice(begun);
         }
         task.cells.copy_from_slice(&self.cells);
         task.rigid = given;
-        let more = self.set.solve_by_motions(task, limits, observer)?;
-        Ok(Convergence { products: convergence.products.plus(more.products), ..more })
     }
 
     /// Replaces the start of a task by the solution on coarser grids. Returns the cost, in products

@@ -181,12 +181,17 @@ impl ActiveSet {
         self.linearise(task);
         let mut answers = Matrix3::identity();
         for k in (0..3).filter(|k| given[*k].is_some()) {
-            let loads = self.answer(task, k, products)?;
+            let loads = if task.operator.is_reciprocal() {
+                self.answer(task, k, products)?
+            } else {
+                self.answer_by_newton(task, k, products)?
+            };
             for l in (0..3).filter(|l| given[*l].is_some()) {
                 answers[(l, k)] = loads[l];
             }
         }
-        Ok(0.5 * (answers + answers.transpose()))
+        let symmetric = task.operator.is_reciprocal();
+        Ok(if symmetric { 0.5 * (answers + answers.transpose()) } else { answers })
     }
 
     /// Rim directions and curvature terms of a solution.

@@ -8,6 +8,7 @@ use super::active_set::ActiveSet;
 use super::descent::Descent;
 use super::iteration_state::IterationState;
 use super::law::{force_scale, is_lost};
+use super::newton::MOST_PHASES;
 use super::task::{Limits, TangentialTask};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 
@@ -38,6 +39,22 @@ impl ActiveSet {
         self.on_the_contact(task, |set, own, cells| set.search(own, limits, cells, observer))
     }
 
+    /// Solves a task with prescribed loads whose influence is not reciprocal, with slow steps where
+    /// Newton's method fails.
+    ///
+    /// # Errors
+    /// The errors of the operator.
+    pub(super) fn solve_slowly(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        self.on_the_contact(task, |set, own, cells| {
+            set.iterate_by_newton(own, limits, (cells, MOST_PHASES), observer)
+        })
+    }
+
     /// Compresses a task to the contact and calls a solver, with the number of cells of the grid.
     fn on_the_contact(
         &mut self,
@@ -60,7 +77,24 @@ impl ActiveSet {
         convergence
     }
 
+    /// Solves a compressed task.
     pub(super) fn iterate(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        cells: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        if task.operator.is_reciprocal() {
+            self.iterate_by_gradients(task, limits, cells, observer)
+        } else {
+            // Iterating on the shifts is better than slow steps to prescribed loads.
+            let phases = if task.rigid.is_loaded() { 0 } else { MOST_PHASES };
+            self.iterate_by_newton(task, limits, (cells, phases), observer)
+        }
+    }
+
+    fn iterate_by_gradients(
         &mut self,
         task: &mut TangentialTask<'_>,
         limits: Limits,

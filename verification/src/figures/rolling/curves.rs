@@ -10,9 +10,10 @@ use carom_halfspace::operator::{KernelOperator, TabulatedKernel, Threads};
 use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_rolling::{
-    CreepCoefficients, Creepage, Fastsim, Roll, SteadyRolling, creep_coefficients, roll_steadily,
+    CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, SteadyRolling, Way,
+    creep_coefficients, roll_steadily,
 };
-use carom_solver::{ContactProblem, ContactState, Driven, Frictional, Gap, Method as _};
+use carom_solver::{ContactProblem, ContactState, Driven, Gap};
 
 const FRICTION: f64 = 0.3;
 const POISSON: f64 = 0.25;
@@ -105,14 +106,13 @@ fn start(creepage: Creepage) -> Result<[f64; 2], Failure> {
 /// The difference between rolling from rest after a long distance and steady rolling, over f F_z.
 fn left_of_the_start(creepage: Creepage) -> Result<f64, Failure> {
     let problem = problem(10)?;
-    let method = Frictional::default().within(1e-11)?;
-    let mut scratch = method.scratch(&problem)?;
+    let way = Way::new(problem.grid().dx())?;
+    let mut contact = RollingContact::new(&problem, way)?.within(1e-11)?;
     let mut state = ContactState::apart(problem.grid());
-    let distance = problem.grid().dx();
-    let step = Roll { distance, creepage, normal: Driven::Shift(1.0) };
+    let drive = RollingDrive::by_creepage(Driven::Shift(1.0), creepage);
     for _ in 0..120 {
         let before = state.clone();
-        step.step(&method, &problem, &before, &mut state, &mut scratch, &mut ())?;
+        contact.step(&drive, &before, &mut state, &mut ())?;
     }
     let (now, steady) = (state.load(), roll(&problem, creepage)?.state.load());
     let off = (now.f_x - steady.f_x).hypot(now.f_y - steady.f_y);

@@ -9,7 +9,6 @@
 //! then slips at almost no pressure.
 
 mod cells;
-mod krylov;
 mod newton;
 mod system;
 mod task;

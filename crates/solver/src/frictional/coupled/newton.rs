@@ -9,10 +9,10 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, SurfaceOperato
 use nalgebra::{Matrix4, Vector4};
 
 use super::cells::Cells;
-use super::krylov::{self, LinearMap};
 use super::system::{MOTIONS, System, count, given};
 use super::task::CoupledTask;
 use crate::convergence::Products;
+use crate::krylov::{self, LinearMap};
 use crate::state::CellState;
 
 /// Relative residual to which each linear system is solved.

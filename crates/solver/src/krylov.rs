@@ -5,7 +5,7 @@ const DIRECTIONS: usize = 240;
 const VALUES: usize = 10_000_000;
 
 /// A linear map with an approximate inverse.
-pub(super) trait LinearMap {
+pub(crate) trait LinearMap {
     type Error;
 
     /// Puts the image of `x` into `y`.
@@ -20,7 +20,7 @@ pub(super) trait LinearMap {
 ///
 /// # Errors
 /// The errors of the map.
-pub(super) fn solve<M: LinearMap>(
+pub(crate) fn solve<M: LinearMap>(
     map: &mut M,
     right: &[f64],
     solution: &mut [f64],
@@ -127,7 +127,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-pub(super) fn norm(a: &[f64]) -> f64 {
+pub(crate) fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
