@@ -31,7 +31,8 @@ fn made(
     law: u32,
     relaxation: f64,
 ) -> Result<CaromGrains, String> {
-    let bodies = poisson.map(|poisson| CaromMaterial { young_modulus: 70e9, poisson });
+    let bodies =
+        poisson.map(|poisson| CaromMaterial { young_modulus: 70e9, poisson, yield_stress: 0.0 });
     // SAFETY: plain numbers; all pointers are references.
     unsafe {
         let (mut grains, mut error) = (zeroed(), error());
@@ -401,7 +402,8 @@ fn what_is_out_of_range_is_named() {
 #[test]
 fn spin_about_the_normal_meets_the_law_of_a_twist() {
     let grains = made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 0.0).unwrap();
-    let bodies = [0.3, 0.2].map(|poisson| CaromMaterial { young_modulus: 70e9, poisson });
+    let bodies =
+        [0.3, 0.2].map(|poisson| CaromMaterial { young_modulus: 70e9, poisson, yield_stress: 0.0 });
     let [one, two] = &bodies;
     let normal = [0.36, 0.48, 0.8];
     let (zeta, dt) = (1e-5, 1e-3);

@@ -324,8 +324,11 @@ fn touch_twist(world: &mut World, which: usize) -> CaromStatus {
 }
 
 fn constants(world: &mut World, which: usize) -> CaromStatus {
-    let mut one =
-        CaromMaterial { young_modulus: world.number(1e5, 1e11), poisson: world.number(-0.9, 0.5) };
+    let mut one = CaromMaterial {
+        young_modulus: world.number(1e5, 1e11),
+        poisson: world.number(-0.9, 0.5),
+        yield_stress: 0.0,
+    };
     let mut two = if world.chance(0.5) { one } else { GLASS };
     if world.chance(0.1) {
         two.young_modulus = f64::INFINITY;

@@ -124,8 +124,8 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     }
     warnings.extend(few_cells(&followed));
     warnings.extend(unestimated(&case, &followed));
-    let large = followed.too_large.map(|(step, warning)| format!("step {step}: {warning}"));
-    warnings.extend(large);
+    warnings.extend(followed.large());
+    warnings.extend(followed.heed().told("steps").1);
     warnings.extend(unreached(&case, steps));
     let picture = match plot {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&followed, &case)?)),
