@@ -366,7 +366,8 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
 /* ---- 4. Contacts of particles: grains and walls -------------------------------
  *
  * carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make
- * one step of a contact: positions, velocities and spins in, force and torques out. */
+ * one step of a contact: positions, velocities and spins in, force and torques out.
+ * carom_grains_impact_time tells how long an impact lasts, for the choice of the time step. */
 
 /* The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
  * changed otherwise. */
@@ -405,6 +406,18 @@ carom_status carom_grains_of(const struct carom_material *material_1,
                              double relaxation,
                              struct carom_grains *grains,
                              struct carom_error *error);
+
+/* The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
+ * from this. The second is a wall if its radius is infinite; a mass may be infinite, not both. `velocity` is
+ * that of approach, above 0. */
+carom_status carom_grains_impact_time(const struct carom_grains *grains,
+                                      double radius_1,
+                                      double radius_2,
+                                      double mass_1,
+                                      double mass_2,
+                                      double velocity,
+                                      double *time,
+                                      struct carom_error *error);
 
 /* A sphere with its motion, as a particle code stores it. */
 typedef struct carom_grain {

@@ -62,7 +62,7 @@ pub use contact::{
 };
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
-pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_of};
+pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_impact_time, carom_grains_of};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
     CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CaromBody, CaromRebound,
