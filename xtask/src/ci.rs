@@ -129,7 +129,7 @@ fn passed(result: anyhow::Result<()>) -> anyhow::Result<Outcome> {
 /// Prints the seeds of failed property tests, so that they can be committed from a temporary
 /// machine.
 fn print_new_regressions() {
-    let root = release::root();
+    let root = crate::root::root();
     let git = |arguments: &[&str]| {
         let output = Command::new("git").args(arguments).current_dir(&root).output();
         output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
@@ -163,7 +163,7 @@ fn quick_figures() -> anyhow::Result<Outcome> {
 
 /// Searches for a path whose error exceeds the estimate of the law, with a seed from this commit.
 fn adversary() -> anyhow::Result<Outcome> {
-    let seed = mutants::seed_of_commit(&release::root()).to_string();
+    let seed = mutants::seed_of_commit(&crate::root::root()).to_string();
     let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];
     let options = ["--", "--seconds", ADVERSARY, "--seed", &seed];
     passed(cargo::run(&[&example[..], &options[..]].concat()))

@@ -32,12 +32,12 @@ pub(crate) struct Material(pub(crate) carom::halfspace::Material);
 #[pymethods]
 impl Material {
     #[new]
-    #[pyo3(signature = (young_modulus=None, poisson=0.0, *, shear_modulus=None, yield_stress=f64::INFINITY))]
+    #[pyo3(signature = (young_modulus=None, poisson=0.0, *, shear_modulus=None, yield_stress=None))]
     fn new(
         young_modulus: Option<f64>,
         poisson: f64,
         shear_modulus: Option<f64>,
-        yield_stress: f64,
+        yield_stress: Option<f64>,
     ) -> PyResult<Self> {
         use carom::halfspace::Material;
         let material = match (young_modulus, shear_modulus) {
@@ -49,7 +49,8 @@ impl Material {
                 return Err(PyTypeError::new_err(text));
             }
         };
-        let material = material.and_then(|material| material.yielding_at(yield_stress));
+        let material = material
+            .and_then(|material| material.yielding_at(yield_stress.unwrap_or(f64::INFINITY)));
         Ok(Self(material.map_err(Fault::from)?))
     }
 
@@ -172,7 +173,7 @@ impl MaterialPair {
         self.0.kappa()
     }
 
-    /// The yield stress in tension, Pa; infinite if none is known.
+    /// The smaller yield stress of the two, Pa; infinite if none is known.
     #[getter]
     fn yield_stress(&self) -> f64 {
         self.0.yield_stress()

@@ -13,6 +13,7 @@ use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
+use crate::progress::Progress;
 use carom_cases::Error;
 use carom_cases::case::{GridCase, SolveCase};
 use carom_cases::solve::{Bodies, Followed, Found, Run};
@@ -141,17 +142,15 @@ fn follow(
     store: Option<&Store>,
     messages: &Messages,
 ) -> Result<Followed, CliError> {
-    let bar = messages.bar(run.count(), "steps");
-    bar.set_position(found.steps.len() as u64);
-    bar.reset_eta();
+    let progress = Progress::new(*messages, run.count(), "steps");
+    progress.found(found.steps.len());
     let followed = run.follow(found, |steps, history, window| {
         if let Some(store) = store {
             store.save(steps, history, window)?;
         }
-        bar.inc(1);
+        progress.inc(1);
         Ok::<_, CliError>(())
     })?;
-    bar.finish_and_clear();
     Ok(followed)
 }
 
