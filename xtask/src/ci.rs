@@ -3,7 +3,7 @@
 use crate::outcome::Outcome;
 use crate::{
     book, browse, cargo, changes, deny, install_c, lammps, mutants, python, release, sanitize,
-    test, tidy,
+    sdist, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -69,6 +69,7 @@ const LONG: &[(&str, Step)] = &[
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
     ("the installed C library, by pkg-config and CMake", install_c::check),
     ("the C border under sanitizers", sanitize::run),
+    ("a Python wheel from its source distribution", sdist::check),
     ("a search for a bad path of Coulomb's law", adversary),
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];

@@ -21,6 +21,7 @@ mod python;
 mod release;
 mod root;
 mod sanitize;
+mod sdist;
 mod test;
 mod tidy;
 mod tools;

@@ -118,7 +118,8 @@ pub(crate) fn build(place: &Place) -> anyhow::Result<PathBuf> {
     wheel(&wheels)
 }
 
-fn project() -> PathBuf {
+/// The folder of the Python module.
+pub(crate) fn project() -> PathBuf {
     root().join("crates/python")
 }
 
