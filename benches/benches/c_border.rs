@@ -21,7 +21,7 @@ const CONTACTS: usize = 64;
 const STEPS: usize = 256;
 
 fn pair(law: u32) -> CaromPair {
-    let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+    let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
     let mut pair = MaybeUninit::uninit();
     // SAFETY: all pointers are references; the pair is written where the status is Ok.
     unsafe {

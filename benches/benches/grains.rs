@@ -16,7 +16,7 @@ const STEPS: usize = 256;
 const DT: f64 = 1e-6;
 
 fn grains(law: u32) -> CaromGrains {
-    let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+    let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
     // SAFETY: plain numbers; all pointers are references or null.
     unsafe {
         let mut grains = zeroed();

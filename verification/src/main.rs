@@ -10,9 +10,14 @@ use carom_verification::snapshot::{self, Policy};
 use carom_verification::tally::Tally;
 use carom_verification::{Entry, catalogue, ci, run, section, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 use std::time::Duration;
+
+#[path = "../../xtask/src/root.rs"]
+mod root;
+
+use root::root;
 
 mod flags {
     use std::path::PathBuf;
@@ -108,6 +113,7 @@ fn main() -> ExitCode {
 
 /// Computes one page in this process and saves its record.
 fn alone(id: &str) -> Result<(), Failure> {
+    root::found()?;
     let catalogue = catalogue();
     let entry = catalogue.iter().find(|entry| entry.id == id);
     let entry = *entry.ok_or_else(|| Failure::Usage(format!("no page `{id}`")))?;
@@ -121,6 +127,7 @@ fn alone(id: &str) -> Result<(), Failure> {
 }
 
 fn verify(flags: &flags::CaromVerify) -> Result<ExitCode, Failure> {
+    root::found()?;
     let format = format(flags.format.as_deref())?;
     let catalogue = catalogue();
     let entries = selected(flags, &catalogue)?;
@@ -133,7 +140,7 @@ fn verify(flags: &flags::CaromVerify) -> Result<ExitCode, Failure> {
     let found = Found { orphans: snapshot::orphans(&snapshots(), ids)?, pages };
     let is_fresh = |entry: &Entry| found.pages.iter().any(|(fresh, _)| fresh.id == entry.id);
     let all = with_earlier(&catalogue, &found.pages, &folder);
-    let workspace = workspace();
+    let workspace = root();
     let report = Report { catalogue: &catalogue, pages: &all, workspace: &workspace };
     let report = folder.report(&report.html(is_fresh))?;
     if let Some(path) = &flags.junit {
@@ -273,16 +280,9 @@ fn annotate(flags: &flags::CaromVerify, found: &Found, format: Format) {
 }
 
 fn snapshots() -> PathBuf {
-    workspace().join("verification").join("snapshots")
+    root().join("verification").join("snapshots")
 }
 
 fn output() -> PathBuf {
-    workspace().join("target").join("verification")
-}
-
-/// The root of the workspace: from the environment of cargo, otherwise that of the build.
-fn workspace() -> PathBuf {
-    let built = || Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let folder = std::env::var_os("CAROM_WORKSPACE").map_or_else(built, PathBuf::from);
-    folder.canonicalize().unwrap_or(folder)
+    root().join("target").join("verification")
 }

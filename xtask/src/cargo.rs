@@ -1,5 +1,6 @@
 //! Runs cargo.
 
+use crate::root::root;
 use anyhow::{Context as _, bail};
 use std::ffi::OsString;
 use std::process::{Command, Stdio};
@@ -8,7 +9,7 @@ use std::process::{Command, Stdio};
 pub(crate) fn command(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(arguments).current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    command.args(arguments).current_dir(root());
     command
 }
 
@@ -37,8 +38,8 @@ fn finish(command: &mut Command, arguments: &[&str]) -> anyhow::Result<()> {
 pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::Result<()> {
     run(&["build", "--release", "--workspace", "--quiet", kind, name])?;
     let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
-    let mut program = Command::new(std::path::Path::new(root).join(folder).join(name));
+    let root = root();
+    let mut program = Command::new(root.join(folder).join(name));
     finish(program.args(arguments).current_dir(root), &[&[name], arguments].concat())
 }
 

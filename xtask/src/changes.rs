@@ -1,6 +1,6 @@
 //! The changes since the last published commit, and the crates that depend on them.
 
-use crate::{cargo, release};
+use crate::cargo;
 use anyhow::{Context as _, bail};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -59,7 +59,7 @@ fn paths_since(base: &str) -> anyhow::Result<Vec<String>> {
 }
 
 fn git(arguments: &[&str]) -> anyhow::Result<String> {
-    let output = Command::new("git").args(arguments).current_dir(release::root()).output();
+    let output = Command::new("git").args(arguments).current_dir(crate::root::root()).output();
     let output = output.context("cannot start git")?;
     if !output.status.success() {
         bail!("`git {}` failed: {}", arguments.join(" "), String::from_utf8_lossy(&output.stderr));

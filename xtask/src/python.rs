@@ -1,6 +1,7 @@
 //! The Python module: builds its wheel, installs it into a fresh environment and tests it there.
 
 use crate::outcome::{Outcome, Part};
+use crate::root::root;
 use anyhow::{Context as _, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -66,7 +67,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let outcome = place.install_optional();
     place.install()?;
     // In another folder, so that the installed module is tested and not its sources.
-    let project = project()?;
+    let project = project();
     let mut pytest = Command::new(place.python());
     pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
     pytest.arg(&project).arg(project.join("tests"));
@@ -95,7 +96,7 @@ fn skipped_in(report: &str) -> Option<u64> {
 /// A fresh environment with the required packages; `None` without Python 3.10 or later.
 pub(crate) fn place() -> anyhow::Result<Option<Place>> {
     let Some(python) = interpreter() else { return Ok(None) };
-    let place = Place { folder: root()?.join("target/python") };
+    let place = Place { folder: root().join("target/python") };
     let venv = place.folder.join("venv");
     if venv.exists() {
         std::fs::remove_dir_all(&venv).with_context(|| venv.display().to_string())?;
@@ -112,17 +113,14 @@ pub(crate) fn build(place: &Place) -> anyhow::Result<PathBuf> {
         std::fs::remove_dir_all(&wheels).with_context(|| wheels.display().to_string())?;
     }
     let mut maturin = Command::new(place.folder.join("venv/bin/maturin"));
-    maturin.current_dir(project()?).args(["build", "--release", "--quiet", "--out"]).arg(&wheels);
-    call(maturin.arg("--target-dir").arg(target(&root()?)))?;
+    maturin.current_dir(project()).args(["build", "--release", "--quiet", "--out"]).arg(&wheels);
+    call(maturin.arg("--target-dir").arg(target(&root())))?;
     wheel(&wheels)
 }
 
-fn root() -> anyhow::Result<PathBuf> {
-    Ok(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?)
-}
-
-fn project() -> anyhow::Result<PathBuf> {
-    Ok(root()?.join("crates/python"))
+/// The folder of the Python module.
+pub(crate) fn project() -> PathBuf {
+    root().join("crates/python")
 }
 
 /// The first Python that is new enough and can create environments.

@@ -1,7 +1,6 @@
 //! Tests of the C interface under sanitizers.
 
 use crate::outcome::{Outcome, Part};
-use crate::release;
 use anyhow::{Context as _, ensure};
 use std::io::{BufRead as _, BufReader};
 use std::process::{Command, Stdio};
@@ -11,7 +10,7 @@ const NO_SANITIZER: &str = "no address sanitizer";
 
 /// Calls the C interface with random arguments under the address sanitizer and valgrind.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
-    let script = release::root().canonicalize()?.join("crates/capi/sanitize.sh");
+    let script = crate::root::root().canonicalize()?.join("crates/capi/sanitize.sh");
     let mut child = Command::new(&script)
         .stdout(Stdio::piped())
         .spawn()

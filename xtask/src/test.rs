@@ -3,6 +3,7 @@
 //! They are built with optimisation, so that tests, figures and the command share one build of the
 //! dependencies.
 
+use crate::root::root;
 use crate::{cargo, changes, flags};
 use anyhow::{Context as _, bail, ensure};
 use std::io::{BufRead as _, BufReader};
@@ -143,7 +144,7 @@ fn examples() -> anyhow::Result<()> {
 
 /// Runs the example programs, one for each layer; each checks its results.
 fn programs() -> anyhow::Result<()> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/carom/examples");
+    let folder = root().join("crates/carom/examples");
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder).context("cannot list the example programs")? {
         let path = entry?.path();

@@ -1,6 +1,6 @@
 //! Tools of cargo that a machine may lack.
 
-use crate::{cargo, release};
+use crate::cargo;
 use anyhow::Context as _;
 use std::process::{Command, Stdio};
 
@@ -48,7 +48,7 @@ impl Tool {
 
     fn install(&self) -> anyhow::Result<()> {
         println!("installing {} {}", self.name, self.version);
-        let tools = release::root().join("target/tools");
+        let tools = crate::root::root().join("target/tools");
         let mut command = cargo::command(&["install", self.name, "--version", self.version]);
         command.args(["--locked", "--quiet"]).args(self.options);
         command.arg("--root").arg(&tools).arg("--target-dir").arg(tools.join("build"));

@@ -9,12 +9,12 @@ module carom
   integer(c_int32_t), parameter :: carom_law_coulomb = 0, carom_law_fixed_direction = 1
 
   type, bind(c) :: carom_material
-    real(c_double) :: young_modulus, poisson
+    real(c_double) :: young_modulus, poisson, yield_stress = 0
   end type
 
   type, bind(c) :: carom_pair
     real(c_double) :: c_x, c_y, c_z, friction, tolerance, a_squared, b_squared
-    real(c_double) :: torsion_stiffness, torsion_arm, gamma, coupling_bound
+    real(c_double) :: torsion_stiffness, torsion_arm, gamma, coupling_bound, yield_stress
     integer(c_int32_t) :: law, version
   end type
 
@@ -69,7 +69,7 @@ end module
 program contact
   use carom
   implicit none
-  type(carom_material) :: rubber = carom_material(5.0e6_c_double, 0.5_c_double)
+  type(carom_material) :: rubber = carom_material(5.0e6_c_double, 0.5_c_double, 0.0_c_double)
   type(carom_pair) :: pair
   type(carom_contact) :: memory
   type(carom_shift) :: shift

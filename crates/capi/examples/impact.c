@@ -22,7 +22,7 @@ static void must(int holds, const char *what) {
 /* ANCHOR: impact */
 /* A steel ball that hits a plate obliquely. */
 static void impact(void) {
-  const carom_material steel = {208e9, 0.3};
+  const carom_material steel = {208e9, 0.3, 0};
   carom_body ball = {0}, plate = {0};
   ball.shape = CAROM_SHAPE_SPHERE;
   ball.sizes[0] = 0.01;
@@ -104,7 +104,7 @@ static void contacts(void) {
   } particles[8];
   memset(particles, 0, sizeof particles);
 
-  const carom_material glass = {70e9, 0.22};
+  const carom_material glass = {70e9, 0.22, 0};
   carom_pair pair;
   carom_error error;
   must(carom_pair_of_spheres(&glass, &glass, 1e-3, 1e-3, 0.4, CAROM_LAW_COULOMB, 0.0, &pair,

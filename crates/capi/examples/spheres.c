@@ -42,7 +42,7 @@ static double sliding(const carom_grain *one, const carom_grain *two) {
 }
 
 /* ANCHOR: setup */
-static const carom_material glass = {70e9, 0.22}; /* Young's modulus, Poisson's ratio */
+static const carom_material glass = {70e9, 0.22, 0}; /* Young's modulus, Poisson's ratio, no yield stress */
 static const double friction = 0.2, radius = 1e-3, density = 2500.0;
 
 /* Ball 1 lies on top of ball 2 and comes down with 0.5 m/s, sideways with 0.2 m/s. */

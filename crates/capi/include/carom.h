@@ -89,7 +89,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 5
+#define CAROM_ABI_VERSION 6
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -146,6 +146,8 @@ typedef struct carom_pair {
   /* Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
    * neglect coupling. */
   double coupling_bound;
+  /* The smaller yield stress of the two bodies; infinite if none is known. */
+  double yield_stress;
   /* CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS. */
   uint32_t law;
   /* CAROM_ABI_VERSION of the library that made the pair. */
@@ -158,6 +160,9 @@ typedef struct carom_material {
   double young_modulus;
   /* Poisson's ratio, in (-1, 0.5]; ignored for a rigid body. */
   double poisson;
+  /* Yield stress in tension, Pa; 0 if it is not known. All contacts stay elastic; CAROM_WARNING_YIELDS
+   * tells where the material would yield. A hardness H is that of H/2.8. */
+  double yield_stress;
 } carom_material;
 
 /* The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
@@ -361,7 +366,8 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
 /* ---- 4. Contacts of particles: grains and walls -------------------------------
  *
  * carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make
- * one step of a contact: positions, velocities and spins in, force and torques out. */
+ * one step of a contact: positions, velocities and spins in, force and torques out.
+ * carom_grains_impact_time tells how long an impact lasts, for the choice of the time step. */
 
 /* The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
  * changed otherwise. */
@@ -400,6 +406,18 @@ carom_status carom_grains_of(const struct carom_material *material_1,
                              double relaxation,
                              struct carom_grains *grains,
                              struct carom_error *error);
+
+/* The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
+ * from this. The second is a wall if its radius is infinite; a mass may be infinite, not both. `velocity` is
+ * that of approach, above 0. */
+carom_status carom_grains_impact_time(const struct carom_grains *grains,
+                                      double radius_1,
+                                      double radius_2,
+                                      double mass_1,
+                                      double mass_2,
+                                      double velocity,
+                                      double *time,
+                                      struct carom_error *error);
 
 /* A sphere with its motion, as a particle code stores it. */
 typedef struct carom_grain {
@@ -819,14 +837,22 @@ carom_status carom_restitution_dissimilar(double kappa,
  * best. Check the units. */
 #define CAROM_WARNING_LARGE_APPROACH 64
 
-/* How far a contact lies within Hertz's theory, which holds for contacts that are small compared with the
- * bodies. R is the smallest radius of curvature of the two bodies at the contact. */
+/* The greatest pressure exceeds 1.6 times the yield stress of the weaker body, from which metals flow below
+ * the surface. */
+#define CAROM_WARNING_YIELDS 128
+
+/* How far a contact lies within Hertz's theory, which holds for elastic contacts that are small compared with
+ * the bodies. R is the smallest radius of curvature of the two bodies at the contact. */
 typedef struct carom_validity {
   /* a/R: the larger semi-axis of the contact over R. Hertz's theory requires at most 0.1. */
   double semi_axis_over_radius;
   /* zeta/R: the approach over R. Above 0.1 the result is approximate at best, above 1 meaningless. */
   double approach_over_radius;
-  /* CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH, both, or 0 within the theory. */
+  /* The greatest pressure over 1.6 times the smaller yield stress of the bodies, where metals begin to
+   * flow; 0 if no yield stress is known. */
+  double pressure_over_yield;
+  /* The bits CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH and CAROM_WARNING_YIELDS that
+   * hold; 0 within the theory. */
   uint32_t warnings;
 } carom_validity;
 

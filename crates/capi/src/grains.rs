@@ -1,6 +1,7 @@
 //! The constants of the contacts of grains and walls, and what particle codes hand over and get back.
 
 use carom_halfspace::MaterialPair;
+use carom_impact::normal::NormalImpact;
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall, compliance_shares};
 use carom_laws::hertz::Hertz;
@@ -9,7 +10,7 @@ use carom_special::RangeError;
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::Stack;
 use crate::pair::{CAROM_LAW_RINGS, CaromMaterial, CaromPair, materials};
-use crate::pointers::write;
+use crate::pointers::{read, write};
 use crate::state::finite;
 
 /// The contact of two grains with shift.
@@ -147,6 +148,39 @@ pub unsafe extern "C" fn carom_grains_of(
         let materials = materials(material_1, material_2)?;
         *write(grains, "grains")? = constants(materials, friction, law, tolerance, relaxation)?;
         Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
+/// from this. The second is a wall if its radius is infinite; a mass may be infinite, not both. `velocity` is
+/// that of approach, above 0.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_grains_impact_time(
+    grains: *const CaromGrains,
+    radius_1: f64,
+    radius_2: f64,
+    mass_1: f64,
+    mass_2: f64,
+    velocity: f64,
+    time: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, place) = (read(grains, "grains")?, write(time, "time")?);
+        grains.unit.check_version()?;
+        let pair = grains.pair(relative_radius(radius_1, radius_2)?);
+        RangeError::check("mass_1", mass_1, mass_1 > 0.0, "> 0")?;
+        RangeError::check("mass_2", mass_2, mass_2 > 0.0, "> 0")?;
+        let mobility = 1.0 / mass_1 + 1.0 / mass_2;
+        RangeError::check("mass_2", mass_2, mobility > 0.0, "finite if `mass_1` is not")?;
+        *place = NormalImpact::new(mobility, pair.c_z, velocity)?.duration();
+        Ok::<(), Failure>(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }

@@ -62,7 +62,7 @@ pub use contact::{
 };
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
-pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_of};
+pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_impact_time, carom_grains_of};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
     CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CaromBody, CaromRebound,
@@ -98,6 +98,7 @@ pub use twist::{
 pub use validity::{
     CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_APPROACH, CAROM_WARNING_LARGE_CONTACT,
     CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
-    CAROM_WARNING_WAVE_LOSS, CaromValidity, carom_pair_validity, carom_warning_text,
+    CAROM_WARNING_WAVE_LOSS, CAROM_WARNING_YIELDS, CaromValidity, carom_pair_validity,
+    carom_warning_text,
 };
 pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

@@ -36,13 +36,20 @@ pub struct CaromMaterial {
     pub young_modulus: f64,
     /// Poisson's ratio, in (-1, 0.5]; ignored for a rigid body.
     pub poisson: f64,
+    /// Yield stress in tension, Pa; 0 if it is not known. All contacts stay elastic; CAROM_WARNING_YIELDS
+    /// tells where the material would yield. A hardness H is that of H/2.8.
+    pub yield_stress: f64,
 }
 
 impl CaromMaterial {
     pub(crate) fn material(&self) -> Result<Material, Failure> {
-        match self.young_modulus == f64::INFINITY {
-            true => Ok(Material::RIGID),
-            false => Ok(Material::from_young(self.young_modulus, self.poisson)?),
+        let material = match self.young_modulus == f64::INFINITY {
+            true => Material::RIGID,
+            false => Material::from_young(self.young_modulus, self.poisson)?,
+        };
+        match self.yield_stress == 0.0 {
+            true => Ok(material),
+            false => Ok(material.yielding_at(self.yield_stress)?),
         }
     }
 }
@@ -77,6 +84,8 @@ pub struct CaromPair {
     /// Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
     /// neglect coupling.
     pub coupling_bound: f64,
+    /// The smaller yield stress of the two bodies; infinite if none is known.
+    pub yield_stress: f64,
     /// CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS.
     pub law: u32,
     /// CAROM_ABI_VERSION of the library that made the pair.
@@ -110,6 +119,7 @@ impl CaromPair {
             torsion_arm: 0.0,
             gamma: 0.0,
             coupling_bound: 0.0,
+            yield_stress: f64::INFINITY,
             law,
             version,
         }
@@ -139,6 +149,7 @@ impl CaromPair {
             torsion_arm: arm,
             gamma,
             coupling_bound: coupling_bound(gamma, Friction::new(friction)?),
+            yield_stress: hertz.materials().yield_stress(),
             ..Self::new(hertz.stiffness(), squares, friction, law, tolerance)
         }
         .checked()

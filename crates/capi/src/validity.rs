@@ -1,8 +1,10 @@
 //! Whether a contact or an impact lies within the theory.
 
+use std::f64::consts::PI;
 use std::ffi::{CStr, c_char};
 
 use carom_impact::{Rebound, Warning};
+use carom_laws::validity::Validity;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -25,11 +27,12 @@ pub const CAROM_WARNING_POINT_SAMPLED: u32 = 32;
 /// best. Check the units.
 pub const CAROM_WARNING_LARGE_APPROACH: u32 = 64;
 
-/// Largest approach over the smallest radius of curvature for which the bodies count as half-spaces.
-const LARGE_APPROACH: f64 = 0.1;
+/// The greatest pressure exceeds 1.6 times the yield stress of the weaker body, from which metals flow below
+/// the surface.
+pub const CAROM_WARNING_YIELDS: u32 = 128;
 
-/// How far a contact lies within Hertz's theory, which holds for contacts that are small compared with the
-/// bodies. R is the smallest radius of curvature of the two bodies at the contact.
+/// How far a contact lies within Hertz's theory, which holds for elastic contacts that are small compared with
+/// the bodies. R is the smallest radius of curvature of the two bodies at the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct CaromValidity {
@@ -37,27 +40,40 @@ pub struct CaromValidity {
     pub semi_axis_over_radius: f64,
     /// zeta/R: the approach over R. Above 0.1 the result is approximate at best, above 1 meaningless.
     pub approach_over_radius: f64,
-    /// CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH, both, or 0 within the theory.
+    /// The greatest pressure over 1.6 times the smaller yield stress of the bodies, where metals begin to
+    /// flow; 0 if no yield stress is known.
+    pub pressure_over_yield: f64,
+    /// The bits CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH and CAROM_WARNING_YIELDS that
+    /// hold; 0 within the theory.
     pub warnings: u32,
 }
 
-impl CaromValidity {
-    fn new(semi_axis: f64, approach: f64, radius: f64) -> Self {
-        let [contact, approach] = [semi_axis / radius, approach / radius];
+impl From<Validity> for CaromValidity {
+    fn from(validity: Validity) -> Self {
+        let bits =
+            Warning::of(validity).map(bit).fold(approach_bit(validity), |all, one| all | one);
         Self {
-            semi_axis_over_radius: contact,
-            approach_over_radius: approach,
-            warnings: contact_bit(contact) | approach_bit(approach),
+            semi_axis_over_radius: validity.semi_axis_over_radius,
+            approach_over_radius: validity.approach_over_radius,
+            pressure_over_yield: validity.pressure_over_yield,
+            warnings: bits,
         }
     }
 }
 
-fn contact_bit(semi_axis_over_radius: f64) -> u32 {
-    if semi_axis_over_radius > Warning::LARGE_CONTACT { CAROM_WARNING_LARGE_CONTACT } else { 0 }
+impl CaromPair {
+    /// How far the contact at this approach is from the limits of the theory.
+    fn validity(&self, zeta: f64, radius: f64) -> Validity {
+        let [a, b] = [self.a_squared, self.b_squared].map(|square| square.sqrt() * zeta.sqrt());
+        // (5.11) with F_z = (2/3) c_z zeta^1.5, without a contact of area 0.
+        let area = PI * (self.a_squared * self.b_squared).sqrt();
+        let pressure = self.c_z * zeta.sqrt() / area;
+        Validity::of_contact([a.max(b), zeta, pressure], self.yield_stress, radius)
+    }
 }
 
-fn approach_bit(approach_over_radius: f64) -> u32 {
-    if approach_over_radius > LARGE_APPROACH { CAROM_WARNING_LARGE_APPROACH } else { 0 }
+fn approach_bit(validity: Validity) -> u32 {
+    if validity.is_large_approach() { CAROM_WARNING_LARGE_APPROACH } else { 0 }
 }
 
 /// Whether a contact at the approach `zeta` (m, at least 0) lies within Hertz's theory. `radius` is the
@@ -83,8 +99,8 @@ pub unsafe extern "C" fn carom_pair_validity(
         RangeError::positive("radius", radius)?;
         RangeError::positive("a_squared", pair.a_squared)?;
         RangeError::positive("b_squared", pair.b_squared)?;
-        let semi_axis = pair.a_squared.max(pair.b_squared).sqrt() * zeta.sqrt();
-        *place = CaromValidity::new(semi_axis, zeta, radius);
+        RangeError::check("yield_stress", pair.yield_stress, pair.yield_stress > 0.0, "> 0")?;
+        *place = pair.validity(zeta, radius).into();
         Ok::<(), Failure>(())
     };
     // SAFETY: the caller's promise.
@@ -112,6 +128,7 @@ pub extern "C" fn carom_warning_text(warning: u32) -> *const c_char {
         CAROM_WARNING_LARGE_APPROACH => {
             c"the approach exceeds a tenth of the radius: check the units"
         }
+        CAROM_WARNING_YIELDS => Validity::YIELDS,
         _ => c"not one CAROM_WARNING bit",
     };
     text.as_ptr()
@@ -119,18 +136,16 @@ pub extern "C" fn carom_warning_text(warning: u32) -> *const c_char {
 
 /// The bits of all warnings of an impact.
 pub(crate) fn bits(rebound: &Rebound) -> u32 {
-    rebound.warnings.iter().map(|warning| bit(warning, rebound)).fold(0, |all, one| all | one)
+    let told = rebound.warnings.iter().copied().map(bit);
+    told.fold(approach_bit(rebound.validity), |all, one| all | one)
 }
 
-fn bit(warning: &Warning, rebound: &Rebound) -> u32 {
+fn bit(warning: Warning) -> u32 {
     match warning {
         Warning::Coupling { .. } => CAROM_WARNING_COUPLING,
-        Warning::LargeContact { ratio } => {
-            let ellipse = rebound.maximal_contact;
-            let radius = ellipse.semi_axis_a().max(ellipse.semi_axis_b()) / ratio;
-            CAROM_WARNING_LARGE_CONTACT | approach_bit(rebound.maximal_approach / radius)
-        }
+        Warning::LargeContact { .. } => CAROM_WARNING_LARGE_CONTACT,
         Warning::WaveLoss { .. } => CAROM_WARNING_WAVE_LOSS,
+        Warning::Yields { .. } => CAROM_WARNING_YIELDS,
         Warning::SpinLeftAlone { .. } => CAROM_WARNING_SPIN_LEFT_ALONE,
         Warning::NotSettled { .. } => CAROM_WARNING_NOT_SETTLED,
         Warning::PointSampled => CAROM_WARNING_POINT_SAMPLED,

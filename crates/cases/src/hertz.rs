@@ -3,8 +3,9 @@
 use crate::Error;
 use crate::case::{Given, HertzCase};
 use crate::input::CaseFile;
-use crate::theory::{Excess, Warnings, large_contact, readable};
+use crate::theory::{Heed, readable};
 use carom_laws::hertz::{Hertz, HertzState};
+use carom_laws::validity::Validity;
 use carom_special::RangeError;
 
 /// The contact of a case under each of its loads.
@@ -17,23 +18,22 @@ pub struct Followed {
 }
 
 impl Followed {
-    /// By how much each loaded contact exceeds the limits of the theory.
+    /// How far each loaded contact is from the limits of the theory.
     #[must_use]
-    pub fn excesses(&self) -> Vec<Excess> {
-        let radius = smallest_radius(&self.case.hertz);
-        self.states.iter().map(|state| Excess::of_contact(state.approach, radius)).collect()
+    pub fn validities(&self) -> Vec<Validity> {
+        let HertzCase { hertz, smallest_radius, .. } = &self.case;
+        let of = |state| Validity::of_hertz(hertz, state, *smallest_radius);
+        self.states.iter().map(of).collect()
     }
 
-    /// Warnings on contacts that are large for their bodies.
+    /// What the contacts exceed.
     #[must_use]
-    pub fn warnings(&self) -> Vec<String> {
-        let mut warnings = Warnings::default();
-        for state in &self.states {
-            let semi_axis = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
-            let large = large_contact(semi_axis, self.case.smallest_radius);
-            warnings.add(|| format!("at {} N", readable(state.force)), large.as_slice());
+    pub fn heed(&self) -> Heed {
+        let mut heed = Heed::default();
+        for (state, validity) in self.states.iter().zip(self.validities()) {
+            heed.add(|| format!("at {} N", readable(state.force)), validity);
         }
-        warnings.told("loads")
+        heed
     }
 }
 
@@ -48,12 +48,6 @@ pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let states = case.values.as_slice().iter().map(loaded).collect::<Result<_, _>>();
     let states = states.map_err(at_fault)?;
     Ok(Followed { case, states })
-}
-
-/// The smaller principal radius of the gap.
-#[must_use]
-pub fn smallest_radius(hertz: &Hertz) -> f64 {
-    0.5 / hertz.curvature().a()
 }
 
 fn loaded(hertz: &Hertz, given: Given, value: f64) -> Result<HertzState, RangeError> {

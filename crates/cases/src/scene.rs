@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::case::SceneCase;
 use crate::input::CaseFile;
-use crate::theory::{Excess, Warnings, Worst};
+use crate::theory::Heed;
 use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
 use carom_table::Column;
@@ -57,26 +57,9 @@ pub fn follow<E: From<Error>>(
     Ok(End { ending, last: legs.now() })
 }
 
-/// What the bounces of a path exceed.
-#[derive(Debug, Clone, Default)]
-pub struct Heed {
-    warnings: Warnings,
-    worst: Worst,
-}
-
-impl Heed {
-    /// Adds the next bounce.
-    pub fn add(&mut self, bounce: &Bounce) {
-        let number = self.warnings.count() + 1;
-        self.warnings.add(|| format!("at bounce {number}"), &bounce.rebound.warnings);
-        self.worst.add(Excess::of_impact(&bounce.rebound));
-    }
-
-    /// The warning on bounces outside the theory, and the texts of all other warnings.
-    #[must_use]
-    pub fn told(self) -> (Option<String>, Vec<String>) {
-        (self.worst.caution("bounces"), self.warnings.told("bounces"))
-    }
+/// Adds the next bounce to what the bounces of a path exceed.
+pub fn add_bounce(heed: &mut Heed, bounce: &Bounce) {
+    heed.add_impact(|number| format!("at bounce {number}"), &bounce.rebound);
 }
 
 /// The whole path of a ball.

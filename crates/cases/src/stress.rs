@@ -2,14 +2,12 @@
 
 use crate::Error;
 use crate::case::StressCase;
-use crate::hertz::smallest_radius;
 use crate::input::CaseFile;
-use crate::theory::{Excess, large_contact};
 use carom_halfspace::{Material, Point, Stress, Traction};
-use carom_impact::Warning;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::partial_slip_stress;
 use carom_laws::hertz::HertzState;
+use carom_laws::validity::Validity;
 use carom_special::RangeError;
 use carom_table::Column;
 use rayon::prelude::*;
@@ -61,17 +59,11 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// By how much the contact exceeds the limits of the theory.
+    /// How far the contact is from the limits of the theory.
     #[must_use]
-    pub fn excess(&self) -> Excess {
-        Excess::of_contact(self.state.approach, smallest_radius(&self.case.hertz))
-    }
-
-    /// The warning on a contact that is large for its bodies.
-    #[must_use]
-    pub fn warning(&self) -> Option<Warning> {
-        let semi_axis = self.state.ellipse.semi_axis_a().max(self.state.ellipse.semi_axis_b());
-        large_contact(semi_axis, self.case.smallest_radius)
+    pub fn validity(&self) -> Validity {
+        let StressCase { hertz, smallest_radius, .. } = &self.case;
+        Validity::of_hertz(hertz, &self.state, *smallest_radius)
     }
 }
 

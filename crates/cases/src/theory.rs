@@ -1,93 +1,12 @@
 //! Checks whether results lie within the theory and reports the worst case once.
 
 use carom_impact::{Rebound, Warning};
+use carom_laws::validity::Validity;
 use carom_table::short;
-
-/// Largest approach over the radius of curvature for which the bodies count as half-spaces.
-const MAX_APPROACH_OVER_RADIUS: f64 = 0.1;
-/// Largest share of the energy that elastic waves may carry away, since the theory neglects them.
-const MAX_WAVE_SHARE: f64 = 0.1;
 
 const APPROXIMATE: &str = "The results are approximate.";
 const MEANINGLESS: &str = "The results are meaningless. Is a unit wrong? Plain numbers are SI, others are \
                       texts such as \"380 GPa\" or \"2.5 mm\".";
-
-/// How far results exceed the limits of the theory; empty if they lie within.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Excess {
-    /// Approach over radius of curvature.
-    approach: Option<f64>,
-    /// Energy of waves over kinetic energy of the approach.
-    waves: Option<f64>,
-}
-
-impl Excess {
-    /// The excess of a contact with this approach and smallest radius of curvature.
-    #[must_use]
-    pub fn of_contact(approach: f64, radius: f64) -> Self {
-        let share = approach / radius;
-        Self { approach: (share > MAX_APPROACH_OVER_RADIUS).then_some(share), waves: None }
-    }
-
-    /// The excess of an impact, from its warnings.
-    #[must_use]
-    pub fn of_impact(rebound: &Rebound) -> Self {
-        rebound.warnings.iter().fold(Self::default(), |worst, warning| match warning {
-            Warning::LargeContact { ratio } => {
-                let contact = rebound.maximal_contact;
-                let radius = contact.semi_axis_a().max(contact.semi_axis_b()) / ratio;
-                worst.and(Self::of_contact(rebound.maximal_approach, radius))
-            }
-            Warning::WaveLoss { share } if *share > MAX_WAVE_SHARE => {
-                worst.and(Self { approach: None, waves: Some(*share) })
-            }
-            _ => worst,
-        })
-    }
-
-    /// The worse of both.
-    #[must_use]
-    pub fn and(self, other: Self) -> Self {
-        let worst = |one: Option<f64>, other: Option<f64>| match (one, other) {
-            (Some(one), Some(other)) => Some(one.max(other)),
-            (one, other) => one.or(other),
-        };
-        Self {
-            approach: worst(self.approach, other.approach),
-            waves: worst(self.waves, other.waves),
-        }
-    }
-
-    /// Whether the approach exceeds the radius, or the waves the available energy.
-    fn is_meaningless(self) -> bool {
-        [self.approach, self.waves].into_iter().flatten().any(|share| share > 1.0)
-    }
-
-    fn is_some(self) -> bool {
-        self != Self::default()
-    }
-
-    /// One text for each limit that is exceeded.
-    #[must_use]
-    pub fn reasons(self) -> Vec<String> {
-        let approach = self.approach.map(|share| {
-            format!("the approach is {} times the radius, more than a tenth", readable(share))
-        });
-        let waves = self.waves.map(|share| {
-            let percent = readable(100.0 * share);
-            format!("elastic waves would carry away {percent} % of the energy, more than 10 %")
-        });
-        approach.into_iter().chain(waves).collect()
-    }
-}
-
-/// The warning on a contact with this larger semi-axis between bodies with this smallest radius of
-/// curvature, as for impacts.
-#[must_use]
-pub fn large_contact(semi_axis: f64, radius: f64) -> Option<Warning> {
-    let ratio = semi_axis / radius;
-    (ratio > Warning::LARGE_CONTACT).then_some(Warning::LargeContact { ratio })
-}
 
 /// A number with three digits.
 #[must_use]
@@ -98,40 +17,46 @@ pub fn readable(value: f64) -> String {
 /// The warning on results outside the theory; `None` if all lie within. `what` names several
 /// results.
 #[must_use]
-pub fn caution(excesses: &[Excess], what: &str) -> Option<String> {
+pub fn caution(validities: &[Validity], what: &str) -> Option<String> {
     let mut worst = Worst::default();
-    excesses.iter().for_each(|excess| worst.add(*excess));
+    validities.iter().for_each(|validity| worst.add(*validity));
     worst.caution(what)
 }
 
-/// The worst of many excesses, added one by one.
+/// The worst of many results, added one by one.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Worst {
-    excess: Excess,
+    validity: Validity,
     concerned: usize,
     all: usize,
 }
 
 impl Worst {
     /// Adds a result.
-    pub fn add(&mut self, excess: Excess) {
-        self.excess = self.excess.and(excess);
-        self.concerned += usize::from(excess.is_some());
+    pub fn add(&mut self, validity: Validity) {
+        self.validity = self.validity.and(validity);
+        self.concerned += usize::from(validity.is_outside());
         self.all += 1;
+    }
+
+    /// The worst of all, in each ratio.
+    #[must_use]
+    pub const fn validity(&self) -> Validity {
+        self.validity
     }
 
     /// The warning as in [`caution`], for all of them.
     #[must_use]
     pub fn caution(&self, what: &str) -> Option<String> {
-        if !self.excess.is_some() {
+        if !self.validity.is_outside() {
             return None;
         }
         let place = match self.all {
             1 => String::new(),
             all => format!(" at {} of {all} {what}", self.concerned),
         };
-        let reasons = self.excess.reasons().join("; ");
-        let advice = if self.excess.is_meaningless() { MEANINGLESS } else { APPROXIMATE };
+        let reasons = self.validity.reasons().join("; ");
+        let advice = if self.validity.is_meaningless() { MEANINGLESS } else { APPROXIMATE };
         Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
     }
 }
@@ -181,11 +106,45 @@ impl Warnings {
     }
 }
 
+/// What many contacts exceed, added one by one.
+#[derive(Debug, Clone, Default)]
+pub struct Heed {
+    warnings: Warnings,
+    worst: Worst,
+}
+
+impl Heed {
+    /// Adds a contact; `place` names it, for example `at step 5`.
+    pub fn add(&mut self, place: impl Fn() -> String, validity: Validity) {
+        self.warnings.add(place, &Warning::of(validity).collect::<Vec<_>>());
+        self.worst.add(validity);
+    }
+
+    /// Adds an impact with its warnings; `place` gets its number, from 1.
+    pub fn add_impact(&mut self, place: impl Fn(usize) -> String, rebound: &Rebound) {
+        let number = self.warnings.count() + 1;
+        self.warnings.add(|| place(number), &rebound.warnings);
+        self.worst.add(rebound.validity);
+    }
+
+    /// The worst of all, in each ratio.
+    #[must_use]
+    pub const fn validity(&self) -> Validity {
+        self.worst.validity()
+    }
+
+    /// The warning on results outside the theory, and the texts of all other warnings; `what` names all.
+    #[must_use]
+    pub fn told(self, what: &str) -> (Option<String>, Vec<String>) {
+        (self.worst.caution(what), self.warnings.told(what))
+    }
+}
+
 /// The number that makes a warning worse than another of its kind.
 fn severity(warning: &Warning) -> Option<f64> {
     match warning {
         Warning::WaveLoss { share } | Warning::SpinLeftAlone { share } => Some(*share),
-        Warning::LargeContact { ratio } => Some(*ratio),
+        Warning::LargeContact { ratio } | Warning::Yields { ratio } => Some(*ratio),
         _ => None,
     }
 }
@@ -213,9 +172,12 @@ mod tests {
 
     #[test]
     fn what_lies_outside_the_theory_is_said_with_its_limit() {
-        let within = Excess::of_contact(0.1, 1.0);
-        let outside =
-            Excess::of_contact(0.5, 2.0).and(Excess { approach: None, waves: Some(11.6) });
+        let of = |approach_over_radius, wave_share| Validity {
+            approach_over_radius,
+            wave_share,
+            ..Validity::default()
+        };
+        let [within, outside] = [of(0.1, 0.0), of(0.25, 0.0).and(of(0.0, 11.6))];
         assert_eq!(caution(&[within], "angles"), None);
         let text = caution(&[within, outside], "angles").unwrap();
         assert!(
@@ -223,7 +185,6 @@ mod tests {
         );
         assert!(text.contains("carry away 1160 % of the energy, more than 10 %"), "{text}");
         assert!(text.contains("Is a unit wrong?"), "{text}");
-        let rough = Excess { approach: None, waves: Some(0.16) };
-        assert!(caution(&[rough], "").unwrap().ends_with("The results are approximate."));
+        assert!(caution(&[of(0.0, 0.16)], "").unwrap().ends_with("The results are approximate."));
     }
 }

@@ -17,6 +17,7 @@ pub mod output;
 pub mod outputs;
 pub mod page;
 mod place;
+mod progress;
 pub mod range;
 mod round_off;
 pub mod rows;

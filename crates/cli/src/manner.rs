@@ -3,17 +3,13 @@
 use crate::page::{fold, width};
 use clap::ColorChoice;
 use clap::builder::styling::{AnsiColor, Style};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::ffi::{OsStr, OsString};
 use std::io::{IsTerminal as _, Write as _};
-
-/// Refreshes of a progress bar per second.
-const BAR_REFRESHES_PER_SECOND: u8 = 5;
 
 /// Options of every command.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub struct Manner {
-    /// Print errors only: no warnings and no progress bars on standard error.
+    /// Print errors only: no warnings and no progress on standard error.
     #[arg(long, short, global = true)]
     quiet: bool,
     /// Colours of help and messages; auto: on a terminal, unless NO_COLOR is set.
@@ -69,7 +65,7 @@ fn is_coloured(choice: ColorChoice) -> bool {
     }
 }
 
-/// Writes messages and progress bars to standard error. Failures to write are ignored.
+/// Writes messages to standard error. Failures to write are ignored.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Messages {
     is_quiet: bool,
@@ -100,20 +96,16 @@ impl Messages {
         let _ = writeln!(std::io::stderr(), "{style}{kind}:{style:#}{text}");
     }
 
-    /// A progress bar over this number of `what`, with the remaining time; hidden if standard error
-    /// is no terminal.
-    #[must_use]
-    pub fn bar(&self, count: usize, what: &str) -> ProgressBar {
-        if self.is_quiet {
-            return ProgressBar::hidden();
+    /// Writes how far a computation is, unless quiet.
+    pub(crate) fn progress(&self, line: &str) {
+        if !self.is_quiet {
+            self.tell(AnsiColor::Cyan, "progress", line);
         }
-        let target = ProgressDrawTarget::stderr_with_hz(BAR_REFRESHES_PER_SECOND);
-        let bar = ProgressBar::with_draw_target(Some(count as u64), target);
-        let form = format!("{{bar:40}} {{pos}}/{{len}} {what}, {{eta}} left");
-        match ProgressStyle::with_template(&form) {
-            Ok(style) => bar.with_style(style),
-            Err(_) => bar,
-        }
+    }
+
+    /// Whether only errors are written.
+    pub(crate) const fn is_quiet(self) -> bool {
+        self.is_quiet
     }
 }
 

@@ -3,6 +3,8 @@
 use carom_special::RangeError;
 
 const POISSON_RANGE: &str = "in (-1, 0.5]";
+/// Hardness over yield stress: a contact that flows fully carries a mean pressure of about 2.8 Y.
+const HARDNESS_OVER_YIELD: f64 = 2.8;
 
 /// An isotropic linear elastic material, or a rigid one.
 ///
@@ -18,11 +20,14 @@ const POISSON_RANGE: &str = "in (-1, 0.5]";
 pub struct Material {
     shear_modulus: f64,
     poisson: f64,
+    /// Infinite if the material does not yield.
+    yield_stress: f64,
 }
 
 impl Material {
     /// A rigid body: infinite moduli.
-    pub const RIGID: Self = Self { shear_modulus: f64::INFINITY, poisson: 0.0 };
+    pub const RIGID: Self =
+        Self { shear_modulus: f64::INFINITY, poisson: 0.0, yield_stress: f64::INFINITY };
 
     /// From the shear modulus G (force/area) and Poisson's ratio.
     ///
@@ -31,7 +36,7 @@ impl Material {
     pub fn from_shear(shear_modulus: f64, poisson: f64) -> Result<Self, RangeError> {
         RangeError::positive("shear_modulus", shear_modulus)?;
         check_poisson(poisson)?;
-        Ok(Self { shear_modulus, poisson })
+        Ok(Self { shear_modulus, poisson, yield_stress: f64::INFINITY })
     }
 
     /// From Young's modulus E (force/area) and Poisson's ratio: G = E / (2 (1 + nu)).
@@ -43,7 +48,39 @@ impl Material {
         check_poisson(poisson)?;
         let shear_modulus = young_modulus / (2.0 * (1.0 + poisson));
         RangeError::positive("shear_modulus", shear_modulus)?;
-        Ok(Self { shear_modulus, poisson })
+        Ok(Self { shear_modulus, poisson, yield_stress: f64::INFINITY })
+    }
+
+    /// The same material, which yields in simple tension at this stress Y. It stays elastic in all
+    /// computations; Y only tells where they leave the theory.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless Y is positive; infinite: it does not yield.
+    pub fn yielding_at(self, yield_stress: f64) -> Result<Self, RangeError> {
+        RangeError::check("yield_stress", yield_stress, yield_stress > 0.0, "> 0")?;
+        Ok(Self { yield_stress, ..self })
+    }
+
+    /// The same material with this hardness H, a pressure (Vickers or Brinell): it yields at Y = H/2.8.
+    ///
+    /// ```
+    /// use carom_halfspace::Material;
+    /// let steel = Material::from_young(208e9, 0.3)?.with_hardness(2.8e9)?;
+    /// assert_eq!(steel.yield_stress(), 1e9);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] unless H is positive; infinite: it does not yield.
+    pub fn with_hardness(self, hardness: f64) -> Result<Self, RangeError> {
+        RangeError::check("hardness", hardness, hardness > 0.0, "> 0")?;
+        Ok(Self { yield_stress: hardness / HARDNESS_OVER_YIELD, ..self })
+    }
+
+    /// The yield stress Y in simple tension; infinite if it is not known or the material does not yield.
+    #[must_use]
+    pub const fn yield_stress(&self) -> f64 {
+        self.yield_stress
     }
 
     /// The shear modulus G; infinite for a rigid body.
@@ -167,6 +204,12 @@ impl MaterialPair {
         (2.0 - self.poisson) / (2.0 * (1.0 - self.poisson))
     }
 
+    /// The smaller yield stress of the two: both bodies bear the same pressure.
+    #[must_use]
+    pub fn yield_stress(&self) -> f64 {
+        self.body_1.yield_stress.min(self.body_2.yield_stress)
+    }
+
     /// Whether normal and tangential displacements are uncoupled (epsilon = 0).
     #[must_use]
     pub fn is_uncoupled(&self) -> bool {
@@ -230,6 +273,20 @@ mod tests {
             assert_eq!(Material::from_shear(e, 0.3).unwrap_err().field, "shear_modulus");
         }
         assert!(MaterialPair::new(Material::RIGID, Material::RIGID).is_err());
+    }
+
+    #[test]
+    fn a_pair_yields_where_its_weaker_body_does() {
+        let steel = Material::from_young(208e9, 0.3).unwrap();
+        assert_eq!(steel.yield_stress(), f64::INFINITY);
+        let (soft, hard) = (steel.yielding_at(3e8).unwrap(), steel.with_hardness(8.4e9).unwrap());
+        approx::assert_relative_eq!(hard.yield_stress(), 3e9, max_relative = 1e-15);
+        assert_eq!(MaterialPair::new(soft, hard).unwrap().yield_stress(), 3e8);
+        assert_eq!(MaterialPair::new(hard, steel).unwrap().yield_stress(), hard.yield_stress());
+        for bad in [0.0, -1.0, f64::NAN] {
+            assert_eq!(steel.yielding_at(bad).unwrap_err().field, "yield_stress");
+            assert_eq!(steel.with_hardness(bad).unwrap_err().field, "hardness");
+        }
     }
 
     #[test]

@@ -39,6 +39,7 @@ mod normal_spin;
 mod outcome;
 mod outcome_columns;
 mod rings;
+mod warning;
 mod wave_share;
 
 pub mod closed_form;
@@ -58,7 +59,6 @@ pub use mobility::{Lever, Mobility};
 pub use motion::Motion;
 pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;
-pub use outcome::{
-    EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, TorsionMode, Warning,
-};
+pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, TorsionMode};
 pub use rings::{RingImpact, RingImpactError};
+pub use warning::Warning;

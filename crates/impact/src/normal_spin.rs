@@ -10,8 +10,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::closed_form::NOTICEABLE;
 use crate::normal_restitution::Damped;
-use crate::outcome::{Torsion, Warning};
+use crate::outcome::Torsion;
 use crate::torsional::{SpinCollision, Spinner, TorsionalError, limits};
+use crate::warning::Warning;
 
 /// Couplings below this share of their largest possible value are round-off.
 const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-9;

@@ -1,12 +1,14 @@
 //! The outcome of an impact: motions, impulse, maxima, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
+use carom_laws::validity::Validity;
 use carom_table::Column;
 use nalgebra::Vector3;
 
 use crate::coupled::ImpactMethod;
 use crate::motion::Motion;
 use crate::oblique::{Event, Regime};
+use crate::warning::Warning;
 
 /// The outcome of a collision of two bodies.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,19 +81,17 @@ pub struct Rebound {
     pub error_estimate: f64,
     /// The regimes in order, with the times at which they began.
     pub log: Vec<LogEntry>,
+    /// How far the largest contact, and the waves that it sends out, are from the limits of the theory.
+    pub validity: Validity,
     /// Limits of validity that this outcome reaches.
     pub warnings: Vec<Warning>,
 }
 
 impl Rebound {
-    /// The greatest pressure, 3 F_z/(2 pi a b) in the middle of the largest contact; 0 where the bodies
-    /// only graze. Metals yield from about 1.6 times their yield stress.
+    /// The greatest pressure, in the middle of the largest contact; 0 where the bodies only graze.
     #[must_use]
     pub fn maximal_pressure(&self) -> f64 {
-        let area = std::f64::consts::PI
-            * self.maximal_contact.semi_axis_a()
-            * self.maximal_contact.semi_axis_b();
-        if area > 0.0 { 1.5 * self.maximal_force / area } else { 0.0 }
+        self.maximal_contact.peak_pressure(self.maximal_force)
     }
 }
 
@@ -234,96 +234,4 @@ impl HistoryPoint {
             point.regime.name().into()
         }),
     ];
-}
-
-/// A limit of validity that an outcome reaches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Warning {
-    /// The materials couple normal and tangential displacements (epsilon of (5.20) is not zero),
-    /// which the analytic law neglects. This matters for f/gamma below about 1 (section 15.2).
-    Coupling {
-        /// gamma of (15.2).
-        gamma: f64,
-        /// f/|gamma|.
-        friction_over_gamma: f64,
-    },
-    /// The contact is not small against the bodies: Hertz's theory requires a/R below 0.1.
-    LargeContact {
-        /// Maximum contact radius (of an ellipse, the larger semi-axis) over the smallest radius of
-        /// curvature.
-        ratio: f64,
-    },
-    /// Elastic waves would carry away more than 1 % of the normal energy (3.2), and the result does
-    /// not include this loss.
-    WaveLoss {
-        /// The share, estimated as if both bodies were of this body's material.
-        share: f64,
-    },
-    /// Torsion is not computed and would take more than 1 % of the relative spin about the normal.
-    SpinLeftAlone {
-        /// An approximate upper bound of that share.
-        share: f64,
-    },
-    /// The outcome did not converge to the requested tolerance and was accepted
-    /// ([`crate::coupled::CoupledImpact::accepting_unsettled`]).
-    NotSettled {
-        /// Estimated error of the velocity, over that before.
-        error_estimate: f64,
-        /// The requested tolerance.
-        tolerance: f64,
-    },
-    /// The contact point was found by a search from many starting points on a body that need not be
-    /// convex ([`carom_geometry::Certainty::Sampled`]): there may be other contacts.
-    PointSampled,
-}
-
-impl Warning {
-    /// Largest a/R for which Hertz's theory holds: of the larger semi-axis over the smallest radius of
-    /// curvature.
-    pub const LARGE_CONTACT: f64 = 0.1;
-}
-
-impl std::fmt::Display for Warning {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Coupling { gamma, friction_over_gamma } => {
-                let verdict = if *friction_over_gamma < 1.0 { "matters" } else { "is small" };
-                write!(
-                    f,
-                    "dissimilar materials: gamma = {gamma:.4}, f/|gamma| = {friction_over_gamma:.3}; \
-                     the coupling of normal and tangential displacements is neglected and {verdict}"
-                )
-            }
-            Self::WaveLoss { share } => {
-                let percent = 100.0 * share;
-                write!(f, "elastic waves carry away about {percent:.2} % of the normal energy")
-            }
-            Self::SpinLeftAlone { share } => {
-                let percent = 100.0 * share;
-                write!(
-                    f,
-                    "torsion is not computed: it would take up to {percent:.2} % of the relative spin \
-                     about the normal"
-                )
-            }
-            Self::NotSettled { error_estimate, tolerance } => {
-                write!(
-                    f,
-                    "not converged: the estimated error is {error_estimate:.1e} of the velocity \
-                     before the impact, above the tolerance {tolerance:.1e}"
-                )
-            }
-            Self::PointSampled => f.write_str(
-                "the contact point was found by a search from many starting points; a body that is \
-                 not convex may have other contacts",
-            ),
-            Self::LargeContact { ratio } => {
-                write!(
-                    f,
-                    "large contact: a/R = {ratio:.3} exceeds {}, beyond Hertz's theory",
-                    Self::LARGE_CONTACT
-                )
-            }
-        }
-    }
 }

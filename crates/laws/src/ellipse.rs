@@ -61,6 +61,13 @@ impl ContactEllipse {
         std::f64::consts::PI * self.a * self.b
     }
 
+    /// The greatest pressure 3 F_z/(2 pi a b) (5.11) under this normal force; 0 where bodies only graze.
+    #[must_use]
+    pub fn peak_pressure(&self, force: f64) -> f64 {
+        let area = self.area();
+        if area > 0.0 { 1.5 * force / area } else { 0.0 }
+    }
+
     /// `(x/a)^2 + (y/b)^2`, the square of the elliptical radius: 1 on the edge.
     #[must_use]
     pub fn radius_squared(&self, x: f64, y: f64) -> f64 {

@@ -304,7 +304,7 @@ impl Hertz {
             approach,
             force,
             ellipse,
-            peak_pressure: 1.5 * force / ellipse.area(), // (5.11)
+            peak_pressure: ellipse.peak_pressure(force),
             normal_stiffness: self.normal_stiffness(approach),
         })
     }

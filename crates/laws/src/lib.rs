@@ -9,6 +9,7 @@
 //!   [`turning_law`] is the choice between them. [`sliders`] is an alternative with springs and
 //!   sliders, and [`profile`] contains other indenters.
 //! - Twist: [`torsion`].
+//! - Limits of the theory: [`validity`].
 //! - Dissimilar bodies: [`rings`], a law for approach, shift and twist with their coupling.
 //! - [`law::ContactLaw`] is the interface for the higher layers: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`], [`rings::RingLaw`].
@@ -53,6 +54,7 @@ pub mod sliders;
 pub mod stiffness;
 pub mod torsion;
 pub mod turning_law;
+pub mod validity;
 
 pub use carom_geometry::curvature;
 pub use goodman::goodman_stick_radius;

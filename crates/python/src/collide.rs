@@ -15,7 +15,7 @@ use crate::bodies::{Body, motion};
 use crate::error::Fault;
 use crate::records::{self, arrays};
 use crate::room;
-use crate::told::of_impacts;
+use crate::told::{Told, of_impacts};
 
 /// Least number of impacts for a thread: an exact impact takes some microseconds, a stepped one much longer.
 const SHARE: usize = 8;
@@ -80,7 +80,7 @@ pub(crate) fn collide<'py>(
     law: &str,
     tolerance: Option<f64>,
     normal_restitution: Option<f64>,
-) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
+) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve =
@@ -102,7 +102,7 @@ pub(crate) fn collide_many<'py>(
     law: &str,
     tolerance: Option<f64>,
     normal_restitution: Option<f64>,
-) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
+) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
@@ -121,7 +121,7 @@ pub(crate) fn collide_many<'py>(
 }
 
 /// The outcomes as arrays, and their warnings.
-fn told<'py>(py: Python<'py>, outcomes: &[Outcome]) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
+fn told<'py>(py: Python<'py>, outcomes: &[Outcome]) -> PyResult<(Bound<'py, PyDict>, Told)> {
     Ok((arrays(py, Outcome::COLUMNS, outcomes)?, of_impacts(outcomes)))
 }
 

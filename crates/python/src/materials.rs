@@ -11,6 +11,7 @@ const MATERIAL: &[Quantity] = &[
     ("young_modulus", "Pa", "Young's modulus"),
     ("shear_modulus", "Pa", "shear modulus"),
     ("poisson", "", "Poisson's ratio"),
+    ("yield_stress", "Pa", "yield stress"),
 ];
 const PAIR: &[Quantity] = &[
     ("shear_modulus", "Pa", "combined shear modulus"),
@@ -22,7 +23,8 @@ const PAIR: &[Quantity] = &[
 /// An isotropic elastic material.
 ///
 /// Material(young_modulus, poisson) or Material(shear_modulus=..., poisson=...), moduli in Pa; an infinite
-/// modulus makes the body rigid.
+/// modulus makes the body rigid. It stays elastic; `yield_stress` (Pa, in tension; of a hardness H it is H/2.8)
+/// lets `OutsideTheoryWarning` tell where the greatest pressure exceeds 1.6 times it.
 #[pyclass(frozen, eq, from_py_object, module = "carom")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Material(pub(crate) carom::halfspace::Material);
@@ -30,8 +32,13 @@ pub(crate) struct Material(pub(crate) carom::halfspace::Material);
 #[pymethods]
 impl Material {
     #[new]
-    #[pyo3(signature = (young_modulus=None, poisson=0.0, *, shear_modulus=None))]
-    fn new(young_modulus: Option<f64>, poisson: f64, shear_modulus: Option<f64>) -> PyResult<Self> {
+    #[pyo3(signature = (young_modulus=None, poisson=0.0, *, shear_modulus=None, yield_stress=None))]
+    fn new(
+        young_modulus: Option<f64>,
+        poisson: f64,
+        shear_modulus: Option<f64>,
+        yield_stress: Option<f64>,
+    ) -> PyResult<Self> {
         use carom::halfspace::Material;
         let material = match (young_modulus, shear_modulus) {
             (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => Ok(Material::RIGID),
@@ -42,6 +49,8 @@ impl Material {
                 return Err(PyTypeError::new_err(text));
             }
         };
+        let material = material
+            .and_then(|material| material.yielding_at(yield_stress.unwrap_or(f64::INFINITY)));
         Ok(Self(material.map_err(Fault::from)?))
     }
 
@@ -63,12 +72,22 @@ impl Material {
         self.0.poisson()
     }
 
+    /// The yield stress in tension, Pa; infinite if none is known.
+    #[getter]
+    fn yield_stress(&self) -> f64 {
+        self.0.yield_stress()
+    }
+
     pub(crate) fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let modulus = match self.short_young_modulus() {
             Some(modulus) => format!("young_modulus={}", repr(py, modulus)?),
             None => format!("shear_modulus={}", repr(py, self.shear_modulus())?),
         };
-        Ok(format!("Material({modulus}, poisson={})", repr(py, self.poisson())?))
+        let yields = match self.yield_stress() {
+            f64::INFINITY => String::new(),
+            stress => format!(", yield_stress={}", repr(py, stress)?),
+        };
+        Ok(format!("Material({modulus}, poisson={}{yields})", repr(py, self.poisson())?))
     }
 
     fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
@@ -79,6 +98,7 @@ impl Material {
         let named = PyDict::new(py);
         named.set_item("shear_modulus", self.0.shear_modulus())?;
         named.set_item("poisson", self.0.poisson())?;
+        named.set_item("yield_stress", self.0.yield_stress())?;
         Ok(((), named))
     }
 }
@@ -91,8 +111,8 @@ impl Material {
             return Some(modulus);
         }
         let short = format!("{modulus:.11e}").parse().ok()?;
-        let same = carom::halfspace::Material::from_young(short, self.poisson()).ok()? == self.0;
-        same.then_some(short)
+        let same = carom::halfspace::Material::from_young(short, self.poisson()).ok()?;
+        (same.shear_modulus() == self.shear_modulus()).then_some(short)
     }
 }
 
@@ -151,6 +171,12 @@ impl MaterialPair {
     #[getter]
     fn kappa(&self) -> f64 {
         self.0.kappa()
+    }
+
+    /// The smaller yield stress of the two, Pa; infinite if none is known.
+    #[getter]
+    fn yield_stress(&self) -> f64 {
+        self.0.yield_stress()
     }
 
     pub(crate) fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

@@ -1,5 +1,6 @@
 """Results outside the theory are told through `warnings`."""
 
+import pickle
 import warnings
 
 import numpy as np
@@ -42,6 +43,39 @@ def test_within_the_theory_nothing_is_told():
         warnings.simplefilter("error")
         ball = carom.sphere(0.01, steel, 0.033, velocity=(0.1, 0, -0.2))
         carom.collide(ball, carom.plane(steel), 0.15)
+
+
+def test_yield_is_outside_the_theory_and_a_small_loss_is_not():
+    steel = carom.Material(208e9, 0.3, yield_stress=1e9)
+    # Johnson: a sphere of hard steel yields from 0.14 m/s on.
+    for speed, category in ((0.137, None), (0.14, carom.OutsideTheoryWarning)):
+        ball = carom.sphere(0.01, steel, 7850 * 4 / 3 * np.pi * 0.01**3, velocity=(0, 0, -speed))
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            carom.collide(ball, carom.plane(steel), 0.15)
+        assert [warning.category for warning in told] == ([category] if category else [])
+        assert all("yields: the greatest pressure exceeds 1.6 times" in str(warning.message) for warning in told)
+    elastic = carom.Material(208e9, 0.3)
+    ball = carom.sphere(0.01, elastic, 0.033, velocity=(0, 0, -3))
+    with pytest.warns(carom.CaromWarning, match="elastic waves carry away about") as told:
+        carom.collide(ball, carom.plane(elastic), 0.15)
+    assert told[0].category is carom.CaromWarning
+
+
+def test_a_history_and_a_contact_on_a_grid_warn(tmp_path):
+    for kind, compute in (("history", carom.cases.history), ("solve", carom.cases.solve)):
+        path = tmp_path / f"{kind}.toml"
+        path.write_text(carom.cases.new(kind).replace("young_modulus = 208e9", "hardness = 1e6\nyoung_modulus = 208e9"))
+        with pytest.warns(carom.OutsideTheoryWarning, match="yields: "):
+            compute(path)
+
+
+def test_a_yield_stress_belongs_to_a_material():
+    steel = carom.Material(208e9, 0.3, yield_stress=1e9)
+    assert steel != carom.Material(208e9, 0.3) and pickle.loads(pickle.dumps(steel)) == steel
+    assert repr(steel) == "Material(young_modulus=208000000000.0, poisson=0.3, yield_stress=1000000000.0)"
+    with pytest.raises(carom.RangeError, match="yield_stress"):
+        carom.Material(208e9, 0.3, yield_stress=0)
 
 
 def test_a_case_of_many_impacts_warns(tmp_path):

@@ -38,6 +38,13 @@ int FixCaromKeep::setmask()
 
 void FixCaromKeep::pre_exchange()
 {
+  if (!pair) return;
+  pair->pack_all();
+  pair->pace.tell(lmp);
+}
+
+void FixCaromKeep::min_pre_exchange()
+{
   if (pair) pair->pack_all();
 }
 

@@ -27,7 +27,9 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     int words = material.take(lmp, who(), narg - k, arg + k);
     if (words == 0) {
       words = law.take(lmp, who(), narg - k, arg + k);
-      has_law = has_law || words > 0;
+      has_law = has_law || (words > 0 && word == "law");
+      has_tolerance = has_tolerance || (words > 0 && word == "tolerance");
+      has_torsion = has_torsion || (words > 0 && word == "torsion");
     }
     if (words == 0 && word == "plane" && k + 6 < narg) {
       for (int axis = 0; axis < 3; axis++) {
@@ -83,6 +85,14 @@ int FixWallCarom::setmask()
   return FixConst::POST_FORCE;
 }
 
+carom::Law FixWallCarom::law_with(carom::Law its) const
+{
+  if (has_law) its.law = law.law;
+  if (has_tolerance) its.tolerance = law.tolerance;
+  if (has_torsion) its.torsion = law.torsion;
+  return its;
+}
+
 void FixWallCarom::init()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
@@ -95,14 +105,15 @@ void FixWallCarom::init()
   account = false;
   constants.assign(atom->ntypes + 1, {});
   known.assign(atom->ntypes + 1, 0);
-  twists = has_law ? law.torsion : pairs.front()->law().torsion;
-  for (const PairCarom *pair : pairs) {
-    account = account || pair->keeps_account();
+  pair = pairs.front();
+  twists = law_with(pair->law()).torsion;
+  for (const PairCarom *style : pairs) {
+    account = account || style->keeps_account();
     for (int type = 1; type <= atom->ntypes; type++) {
-      if (known[type] || !pair->material(type).has_body) continue;
+      if (known[type] || !style->material(type).has_body) continue;
       known[type] = 1;
-      const carom::Law &its = has_law ? law : pair->law();
-      constants[type] = carom::constants_of(lmp, who(), pair->material(type).body(), material.body(), material, its);
+      const carom::Law its = law_with(style->law());
+      constants[type] = carom::constants_of(lmp, who(), style->material(type).body(), material.body(), material, its);
       if (!has_told) carom::tell_of_coupling(lmp, who() + ": grains of type " + std::to_string(type), constants[type]);
     }
   }
@@ -126,6 +137,7 @@ carom_grain_load FixWallCarom::step(int i, double duration)
   const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
   const carom::Constants &its = constants[atom->type[i]];
   const bool is_new = slots[i][0] == 0.0;
+  if (is_new && update->whichflag == 1) pair->pace.begins(its.grains, grain, atom->rmass[i], wall, update->dt);
   const carom::Touch touch = touch_of(i);
   carom_grain_load load;
   carom_error why;

@@ -49,8 +49,8 @@ class FixWallCarom : public Fix {
 
  private:
   carom::Material material;
-  carom::Law law;
-  bool has_law = false, has_plane = false;
+  carom::Law law;                       // those of its values that were given
+  bool has_law = false, has_tolerance = false, has_torsion = false, has_plane = false;
   bool has_told = false;    // of coupling, in the log
   carom_wall wall = {};
   std::vector<carom::Constants> constants;    // by type of grain
@@ -61,6 +61,10 @@ class FixWallCarom : public Fix {
   Touches touches;
   std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
 
+  class PairCarom *pair = nullptr;    // the first of the pair styles
+
+  // The values of a pair style, but for those that were given to the wall.
+  carom::Law law_with(carom::Law its) const;
   std::string who() const { return std::string("fix ") + id + " wall/carom"; }
   [[noreturn]] void damaged(const std::string &what) const;
   carom::Touch touch_of(int i);

@@ -30,7 +30,7 @@ struct Material {
   bool come_from_file();
   // Raises an error for values that are missing or out of range.
   void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
-  carom_material body() const { return {young, poisson}; }
+  carom_material body() const { return {young, poisson, 0}; }
 
  private:
   double shear = 0.0;

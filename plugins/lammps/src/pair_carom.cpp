@@ -145,6 +145,7 @@ void PairCarom::init_style()
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "pair carom requires atom_style sphere");
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
+  pace.start();
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
     const auto make = [this](const std::string &id, const std::string &style) {
@@ -305,6 +306,8 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     met.touch = touches.with_flag(*pair.flag).plain;
     all.set(met.one, one);
     all.set(met.two, two);
+    if (is_new[k] && update->whichflag == 1)
+      pace.begins(*met.grains, met.one, atom->rmass[one], met.two, atom->rmass[two], update->dt);
   }
   if (!moves || account || law_.by_rings()) {
     for (int k = 0; k < count; k++) step_alone(close[k], encounters[k], dt, moves || is_new[k]);

@@ -6,6 +6,7 @@
 
 #include "carom.h"
 #include "material.h"
+#include "pace.h"
 #include "touches.h"
 
 #include <string>
@@ -48,6 +49,7 @@ class PairCarom : public Pair {
 
   FixCaromKeep *keep = nullptr;    // null once the host has deleted it
   carom_heats heats = {0.0, 0.0};  // of this rank, since the beginning
+  carom::Pace pace;                // of this run, walls included
 
  private:
   carom::Law law_;

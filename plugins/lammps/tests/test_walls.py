@@ -47,3 +47,51 @@ def test_a_restart_within_a_contact_keeps_the_work_of_the_wall(tmp_path):
     assert np.abs(rest["f_floor[3]"]).max() > 1000
     assert rest["c_where[4]"][-1] == pytest.approx(whole["c_where[4]"][-1], rel=1e-12)
     assert rest["v_v"][-1] == whole["v_v"][-1]
+
+
+def spinning(tmp_path, keywords):
+    """Velocity and spin of a ball that falls with spin on a floor with these keywords, as text."""
+    law = "pair_style carom law coulomb tolerance 1e-3 torsion yes"
+    floor = f"fix floor all wall/carom plane 0 0 0 0 0 1 young 1e7 poisson 0.3 friction 0.1 {keywords}\n"
+    move = "set group all omega 2 1 20\nvelocity all set 0.3 0.1 -1\nneighbor 0.01 bin\nfix move all nve/sphere\n"
+    shown = "dump end all custom 1 end vx vy vz omegax omegay omegaz\ndump_modify end format float %.17g first no\n"
+    ball = BALL.replace("pair_style carom energy yes", law)
+    lmp(ball + floor + move + "timestep 1e-3\nrun 120\n" + shown + "run 0\n", tmp_path)
+    return (tmp_path / "end").read_text().splitlines()[-1]
+
+
+def test_a_wall_inherits_what_it_does_not_name(tmp_path):
+    plain = spinning(tmp_path, "")
+    for keywords in ("law coulomb", "tolerance 1e-3", "torsion yes", "torsion yes law coulomb"):
+        assert spinning(tmp_path, keywords) == plain, keywords
+    # Each of the three counts.
+    others = {spinning(tmp_path, keywords) for keywords in ("law fixed-direction", "tolerance 0.1", "torsion no")}
+    assert len(others | {plain}) == 4
+
+
+TOO_LONG = "the time step is too long"
+
+
+def test_a_time_step_that_is_too_long_is_told_once(tmp_path):
+    # An impact of .129 s on the wall, after .1 s.
+    def log(steps, ranks=1, more=""):
+        step = FLOOR.replace("timestep 1e-4", f"timestep {0.1292 / steps}")
+        lmp(BALL + step + f"thermo 100\nrun {3 * steps}\n{more}", tmp_path, ranks=ranks)
+        return (tmp_path / "log.lammps").read_text()
+
+    assert TOO_LONG not in log(21)
+    assert log(19).count(TOO_LONG) == 1
+    assert "lasts 19 steps" in log(19, ranks=2)
+    # In a second run nothing begins.
+    assert log(10, more="run 100\n").count(TOO_LONG) == 1
+
+
+def test_two_grains_tell_of_the_time_step_too(tmp_path):
+    # Half the mass and half the radius: by T ~ (m^2/R)^(1/5), and the modulus of two equal bodies as at the wall.
+    duration = 0.1292 * (0.25 / 0.5) ** 0.2
+    pair = "create_atoms 1 single 0 0 0.51\ncreate_atoms 1 single 0 0 -0.51\n"
+    meet = "group low id 2\nvelocity low set 0 0 0.1\nneighbor 0.01 bin\nfix move all nve/sphere\n"
+    for steps, count in ((21, 0), (19, 1)):
+        two = BALL.replace("create_atoms 1 single 0 0 0.51\n", pair) + meet
+        lmp(two + f"timestep {duration / steps}\nrun {5 * steps}\n", tmp_path)
+        assert (tmp_path / "log.lammps").read_text().count(TOO_LONG) == count

@@ -23,8 +23,8 @@ static bool same(const carom::Touch &one, const carom::Touch &two)
 
 static carom::Constants constants(uint32_t law)
 {
-  const carom_material glass = {70e9, 0.22};
-  const carom_material rubber = {1e7, 0.5};
+  const carom_material glass = {70e9, 0.22, 0};
+  const carom_material rubber = {1e7, 0.5, 0};
   carom::Constants made;
   check(carom_grains_of(&glass, &rubber, 0.4, law, 0.0, 0.0, &made.grains, nullptr) == CAROM_STATUS_OK, "constants");
   if (law != CAROM_LAW_RINGS) return made;

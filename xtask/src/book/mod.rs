@@ -5,6 +5,7 @@ mod look;
 
 use crate::browse;
 use crate::outcome::{Outcome, Part};
+use crate::root::root;
 use crate::tools::MDBOOK;
 use anyhow::{Context as _, ensure};
 use std::collections::BTreeSet;
@@ -111,10 +112,6 @@ fn markdown(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     }
     found.sort();
     Ok(found)
-}
-
-fn root() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
 #[cfg(test)]

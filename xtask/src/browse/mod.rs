@@ -1,6 +1,7 @@
 //! Tests the report in a headless browser: three widths, both themes.
 
 use crate::outcome::{Outcome, Part};
+use crate::root::root;
 use anyhow::{Context as _, bail};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -18,7 +19,7 @@ const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "c
 /// Loads `target/verification/report.html` and saves screenshots in
 /// `target/verification/screenshots/`; skipped without a browser.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
+    let root = root();
     let folder = root.join("target/verification");
     let Some(browser) = browser() else {
         return Ok(Outcome::skipped(Part::Browser, none()));

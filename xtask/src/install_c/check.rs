@@ -25,7 +25,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let prefix = folder.join("prefix");
     super::install(&prefix)?;
     let (prefix, folder) = (prefix.canonicalize()?, folder.canonicalize()?);
-    let examples = release::root().canonicalize()?.join("crates/capi/examples");
+    let examples = crate::root::root().canonicalize()?.join("crates/capi/examples");
     Ok(by_pkg_config(&examples, &prefix, &folder)?.and(by_cmake(&examples, &prefix, &folder)?))
 }
 

@@ -60,7 +60,7 @@ impl Shared {
 pub(crate) fn install(prefix: &Path) -> anyhow::Result<()> {
     fs::create_dir_all(prefix).with_context(|| prefix.display().to_string())?;
     let prefix = prefix.canonicalize()?;
-    let source = release::root().canonicalize()?.join("crates/capi");
+    let source = crate::root::root().canonicalize()?.join("crates/capi");
     let header = fs::read_to_string(source.join("include/carom.h"))?;
     let shared = Shared::new(abi(&header)?)?;
     build(&shared)?;
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn templates_are_filled_in_completely() {
         let shared = Shared::new("5").unwrap();
-        let folder = release::root().join("crates/capi/install");
+        let folder = crate::root::root().join("crates/capi/install");
         for name in ["carom.pc.in", "caromConfig.cmake.in", "caromConfigVersion.cmake.in"] {
             let text = fs::read_to_string(folder.join(name)).unwrap();
             let text = filled(&text, Path::new("/opt/carom"), &shared);
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn the_header_says_the_version_of_the_interface() {
         let header =
-            fs::read_to_string(release::root().join("crates/capi/include/carom.h")).unwrap();
+            fs::read_to_string(crate::root::root().join("crates/capi/include/carom.h")).unwrap();
         assert!(abi(&header).unwrap().parse::<u32>().unwrap() >= 5);
         assert!(abi("").is_err());
     }

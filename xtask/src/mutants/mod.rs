@@ -28,6 +28,7 @@ mod weave;
 
 use crate::flags;
 use crate::outcome::Outcome;
+use crate::root::root;
 use anyhow::ensure;
 use list::{Killers, Mutant};
 use round::Verdict;
@@ -38,7 +39,7 @@ use trial::{Selection, Trial};
 
 /// Runs the mutants selected by the options.
 pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<Outcome> {
-    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).canonicalize()?;
+    let root = root();
     let list = list::read(&root.join("xtask/mutants.toml"))?;
     let killers_path = root.join("xtask/mutants-noticed.toml");
     let mut killers = list::read_killers(&killers_path)?;

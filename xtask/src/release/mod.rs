@@ -6,6 +6,7 @@ mod packed;
 mod wheel;
 
 use crate::outcome::{Outcome, Part};
+use crate::root::root;
 use crate::{cargo, flags};
 use anyhow::{Context as _, ensure};
 use packages::Packages;
@@ -16,11 +17,6 @@ use std::process::Command;
 const MAX_PACKED_BYTES: u64 = 10 << 20;
 /// Files that each packed crate must contain.
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-MIT", "LICENSE-APACHE"];
-
-/// The root of the workspace.
-pub(crate) fn root() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-}
 
 /// The build folder of cargo.
 pub(crate) fn target() -> PathBuf {

@@ -104,7 +104,7 @@ impl Packages {
         for Package { name, folder, version, .. } in &ordered {
             for licence in LICENCES {
                 let there = std::fs::read(folder.join(licence)).ok();
-                let root = std::fs::read(crate::release::root().join(licence))?;
+                let root = std::fs::read(crate::root::root().join(licence))?;
                 if there != Some(root) {
                     faults.push(format!("{name}: no {licence} as at the root"));
                 }

@@ -9,6 +9,7 @@ mod index;
 mod items;
 mod quoted;
 
+use crate::root::root;
 use crate::{book, mutants, release};
 use anyhow::{Context as _, bail};
 use calls::Reached;
@@ -21,7 +22,7 @@ type Number = (u32, u32);
 
 /// Prints all faults; fails if there are any.
 pub(crate) fn run() -> anyhow::Result<()> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = root();
     let index = Index::read(&root.join("verification/equations.toml"))?;
     let mut faults = index.gaps();
     let reached = Reached::read(&root)?;

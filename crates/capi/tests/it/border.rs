@@ -6,7 +6,8 @@ use std::ptr::{null, null_mut};
 use carom_capi::*;
 use proptest::prelude::*;
 
-const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+const GLASS: CaromMaterial =
+    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 
 fn error() -> CaromError {
     // SAFETY: plain numbers.
@@ -245,7 +246,7 @@ fn bad_constants_are_named() {
     // SAFETY: all zero is a pair that nothing accepts.
     let mut pair = unsafe { zeroed() };
     let mut make = |young_modulus: f64, radius: f64, friction: f64, law: u32, tolerance: f64| {
-        let one = CaromMaterial { young_modulus, poisson: 0.3 };
+        let one = CaromMaterial { young_modulus, poisson: 0.3, yield_stress: 0.0 };
         // SAFETY: all pointers are references.
         let status = unsafe {
             let pair = &raw mut pair;

@@ -5,7 +5,8 @@ use std::ptr::null_mut;
 
 use carom_capi::*;
 
-const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+const GLASS: CaromMaterial =
+    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 const DT: f64 = 1e-8;
 
 /// What a word is changed to: letters, all bits, one tag beyond the last, a number that is none, a large one.

@@ -31,7 +31,8 @@ fn made(
     law: u32,
     relaxation: f64,
 ) -> Result<CaromGrains, String> {
-    let bodies = poisson.map(|poisson| CaromMaterial { young_modulus: 70e9, poisson });
+    let bodies =
+        poisson.map(|poisson| CaromMaterial { young_modulus: 70e9, poisson, yield_stress: 0.0 });
     // SAFETY: plain numbers; all pointers are references.
     unsafe {
         let (mut grains, mut error) = (zeroed(), error());
@@ -401,7 +402,8 @@ fn what_is_out_of_range_is_named() {
 #[test]
 fn spin_about_the_normal_meets_the_law_of_a_twist() {
     let grains = made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 0.0).unwrap();
-    let bodies = [0.3, 0.2].map(|poisson| CaromMaterial { young_modulus: 70e9, poisson });
+    let bodies =
+        [0.3, 0.2].map(|poisson| CaromMaterial { young_modulus: 70e9, poisson, yield_stress: 0.0 });
     let [one, two] = &bodies;
     let normal = [0.36, 0.48, 0.8];
     let (zeta, dt) = (1e-5, 1e-3);
@@ -565,4 +567,42 @@ fn encounters_go_through_one_call_as_one_by_one() {
     // SAFETY: nothing is read.
     let status = unsafe { carom_touch_many(null_mut(), 1, dt, null_mut(), null_mut()) };
     assert_eq!(status, CaromStatus::NullPointer);
+}
+
+/// Hertz: T = 2.94 zeta_max/v with zeta_max^5 = (15 m v^2/(16 E* sqrt(R)))^2, of a grain on a wall and of two grains.
+#[test]
+fn an_impact_lasts_as_hertz_says() {
+    let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
+    let time = |radii: [f64; 2], masses: [f64; 2], velocity: f64| {
+        // SAFETY: plain numbers; all pointers are references.
+        unsafe {
+            let (mut grains, mut error, mut time) = (zeroed(), zeroed(), 0.0);
+            let (law, to) = (CAROM_LAW_COULOMB, &raw mut grains);
+            let made = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 0.0, to, &raw mut error);
+            assert_eq!(made, CaromStatus::Ok);
+            let ([r_1, r_2], [m_1, m_2], to) = (radii, masses, &raw mut time);
+            let told =
+                carom_grains_impact_time(&grains, r_1, r_2, m_1, m_2, velocity, to, &raw mut error);
+            (told, time)
+        }
+    };
+    let modulus = 70e9 / (2.0 * (1.0 - 0.22 * 0.22));
+    let hertz = |radius: f64, mass: f64, velocity: f64| {
+        let deep = 15.0 * mass * velocity * velocity / (16.0 * modulus * radius.sqrt());
+        2.943_275_1 * deep.powf(0.4) / velocity
+    };
+    let inf = f64::INFINITY;
+    for (radii, masses, velocity, expected) in [
+        ([1e-3, inf], [1e-5, inf], 0.3, hertz(1e-3, 1e-5, 0.3)),
+        ([1e-3, 3e-3], [1e-5, 3e-5], 2.0, hertz(0.75e-3, 0.75e-5, 2.0)),
+    ] {
+        let (status, told) = time(radii, masses, velocity);
+        assert_eq!(status, CaromStatus::Ok);
+        assert!((told / expected - 1.0).abs() < 1e-6, "{told} {expected}");
+    }
+    let bad =
+        [([1e-3; 2], [inf; 2], 1.0), ([1e-3; 2], [1e-5, 0.0], 1.0), ([1e-3; 2], [1e-5; 2], 0.0)];
+    for (radii, masses, velocity) in bad {
+        assert_eq!(time(radii, masses, velocity).0, CaromStatus::OutOfRange);
+    }
 }

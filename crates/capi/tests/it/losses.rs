@@ -8,7 +8,8 @@ use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound};
 use carom_laws::friction::Friction;
 
-const RUBBER: CaromMaterial = CaromMaterial { young_modulus: 20e6, poisson: 0.5 };
+const RUBBER: CaromMaterial =
+    CaromMaterial { young_modulus: 20e6, poisson: 0.5, yield_stress: 0.0 };
 const VELOCITY: [f64; 3] = [1.5, -0.4, -2.0];
 const SPIN: [f64; 3] = [3.0, 40.0, -5.0];
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -176,8 +177,8 @@ fn options_may_be_shorter_and_not_longer() {
 fn options_choose_law_tolerance_and_torsion() {
     let [mut ball, mut floor] = bodies();
     (ball.material, floor.material) = (
-        CaromMaterial { young_modulus: 380e9, poisson: 0.23 },
-        CaromMaterial { young_modulus: 70e9, poisson: 0.22 },
+        CaromMaterial { young_modulus: 380e9, poisson: 0.23, yield_stress: 0.0 },
+        CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 },
     );
     let solved = |options: CaromCollideOptions| {
         let (mut told, size) = (CaromRebound::default(), size_of::<CaromCollideOptions>());

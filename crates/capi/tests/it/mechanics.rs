@@ -7,8 +7,10 @@ use carom_capi::*;
 
 type Vector = [f64; 3];
 
-const STEEL: CaromMaterial = CaromMaterial { young_modulus: 208e9, poisson: 0.3 };
-const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+const STEEL: CaromMaterial =
+    CaromMaterial { young_modulus: 208e9, poisson: 0.3, yield_stress: 0.0 };
+const GLASS: CaromMaterial =
+    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 
 fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

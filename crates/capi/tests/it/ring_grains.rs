@@ -31,7 +31,7 @@ fn cross(a: Vector, b: Vector) -> Vector {
 }
 
 fn material([young_modulus, poisson]: [f64; 2]) -> CaromMaterial {
-    CaromMaterial { young_modulus, poisson }
+    CaromMaterial { young_modulus, poisson, yield_stress: 0.0 }
 }
 
 fn mass(radius: f64) -> f64 {

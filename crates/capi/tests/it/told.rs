@@ -6,7 +6,8 @@ use std::ptr::null;
 use carom_capi::*;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
-const RUBBER: CaromMaterial = CaromMaterial { young_modulus: 20e6, poisson: 0.5 };
+const RUBBER: CaromMaterial =
+    CaromMaterial { young_modulus: 20e6, poisson: 0.5, yield_stress: 0.0 };
 
 fn bodies() -> [CaromBody; 2] {
     // SAFETY: zeros are a solid sphere at rest.

@@ -7,7 +7,8 @@ use std::ptr::null;
 
 use carom_capi::*;
 
-const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+const GLASS: CaromMaterial =
+    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 const BOTH: u32 = CAROM_WARNING_LARGE_CONTACT | CAROM_WARNING_LARGE_APPROACH;
 
 fn spheres(radius_1: f64, radius_2: f64) -> CaromPair {
@@ -103,9 +104,39 @@ fn wrong_input_is_named() {
     assert_eq!(validity(&other, 1e-6, 1e-3), Err((CaromStatus::BadState, "pair".to_owned())));
 }
 
+#[test]
+fn a_contact_yields_at_1_6_times_its_yield_stress() {
+    let soft = CaromMaterial { yield_stress: 1e9, ..GLASS };
+    // SAFETY: plain numbers; all pointers are references or null.
+    let pair: CaromPair = unsafe {
+        let (mut pair, mut error) = (zeroed(), zeroed());
+        let (law, to) = (CAROM_LAW_COULOMB, &raw mut pair);
+        let status =
+            carom_pair_of_spheres(&GLASS, &soft, 1e-3, 3e-3, 0.2, law, 0.0, to, &raw mut error);
+        assert_eq!(status, CaromStatus::Ok);
+        pair
+    };
+    // p = (2/pi) E* sqrt(zeta/R), E* = E/(2 (1 - nu^2)).
+    let modulus = 70e9 / (2.0 * (1.0 - 0.22 * 0.22));
+    let pressure = |zeta: f64| 2.0 / std::f64::consts::PI * modulus * (zeta / 0.75e-3).sqrt();
+    let at = |zeta: f64| validity(&pair, zeta, 1e-3).unwrap();
+    let zeta = 1e-6;
+    assert!((at(zeta).pressure_over_yield / (pressure(zeta) / 1.6e9) - 1.0).abs() < 1e-12);
+    let limit = zeta * (1.6e9 / pressure(zeta)).powi(2);
+    assert_eq!(at(0.999 * limit).warnings, 0);
+    assert_eq!(at(1.001 * limit).warnings, CAROM_WARNING_YIELDS);
+    let [bad, unknown] =
+        [0.0, f64::INFINITY].map(|yield_stress| CaromPair { yield_stress, ..pair });
+    assert_eq!(
+        validity(&bad, zeta, 1e-3),
+        Err((CaromStatus::OutOfRange, "yield_stress".to_owned()))
+    );
+    assert_eq!(validity(&unknown, zeta, 1e-3).unwrap().pressure_over_yield, 0.0);
+}
+
 /// A rubber ball that falls on a rigid floor.
 fn fall(velocity: f64) -> CaromRebound {
-    let rubber = CaromMaterial { young_modulus: 1e6, poisson: 0.5 };
+    let rubber = CaromMaterial { young_modulus: 1e6, poisson: 0.5, yield_stress: 0.0 };
     // SAFETY: zeros are a solid sphere at rest; all pointers are references or null.
     unsafe {
         let [mut ball, mut floor]: [CaromBody; 2] = zeroed();
@@ -140,9 +171,9 @@ fn an_impact_warns_where_its_contact_does() {
 fn each_warning_has_its_words() {
     // SAFETY: static texts that end with a zero.
     let text = |bits| unsafe { CStr::from_ptr(carom_warning_text(bits)) }.to_str().unwrap();
-    let texts: BTreeSet<_> = (0..7).map(|i| text(1 << i)).collect();
+    let texts: BTreeSet<_> = (0..8).map(|i| text(1 << i)).collect();
     let none = text(0);
-    assert_eq!(texts.len(), 7);
+    assert_eq!(texts.len(), 8);
     assert!(!texts.contains(none));
-    assert_eq!([text(3), text(128), text(u32::MAX)], [none; 3]);
+    assert_eq!([text(3), text(256), text(u32::MAX)], [none; 3]);
 }

@@ -64,7 +64,7 @@ fn any_number_in_a_body_is_answered() {
         // SAFETY: zeros are a solid sphere at rest; the error is plain numbers.
         let (mut body, mut plate): (CaromBody, CaromBody) = unsafe { (zeroed(), zeroed()) };
         (body.shape, body.sizes, body.mass) = (shape, [0.02, 0.015, 0.01], 0.03);
-        body.material = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+        body.material = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
         (body.velocity, body.spin) = ([0.3, 0.1, -1.0], [1.0, 2.0, 3.0]);
         (plate.shape, plate.material) = (CAROM_SHAPE_PLANE, body.material);
         let count = numbers(&mut body).len();
@@ -100,7 +100,7 @@ fn any_pair_and_ratio_is_answered() {
         for other in STRANGE {
             // SAFETY: plain numbers.
             let (mut error, mut pair): (CaromError, CaromPair) = unsafe { (zeroed(), zeroed()) };
-            let material = CaromMaterial { young_modulus: one, poisson: 0.3 };
+            let material = CaromMaterial { young_modulus: one, poisson: 0.3, yield_stress: 0.0 };
             let mut r_x = 7.0;
             let mut calls = Vec::new();
             // SAFETY: all pointers are null or references.

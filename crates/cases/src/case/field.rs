@@ -60,6 +60,13 @@ impl Usual {
     pub(super) const MODULUS: Self =
         Self { low: 1e3, high: 2e12, words: "it is in Pa; \"208 GPa\" is steel" };
 
+    /// Yield stresses and hardnesses.
+    pub(super) const STRENGTH: Self = Self {
+        low: 1e5,
+        high: 2e11,
+        words: "it is in Pa; steel yields at \"300 MPa\" to \"2 GPa\"",
+    };
+
     /// Whether the number is usual.
     pub(super) fn has(self, value: f64) -> bool {
         let size = value.abs();

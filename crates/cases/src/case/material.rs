@@ -27,16 +27,58 @@ const RIGID: Field =
     Field::new("rigid", Form::Switch, "whether the body is rigid; only one of the two may be")
         .default(Default::False);
 
-/// The field `material` of a body.
-pub(super) const MATERIAL: Field = Field::new(
+const NO_YIELD: &str = "no warning where it yields";
+const YIELD: Field = Field::number(
+    "yield_stress",
+    MODULUS,
+    "yield stress Y in tension; all stays elastic, with a warning where the greatest pressure exceeds 1.6 Y",
+)
+.may(NO_YIELD)
+.such_as("\"1.2 GPa\"")
+.usually(Usual::STRENGTH);
+const HARDNESS: Field = Field::number(
+    "hardness",
+    MODULUS,
+    "hardness H as a pressure (Vickers, Brinell), instead of the yield stress: Y = H/2.8",
+)
+.may(NO_YIELD)
+.such_as("\"7 GPa\"")
+.usually(Usual::STRENGTH);
+
+/// The field `material` of an elastic body without contact.
+pub(super) const ELASTIC: Field = Field::new(
     "material",
     Form::Table(&[YOUNG, SHEAR, POISSON, RIGID]),
     "material: two elastic constants, or rigid",
 )
 .begun(&[(&YOUNG, ""), (&POISSON, "")]);
+/// The field `material` of a body in contact.
+pub(super) const MATERIAL: Field = Field::new(
+    "material",
+    Form::Table(&[YOUNG, SHEAR, POISSON, RIGID, YIELD, HARDNESS]),
+    "material: two elastic constants, or rigid, and the yield stress if it is known",
+)
+.begun(&[(&YOUNG, ""), (&POISSON, "")]);
 
+/// Reads the material of a body in contact.
 pub(super) fn read(body: &Section<'_>) -> Result<Material, CaseError> {
-    let material = body.section(&MATERIAL)?;
+    let table = body.section(&MATERIAL)?;
+    let material = constants(&table)?;
+    match table.given([&YIELD, &HARDNESS]).as_slice() {
+        [] => Ok(material),
+        [field] if field.name == YIELD.name => material.yielding_at(table.number(&YIELD)?),
+        [_] => material.with_hardness(table.number(&HARDNESS)?),
+        both => return Err(table.several(both, "give one of the two")),
+    }
+    .map_err(|error| table.refused(error))
+}
+
+/// Reads the material of an elastic body without contact.
+pub(super) fn read_elastic(body: &Section<'_>) -> Result<Material, CaseError> {
+    constants(&body.section(&ELASTIC)?)
+}
+
+fn constants(material: &Section<'_>) -> Result<Material, CaseError> {
     if material.switch(&RIGID)? {
         return match material.given([&YOUNG, &SHEAR, &POISSON]).first() {
             Some(field) => {

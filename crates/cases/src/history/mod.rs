@@ -15,6 +15,7 @@ pub use twist::Twist;
 use crate::Error;
 use crate::case::{HistoryCase, Steps};
 use crate::input::CaseFile;
+use crate::theory::Heed;
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 
@@ -29,11 +30,30 @@ pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> 
     }
 }
 
+/// The contact of a case after each step.
+#[derive(Debug, Clone)]
+pub struct Followed {
+    /// The case.
+    pub case: HistoryCase,
+    /// The contact after each step.
+    pub steps: Vec<Step>,
+}
+
+impl Followed {
+    /// What the contacts exceed.
+    #[must_use]
+    pub fn heed(&self) -> Heed {
+        let mut heed = Heed::default();
+        self.steps.iter().for_each(|step| step.add_to(&mut heed, &self.case));
+        heed
+    }
+}
+
 /// Computes the contact after each step of a history; files that the case names are relative to it.
 ///
 /// # Errors
 /// If the case has an error, a file cannot be read, or a law rejects a value.
-pub fn followed(file: &CaseFile) -> Result<Vec<Step>, Error> {
+pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = shifts(file, &case)?;
     let at_fault = |source| Error::Law { path: file.path.clone(), source };
@@ -43,5 +63,6 @@ pub fn followed(file: &CaseFile) -> Result<Vec<Step>, Error> {
         laws.advance(*shift).map_err(at_fault)?;
         step((i + 1) as f64, &laws, friction, 0)
     };
-    shifts.iter().enumerate().map(after).collect()
+    let steps = shifts.iter().enumerate().map(after).collect::<Result<_, _>>()?;
+    Ok(Followed { case, steps })
 }

@@ -3,11 +3,14 @@
 use super::laws::{Laws, is_twisted};
 use super::twist::{self, Twist};
 use crate::Error;
+use crate::case::HistoryCase;
+use crate::theory::Heed;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::MemoryRegime;
+use carom_laws::validity::Validity;
 use carom_special::linspace;
 use carom_table::Column;
 
@@ -40,6 +43,22 @@ pub struct Step {
     pub tractions: Vec<Traction>,
     /// The tangential load over that of complete sliding.
     pub share: f64,
+}
+
+impl Step {
+    /// How far the contact is from the limits of the theory.
+    #[must_use]
+    pub fn validity(&self, case: &HistoryCase) -> Validity {
+        let contact = ContactEllipse::new(self.semi_axis_a, self.semi_axis_b);
+        let pressure = contact.map_or(0.0, |contact| contact.peak_pressure(self.load.f_z));
+        let largest = [self.semi_axis_a.max(self.semi_axis_b), self.shift.zeta, pressure];
+        Validity::of_contact(largest, case.hertz.materials().yield_stress(), case.smallest_radius)
+    }
+
+    /// Adds what the contact exceeds.
+    pub fn add_to(&self, heed: &mut Heed, case: &HistoryCase) {
+        heed.add(|| format!("at step {}", self.step), self.validity(case));
+    }
 }
 
 /// The columns of every history.

@@ -6,9 +6,9 @@ pub use row::{COLUMNS, CREEP, Creep, Row};
 
 use crate::Error;
 use crate::case::RollCase;
-use crate::theory::Excess;
 use carom_halfspace::Grid;
 use carom_laws::friction::Friction;
+use carom_laws::validity::Validity;
 use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError,
     SteadyContact, Way, creep_coefficients,
@@ -57,11 +57,12 @@ pub fn rolled(path: &Path, case: &RollCase, wanted: Wanted) -> Result<Rolled, Er
     Ok(Rolled { rows, state, creep: creep.filter(|_| wanted.coefficients) })
 }
 
-/// By how much the contact exceeds the limits of the theory.
+/// How far the contact is from the limits of the theory, with the smallest radius of the gap.
 #[must_use]
-pub fn excess(case: &RollCase) -> Excess {
+pub fn validity(case: &RollCase) -> Validity {
     let curvature = case.hertz.curvature();
-    Excess::of_contact(case.loaded.approach, 0.5 / curvature.a().max(curvature.b()))
+    let radius = 0.5 / curvature.a().max(curvature.b());
+    Validity::of_hertz(&case.hertz, &case.loaded, radius)
 }
 
 /// Warnings about full sliding, and about effects that creep coefficients neglect.

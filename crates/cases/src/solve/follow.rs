@@ -4,9 +4,11 @@ use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
 use crate::Error;
 use crate::case::{Border, GridCase, Leg, SolveCase, SolveMethod, Target};
+use crate::theory::Heed;
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Grid, room};
 use carom_laws::law::{ContactLoad, Shift};
+use carom_laws::validity::Validity;
 use carom_solver::{
     Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
     Frictionless, GridWarning, NestedError, NestedHistory, ProblemError, StepSummary, Window,
@@ -25,8 +27,29 @@ pub struct Followed {
     pub window: Window,
     /// The first step in which a displacement is too large for the theory, and how large it is.
     pub too_large: Option<(usize, GridWarning)>,
+    /// The smaller yield stress of the bodies; infinite if none is known.
+    pub yield_stress: f64,
     /// Number of steps that an earlier run had computed.
     pub found: usize,
+}
+
+impl Followed {
+    /// Where the pressures exceed what the bodies bear.
+    #[must_use]
+    pub fn heed(&self) -> Heed {
+        let mut heed = Heed::default();
+        for step in &self.steps {
+            let validity = Validity::of_pressure(step.greatest_pressure, self.yield_stress);
+            heed.add(|| format!("at step {}", step.step), validity);
+        }
+        heed
+    }
+
+    /// The warning on a displacement that is too large.
+    #[must_use]
+    pub fn large(&self) -> Option<String> {
+        self.too_large.map(|(step, warning)| format!("step {step}: {warning}"))
+    }
 }
 
 /// Steps of an earlier run, and the state after the last one.
@@ -162,7 +185,8 @@ impl<'a> Run<'a> {
             held = kept(leg, held);
         }
         let state = self.history.state().clone();
-        Ok(Followed { steps, state, window: self.window, too_large, found: count })
+        let yield_stress = self.case.materials.yield_stress();
+        Ok(Followed { steps, state, window: self.window, too_large, yield_stress, found: count })
     }
 
     fn step(

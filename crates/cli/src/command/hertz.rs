@@ -8,8 +8,8 @@ use crate::output::{Answer, Format, Picture, json};
 use carom_cases::Error;
 use carom_cases::case::{HertzCase, Numbers};
 use carom_cases::hertz::{self, Followed};
-use carom_cases::theory::{Excess, caution};
 use carom_laws::hertz::{Hertz, HertzState};
+use carom_laws::validity::Validity;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
 use carom_special::linspace;
@@ -42,17 +42,17 @@ struct Row<'a> {
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let followed = hertz::followed(&file)?;
-    let (Followed { case, states }, excesses) = (&followed, followed.excesses());
+    let (Followed { case, states }, validities) = (&followed, followed.validities());
     columns::check(&file.path, HertzState::COLUMNS, states)?;
     let format = arguments.given.format();
     let loads = columns::rows(format, HertzState::COLUMNS, states)?;
     let text = match format {
         Format::Json => {
-            let record = |(state, excess): (_, &Excess)| Row {
+            let record = |(state, validity): (_, &Validity)| Row {
                 state: Record::new(HertzState::COLUMNS, state),
-                outside_theory: excess.reasons(),
+                outside_theory: validity.reasons(),
             };
-            let rows: Vec<Row<'_>> = states.iter().zip(&excesses).map(record).collect();
+            let rows: Vec<Row<'_>> = states.iter().zip(&validities).map(record).collect();
             json(&Report { hertz: &case.hertz, loads: &rows })?
         }
         Format::Table(page) => {
@@ -65,9 +65,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Some(to) => Some((to, draw(case, states).map_err(at_fault)?)),
         None => None,
     };
-    let warnings = followed.warnings();
+    let (caution, warnings) = followed.heed().told("loads");
     let answer = Answer { text, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&excesses, "loads"), format))
+    Ok(answer.cautioned(caution, format))
 }
 
 /// The complete result of a case: the contact and its loads.

@@ -25,6 +25,7 @@ use crate::format::Printing;
 use crate::manner::{Manner, Messages};
 use crate::output::{Answer, Format, Picture, Results, Shown};
 use crate::outputs::Outputs;
+use crate::progress::Progress;
 use carom_cases::case::CaseKind;
 use carom_cases::input::CaseFile;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -156,6 +157,20 @@ enum Command {
 }
 
 impl Command {
+    /// What a command does that has no progress of its own.
+    const fn working(&self) -> Option<&'static str> {
+        match self {
+            Self::Impact(_) => Some("computing impacts"),
+            Self::Hertz(_) => Some("computing contacts"),
+            Self::History(_) => Some("following the history"),
+            Self::Scene(_) => Some("following the ball"),
+            Self::Roll(_) => Some("rolling"),
+            Self::Stress(_) => Some("computing stresses"),
+            Self::Shell(_) => Some("computing the shell"),
+            _ => None,
+        }
+    }
+
     /// Kind and text of the case that the command has read.
     fn case(&self) -> Option<(CaseKind, &str)> {
         let (kind, given) = match self {
@@ -201,6 +216,8 @@ fn run_one(
     messages: &Messages,
     results: &mut Results,
 ) -> Result<Answer, CliError> {
+    // The others tell their own progress, or are done at once.
+    let _progress = command.working().map(|what| Progress::new(*messages, 0, what));
     match command {
         Command::Impact(arguments) => impact::run(arguments, results),
         Command::Restitution(arguments) => restitution::run(arguments, messages, results),

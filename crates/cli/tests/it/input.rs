@@ -247,6 +247,49 @@ fn a_sweep_warns_once_of_each_kind() {
 }
 
 #[test]
+fn a_contact_that_yields_says_so_in_every_command() {
+    const YIELDS: &str = "yields: the greatest pressure exceeds 1.6 times the yield stress";
+    let soft = |name: &str| {
+        let few =
+            changed(name, &[]).replacen("material = { ", "material = { yield_stress = 1e3, ", 1);
+        case(&format!("soft-{name}"), &few)
+    };
+    for (command, name) in [
+        ("hertz", "hertz_crossed_cylinders.toml"),
+        ("history", "history_loop.toml"),
+        ("stress", "stress_ball.toml"),
+        ("roll", "roll_wheel_on_rail.toml"),
+        ("solve", "solve_hertz.toml"),
+    ] {
+        assert!(!text(&carom(&[command, &example(name)]).stderr).contains(YIELDS), "{name}");
+        let stderr = carom(&[command, &soft(name)]).stderr;
+        assert_eq!(text(&stderr).matches(YIELDS).count(), 1, "{name}: {}", text(&stderr));
+    }
+    let hard = changed("steel_balls.toml", &[("hardness = \"7 GPa\"", "hardness = \"3 GPa\"")]);
+    let stderr = carom(&["impact", &case("soft-balls", &hard)]).stderr;
+    assert!(text(&stderr).contains(YIELDS), "{}", text(&stderr));
+    let ball =
+        changed("scene_golf_ball.toml", &[]).replacen("poisson", "hardness = 1e6, poisson", 1);
+    let stderr = carom(&["scene", &case("soft-golf", &ball)]).stderr;
+    assert!(text(&stderr).contains(YIELDS), "{}", text(&stderr));
+    // The pressure of Hertz, 3 F/(2 pi a b), is exactly at its limit.
+    let row = &json(&["hertz", &example("hertz_wheel_on_rail.toml")])["loads"][0];
+    let peak = row["peak_pressure"].as_f64().unwrap();
+    for (factor, count) in [(1.000_001, 0), (0.999_999, 1)] {
+        let stress = format!("poisson = 0.3, hardness = {}}}", factor * 2.8 * peak / 1.6);
+        let rail = changed("hertz_wheel_on_rail.toml", &[]).replace("poisson = 0.3 }", &stress);
+        let stderr = carom(&["hertz", &case("at-yield", &rail)]).stderr;
+        assert_eq!(text(&stderr).matches(YIELDS).count(), count, "{}", text(&stderr));
+    }
+    let both = changed(
+        "steel_balls.toml",
+        &[("yield_stress = 2.5e9", "yield_stress = 2.5e9, hardness = 7e9")],
+    );
+    let stderr = carom(&["impact", &case("both-strengths", &both)]).stderr;
+    assert!(text(&stderr).contains("give one of the two"), "{}", text(&stderr));
+}
+
+#[test]
 fn a_slip_of_units_is_said_first_and_plainly() {
     let slip = |name: &str, old: &str, new: &str| {
         let few = changed(name, &[(old, new)]).replace("samples = 10000", "samples = 20");

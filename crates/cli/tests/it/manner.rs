@@ -82,7 +82,8 @@ fn it_has_as_many_threads_as_were_asked_for() {
     for threads in [1, 3] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
             .args(["restitution", "--kappa", "1:1.5:600", "--lambda", "0.1:8:600"])
-            .args(["--format", "csv", "--threads", &threads.to_string()])
+            // Quiet: without the sleeping thread that tells of progress.
+            .args(["--quiet", "--format", "csv", "--threads", &threads.to_string()])
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
@@ -249,4 +250,26 @@ fn the_course_of_an_impact_with_loss_says_that_it_is_elastic() {
         let output = carom(&["impact", &case]);
         assert!(!stderr(&output).contains("elastic bodies"));
     }
+}
+
+/// A case that comes slowly keeps the command at work.
+#[test]
+fn what_takes_longer_than_two_seconds_tells_so_in_a_log() {
+    let input = std::fs::read(example("steel_balls.toml")).unwrap();
+    let slowly = |quiet: &[&str]| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args([quiet, &["impact", "-"]].concat())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_secs(3));
+        child.stdin.take().unwrap().write_all(&input).unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success());
+        stderr(&output)
+    };
+    assert!(slowly(&[]).starts_with("progress: computing impacts for 2 s\n"));
+    assert_eq!(slowly(&["--quiet"]), "");
 }

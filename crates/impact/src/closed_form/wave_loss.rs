@@ -6,13 +6,14 @@
 //! half-space of its own material the share becomes `C(nu) (v/c_0)^(3/5)`, c_0 = sqrt(E/rho).
 
 use carom_halfspace::Material;
+use carom_laws::validity::Validity;
 use carom_special::RangeError;
 use carom_special::gamma::gamma;
 use carom_special::quadrature::FixedRule;
 use carom_special::roots::bisect;
 
 /// Share of the energy above which an elastic outcome has a warning.
-pub const NOTICEABLE: f64 = 0.01;
+pub const NOTICEABLE: f64 = Validity::NOTICEABLE_WAVE_SHARE;
 
 /// The coefficient C(nu) of the share of energy radiated, with the exact pulse and all waves.
 ///

@@ -1,18 +1,21 @@
 //! The result of a collision: motions, energy, torsion, warnings.
 
 use carom_geometry::Certainty;
+use carom_laws::ellipse::ContactEllipse;
 use carom_laws::stiffness::ContactStiffness;
+use carom_laws::validity::Validity;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
 use crate::body::Body;
-use crate::closed_form::{NOTICEABLE, restitution_without_slip};
+use crate::closed_form::restitution_without_slip;
 use crate::coupled::{CoupledOutcome, is_coupled};
 use crate::motion::Motion;
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
-use crate::outcome::{EnergyBudget, LogEntry, Rebound, Torsion, TorsionMode, Warning};
+use crate::outcome::{EnergyBudget, LogEntry, Rebound, Torsion, TorsionMode};
+use crate::warning::Warning;
 use crate::wave_share::wave_share;
 
 /// Couplings of the normal motion below this fraction of D_zz are round-off.
@@ -87,7 +90,8 @@ impl Collision {
         RangeError::finite("impulse", impulse.abs().sum())?;
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
-        let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z, share);
+        let validity = self.validity(&outcome, &maximal_contact, share);
+        let mut warnings = self.warnings(validity, before.z);
         if outcome.method.counts_coupling() {
             warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
         }
@@ -114,6 +118,7 @@ impl Collision {
             compressions: outcome.compressions,
             error_estimate: outcome.error_estimate,
             log,
+            validity,
             warnings,
         })
     }
@@ -180,7 +185,23 @@ impl Collision {
         Ok(share.fold(0.0, f64::max))
     }
 
-    fn warnings(&self, maximal_radius: f64, velocity: f64, wave_share: f64) -> Vec<Warning> {
+    fn validity(
+        &self,
+        outcome: &CoupledOutcome,
+        contact: &ContactEllipse,
+        wave_share: f64,
+    ) -> Validity {
+        let pressure = contact.peak_pressure(outcome.maximal_force);
+        let largest = [contact.semi_axis_b(), outcome.maximal_approach, pressure];
+        let radius = self.contact.smallest_radius();
+        let wave_share = if self.normal_restitution.is_elastic() { wave_share } else { 0.0 };
+        Validity {
+            wave_share,
+            ..Validity::of_contact(largest, self.materials.yield_stress(), radius)
+        }
+    }
+
+    fn warnings(&self, validity: Validity, velocity: f64) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if self.contact.certainty() == Certainty::Sampled {
             warnings.push(Warning::PointSampled);
@@ -190,13 +211,7 @@ impl Collision {
             let friction_over_gamma = self.friction.get() / gamma.abs();
             warnings.push(Warning::Coupling { gamma, friction_over_gamma });
         }
-        let ratio = maximal_radius / self.contact.smallest_radius();
-        if ratio > Warning::LARGE_CONTACT {
-            warnings.push(Warning::LargeContact { ratio });
-        }
-        if wave_share > NOTICEABLE && self.normal_restitution.is_elastic() {
-            warnings.push(Warning::WaveLoss { share: wave_share });
-        }
+        warnings.extend(Warning::of(validity));
         if self.torsion != TorsionMode::Included {
             warnings.extend(self.normal_spin(velocity).left_alone());
         }

@@ -5,7 +5,8 @@ use std::ops::RangeInclusive;
 use carom_laws::coupling::coupling_bound;
 
 use super::{Collision, CollisionError};
-use crate::outcome::{Outcome, TorsionMode, Warning};
+use crate::outcome::{Outcome, TorsionMode};
+use crate::warning::Warning;
 
 /// Ratios D_xx/D_zz of spheres for which the bound of the effect of coupling was measured.
 const MEASURED: RangeInclusive<f64> = 2.5..=5.0;

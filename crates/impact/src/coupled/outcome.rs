@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::refine::Settled;
 use super::scaled::Units;
 use super::{CoupledImpact, ImpactMethod, Stage};
-use crate::outcome::Warning;
+use crate::warning::Warning;
 
 /// The outcome of a coupled impact.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,7 +9,8 @@ use super::draw::uniform;
 use super::quantity::Quantity;
 use super::summary::Summary;
 use crate::collision::{AnalyticOrRings, Collision, CollisionError, CollisionSolver};
-use crate::outcome::{Outcome, Rebound, Warning};
+use crate::outcome::{Outcome, Rebound};
+use crate::warning::Warning;
 
 /// Largest number of samples of a study.
 const MOST_SAMPLES: usize = 1_000_000;

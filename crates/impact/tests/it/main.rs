@@ -33,3 +33,4 @@ mod torsional_collocation;
 mod twist;
 mod uncertain;
 mod units;
+mod yields;

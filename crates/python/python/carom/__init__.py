@@ -102,7 +102,7 @@ from ._records import (
     SolverSteps,
 )
 from ._solver import Solver, cells
-from ._validity import OutsideTheoryWarning
+from ._validity import CaromWarning, OutsideTheoryWarning
 
 #: The material of a rigid body.
 RIGID = Material(float("inf"))
@@ -113,6 +113,7 @@ __all__ = [
     "Bounce",
     "Bounces",
     "CaromError",
+    "CaromWarning",
     "Contact",
     "Contacts",
     "CreepCoefficients",

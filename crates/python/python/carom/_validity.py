@@ -5,10 +5,20 @@ from __future__ import annotations
 import warnings
 
 
-class OutsideTheoryWarning(UserWarning):
+class CaromWarning(UserWarning):
+    """What a result leaves out is noticeable, but the result holds: what the command tells as `warning:`.
+
+    For example, elastic waves carry away more than 1 % of the energy, or the spin about the normal is left alone.
+    """
+
+
+class OutsideTheoryWarning(CaromWarning):
     """Results exceed a limit of the theory. The text says by how much, and of many results which is the worst.
 
-    The warnings of each impact are also in `Rebound.warnings`.
+    The limits are those of the command: the contact radius over the radius of curvature 0.1, the approach over it 0.1,
+    the greatest pressure 1.6 times the yield stress of a material that has one, energy carried away by elastic waves
+    10 %. The text begins with OUTSIDE THE THEORY where results are approximate at best. The warnings of each impact are
+    also in `Rebound.warnings`.
 
     >>> import carom, warnings
     >>> rubber = carom.Material(1e6, 0.49)
@@ -21,7 +31,12 @@ class OutsideTheoryWarning(UserWarning):
     """
 
 
-def warn(texts: list[str], depth: int = 3) -> None:
-    """Warns once of all limits that results exceed, each in a line; `depth` functions up stands the call of the user."""
+def warn(told: tuple[list[str], bool], depth: int = 3) -> None:
+    """Warns once of all that results exceed, each in a line; `depth` functions up stands the call of the user.
+
+    `told` is the texts, and whether a limit of the theory is exceeded.
+    """
+    texts, is_outside = told
     if texts:
-        warnings.warn("\n".join(texts), OutsideTheoryWarning, stacklevel=depth)
+        category = OutsideTheoryWarning if is_outside else CaromWarning
+        warnings.warn("\n".join(texts), category, stacklevel=depth)

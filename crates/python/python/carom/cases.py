@@ -108,7 +108,8 @@ def history(path: Path) -> HistorySteps:
     >>> bool((np.hypot(steps.F_x, steps.F_y) <= 0.3 * steps.F_z * (1 + 1e-12)).all())
     True
     """
-    columns = _carom.case_history(os.fspath(path))
+    columns, exceeded = _carom.case_history(os.fspath(path))
+    warn(exceeded)
     return HistorySteps._shaped(columns, (len(columns["step"]),))
 
 
@@ -125,8 +126,10 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
     True
     """
-    steps, axes, fields, cells, warnings = _carom.case_solve(os.fspath(path), accuracy)
-    gridded = _gridded(axes, fields, cells, warnings)
+    steps, axes, fields, cells, exceeded, others = _carom.case_solve(os.fspath(path), accuracy)
+    warn(exceeded)
+    warn(exceeded)
+    gridded = _gridded(axes, fields, cells, exceeded[0] + others)
     return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **gridded})
 
 
@@ -227,7 +230,7 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
     >>> bool((rolled.rows.used <= 1 + 1e-6).all()), rolled.rows.slides.dtype
     (True, dtype('bool'))
     """
-    rows, creep, axes, (fields, cells), (exceeded, others) = _carom.case_roll(
+    rows, creep, axes, (fields, cells), exceeded, others = _carom.case_roll(
         os.fspath(path), coefficients, fastsim
     )
     warn(exceeded)
@@ -235,7 +238,7 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
         {
             "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
             "coefficients": None if creep is None else CreepCoefficients._of(creep),
-            **_gridded(axes, fields, cells, exceeded + others),
+            **_gridded(axes, fields, cells, exceeded[0] + others),
         }
     )
 
@@ -251,7 +254,7 @@ def shell(path: Path) -> Bellows | Flange:
     True
     """
     kind, summary, loads, places, warnings = _carom.case_shell(os.fspath(path))
-    warn(warnings)
+    warn((warnings, True))
     if kind == "bellows":
         assert loads is not None
         return Bellows(

@@ -7,7 +7,6 @@ use carom_cases::hertz;
 use carom_cases::input::CaseFile;
 use carom_cases::roll::{self, Rolled, Wanted};
 use carom_cases::stress::{self, Solved};
-use carom_cases::theory::caution;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -17,17 +16,14 @@ use std::path::PathBuf;
 use super::{Lines, lines, raised};
 use crate::records::arrays;
 use crate::threads::without_python;
-use crate::told::together;
+use crate::told::{Told, heeded, of_contact};
 
 /// The contact under each of its loads, and warnings.
 #[pyfunction]
-pub(crate) fn case_hertz(
-    py: Python<'_>,
-    path: PathBuf,
-) -> PyResult<(Bound<'_, PyDict>, Vec<String>)> {
+pub(crate) fn case_hertz(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
     let followed = without_python(py, || hertz::followed(&CaseFile::read(&path)?));
     let followed = followed.map_err(raised)?;
-    let told = together(caution(&followed.excesses(), "loads"), followed.warnings());
+    let told = heeded(followed.heed(), "loads");
     Ok((arrays(py, HertzState::COLUMNS, &followed.states)?, told))
 }
 
@@ -43,11 +39,10 @@ pub(crate) fn case_stress<'py>(
     f64,
     [Bound<'py, PyArray1<f64>>; 3],
     [Bound<'py, PyArray1<f64>>; 3],
-    Vec<String>,
+    Told,
 )> {
     let solved = without_python(py, || stress::solved(&CaseFile::read(&path)?)).map_err(raised)?;
-    let large = solved.warning().iter().map(ToString::to_string).collect();
-    let told = together(caution(&[solved.excess()], "loads"), large);
+    let told = of_contact(solved.validity());
     let Solved { case, state, stick_radius, points, .. } = solved;
     let parts = points.iter().map(|point| point.stress);
     let values = [
@@ -74,7 +69,8 @@ pub(crate) fn case_roll<'py>(
     Option<Bound<'py, PyDict>>,
     [Bound<'py, PyArray1<f64>>; 2],
     Lines<'py>,
-    [Vec<String>; 2],
+    Told,
+    Vec<String>,
 )> {
     let wanted = Wanted { coefficients, springs: fastsim };
     let file = CaseFile::read(&path).map_err(raised)?;
@@ -86,7 +82,7 @@ pub(crate) fn case_roll<'py>(
     let rolled = without_python(py, || roll::rolled(&path, &case, wanted)).map_err(raised)?;
     let Rolled { rows, state, creep } = rolled;
     let warnings = roll::warnings(&case, &rows, wanted);
-    let exceeded = together(caution(&[roll::excess(&case)], "contacts"), Vec::new());
+    let exceeded = of_contact(roll::validity(&case));
     let creep = creep.map(|creep| arrays(py, roll::CREEP, &[creep])).transpose()?;
     let rows = arrays(py, roll::COLUMNS, &rows)?;
     Ok((
@@ -94,7 +90,8 @@ pub(crate) fn case_roll<'py>(
         creep,
         centres(py, &state.pressure.grid(), [0.0; 2]),
         lines(py, &state),
-        [exceeded, warnings],
+        exceeded,
+        warnings,
     ))
 }
 

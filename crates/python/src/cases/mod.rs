@@ -13,7 +13,7 @@ use carom::solver::{CellState, ContactState, GridWarning};
 use carom::special::WordError;
 use carom_cases::Error;
 use carom_cases::case::CaseKind;
-use carom_cases::history::{self, Step, all_columns};
+use carom_cases::history::{self, all_columns};
 use carom_cases::impact::{self, Followed as Impacts};
 use carom_cases::input::CaseFile;
 use carom_cases::solve::{self, Followed as Solved};
@@ -26,7 +26,7 @@ use std::path::PathBuf;
 use crate::error::{CaromError, Fault};
 use crate::records::arrays;
 use crate::threads::without_python;
-use crate::told::of_impacts;
+use crate::told::{Told, heeded, of_impacts};
 
 /// Name, unit and values of the field that a case sweeps over.
 type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
@@ -39,19 +39,20 @@ pub(crate) type Lines<'py> = ([Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray
 pub(crate) fn case_impact<'py>(
     py: Python<'py>,
     path: PathBuf,
-) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>, Vec<String>)> {
+) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>, Told)> {
     let followed = without_python(py, || impact::followed(&CaseFile::read(&path)?));
     let Impacts { swept, outcomes } = followed.map_err(raised)?;
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
     Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?, of_impacts(&outcomes)))
 }
 
-/// The contact after each step of a history.
+/// The contact after each step of a history, and warnings.
 #[pyfunction]
-pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let steps = without_python(py, || history::followed(&CaseFile::read(&path)?));
-    let steps: Vec<Step> = steps.map_err(raised)?;
-    arrays(py, &all_columns(), &steps)
+pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
+    let followed = without_python(py, || history::followed(&CaseFile::read(&path)?));
+    let followed = followed.map_err(raised)?;
+    let told = heeded(followed.heed(), "steps");
+    Ok((arrays(py, &all_columns(), &followed.steps)?, told))
 }
 
 /// A contact on a grid: its steps, the cell centres along x and y, the fields at the end in the format of a
@@ -67,18 +68,22 @@ pub(crate) fn case_solve<'py>(
     [Bound<'py, PyArray1<f64>>; 2],
     [Bound<'py, PyArray1<f64>>; 5],
     Bound<'py, PyArray1<i8>>,
+    Told,
     Vec<String>,
 )> {
     let solved = without_python(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
-    let Solved { steps, state, window, too_large, .. } = solved.map_err(raised)?;
+    let solved = solved.map_err(raised)?;
+    let (mut left, mut is_left) = heeded(solved.heed(), "steps");
+    is_left |= solved.too_large.is_some();
+    left.splice(..0, solved.large());
+    let Solved { steps, state, window, .. } = solved;
     let axes = contact::centres(py, &window.grid(), window.middle());
     // A contact that may not reach the border has not reached it.
     let few = state.warnings().into_iter().filter(|w| matches!(w, GridWarning::FewCells { .. }));
-    let large = too_large.map(|(step, warning)| format!("step {step}: {warning}"));
-    let warnings = few.map(|warning| warning.to_string()).chain(large).collect();
+    let few = few.map(|warning| warning.to_string()).collect();
     let (fields, cells) = lines(py, &state);
     let steps = arrays(py, &carom::solver::StepSummary::columns(), &steps)?;
-    Ok((steps, axes, fields, cells, warnings))
+    Ok((steps, axes, fields, cells, (left, is_left), few))
 }
 
 /// A commented case of the given kind with all its fields, ready to run.

@@ -27,7 +27,8 @@ const GROUPS: &[Group] = &[
     Group {
         title: "Contacts of particles: grains and walls",
         about: "carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make\n\
-                one step of a contact: positions, velocities and spins in, force and torques out.",
+                one step of a contact: positions, velocities and spins in, force and torques out.\n\
+                carom_grains_impact_time tells how long an impact lasts, for the choice of the time step.",
         modules: &["grains", "meeting.rs", "contact.rs", "touch", "encounters"],
     },
     Group {

@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 47] = [
+pub(crate) const NAMES: [&str; 48] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -57,6 +57,7 @@ pub(crate) const NAMES: [&str; 47] = [
     "carom_restitution_dissimilar",
     "carom_warning_text",
     "carom_pair_validity",
+    "carom_grains_impact_time",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -68,7 +69,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     let which = match world.pick(400) {
         0 => 38 + world.pick(2),
         1 => 36 + world.pick(2),
-        2 => 40 + world.pick(7),
+        2 => 40 + world.pick(8),
         3..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
@@ -87,6 +88,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         38 => collide(world),
         43 => rings(world),
         46 => validity(world),
+        47 => impact_time(world),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -192,6 +194,19 @@ fn validity(world: &mut World) -> CaromStatus {
     let (pair, to) = (world.point(pair), world.point(&raw mut validity));
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
     unsafe { carom_pair_validity(pair, zeta, radius, to, error) }
+}
+
+fn impact_time(world: &mut World) -> CaromStatus {
+    let (of, error) = (world.pick(3), world.error());
+    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
+    let [mass_1, mass_2] = [world.number(1e-6, 1e-3), world.number(1e-6, 1e-3)];
+    let (velocity, mut time) = (world.number(0.0, 10.0), 0.0);
+    let grains = &raw mut world.grains[of];
+    let (grains, to) = (world.point(grains), world.point(&raw mut time));
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        carom_grains_impact_time(grains, radius_1, radius_2, mass_1, mass_2, velocity, to, error)
+    }
 }
 
 fn rings(world: &mut World) -> CaromStatus {
@@ -324,8 +339,11 @@ fn touch_twist(world: &mut World, which: usize) -> CaromStatus {
 }
 
 fn constants(world: &mut World, which: usize) -> CaromStatus {
-    let mut one =
-        CaromMaterial { young_modulus: world.number(1e5, 1e11), poisson: world.number(-0.9, 0.5) };
+    let mut one = CaromMaterial {
+        young_modulus: world.number(1e5, 1e11),
+        poisson: world.number(-0.9, 0.5),
+        yield_stress: 0.0,
+    };
     let mut two = if world.chance(0.5) { one } else { GLASS };
     if world.chance(0.1) {
         two.young_modulus = f64::INFINITY;

@@ -29,7 +29,8 @@ pub(crate) struct World {
     pub(crate) called: BTreeSet<&'static str>,
 }
 
-pub(crate) const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+pub(crate) const GLASS: CaromMaterial =
+    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 
 impl World {
     pub(crate) fn new(seed: u64) -> Self {
@@ -61,7 +62,7 @@ impl World {
 
     /// Unlike grains with the law of rings; their matrices are made once.
     fn renew_rings(&mut self) {
-        let rubber = CaromMaterial { young_modulus: 1e9, poisson: 0.5 };
+        let rubber = CaromMaterial { young_modulus: 1e9, poisson: 0.5, yield_stress: 0.0 };
         let (grains, law) = (&raw mut self.ring_grains, CAROM_LAW_RINGS);
         // SAFETY: all pointers are references or null.
         unsafe {

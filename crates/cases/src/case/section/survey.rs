@@ -208,7 +208,7 @@ frition = 0.2
         line 2: `body_1.shape` = "spere" is out of range: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given"; did you mean "sphere"?
           2 | shape = "spere"
             | ^^^^^
-        line 3: unknown field `body_1.material.E`, did you mean `young_modulus`? `body_1.material` takes `young_modulus`, `shear_modulus`, `poisson`, `rigid`
+        line 3: unknown field `body_1.material.E`, did you mean `young_modulus`? `body_1.material` takes `young_modulus`, `shear_modulus`, `poisson`, `rigid`, `yield_stress`, `hardness`
           3 | material = { E = 2e11, poisson = 0.3 }
             |              ^
         line 4: `body_1.mass` = "3 kilo" is out of range: must be a number, > 0 (inf is allowed), plain in kg or as a text with a unit of kg, t, g, mg, ug

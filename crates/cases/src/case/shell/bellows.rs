@@ -3,7 +3,7 @@
 use super::{elastic, wall};
 use crate::case::error::CaseError;
 use crate::case::field::{Default, Field, Form, Need};
-use crate::case::material::MATERIAL;
+use crate::case::material::ELASTIC;
 use crate::case::range::Range;
 use crate::case::section::{Numbers, Section};
 use crate::case::unit::{Dimension, Measure};
@@ -109,7 +109,7 @@ pub(super) const BELLOWS: Field = Field::new(
         THICKNESS,
         CORRUGATIONS,
         HARMONICS,
-        MATERIAL,
+        ELASTIC,
         LOAD,
     ]),
     "an expansion bellows: a row of equal corrugations of a thin wall",

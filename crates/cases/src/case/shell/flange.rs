@@ -3,7 +3,7 @@
 use super::{elastic, wall};
 use crate::case::error::CaseError;
 use crate::case::field::{Default, Field, Form};
-use crate::case::material::MATERIAL;
+use crate::case::material::ELASTIC;
 use crate::case::range::Range;
 use crate::case::section::Section;
 use crate::case::unit::{Dimension, Measure};
@@ -46,7 +46,7 @@ const STIFFNESS: Field = Field::new(
 )
 .or("`section`");
 
-const RING_MATERIAL: Field = MATERIAL.or("`stiffness`");
+const RING_MATERIAL: Field = ELASTIC.or("`stiffness`");
 
 const MIDDLE: Field = Field::number("angle", ANGLE, "middle of the sector").such_as("22.5");
 const HALF_WIDTH: Field =
@@ -102,7 +102,7 @@ const EDGE_OUTWARD: Field = Field::number("outward", PLACE, "the same outward")
     .may("radius of the tube less that of the ring")
     .such_as("0");
 const TUBE_MATERIAL: Field =
-    Field::new("material", MATERIAL.form, "material of the tube: two elastic constants")
+    Field::new("material", ELASTIC.form, "material of the tube: two elastic constants")
         .may("that of the ring");
 const TUBE: Field = Field::new(
     "tube",

@@ -9,7 +9,7 @@ pub use flange::FlangeCase;
 use super::error::CaseError;
 use super::field::Field;
 use super::kind::CaseKind;
-use super::material::{self, MATERIAL, POISSON, YOUNG};
+use super::material::{self, ELASTIC, POISSON, YOUNG};
 use super::section::{Section, parse, survey};
 use bellows::BELLOWS;
 use carom_shells::Wall;
@@ -52,13 +52,13 @@ impl ShellCase {
 
 /// Young's modulus and Poisson's ratio of an elastic material.
 fn elastic(owner: &Section<'_>) -> Result<[f64; 2], CaseError> {
-    let material = material::read(owner)?;
+    let material = material::read_elastic(owner)?;
     if material.is_rigid() {
-        return Err(owner.out_of_range(&MATERIAL, f64::INFINITY, "elastic"));
+        return Err(owner.out_of_range(&ELASTIC, f64::INFINITY, "elastic"));
     }
     let allowed = "from 0 to 0.5";
     if material.poisson() < 0.0 {
-        return Err(owner.out_of_range([&MATERIAL, &POISSON], material.poisson(), allowed));
+        return Err(owner.out_of_range([&ELASTIC, &POISSON], material.poisson(), allowed));
     }
     Ok([material.young_modulus(), material.poisson()])
 }
@@ -68,7 +68,7 @@ fn wall(owner: &Section<'_>, material: [f64; 2], thickness: &Field) -> Result<Wa
     let value = owner.number(thickness)?;
     let refused = |error: RangeError| match error.field {
         "thickness" => owner.refused(error),
-        _ => owner.out_of_range([&MATERIAL, &YOUNG], material[0], error.allowed),
+        _ => owner.out_of_range([&ELASTIC, &YOUNG], material[0], error.allowed),
     };
     Wall::new(material[0], material[1], value).map_err(refused)
 }

@@ -11,9 +11,8 @@ use crate::output::{Answer, Format, Results};
 use crate::rows::{Rows, check_count, indented};
 use carom_cases::Error;
 use carom_cases::case::HistoryCase;
-use carom_cases::hertz::smallest_radius;
 use carom_cases::history::{self, Step, Traction, shifts};
-use carom_cases::theory::{Excess, Worst, large_contact};
+use carom_cases::theory::Heed;
 use carom_laws::stiffness::ContactStiffness;
 use carom_table::row;
 use follow::{Wanted, follow};
@@ -45,23 +44,22 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     check_count(format, shifts.len().saturating_mul(radii.max(1)))?;
     let wanted = Wanted { radii, picture: plot.is_some() };
     let at_fault = |source| Error::Law { path: path.clone(), source };
-    let radius = smallest_radius(&case.hertz);
     let columns = history::columns(&shifts);
     let (mut steps, mut tractions) =
         (Rows::new(format), Rows::new(format).of(history::TRACTION_COLUMNS));
-    let (mut worst, mut limits, mut first) = (Worst::default(), Limits::default(), 0);
-    let mut semi_axis = 0.0_f64;
+    let (mut heed, mut limits, mut first) = (Heed::default(), Limits::default(), 0);
     let drawn = follow(&case, &shifts, wanted, at_fault, |done| {
         let cells = |step: &Step| row(&columns, Some(step));
         columns::check_rows(path, done, [first, shifts.len()], cells)?;
         first += done.len();
         for step in done.iter() {
-            worst.add(Excess::of_contact(step.shift.zeta, radius));
-            semi_axis = semi_axis.max(step.semi_axis_a).max(step.semi_axis_b);
+            step.add_to(&mut heed, &case);
             limits.add(step);
         }
         if format != Format::Csv || radii == 0 {
-            let json = |step: &Step, depth| indented(&view::record(&columns, step, radius), depth);
+            let json = |step: &Step, depth| {
+                indented(&view::record(&columns, step, step.validity(&case)), depth)
+            };
             steps.put(done, cells, json, results)?;
         }
         if matches!(format, Format::Csv | Format::Table(_)) && radii > 0 {
@@ -78,10 +76,10 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     };
     let picture = plot.map(|to| arguments.given.drawn(to, plot::draw(&drawn)));
     let mut warnings = warnings(&case, &limits, arguments.tractions.is_some());
-    let large = large_contact(semi_axis, case.smallest_radius);
-    warnings.extend(large.map(|warning| warning.to_string()));
+    let (caution, exceeded) = heed.told("steps");
+    warnings.extend(exceeded);
     let answer = Answer { text, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(worst.caution("steps"), format))
+    Ok(answer.cautioned(caution, format))
 }
 
 /// Help on the columns of the rows.

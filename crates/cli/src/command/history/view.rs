@@ -2,7 +2,7 @@
 
 use crate::columns::Record;
 use carom_cases::history::{Step, TRACTION_COLUMNS, Traction};
-use carom_cases::theory::Excess;
+use carom_laws::validity::Validity;
 use carom_table::Column;
 use serde::Serialize;
 
@@ -16,16 +16,16 @@ pub(super) struct StepRecord<'a> {
     outside_theory: Vec<String>,
 }
 
-/// A step in JSON; `radius` is the smallest radius of curvature.
+/// A step in JSON, with its limits.
 pub(super) fn record<'a>(
     columns: &'a [Column<Step>],
     step: &'a Step,
-    radius: f64,
+    validity: Validity,
 ) -> StepRecord<'a> {
     let traction = |traction| Record::new(&TRACTION_COLUMNS[1..], traction);
     StepRecord {
         step: Record::new(columns, step),
         tractions: step.tractions.iter().map(traction).collect(),
-        outside_theory: Excess::of_contact(step.shift.zeta, radius).reasons(),
+        outside_theory: validity.reasons(),
     }
 }

@@ -133,7 +133,7 @@ fn single(
         }
         None => None,
     };
-    let caution = caution(&[record.excess], several(&record));
+    let caution = caution(&[record.validity], several(&record));
     Ok(Answer { text, warnings, picture, ..Answer::default() }.cautioned(caution, format))
 }
 
@@ -163,7 +163,7 @@ fn sweep(
         for record in &records {
             what = several(record);
             warnings.add(|| place(record), record.limits());
-            worst.add(record.excess);
+            worst.add(record.validity);
         }
         match &mut drawn {
             Some(drawn) => drawn.add(&records),
@@ -225,13 +225,17 @@ fn scatter(
     }
     let study = uncertain::study(file, uncertainty)
         .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
-    let excess = uncertain::excess(file);
-    let report = uncertain::report(file, uncertainty, &study, excess)?;
+    let validity = uncertain::validity(file);
+    let report = uncertain::report(file, uncertainty, &study, validity)?;
     let picture = plot.map(|to| (to, uncertain::draw(&report)));
     let text = uncertain::render_text(&report, arguments.format())?;
-    let answer =
-        Answer { text, warnings: uncertain::warnings(&report), picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&[excess], "means"), arguments.format()))
+    let answer = Answer {
+        text,
+        warnings: uncertain::warnings(&report, validity),
+        picture,
+        ..Answer::default()
+    };
+    Ok(answer.cautioned(caution(&[validity], "means"), arguments.format()))
 }
 
 /// The plural of the swept quantity, for warnings.

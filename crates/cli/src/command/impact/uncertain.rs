@@ -4,9 +4,10 @@ use crate::columns::{self, add_fields};
 use crate::error::CliError;
 use crate::output::{Format, Picture, json};
 use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
-use carom_cases::theory::{Excess, readable};
+use carom_cases::theory::readable;
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
-use carom_impact::{CollisionError, Outcome};
+use carom_impact::{CollisionError, Outcome, Warning};
+use carom_laws::validity::Validity;
 use carom_numerical::CollisionLawError;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
@@ -131,17 +132,17 @@ fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
 }
 
 /// The limits of the theory exceeded by the impact with all inputs at their means.
-pub(super) fn excess(file: &ImpactFile<'_>) -> Excess {
+pub(super) fn validity(file: &ImpactFile<'_>) -> Validity {
     let case = file.nominal();
     let outcome = case.contact.law.solve(&case.collision).ok();
-    outcome.as_ref().and_then(Outcome::rebound).map(Excess::of_impact).unwrap_or_default()
+    outcome.as_ref().and_then(Outcome::rebound).map(|rebound| rebound.validity).unwrap_or_default()
 }
 
 pub(super) fn report(
     file: &ImpactFile<'_>,
     case: &Uncertainty,
     study: &Study,
-    excess: Excess,
+    validity: Validity,
 ) -> Result<Report, CliError> {
     let inputs = file.inputs().iter().map(|input| input.field).zip(study.inputs());
     let outcome = Quantity::ALL.iter().filter_map(|q| Some((q.name(), study.summary(*q)?)));
@@ -165,7 +166,7 @@ pub(super) fn report(
             .collect(),
         error_estimate: study.error_estimate(),
         coupling_neglected: study.coupling_neglected(),
-        outside_theory: excess.reasons(),
+        outside_theory: validity.reasons(),
         inputs: inputs.map(|(n, s)| spread(case, n, s)).collect::<Result<_, _>>()?,
         outcome: outcome.map(|(n, s)| spread(case, n, s)).collect::<Result<_, _>>()?,
     })
@@ -226,8 +227,8 @@ fn rows(report: &Report, shown: impl Fn(&Spread) -> bool) -> Vec<Vec<Cell>> {
     inputs.chain(outcome.map(|spread| row("outcome", spread))).collect()
 }
 
-/// Warnings about samples that are left out.
-pub(super) fn warnings(report: &Report) -> Vec<String> {
+/// Warnings about a contact that is large or yields at the means, and about samples that are left out.
+pub(super) fn warnings(report: &Report, validity: Validity) -> Vec<String> {
     let mut warnings: Vec<String> = report
         .out_of_range
         .iter()
@@ -242,6 +243,7 @@ pub(super) fn warnings(report: &Report) -> Vec<String> {
             )
         })
         .collect();
+    warnings.extend(Warning::of(validity).map(|warning| format!("at the means: {warning}")));
     if report.coupling_neglected > 0 {
         let (neglected, all) = (report.coupling_neglected, report.samples);
         warnings.push(format!(

@@ -3,10 +3,10 @@
 use crate::columns::{self, Fields, add_fields};
 use carom_cases::case::{ImpactCase, Input};
 use carom_cases::impact;
-use carom_cases::theory::Excess;
 use carom_impact::{
     Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
 };
+use carom_laws::validity::Validity;
 use carom_table::{Cell, Column, Quantity as _, row};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
@@ -17,7 +17,7 @@ pub(super) struct Record {
     pub(super) parameter: Option<Parameter>,
     case: ImpactCase,
     outcome: Outcome,
-    pub(super) excess: Excess,
+    pub(super) validity: Validity,
     pub(super) history: Option<Vec<HistoryPoint>>,
 }
 
@@ -42,10 +42,10 @@ const LAW: Column<Record> =
 impl Record {
     /// The record of an impact.
     pub(super) fn new(parameter: Option<Parameter>, case: ImpactCase, outcome: Outcome) -> Self {
-        let excess = outcome.rebound().map(Excess::of_impact).unwrap_or_default();
+        let validity = outcome.rebound().map(|rebound| rebound.validity).unwrap_or_default();
         let angle = || case.angle.map(|value| Parameter { name: "angle", unit: "deg", value });
         let parameter = parameter.or_else(angle);
-        Self { parameter, case, outcome, excess, history: None }
+        Self { parameter, case, outcome, validity, history: None }
     }
 
     pub(super) fn rebound(&self) -> Option<&Rebound> {
@@ -134,7 +134,7 @@ impl Serialize for Record {
             }
             map.serialize_entry("events", &List(LogEntry::COLUMNS, &rebound.log))?;
         }
-        map.serialize_entry("outside_theory", &self.excess.reasons())?;
+        map.serialize_entry("outside_theory", &self.validity.reasons())?;
         if let Some(points) = &self.history {
             map.serialize_entry("history", &List(HistoryPoint::COLUMNS, points))?;
         }

@@ -11,10 +11,10 @@ use crate::format::Printing;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
+use crate::progress::Progress;
 use crate::range::Values;
 use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_table::row;
-use indicatif::ProgressBar;
 use plane::Plane;
 use rayon::prelude::*;
 use rows::Row;
@@ -146,15 +146,13 @@ fn follow(
     let columns =
         [plane.columns, if arguments.tensor.is_some() { rows::OF_TENSOR } else { &[] }].concat();
     let mut printed = Rows::new(arguments.format());
-    let bar = match plane.count() {
-        ..MANY => ProgressBar::hidden(),
-        count => messages.bar(count, "impacts"),
-    };
+    let count = plane.count();
+    let progress = (count >= MANY).then(|| Progress::new(*messages, count, "impacts"));
     for from in (0..plane.count()).step_by(BLOCK) {
         let rows = (from..plane.count().min(from + BLOCK))
             .into_par_iter()
             .map(|place| {
-                bar.inc(1);
+                progress.iter().for_each(|progress| progress.inc(1));
                 Row::new(plane, plane.pair(place), arguments.tensor, ratio)
             })
             .collect::<Result<Vec<_>, _>>()?;
@@ -169,6 +167,5 @@ fn follow(
             break;
         }
     }
-    bar.finish_and_clear();
     Ok((printed.finish()?, values))
 }

@@ -9,7 +9,7 @@ use crate::error::CliError;
 use crate::output::{Answer, Format, json};
 use carom_cases::case::RollCase;
 use carom_cases::roll::{self, COLUMNS, CREEP, Creep, Rolled, Row, Wanted};
-use carom_cases::theory::caution;
+use carom_cases::theory::Heed;
 use carom_table::row;
 use serde::Serialize;
 
@@ -63,9 +63,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&rows, &state)?)),
         None => None,
     };
-    let warnings = roll::warnings(&case, &rows, wanted);
+    let mut heed = Heed::default();
+    heed.add(String::new, roll::validity(&case));
+    let (caution, mut warnings) = heed.told("contacts");
+    warnings.extend(roll::warnings(&case, &rows, wanted));
     let answer = Answer { text, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&[roll::excess(&case)], "contacts"), format))
+    Ok(answer.cautioned(caution, format))
 }
 
 fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, CliError> {

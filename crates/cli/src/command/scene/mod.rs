@@ -9,7 +9,8 @@ use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{BLOCK, Rows, indented};
 use carom_cases::case::SceneCase;
-use carom_cases::scene::{End, Heed, follow};
+use carom_cases::scene::{End, add_bounce, follow};
+use carom_cases::theory::Heed;
 use carom_impact::scene::{Bounce, Leg, PathPoint};
 use carom_table::{row, short};
 use std::path::Path;
@@ -48,7 +49,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
             }
         }
         let met: Vec<&Bounce> = legs.iter().filter_map(Leg::bounce).collect();
-        met.iter().for_each(|bounce| heed.add(bounce));
+        met.iter().for_each(|bounce| add_bounce(&mut heed, bounce));
         if format == Format::Csv && points.is_some() {
             return Ok(());
         }
@@ -80,7 +81,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         (Some(to), Some(course)) => Some((to, course.draw())),
         _ => None,
     };
-    let (caution, warnings) = heed.told();
+    let (caution, warnings) = heed.told("bounces");
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }

@@ -5,7 +5,6 @@ use crate::error::CliError;
 use crate::rows::indented;
 use carom_cases::case::SceneCase;
 use carom_cases::scene::{End, rebound_columns};
-use carom_cases::theory::Excess;
 use carom_impact::scene::{Bounce, PathPoint};
 use carom_table::{Cell, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -62,7 +61,7 @@ impl Serialize for BounceRecord<'_> {
         let rebound = &self.bounce.rebound;
         let mut map = serializer.serialize_map(None)?;
         add_fields(&mut map, &cells(Some((self.case, self.bounce))))?;
-        map.serialize_entry("outside_theory", &Excess::of_impact(rebound).reasons())?;
+        map.serialize_entry("outside_theory", &rebound.validity.reasons())?;
         map.end()
     }
 }

@@ -9,6 +9,7 @@ use crate::format::Printing;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
+use crate::progress::Progress;
 use carom_cases::case::{SolveCase, SolveMethod};
 use carom_cases::solve::{Bodies, Found, Run};
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel};
@@ -152,7 +153,7 @@ pub(in crate::command) fn run(
     let shifts = followed.steps.iter().map(|step| step.shift).collect();
     let touching = problem.grid().cells() - followed.state.count(CellState::Exterior);
     let path = Course { problem: &problem, shifts, want: followed.state, touching };
-    let rows = rows(&path, &method);
+    let rows = rows(&path, &method, *messages);
     let format = arguments.printing.format();
     let text = match format {
         Format::Json => {
@@ -163,14 +164,29 @@ pub(in crate::command) fn run(
     Ok(Answer { text, ..Answer::default() })
 }
 
-fn rows(path: &Course<'_>, today: &Frictional) -> Vec<Row> {
+fn rows(path: &Course<'_>, today: &Frictional, messages: Messages) -> Vec<Row> {
     let [sweeps, dense, combined] = MAX_CELLS_IN_CONTACT;
-    vec![
-        path.row("Newton on active sets (present method)", usize::MAX, today),
-        path.row("Jaeger: Gauss-Seidel", sweeps, &GaussSeidel::default()),
-        path.row("Gauss-Seidel on discs", sweeps, &DiscGaussSeidel::default()),
-        path.row("Johnson", dense, &Johnson::default()),
-        path.row("Panagiotopoulos", dense, &Panagiotopoulos::default()),
-        path.row("KOMBI", combined, &Kombi::default()),
-    ]
+    let (gauss, discs) = (GaussSeidel::default(), DiscGaussSeidel::default());
+    let (johnson, kalker) = (Johnson::default(), Panagiotopoulos::default());
+    let kombi = Kombi::default();
+    type Task<'a> = (&'static str, Box<dyn Fn(&'static str) -> Row + 'a>);
+    let tasks: [Task<'_>; 6] = [
+        (
+            "Newton on active sets (present method)",
+            Box::new(|name| path.row(name, usize::MAX, today)),
+        ),
+        ("Jaeger: Gauss-Seidel", Box::new(|name| path.row(name, sweeps, &gauss))),
+        ("Gauss-Seidel on discs", Box::new(|name| path.row(name, sweeps, &discs))),
+        ("Johnson", Box::new(|name| path.row(name, dense, &johnson))),
+        ("Panagiotopoulos", Box::new(|name| path.row(name, dense, &kalker))),
+        ("KOMBI", Box::new(|name| path.row(name, combined, &kombi))),
+    ];
+    let progress = Progress::new(messages, tasks.len(), "methods");
+    let solve = |(name, solve): &Task<'_>| {
+        progress.now(name);
+        let row = solve(name);
+        progress.inc(1);
+        row
+    };
+    tasks.iter().map(solve).collect()
 }

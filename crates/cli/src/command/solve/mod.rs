@@ -13,6 +13,7 @@ use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
+use crate::progress::Progress;
 use carom_cases::Error;
 use carom_cases::case::{GridCase, SolveCase};
 use carom_cases::solve::{Bodies, Followed, Found, Run};
@@ -124,8 +125,8 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     }
     warnings.extend(few_cells(&followed));
     warnings.extend(unestimated(&case, &followed));
-    let large = followed.too_large.map(|(step, warning)| format!("step {step}: {warning}"));
-    warnings.extend(large);
+    warnings.extend(followed.large());
+    warnings.extend(followed.heed().told("steps").1);
     warnings.extend(unreached(&case, steps));
     let picture = match plot {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&followed, &case)?)),
@@ -141,17 +142,15 @@ fn follow(
     store: Option<&Store>,
     messages: &Messages,
 ) -> Result<Followed, CliError> {
-    let bar = messages.bar(run.count(), "steps");
-    bar.set_position(found.steps.len() as u64);
-    bar.reset_eta();
+    let progress = Progress::new(*messages, run.count(), "steps");
+    progress.found(found.steps.len());
     let followed = run.follow(found, |steps, history, window| {
         if let Some(store) = store {
             store.save(steps, history, window)?;
         }
-        bar.inc(1);
+        progress.inc(1);
         Ok::<_, CliError>(())
     })?;
-    bar.finish_and_clear();
     Ok(followed)
 }
 

@@ -7,7 +7,7 @@ use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::stress::{self, Solved, StressPoint};
-use carom_cases::theory::caution;
+use carom_cases::theory::Heed;
 use carom_laws::hertz::HertzState;
 use carom_plot::{Axis, Field, Marker, Panel, PlotError, Series};
 use carom_table::{Value, row};
@@ -76,9 +76,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     let file = to.map(|to| to.encoded(case, points)).transpose()?;
-    let warnings = solved.warning().iter().map(ToString::to_string).collect();
+    let mut heed = Heed::default();
+    heed.add(String::new, solved.validity());
+    let (caution, warnings) = heed.told("loads");
     let answer = Answer { text, warnings, picture, file, ..Answer::default() };
-    Ok(answer.cautioned(caution(&[solved.excess()], "loads"), format))
+    Ok(answer.cautioned(caution, format))
 }
 
 /// The equivalent stress over the plane of the points, or the stresses along their line.
