@@ -265,7 +265,14 @@ fn a_contact_that_yields_says_so_in_every_command() {
         let stderr = carom(&[command, &soft(name)]).stderr;
         assert_eq!(text(&stderr).matches(YIELDS).count(), 1, "{name}: {}", text(&stderr));
     }
-    let hard = changed("steel_balls.toml", &[("hardness = \"7 GPa\"", "hardness = \"3 GPa\"")]);
+    // Two equal balls of hard steel at 2 m/s flow.
+    let with = |strength: &str| {
+        changed(
+            "steel_balls.toml",
+            &[("poisson = 0.3 }", &format!("poisson = 0.3, {strength} }}"))],
+        )
+    };
+    let hard = with("yield_stress = 2.5e9");
     let stderr = carom(&["impact", &case("soft-balls", &hard)]).stderr;
     assert!(text(&stderr).contains(YIELDS), "{}", text(&stderr));
     let ball =
@@ -281,10 +288,7 @@ fn a_contact_that_yields_says_so_in_every_command() {
         let stderr = carom(&["hertz", &case("at-yield", &rail)]).stderr;
         assert_eq!(text(&stderr).matches(YIELDS).count(), count, "{}", text(&stderr));
     }
-    let both = changed(
-        "steel_balls.toml",
-        &[("yield_stress = 2.5e9", "yield_stress = 2.5e9, hardness = 7e9")],
-    );
+    let both = with("yield_stress = 2.5e9, hardness = 7e9");
     let stderr = carom(&["impact", &case("both-strengths", &both)]).stderr;
     assert!(text(&stderr).contains("give one of the two"), "{}", text(&stderr));
 }
