@@ -144,6 +144,35 @@ fn forces_beyond_friction_and_two_frictions_are_refused() {
     assert!(matches!(error, RollingError::Range(e) if e.field == "spin offset"));
 }
 
+/// The contact turned by a quarter turn towards +y, with the direction of rolling and the creepages.
+#[test]
+fn quarter_turns_turn_the_forces() {
+    for poisson in [[0.3, 0.3], [0.0, 0.45]] {
+        let problem = ellipsoid(poisson, [1.0; 2]);
+        let grid = problem.grid();
+        let turned = Grid::new(grid.ny(), grid.nx(), grid.dy(), grid.dx()).unwrap();
+        let gap = Gap::from_function(turned, |x, y| 0.5 * y * y + 0.4 * x * x).unwrap();
+        let [one, two] = poisson.map(|nu| Material::from_shear(1.0, nu).unwrap());
+        let pair = MaterialPair::new(one, two).unwrap();
+        let friction = Friction::new(FRICTION).unwrap();
+        let turned = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+        let way = Way::new(grid.dx()).unwrap().with_spin_at(1.0 / 6.0).unwrap();
+        let up = way.towards(0.5 * PI).unwrap();
+        for [along, across, spin] in CREEPAGES {
+            let at = |problem, way, creepages| {
+                let normal = Driven::Shift(0.8);
+                let drive = RollingDrive::by_creepage(normal, creepage(creepages));
+                roll(problem, way, &drive).state.load()
+            };
+            let load = at(&problem, way, [along, across, spin]);
+            let other = at(&turned, up, [-across, along, spin]);
+            let off = [other.f_x + load.f_y, other.f_y - load.f_x, other.m_z - load.m_z];
+            let scale = FRICTION * load.f_z;
+            assert!(off.iter().all(|off| off.abs() < 1e-8 * scale), "{along} {across}: {off:?}");
+        }
+    }
+}
+
 /// The contact turned by half a turn with the direction of rolling, and in other units.
 #[test]
 fn half_turns_and_units_change_nothing() {
