@@ -12,7 +12,9 @@ pub enum CaseError {
     Syntax {
         /// Line, from 1.
         line: usize,
-        /// Message of the parser.
+        /// The character of the line at which the parser stopped, from 0.
+        column: usize,
+        /// Message of the parser, and what may be meant.
         message: String,
     },
     /// Several errors, in the order of their lines; missing fields come last.
@@ -167,6 +169,9 @@ impl CaseError {
                 let shown = errors.iter().map(|error| format!("\n{}", error.shown_in(source)));
                 format!("{} errors{}", errors.len(), shown.collect::<String>())
             }
+            Self::Syntax { line, column, .. } => {
+                format!("{self}{}", marked(source, *line, *column, 1))
+            }
             error => format!("{error}{}", excerpt(source, error.line(), error.field())),
         }
     }
@@ -177,13 +182,17 @@ const LONGEST_SHOWN: usize = 90;
 
 /// The line of the file with a mark under the name of the field; empty if there is none to show.
 fn excerpt(source: &str, line: usize, field: &str) -> String {
-    let Some(text) = line.checked_sub(1).and_then(|above| source.lines().nth(above)) else {
-        return String::new();
-    };
+    let text = line.checked_sub(1).and_then(|above| source.lines().nth(above)).unwrap_or("");
     let names = field.rsplit('.').map(|name| name.split('[').next().unwrap_or(name));
     let place = names.filter_map(|name| Some((named(text, name)?, name.chars().count()))).next();
-    let Some((place, length)) = place else { return String::new() };
-    if text.chars().count() > LONGEST_SHOWN || text.contains('\t') {
+    place.map_or_else(String::new, |(place, length)| marked(source, line, place, length))
+}
+
+/// The line with marks under `length` characters from the one at `place`.
+fn marked(source: &str, line: usize, place: usize, length: usize) -> String {
+    let text = line.checked_sub(1).and_then(|above| source.lines().nth(above)).unwrap_or("");
+    let is_control = |letter: char| letter.is_control();
+    if text.is_empty() || text.chars().count() > LONGEST_SHOWN || text.contains(is_control) {
         return String::new();
     }
     let number = line.to_string();

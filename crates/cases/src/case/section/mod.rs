@@ -373,9 +373,11 @@ impl<'a> Section<'a> {
 /// # Errors
 /// If the text is not TOML.
 pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
-    DeTable::parse(source).map_err(|error| CaseError::Syntax {
-        line: line_at(source, error.span().map_or(0, |span| span.start)),
-        message: error.message().to_owned(),
+    DeTable::parse(source).map_err(|error| {
+        let at = error.span().map_or(0, |span| span.start);
+        let before = source.get(..at).unwrap_or("");
+        let column = before.chars().rev().take_while(|letter| *letter != '\n').count();
+        CaseError::Syntax { line: line_at(source, at), column, message: error.message().to_owned() }
     })
 }
 

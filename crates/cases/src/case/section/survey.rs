@@ -12,8 +12,10 @@ use toml::de::DeValue;
 
 /// The errors of a case that its reader rejected with `first`.
 pub(in crate::case) fn all(kind: CaseKind, source: &str, first: CaseError) -> CaseError {
-    if let CaseError::Syntax { line, message } = first {
-        return CaseError::Syntax { line, message: message + &advice(kind, source) };
+    if let CaseError::Syntax { line, column, message } = first {
+        let wrong = source.lines().nth(line.saturating_sub(1)).unwrap_or("");
+        let message = message + number_meant(wrong) + &advice(kind, source);
+        return CaseError::Syntax { line, column, message };
     }
     let mut errors = survey(kind, source);
     match errors
@@ -44,9 +46,30 @@ fn advice(kind: CaseKind, source: &str) -> String {
     }
 }
 
+/// What may be meant by a line that is not TOML: numbers as other languages write them.
+fn number_meant(line: &str) -> &'static str {
+    let value = line.split('#').next().and_then(|line| line.split_once('=')).map_or("", |(_, v)| v);
+    let has_decimal_comma = !value.contains(['[', '{', '"'])
+        && value.split_once(',').is_some_and(|(whole, part)| {
+            let is_digit = |letter: Option<char>| letter.is_some_and(|l| l.is_ascii_digit());
+            is_digit(whole.chars().next_back()) && is_digit(part.chars().next())
+        });
+    match () {
+        () if value.contains('\u{2212}') => "; the minus sign of a number is a hyphen, -",
+        () if has_decimal_comma => "; a number has a decimal point, as 0.3",
+        () => "",
+    }
+}
+
 /// The kind of case of which this text has at most half as many errors.
 fn other_kind(kind: CaseKind, source: &str, count: usize) -> Option<CaseKind> {
     let likely = CaseKind::of(source).ok()?;
+    let is_known = |name: &str| likely.fields().iter().any(|field| field.name == name);
+    let table = parse(source).ok()?;
+    // An empty text is like no kind.
+    if !table.get_ref().iter().any(|(name, _)| is_known(name.get_ref().as_ref())) {
+        return None;
+    }
     (likely != kind && 2 * survey(likely, source).len() <= count).then_some(likely)
 }
 
@@ -225,6 +248,29 @@ frition = 0.2
              | ^^^^^^^
         `body_2.material` is missing: must be a table
         "#);
+    }
+
+    #[test]
+    fn an_empty_case_is_of_no_other_kind() {
+        for kind in CaseKind::ALL {
+            let error = kind.check("# nothing yet\n").unwrap_err();
+            assert!(!matches!(error, CaseError::OtherKind { .. }), "{kind:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn numbers_of_other_languages_are_told() {
+        let said = |line: &str| {
+            let source = format!("[contact]\n{line}\n");
+            CaseKind::Impact.check(&source).unwrap_err().shown_in(&source)
+        };
+        let comma = said("friction = 0,3");
+        assert!(comma.contains("line 2: ") && comma.contains("has a decimal point"), "{comma}");
+        assert!(comma.ends_with("\n  2 | friction = 0,3\n    |             ^"), "{comma}");
+        let minus = said("friction = \u{2212}0.3");
+        assert!(minus.contains("is a hyphen, -"), "{minus}");
+        let twice = said("friction = 0.1\nfriction = 0.2");
+        assert!(twice.ends_with("\n  3 | friction = 0.2\n    | ^"), "{twice}");
     }
 
     #[test]
