@@ -103,7 +103,7 @@ fn what_cannot_roll_is_refused_by_name() {
             vec!["rolling.distance", "rolling.creepage", "a single creepage"],
         ),
         ("CREEP", "distance = 1", vec!["`rolling.distance` = 1", "100 lengths"]),
-        ("elements = 16", "elements = 100", vec!["grid.elements", "6 to 40"]),
+        ("elements = 16", "elements = 600", vec!["grid.elements", "6 to 512"]),
         (
             "friction = 0.3",
             "friction = 0.3\nradii = [1, 1]",
