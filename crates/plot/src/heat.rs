@@ -348,4 +348,26 @@ mod tests {
         let heat = Heat::new(&field).unwrap();
         assert_eq!((heat.shade(0.0), heat.shade(-1.0), heat.shade(0.5)), (0, -48, 24));
     }
+
+    #[test]
+    fn a_number_stands_on_its_line_inside_the_frame() {
+        let frame = Frame { x: 0.0, y: 0.0, width: 300.0, height: 300.0 };
+        let circle = |radius: f64| -> Vec<Pixel> {
+            (0..=60)
+                .map(|i| std::f64::consts::TAU * f64::from(i) / 60.0)
+                .map(|t| Pixel { x: 150.0 + radius * t.cos(), y: 150.0 + radius * t.sin() })
+                .collect()
+        };
+        // On the longest line, at its left end.
+        let lines = [circle(30.0), circle(100.0)];
+        let at = number_place(&lines, frame, |_| false).unwrap();
+        assert!((at.x - 50.0).abs() < 1e-9 && (at.y - 150.0).abs() < 1e-9, "{at:?}");
+        // Where that is taken, further along the same line.
+        let next = number_place(&lines, frame, |other| is_near(other, at)).unwrap();
+        assert!((libm::hypot(next.x - 150.0, next.y - 150.0) - 100.0).abs() < 1e-9);
+        assert!(!is_near(next, at));
+        // A short line has none, nor has one that leaves no room in the frame.
+        assert_eq!(number_place(&[circle(10.0)], frame, |_| false), None);
+        assert_eq!(number_place(&lines, frame, |_| true), None);
+    }
 }

@@ -25,13 +25,7 @@ const FIRST: i32 = 6;
 /// A drawing as PDF; `svg` must not have texts.
 pub(crate) fn pdf_of(svg: &str, title: &str) -> Result<Vec<u8>, PlotError> {
     let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).map_err(raster)?;
-    let size = tree.size();
-    let (images, opacities) = (Vec::new(), Vec::new());
-    let mut page = Page { content: Content::new(), images, opacities };
-    // From the upper left corner downwards to the lower left corner upwards.
-    page.content.transform([1.0, 0.0, 0.0, -1.0, 0.0, size.height()]);
-    page.group(tree.root())?;
-    page.finish([size.width(), size.height()], title)
+    Page::of(&tree)?.finish([tree.size().width(), tree.size().height()], title)
 }
 
 /// The page under construction.
@@ -48,6 +42,15 @@ struct Opacity {
 }
 
 impl Page {
+    fn of(tree: &usvg::Tree) -> Result<Self, PlotError> {
+        let (images, opacities) = (Vec::new(), Vec::new());
+        let mut page = Self { content: Content::new(), images, opacities };
+        // From the upper left corner downwards to the lower left corner upwards.
+        page.content.transform([1.0, 0.0, 0.0, -1.0, 0.0, tree.size().height()]);
+        page.group(tree.root())?;
+        Ok(page)
+    }
+
     fn group(&mut self, group: &Group) -> Result<(), PlotError> {
         for node in group.children() {
             self.content.save_state();
@@ -261,4 +264,51 @@ fn packed(bytes: &[u8]) -> Result<Vec<u8>, PlotError> {
 fn of(transform: Transform) -> [f32; 6] {
     let Transform { sx, ky, kx, sy, tx, ty } = transform;
     [sx, ky, kx, sy, tx, ty]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The commands of the page, one a line.
+    fn commands(body: &str) -> Vec<String> {
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\">{body}</svg>"
+        );
+        let tree = usvg::Tree::from_str(&svg, &usvg::Options::default()).unwrap();
+        let content = Page::of(&tree).unwrap().content.finish();
+        String::from_utf8(content.to_vec()).unwrap().lines().map(str::to_owned).collect()
+    }
+
+    fn has(commands: &[String], expected: &[&str]) {
+        let mut rest = commands.iter();
+        for line in expected {
+            assert!(rest.any(|command| command == line), "{line} in {commands:?}");
+        }
+    }
+
+    #[test]
+    fn heights_count_from_the_foot_of_the_page() {
+        let line = "<path d=\"M10 40 L90 5\" fill=\"none\" stroke=\"#ff0000\" \
+                    stroke-width=\"2\" stroke-dasharray=\"4 3\"/>";
+        has(
+            &commands(line),
+            &["1 0 0 -1 0 50 cm", "1 0 0 RG", "2 w", "[4 3] 0 d", "10 40 m", "90 5 l", "S"],
+        );
+    }
+
+    #[test]
+    fn parabolas_areas_and_opacity_are_kept() {
+        let area = "<path d=\"M0 0 Q30 0 30 30 Z\" fill=\"#00ff00\" fill-opacity=\"0.5\"/>";
+        // Its control points lie two thirds on the way from the ends to that of the parabola.
+        has(&commands(area), &["/O0 gs", "0 1 0 rg", "0 0 m", "20 0 30 10 30 30 c", "h", "f"]);
+    }
+
+    #[test]
+    fn what_is_clipped_or_moved_stays_so() {
+        let body = "<clipPath id=\"c\"><rect x=\"5\" y=\"6\" width=\"7\" height=\"8\"/></clipPath>\
+                    <g clip-path=\"url(#c)\"><path transform=\"translate(3 4)\" d=\"M0 0 L9 9\" \
+                    stroke=\"#000000\"/></g>";
+        has(&commands(body), &["5 6 m", "12 6 l", "W", "n", "1 0 0 1 3 4 cm", "0 0 m", "9 9 l"]);
+    }
 }
