@@ -311,4 +311,33 @@ mod tests {
                     stroke=\"#000000\"/></g>";
         has(&commands(body), &["5 6 m", "12 6 l", "W", "n", "1 0 0 1 3 4 cm", "0 0 m", "9 9 l"]);
     }
+
+    /// The place on the page of a point of the unit square that an image fills.
+    fn place(commands: &[String], [x, y]: [f64; 2]) -> [f64; 2] {
+        let until = commands.iter().position(|command| command == "/I0 Do").unwrap();
+        let transforms = commands[..until].iter().filter_map(|line| line.strip_suffix(" cm"));
+        let numbers =
+            |line: &str| line.split(' ').map(|part| part.parse().unwrap()).collect::<Vec<f64>>();
+        let all: Vec<Vec<f64>> = transforms.map(numbers).collect();
+        all.iter()
+            .rev()
+            .fold([x, y], |[x, y], m| [m[0] * x + m[2] * y + m[4], m[1] * x + m[3] * y + m[5]])
+    }
+
+    #[test]
+    fn images_stand_upright_in_their_place() {
+        let palette = [[255, 0, 0], [0, 0, 255]];
+        let png = crate::raster::indexed_png(2, &[0, 1, 1, 0], &palette, false).unwrap();
+        let body = format!(
+            "<image x=\"10\" y=\"20\" width=\"30\" height=\"15\" preserveAspectRatio=\"none\" \
+             href=\"data:image/png;base64,{}\"/>",
+            crate::raster::base64(&png)
+        );
+        let commands = commands(&body);
+        for (corner, expected) in [([0.0, 1.0], [10.0, 30.0]), ([1.0, 0.0], [40.0, 15.0])] {
+            let found = place(&commands, corner);
+            let off = [found[0] - expected[0], found[1] - expected[1]];
+            assert!(off.iter().all(|off| off.abs() < 1e-4), "{corner:?}: {found:?}");
+        }
+    }
 }

@@ -309,6 +309,17 @@ mod tests {
     }
 
     #[test]
+    fn units_that_take_a_prefix_have_whole_numbers() {
+        let (ticks, power) = labels(&Axis::linear("x / m").between(0.0, 0.01));
+        assert_eq!((ticks.join(" ").as_str(), power), ("0 2 4 6 8 10", -3));
+        assert_eq!(with_power("x / m", power), "x / mm");
+        let (ticks, power) = labels(&Axis::linear("x / m").between(0.0, 0.5));
+        assert_eq!((ticks.join(" ").as_str(), power), ("0.0 0.1 0.2 0.3 0.4 0.5", 0));
+        // A number without a unit stays as it is.
+        assert_eq!(labels(&Axis::linear("R_x").between(0.0, 0.01)).1, 0);
+    }
+
+    #[test]
     fn logarithmic_ticks_are_decades() {
         let (ticks, _) = labels(&Axis::log("").between(1e-5, 10.0));
         assert_eq!(ticks.join(" "), "10⁻⁵ 10⁻⁴ 10⁻³ 10⁻² 10⁻¹ 10⁰ 10¹");
