@@ -151,3 +151,53 @@ impl Validity {
 fn short_number(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))
 }
+
+#[cfg(test)]
+mod tests {
+    use carom_halfspace::{Material, MaterialPair, Point, Traction};
+
+    use super::*;
+    use crate::curvature::RelativeCurvature;
+    use crate::ellipse::ContactEllipse;
+    use crate::field::partial_slip_stress;
+
+    /// Von Mises' stress on the axis below Hertz's circle, for nu = 0.3.
+    #[test]
+    fn a_circle_yields_where_the_stress_below_it_does() {
+        let body = Material::from_young(208e9, 0.3).unwrap();
+        let circle = ContactEllipse::new(1.0, 1.0).unwrap();
+        let peak = Traction { x: 0.0, y: 0.0, normal: 1.0 };
+        let at = |z: f64| {
+            let point = Point { x: 0.0, y: 0.0, z };
+            partial_slip_stress(circle, body, peak, 1.0, point).unwrap().von_mises()
+        };
+        let most = (1..200).map(|i| at(0.01 * f64::from(i))).fold(0.0, f64::max);
+        assert!((Validity::YIELDS_AT * most - 1.0).abs() < 0.01, "{most}");
+        let yields = |pressure| Validity::of_pressure(pressure, 1e9).yields();
+        assert!(yields(1.01e9 / most) && !yields(0.98e9 / most));
+        assert!(!Validity::of_pressure(1e12, f64::INFINITY).yields());
+    }
+
+    #[test]
+    fn each_ratio_has_the_scale_of_the_contact() {
+        let body = Material::from_young(208e9, 0.3).unwrap().yielding_at(1e9).unwrap();
+        let pair = MaterialPair::new(body, body).unwrap();
+        let curvature = RelativeCurvature::from_coefficients(10.0, 40.0).unwrap();
+        let hertz = Hertz::new(curvature, pair).unwrap();
+        let state = hertz.at_force(1000.0).unwrap();
+        let radius = 0.0125;
+        let validity = Validity::of_hertz(&hertz, &state, radius);
+        let wide = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
+        assert_eq!(validity.semi_axis_over_radius, wide / radius);
+        assert_eq!(validity.approach_over_radius, state.approach / radius);
+        let over = state.peak_pressure / 1.6e9;
+        assert!((validity.pressure_over_yield / over - 1.0).abs() < 1e-15);
+        // Of two contacts the worse one counts, ratio by ratio.
+        let other = Validity::of_contact([0.2, 0.02, 1.0], f64::INFINITY, 1.0);
+        let worst = validity.and(other);
+        assert_eq!(worst.semi_axis_over_radius, 0.2);
+        assert_eq!(worst.pressure_over_yield, validity.pressure_over_yield);
+        assert!(worst.is_large_contact() && !other.is_large_approach());
+        assert!(Validity::of_contact([0.0, 0.11, 1.0], 1.0, 1.0).is_large_approach());
+    }
+}

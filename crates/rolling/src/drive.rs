@@ -98,3 +98,39 @@ impl RollingDrive {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In any direction, with spin about any point of the way.
+    #[test]
+    fn the_creepages_of_a_step_are_those_given() {
+        let given = Creepage { along: 0.01, across: -0.03, spin: 0.7 };
+        let before = Shift { zeta: 1.0, xi: 0.2, eta: 0.5, omega: -0.1 };
+        for (direction, part) in [(0.0, 0.0), (0.6, 1.0 / 6.0), (2.5, -0.5), (-1.2, 1.0)] {
+            let way = Way::new(0.2).unwrap().towards(direction).unwrap();
+            let way = way.with_spin_at(part).unwrap();
+            let drive = RollingDrive::by_creepage(Driven::Shift(1.0), given).step(&way, before);
+            let after = |driven, before: f64| match driven {
+                Driven::Shift(shift) => shift - before,
+                Driven::Load(_) => f64::NAN,
+            };
+            let step = Shift {
+                zeta: 0.0,
+                xi: after(drive.x, before.xi),
+                eta: after(drive.y, before.eta),
+                omega: after(drive.twist, before.omega),
+            };
+            let found = way.creepage(step);
+            let off =
+                [found.along - given.along, found.across - given.across, found.spin - given.spin];
+            assert!(off.iter().all(|off| off.abs() < 1e-14), "{direction} {part}: {off:?}");
+            // The point x + q d of a body that turns about the origin.
+            let at = [direction.cos(), direction.sin()].map(|part_of| 0.2 * part * part_of);
+            let lead = [step.xi - 0.2 * given.along, step.eta - 0.2 * given.across];
+            assert!((lead[0] - at[1] * step.omega).abs() < 1e-15);
+            assert!((lead[1] + at[0] * step.omega).abs() < 1e-15);
+        }
+    }
+}
