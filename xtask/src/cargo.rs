@@ -5,6 +5,10 @@ use anyhow::{Context as _, bail};
 use std::ffi::OsString;
 use std::process::{Command, Stdio};
 
+/// All packages but the benches, whose framework selects other features of common dependencies: with it,
+/// everything above them would be compiled once for the tests and once more for the programs.
+pub(crate) const WITHOUT_BENCHES: &[&str] = &["--workspace", "--exclude", "carom-benches"];
+
 /// A cargo command at the root of the workspace, with the cargo that runs this task.
 pub(crate) fn command(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -36,7 +40,7 @@ fn finish(command: &mut Command, arguments: &[&str]) -> anyhow::Result<()> {
 /// workspace; an exit code other than 0 is an error. Built alone, the package might select other
 /// features of a dependency, which would then be compiled again.
 pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::Result<()> {
-    run(&["build", "--release", "--workspace", "--quiet", kind, name])?;
+    run(&[&["build", "--release", "--quiet", kind, name], WITHOUT_BENCHES].concat())?;
     let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
     let root = root();
     let mut program = Command::new(root.join(folder).join(name));

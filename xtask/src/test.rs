@@ -43,10 +43,10 @@ impl Which {
         }
     }
 
-    /// The packages of the whole workspace.
+    /// The packages with tests.
     fn workspace(self) -> &'static [&'static str] {
         match self {
-            Self::Usual | Self::Ignored => &["--workspace"],
+            Self::Usual | Self::Ignored => cargo::WITHOUT_BENCHES,
             Self::Checked => &[
                 "--workspace",
                 "--exclude",
@@ -138,8 +138,8 @@ fn tests(which: Which, packages: &[&str], name: Option<&str>) -> anyhow::Result<
 }
 
 fn examples() -> anyhow::Result<()> {
-    let arguments = ["test", "--workspace", "--release", "--no-fail-fast", "--doc"];
-    counted("documentation examples", &arguments)
+    let arguments = ["test", "--release", "--no-fail-fast", "--doc"];
+    counted("documentation examples", &[&arguments, cargo::WITHOUT_BENCHES].concat())
 }
 
 /// Runs the example programs, one for each layer; each checks its results.

@@ -100,6 +100,14 @@ pub enum Error {
         /// Why.
         source: Box<FitError<ChosenError>>,
     },
+    /// No grid reaches the accuracy of steady rolling.
+    #[error("{}: {source}", path.display())]
+    RollingFit {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<FitError<RollingError>>,
+    },
     /// A contact problem could not be set up.
     #[error("{}: {source}", path.display())]
     Problem {
@@ -212,7 +220,15 @@ impl Error {
                 SceneError::Collision { source, .. } => is_bad_collision(source),
                 _ => true,
             },
-            Self::Rolling { source, .. } => matches!(**source, RollingError::Range(_)),
+            Self::Rolling { source, .. } => is_beyond_rolling(source),
+            Self::RollingFit { source, .. } => match &**source {
+                FitError::Range(_)
+                | FitError::Problem(_)
+                | FitError::NoWindow { .. }
+                | FitError::Endless { .. } => true,
+                FitError::Method(source) => is_beyond_rolling(source),
+                _ => false,
+            },
             Self::Bellows { source, .. } => matches!(**source, BellowsError::Range(_)),
             Self::Flange { source, .. } => matches!(**source, FlangeError::Range(_)),
             Self::Case { .. }
@@ -257,6 +273,15 @@ const fn is_beyond(error: &FrictionalError) -> bool {
             | FrictionalError::Slides { .. }
             | FrictionalError::Turns { .. }
     )
+}
+
+/// The same of rolling.
+const fn is_beyond_rolling(error: &RollingError) -> bool {
+    match error {
+        RollingError::Step(error) => is_beyond(error),
+        RollingError::Range(_) | RollingError::NoRoomAhead { .. } => true,
+        _ => false,
+    }
 }
 
 /// The same without friction.

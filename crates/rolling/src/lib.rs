@@ -13,6 +13,7 @@
 mod creep;
 mod drive;
 mod fastsim;
+mod method;
 mod steady;
 mod transient;
 mod way;
@@ -24,6 +25,7 @@ use carom_special::RangeError;
 pub use creep::{CreepCoefficients, creep_coefficients, creep_coefficients_on};
 pub use drive::RollingDrive;
 pub use fastsim::{Fastsim, FastsimForces};
+pub use method::SteadyMethod;
 pub use steady::{SteadyContact, SteadyRolling, roll_steadily};
 pub use transient::RollingContact;
 pub use way::Way;

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use carom_halfspace::Field;
 use carom_halfspace::operator::{DisplacementField, RolledOperator, Threads, TractionField};
 use carom_laws::law::Shift;
 
@@ -19,6 +20,9 @@ pub struct SteadyRolling {
     pub state: ContactState,
     /// The creepages, given or found.
     pub creepage: Creepage,
+    /// Friction heat per distance rolled: the work of the loads on the creepage, less that of the
+    /// tractions on what the pressures displace, which bodies of unlike materials have.
+    pub heat: f64,
     /// The convergence of the solution.
     pub convergence: Convergence,
     /// Whether the creepage is above saturation: the whole contact slides, and more creepage does
@@ -60,6 +64,7 @@ pub struct SteadyContact {
     method: Frictional,
     scratch: FrictionalScratch,
     last: ContactState,
+    heat: f64,
 }
 
 impl SteadyContact {
@@ -78,7 +83,7 @@ impl SteadyContact {
         let method = Frictional::default();
         let scratch = method.scratch(&rolled)?;
         let (problem, last) = (problem.clone(), ContactState::apart(problem.grid()));
-        Ok(Self { problem, rolled, way, method, scratch, last })
+        Ok(Self { problem, rolled, way, method, scratch, last, heat: 0.0 })
     }
 
     /// The same with this tolerance: violations of the normal conditions relative to the greatest
@@ -111,11 +116,39 @@ impl SteadyContact {
             observer,
         )?;
         check_room(&self.problem, &state, &self.way)?;
+        self.heat = self.heat_of(&state)?;
         self.remember(&state);
         let creepage = self.way.creepage(state.shift);
         self.displace(&mut state)?;
         let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
-        Ok(SteadyRolling { state, creepage, convergence, slides })
+        Ok(SteadyRolling { state, creepage, heat: self.heat, convergence, slides })
+    }
+
+    /// Friction heat of the last solution per distance rolled; 0 before the first.
+    #[must_use]
+    pub const fn heat(&self) -> f64 {
+        self.heat
+    }
+
+    /// The slip of a particle is the rigid shift less the change of displacement. The part of that
+    /// change by the tractions themselves does no work in the steady state, where each particle takes
+    /// out what it has brought in; on a grid it would be an error of first order.
+    fn heat_of(&self, state: &ContactState) -> Result<f64, RollingError> {
+        let grid = state.pressure.grid();
+        let [mut along, mut across] = [Field::uniform(grid, 0.0), Field::uniform(grid, 0.0)];
+        let operator = self.rolled.operator();
+        operator.apply(
+            TractionField::normal(state.pressure.values()),
+            DisplacementField::tangential(along.values_mut(), across.values_mut()),
+            &mut operator.workspace(),
+        )?;
+        let (load, shift) = (state.load(), state.shift);
+        let rigid = load.f_x * shift.xi + load.f_y * shift.eta + load.m_z * shift.omega;
+        let work = |traction: &Field, change: &Field| -> f64 {
+            traction.values().iter().zip(change.values()).map(|(t, u)| t * u).sum()
+        };
+        let elastic = work(&state.traction_x, &along) + work(&state.traction_y, &across);
+        Ok((rigid - grid.cell_area() * elastic) / self.way.length())
     }
 
     /// Keeps a solution as the start of the next one. What the particles bring is part of the

@@ -32,12 +32,13 @@ pub use history::{HistoryCase, Steps};
 pub use impact::{ImpactCase, ImpactFile};
 pub use kind::{CaseKind, Understood};
 pub use range::{End, Range};
-pub use roll::RollCase;
+pub use roll::{Elliptical, RollCase};
 pub use scene::SceneCase;
 pub use section::Numbers;
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
-    Border, GapCase, GridCase, HeightFile, Leg, PlateCase, SolveCase, SolveMethod, Target,
+    Border, FrictionCase, GapCase, GridCase, HeightFile, Leg, PlateCase, SolveCase, SolveMethod,
+    Target,
 };
 pub use stress::StressCase;
 pub use uncertainty::Uncertainty;

@@ -27,6 +27,8 @@ pub enum Range {
     Incidence,
     /// A fraction from 0 to 1.
     Part,
+    /// A fraction from -1 to 1.
+    SignedPart,
     /// The tolerance of a law.
     LawTolerance,
     /// The tolerance of a solution.
@@ -101,6 +103,7 @@ impl Range {
             Self::Radius => [In(f64::NEG_INFINITY), In(f64::INFINITY)],
             Self::Incidence => [In(zero), In(90.0)],
             Self::Part => [In(zero), In(1.0)],
+            Self::SignedPart => [In(-1.0), In(1.0)],
             Self::LawTolerance => [Out(zero), In(0.1)],
             Self::SolveTolerance => [In(1e-13), In(0.01)],
             Self::Accuracy => [In(1e-6), In(0.1)],
@@ -169,6 +172,7 @@ impl Range {
             Self::Radius => "nonzero (inf: straight, negative: concave)",
             Self::Incidence => "in [0, 90], degrees from the normal",
             Self::Part => "in [0, 1]",
+            Self::SignedPart => "in [-1, 1]",
             Self::LawTolerance => "> 0 and <= 0.1",
             Self::SolveTolerance => "from 1e-13 to 0.01",
             Self::Accuracy => "from 1e-6 to 0.1",

@@ -1,35 +1,33 @@
 //! A rolling contact on its grid: creep forces in the steady state, or step by step from rest.
 
+mod creep;
+mod from_rest;
 mod row;
+mod steady;
 
-pub use row::{COLUMNS, CREEP, Creep, Row};
+pub use creep::{CREEP, Creep};
+pub use row::{COLUMNS, Row};
 
 use crate::Error;
-use crate::case::RollCase;
-use carom_halfspace::Grid;
-use carom_laws::friction::Friction;
+use crate::case::{Border, RollCase};
+use crate::input::CaseFile;
+use crate::solve::Bodies;
 use carom_laws::validity::Validity;
-use carom_rolling::{
-    CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError,
-    SteadyContact, Way, creep_coefficients,
-};
-use carom_solver::{
-    ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Gap, Method as _,
-};
+use carom_rolling::RollingError;
+use carom_solver::{ContactState, GridWarning, Window};
 use std::path::Path;
-
-/// Cells beyond the contact on each side, along and across: particles enter from the next cell.
-const BORDER: [usize; 2] = [2, 1];
-/// Strips and elements of FASTSIM.
-const SPRINGS: [usize; 2] = [100, 100];
 
 /// A rolling contact: its rows, and the contact after the last one.
 #[derive(Debug, Clone)]
 pub struct Rolled {
-    /// A row for each creepage, or from rest for each cell rolled.
+    /// A row for each drive, or from rest for each step.
     pub rows: Vec<Row>,
     /// The last contact.
     pub state: ContactState,
+    /// The window and its cells.
+    pub window: Window,
+    /// The first row in which a displacement is too large for the theory, and how large it is.
+    pub too_large: Option<(usize, GridWarning)>,
     /// The creep coefficients, if they were wanted.
     pub creep: Option<Creep>,
 }
@@ -43,31 +41,58 @@ pub struct Wanted {
     pub springs: bool,
 }
 
-/// Computes a rolling contact.
+/// Computes a rolling contact. `observer` is told how many rows there are, and of each one.
 ///
 /// # Errors
-/// [`Error::Rolling`] if a row cannot be solved; [`Error::Law`], [`Error::Problem`] if a value is out of range.
-pub fn rolled(path: &Path, case: &RollCase, wanted: Wanted) -> Result<Rolled, Error> {
-    let creep = (wanted.coefficients || wanted.springs).then(|| creep(path, case)).transpose()?;
-    let rolling = Rolling::new(path, case)?;
-    let (rows, state) = match case.distance {
-        Some(distance) => rolling.step_by_step(distance)?,
-        None => rolling.steadily(creep.as_ref().filter(|_| wanted.springs))?,
+/// [`Error::Rolling`] if a row cannot be solved; [`Error::RollingFit`] if no grid reaches the accuracy;
+/// [`Error::Border`] if the contact reaches the border of the grid; [`Error::Law`], [`Error::Problem`],
+/// [`Error::Input`] if a value or a file that the case names is not valid.
+pub fn rolled(
+    file: &CaseFile,
+    case: &RollCase,
+    wanted: Wanted,
+    observer: &mut dyn FnMut(Progress),
+) -> Result<Rolled, Error> {
+    let creep =
+        (wanted.coefficients || wanted.springs).then(|| creep::of(&file.path, case)).transpose()?;
+    let bodies =
+        Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?;
+    let springs = creep.as_ref().filter(|_| wanted.springs);
+    let rolling = Rolling { path: &file.path, case, bodies: &bodies };
+    let mut rolled = match case.distance {
+        Some(distance) => rolling.from_rest(distance, observer)?,
+        None => rolling.steadily(springs, observer)?,
     };
-    Ok(Rolled { rows, state, creep: creep.filter(|_| wanted.coefficients) })
+    rolled.creep = creep.filter(|_| wanted.coefficients);
+    Ok(rolled)
 }
 
-/// How far the contact is from the limits of the theory, with the smallest radius of the gap.
-#[must_use]
-pub fn validity(case: &RollCase) -> Validity {
-    let curvature = case.hertz.curvature();
-    let radius = 0.5 / curvature.a().max(curvature.b());
-    Validity::of_hertz(&case.hertz, &case.loaded, radius)
+/// How far a computation is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Progress {
+    /// The number of rows.
+    Begun(usize),
+    /// One more row is computed.
+    Row,
 }
 
-/// Warnings about full sliding, and about effects that creep coefficients neglect.
+/// How far the contact is from the limits of the theory: an elliptical one by its smallest radius, any other by
+/// the pressures of its rows.
 #[must_use]
-pub fn warnings(case: &RollCase, rows: &[Row], wanted: Wanted) -> Vec<String> {
+pub fn validity(case: &RollCase, rows: &[Row]) -> Validity {
+    if let Some(ellipse) = &case.ellipse {
+        let [x, y] = ellipse.relative_radii();
+        return Validity::of_hertz(&ellipse.hertz, &ellipse.loaded, x.min(y));
+    }
+    let peak = rows.iter().map(|row| row.greatest_pressure).fold(0.0, f64::max);
+    Validity::of_pressure(peak, case.materials.yield_stress())
+}
+
+/// Warnings about full sliding, displacements too large for the theory, and effects that creep coefficients
+/// neglect.
+#[must_use]
+pub fn warnings(case: &RollCase, rolled: &Rolled, wanted: Wanted) -> Vec<String> {
+    let rows = &rolled.rows;
     let sliding = rows.iter().filter(|row| row.slides).count();
     let mut warnings = Vec::new();
     if sliding > 0 {
@@ -77,128 +102,46 @@ pub fn warnings(case: &RollCase, rows: &[Row], wanted: Wanted) -> Vec<String> {
             rows.len()
         ));
     }
-    if (wanted.coefficients || wanted.springs) && !case.hertz.materials().is_uncoupled() {
+    if let Some((row, warning)) = rolled.too_large {
+        warnings.push(format!("row {row}: {warning}"));
+    }
+    if (wanted.coefficients || wanted.springs) && !case.materials.is_uncoupled() {
         let note = "creep coefficients and FASTSIM replace dissimilar bodies by two equal ones";
         warnings.push(note.to_owned());
     }
     warnings
 }
 
-/// A contact prepared for rolling.
+/// A contact that rolls.
 struct Rolling<'a> {
     path: &'a Path,
     case: &'a RollCase,
-    problem: ContactProblem,
+    bodies: &'a Bodies,
 }
 
-impl<'a> Rolling<'a> {
-    fn new(path: &'a Path, case: &'a RollCase) -> Result<Self, Error> {
-        let range = |source| Error::Law { path: path.to_owned(), source };
-        let ellipse = case.loaded.ellipse;
-        let count = case.elements as f64;
-        let [dx, dy] =
-            [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|half| 2.0 * half / count);
-        let [nx, ny] = BORDER.map(|border| case.elements + 2 * border);
-        let grid = Grid::new(nx, ny, dx, dy).map_err(range)?;
-        let curvature = case.hertz.curvature();
-        let (a, b) = (curvature.a(), curvature.b());
-        let gap = Gap::from_function(grid, move |x, y| a * x * x + b * y * y).map_err(range)?;
-        let friction = Friction::new(case.friction).map_err(range)?;
-        let problem = ContactProblem::of_half_spaces(gap, case.hertz.materials(), friction)
-            .map_err(|source| Error::Problem { path: path.to_owned(), source: source.into() })?;
-        Ok(Self { path, case, problem })
+impl Rolling<'_> {
+    fn range(&self, source: carom_special::RangeError) -> Error {
+        Error::Law { path: self.path.to_owned(), source }
     }
 
     fn failed(&self, row: usize, source: impl Into<RollingError>) -> Error {
         Error::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
     }
 
-    fn row(&self, state: &ContactState, convergence: Convergence, creepage: Creepage) -> Row {
-        Row::of(state, convergence, [self.case.speed, self.case.friction], creepage)
-    }
-
-    /// A row for each creepage, and the state of the last one.
-    fn steadily(&self, creep: Option<&Creep>) -> Result<(Vec<Row>, ContactState), Error> {
-        let mut last = ContactState::apart(self.problem.grid());
-        let mut rows = Vec::new();
-        let force = Driven::Load(self.case.loaded.force);
-        let mut contact = Way::new(self.problem.grid().dx())
-            .map_err(RollingError::from)
-            .and_then(|way| SteadyContact::new(&self.problem, way))
-            .map_err(|source| self.failed(1, source))?;
-        for (i, creepage) in self.case.creepages.iter().copied().enumerate() {
-            let rolled = contact
-                .roll(&RollingDrive::by_creepage(force, creepage), &mut ())
-                .map_err(|source| self.failed(i + 1, source))?;
-            let mut row = self.row(&rolled.state, rolled.convergence, creepage);
-            if let Some(creep) = creep {
-                row.springs = Some(self.springs(creep.coefficients, creepage)?);
-            }
-            rows.push(row);
-            last = rolled.state;
+    /// Checks that a contact between bodies without an end does not reach the border of the grid.
+    fn check_border(&self, row: usize, state: &ContactState) -> Result<(), Error> {
+        if self.case.grid.border() != Border::Free {
+            return Ok(());
         }
-        Ok((rows, last))
-    }
-
-    fn springs(
-        &self,
-        coefficients: CreepCoefficients,
-        creepage: Creepage,
-    ) -> Result<[f64; 2], Error> {
-        let loaded = &self.case.loaded;
-        let fastsim = Fastsim {
-            semi_axes: [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()],
-            shear_modulus: 2.0 * self.case.hertz.materials().shear_modulus(),
-            coefficients,
-            force: loaded.force,
-            friction: self.case.friction,
-            mesh: SPRINGS,
-        };
-        let forces = fastsim.forces(creepage);
-        let forces = forces.map_err(|source| Error::Law { path: self.path.to_owned(), source })?;
-        Ok([forces.f_x, forces.f_y])
-    }
-
-    /// A row for each cell rolled, the first one at rest, and the state at the end.
-    fn step_by_step(&self, distance: f64) -> Result<(Vec<Row>, ContactState), Error> {
-        let method = Frictional::default();
-        let mut scratch = method.scratch(&self.problem).map_err(|source| self.failed(1, source))?;
-        let apart = ContactState::apart(self.problem.grid());
-        let mut state = apart.clone();
-        let normal = Driven::Load(self.case.loaded.force);
-        let pressed = Drive { normal, ..Drive::default() };
-        let convergence = method
-            .step(&self.problem, &apart, &pressed, &mut state, &mut scratch, &mut ())
-            .map_err(|source| self.failed(1, source))?;
-        let creepage = self.case.creepages.first().copied().unwrap_or_default();
-        let step = self.problem.grid().dx();
-        let at = |row: Row, steps: usize| Row { distance: Some(steps as f64 * step), ..row };
-        let mut rows = vec![at(self.row(&state, convergence, creepage), 0)];
-        let mut contact = Way::new(step)
-            .map_err(RollingError::from)
-            .and_then(|way| RollingContact::new(&self.problem, way))
-            .map_err(|source| self.failed(1, source))?;
-        let drive = RollingDrive::by_creepage(normal, creepage);
-        // A whole number of cells, up to round-off.
-        for number in 1..=(distance / step * (1.0 - 1e-9)).ceil() as usize {
-            let before = state.clone();
-            let convergence = contact
-                .step(&drive, &before, &mut state, &mut ())
-                .map_err(|source| self.failed(number + 1, source))?;
-            rows.push(at(self.row(&state, convergence, creepage), number));
+        match crate::solve::border(state) {
+            Some(side) => Err(Error::Border { path: self.path.to_owned(), step: row, side }),
+            None => Ok(()),
         }
-        Ok((rows, state))
     }
 }
 
-/// The creep coefficients of the contact, with its bodies replaced by two equal ones.
-fn creep(path: &Path, case: &RollCase) -> Result<Creep, Error> {
-    let (ellipse, materials) = (case.loaded.ellipse, case.hertz.materials());
-    let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();
-    let poisson = materials.poisson();
-    let coefficients = creep_coefficients(ratio, poisson).map_err(|source| match source {
-        RollingError::Range(source) => Error::Law { path: path.to_owned(), source },
-        source => Error::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
-    })?;
-    Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })
+/// The warning of a displacement beyond the theory.
+fn too_large(warnings: Vec<GridWarning>) -> Option<GridWarning> {
+    let is_large = |warning: &GridWarning| matches!(warning, GridWarning::LargeDisplacement { .. });
+    warnings.into_iter().find(is_large)
 }

@@ -1,22 +1,26 @@
 //! The rows and columns of a rolling contact.
 
 use carom_laws::law::ContactLoad;
-use carom_rolling::{CreepCoefficients, Creepage};
-use carom_solver::{CellState, ContactState, Convergence};
-use carom_table::Column;
+use carom_rolling::{Creepage, FastsimForces};
+use carom_solver::{CellState, ContactProblem, ContactState, Convergence, Estimated, Estimates};
+use carom_table::{Column, Value};
 
-/// A rolling contact under one creepage, or after one distance. SI units; loads act on body 1.
+/// A rolling contact under one drive, or after one distance. SI units; loads act on body 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// Distance rolled from rest; `None` in the steady state.
     pub distance: Option<f64>,
     /// Rolling speed.
     pub speed: f64,
-    /// The creepages.
+    /// The creepages, given or found.
     pub creepage: Creepage,
-    /// Loads on body 1.
+    /// The approach.
+    pub approach: f64,
+    /// Loads on body 1; torque about the origin.
     pub load: ContactLoad,
-    /// f F_z.
+    /// Friction heat per distance rolled in the steady state.
+    pub heat: Option<f64>,
+    /// f F_z: the friction limits of all cells added.
     pub limit: f64,
     /// The greatest pressure.
     pub greatest_pressure: f64,
@@ -26,46 +30,78 @@ pub struct Row {
     pub stick_area: f64,
     /// Whether the whole contact slides.
     pub slides: bool,
-    /// Forces along and across by FASTSIM.
-    pub springs: Option<[f64; 2]>,
+    /// Forces by FASTSIM.
+    pub springs: Option<FastsimForces>,
     /// Residuals and cost.
     pub convergence: Convergence,
+    /// Discretisation errors, if they were estimated; shifts stand for creepages.
+    pub estimates: Option<Estimates>,
 }
 
 impl Row {
     pub(super) fn of(
+        problem: &ContactProblem,
         state: &ContactState,
         convergence: Convergence,
-        [speed, friction]: [f64; 2],
+        speed: f64,
         creepage: Creepage,
     ) -> Self {
         let (area, load) = (state.pressure.grid().cell_area(), state.load());
         let [stick, slip] =
             [CellState::Stick, CellState::Slip].map(|cell| state.count(cell) as f64);
+        let pressures = state.pressure.values();
+        let limits = pressures.iter().enumerate();
+        let limit: f64 =
+            limits.map(|(cell, p)| problem.friction().at(cell).motion().get() * p).sum();
         Self {
             distance: None,
             speed,
             creepage,
+            approach: state.shift.zeta,
             load,
-            limit: friction * load.f_z,
-            greatest_pressure: state.pressure.values().iter().copied().fold(0.0, f64::max),
+            heat: None,
+            limit: area * limit,
+            greatest_pressure: pressures.iter().copied().fold(0.0, f64::max),
             contact_area: area * (stick + slip),
             stick_area: area * stick,
             slides: stick == 0.0 && slip > 0.0,
             springs: None,
             convergence,
+            estimates: None,
         }
     }
 
-    /// Power of the loads on the creepage; in the steady state all of it is heat.
+    /// The same contact with its torque about the origin, from which its window lies this far.
+    pub(super) fn about(mut self, middle: [f64; 2]) -> Self {
+        // The torque has the sign of y t_x - x t_y.
+        self.load.m_z += middle[1] * self.load.f_x - middle[0] * self.load.f_y;
+        self
+    }
+
+    /// Tangential force.
+    fn pull(&self) -> f64 {
+        libm::hypot(self.load.f_x, self.load.f_y)
+    }
+
+    /// Power of the loads on the creepage.
     fn power(&self) -> f64 {
         let Creepage { along, across, spin } = self.creepage;
         let ContactLoad { f_x, f_y, m_z, .. } = self.load;
         self.speed * (f_x * along + f_y * across + m_z * spin)
     }
 
-    fn spring(&self, axis: usize) -> Option<f64> {
-        self.springs.map(|forces| forces[axis])
+    /// The greatest estimated error of forces and creepages.
+    fn greatest_error(&self) -> Option<f64> {
+        let all = self.estimates.as_ref()?;
+        let force = all.f_x.error.max(all.f_y.error) / self.limit;
+        let creepage = all.xi.error.max(all.eta.error);
+        let size = libm::hypot(self.creepage.along, self.creepage.across);
+        // Given creepages have no error.
+        Some(if creepage > 0.0 && size > 0.0 { force.max(creepage / size) } else { force })
+    }
+
+    fn error(&self, of: fn(&Estimates) -> &Estimated) -> Value {
+        self.estimates.as_ref().map_or(Value::Absent, |all| of(all).error.into())
     }
 }
 
@@ -75,20 +111,31 @@ pub const COLUMNS: &[Column<Row>] = &[
         row.distance.into()
     }),
     Column::new("time", "s", "since rest", |row| row.distance.map(|way| way / row.speed).into()),
-    Column::new("creepage", "", "along x", |row| row.creepage.along.into()),
+    Column::new("creepage", "", "along x, given or found", |row| row.creepage.along.into()),
     Column::new("creepage_across", "", "along y", |row| row.creepage.across.into()),
     Column::new("spin", "rad/m", "about the normal", |row| row.creepage.spin.into()),
+    Column::new("zeta", "m", "approach", |row| row.approach.into()),
     Column::new("F_x", "N", "force on body 1 along x", |row| row.load.f_x.into()),
     Column::new("F_y", "N", "force on body 1 along y", |row| row.load.f_y.into()),
     Column::new("F_z", "N", "normal force", |row| row.load.f_z.into()),
     Column::new("M_z", "N m", "torque on body 1", |row| row.load.m_z.into()),
-    Column::new("used", "", "tangential force over f F_z", |row| {
-        (libm::hypot(row.load.f_x, row.load.f_y) / row.limit).into()
+    Column::new("used", "", "tangential force over f F_z", |row| (row.pull() / row.limit).into()),
+    Column::new("adhesion", "", "tangential force over F_z", |row| {
+        (row.pull() / row.load.f_z).into()
+    }),
+    Column::new(
+        "wear_number",
+        "N",
+        "friction heat per distance rolled, in the steady state",
+        |row| row.heat.into(),
+    ),
+    Column::new("heating", "W", "friction heat per time, in the steady state", |row| {
+        row.heat.map(|heat| row.speed * heat).into()
     }),
     Column::new(
         "power",
         "W",
-        "work rate of the loads on the creepage; heat in the steady state",
+        "work rate of the loads on the creepage; bodies of one material turn it into heat",
         |row| row.power().into(),
     ),
     Column::new("p_max", "Pa", "maximum pressure", |row| row.greatest_pressure.into()),
@@ -102,8 +149,23 @@ pub const COLUMNS: &[Column<Row>] = &[
             if row.slides { "yes".into() } else { "no".into() }
         },
     ),
-    Column::new("F_x_springs", "N", "F_x of FASTSIM, with --fastsim", |row| row.spring(0).into()),
-    Column::new("F_y_springs", "N", "F_y of FASTSIM, with --fastsim", |row| row.spring(1).into()),
+    Column::new("F_x_springs", "N", "F_x of FASTSIM, with --fastsim", |row| {
+        row.springs.map(|springs| springs.f_x).into()
+    }),
+    Column::new("F_y_springs", "N", "F_y of FASTSIM, with --fastsim", |row| {
+        row.springs.map(|springs| springs.f_y).into()
+    }),
+    Column::new(
+        "springs_error",
+        "",
+        "FASTSIM's tangential force minus that here, over f F_z",
+        |row| {
+            let off = |springs: FastsimForces| {
+                libm::hypot(springs.f_x - row.load.f_x, springs.f_y - row.load.f_y) / row.limit
+            };
+            row.springs.map(off).into()
+        },
+    ),
     Column::new("residual_normal", "", "residual of the contact conditions", |row| {
         row.convergence.residuals.normal.into()
     }),
@@ -113,29 +175,27 @@ pub const COLUMNS: &[Column<Row>] = &[
     Column::new("iterations", "", "linear systems or passes", |row| {
         (row.convergence.iterations as u64).into()
     }),
-];
-
-/// Creep coefficients of the contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Creep {
-    /// Kalker's coefficients.
-    pub coefficients: CreepCoefficients,
-    /// Axis ratio a/b, a along the direction of rolling.
-    pub ratio: f64,
-    /// Combined modulus, as that of each of two equal bodies.
-    pub shear_modulus: f64,
-    /// Poisson's ratio of each of them.
-    pub poisson: f64,
-}
-
-/// The columns of `--coefficients`.
-pub const CREEP: &[Column<Creep>] = &[
-    Column::new("axis_ratio", "", "a/b, a along the direction of rolling", |c| c.ratio.into()),
-    Column::new("G", "Pa", "shear modulus of each of two equal bodies", |c| c.shear_modulus.into()),
-    Column::new("nu", "", "Poisson's ratio of each of them", |c| c.poisson.into()),
-    Column::new("C11", "", "F_x = G a b C11 creepage", |c| c.coefficients.c11.into()),
-    Column::new("C22", "", "F_y = G a b C22 creepage_across", |c| c.coefficients.c22.into()),
-    Column::new("C23", "", "F_y = -G (ab)^1.5 C23 spin", |c| c.coefficients.c23.into()),
-    Column::new("C32", "", "M_z = G (ab)^1.5 C32 creepage_across", |c| c.coefficients.c32.into()),
-    Column::new("C33", "", "M_z = G (ab)^2 C33 spin", |c| c.coefficients.c33.into()),
+    Column::new(
+        "error",
+        "",
+        "estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size",
+        |row| row.greatest_error().into(),
+    ),
+    Column::new("zeta_error", "m", "estimated error of zeta by the mesh", |row| {
+        row.error(|all| &all.zeta)
+    }),
+    Column::new("creepage_error", "", "the same of creepage", |row| row.error(|all| &all.xi)),
+    Column::new("creepage_across_error", "", "of creepage_across", |row| row.error(|all| &all.eta)),
+    Column::new("spin_error", "rad/m", "of spin", |row| row.error(|all| &all.omega)),
+    Column::new("F_x_error", "N", "of F_x", |row| row.error(|all| &all.f_x)),
+    Column::new("F_y_error", "N", "of F_y", |row| row.error(|all| &all.f_y)),
+    Column::new("F_z_error", "N", "of F_z", |row| row.error(|all| &all.f_z)),
+    Column::new("M_z_error", "N m", "of M_z", |row| row.error(|all| &all.m_z)),
+    Column::new("p_max_error", "Pa", "of p_max", |row| row.error(|all| &all.peak)),
+    Column::new("contact_area_error", "m2", "of contact_area, at most", |row| {
+        row.error(|all| &all.contact_area)
+    }),
+    Column::new("stick_area_error", "m2", "of stick_area, at most", |row| {
+        row.error(|all| &all.stick_area)
+    }),
 ];

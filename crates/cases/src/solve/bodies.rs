@@ -2,7 +2,7 @@
 
 use super::heights;
 use crate::Error;
-use crate::case::{Border, GapCase, GridCase, PlateCase, SolveCase};
+use crate::case::{Border, FrictionCase, GapCase, GridCase, PlateCase, SolveCase};
 use crate::input::CaseFile;
 use carom_halfspace::operator::{OperatorError, PeriodicOperator, PlateOperator, Threads};
 use carom_halfspace::{Field, Grid, MaterialPair};
@@ -10,6 +10,7 @@ use carom_laws::friction::Friction;
 use carom_solver::{
     CellFriction, ContactProblem, Gap, ProblemError, Shape, SurfaceFriction, Window,
 };
+use carom_special::RangeError;
 use std::sync::Arc;
 
 /// Gap, materials and friction.
@@ -30,43 +31,62 @@ enum Given {
 }
 
 impl Bodies {
-    /// Reads the bodies of a case.
+    /// Reads the bodies of a case of `carom solve`.
     ///
     /// # Errors
-    /// [`Error::Input`] if a file of heights is not valid, or if an accuracy is given for heights that define
-    /// their own grid.
+    /// [`Error::Input`] if a file is not valid, or if an accuracy is given for heights that define their own
+    /// grid.
     pub fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, Error> {
+        let bodies =
+            Self::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?;
+        Ok(Self { plate: case.plate, ..bodies })
+    }
+
+    /// Reads two half-spaces, their gap and friction.
+    ///
+    /// # Errors
+    /// As [`Bodies::of`].
+    pub(crate) fn of_half_spaces(
+        file: &CaseFile,
+        materials: MaterialPair,
+        gap: &GapCase,
+        grid: GridCase,
+        friction: &FrictionCase,
+    ) -> Result<Self, Error> {
         let path = &file.path;
         let law = |source| Error::Law { path: path.clone(), source };
-        let border = match case.grid {
-            GridCase::Cells { border, .. } => border,
-            GridCase::Accuracy(_) => Border::Free,
-        };
-        let own = |what: &str| match case.grid {
-            GridCase::Cells { grid, .. } => Ok(grid),
-            GridCase::Accuracy(_) => {
+        let own = |what: &str| {
+            grid.given().ok_or_else(|| {
                 let reason =
                     format!("{what} define their own grid; give `grid.cells`, not an accuracy");
-                Err(Error::Input { path: path.clone(), reason })
-            }
+                Error::Input { path: path.clone(), reason }
+            })
         };
-        let (gap, read) = match &case.gap {
+        let (gap, mut read) = match gap {
             GapCase::Formula(shape) => (Given::Formula(shape.clone()), Vec::new()),
             GapCase::Heights(map) => {
                 let (gap, read) = heights::gap(file, map, own("heights from a file")?)?;
                 (Given::Grid(gap), read)
             }
             GapCase::Rough { surface, radius } => {
-                let grid = own("random heights")?;
-                let rough = surface.heights(grid).map_err(law)?;
+                let rough = surface.heights(own("random heights")?).map_err(law)?;
                 (Given::Grid(standing(&rough, *radius).map_err(law)?), Vec::new())
             }
         };
-        let friction = |f: f64| Friction::new(f).map_err(law);
-        let friction = CellFriction::new(friction(case.static_friction)?, friction(case.friction)?);
-        let friction = friction.map_err(law)?.into();
-        let (materials, plate) = (case.materials, case.plate);
-        Ok(Self { gap, materials, friction, border, plate, read })
+        let friction = match &friction.map {
+            None => cell_friction(friction, 1.0).map_err(law)?.into(),
+            Some(map) => {
+                let (factors, bytes) = heights::factors(file, map, own("factors of friction")?)?;
+                read.extend(bytes);
+                let cells: Result<_, _> = factors
+                    .values()
+                    .iter()
+                    .map(|factor| cell_friction(friction, *factor))
+                    .collect();
+                Field::new(factors.grid(), cells.map_err(law)?).map_err(law)?.into()
+            }
+        };
+        Ok(Self { gap, materials, friction, border: grid.border(), plate: None, read })
     }
 
     /// The content of the files that the case names.
@@ -76,7 +96,7 @@ impl Bodies {
     }
 
     /// Side lengths of a rectangle that contains a part of the body.
-    pub(super) fn sides(&self) -> [f64; 2] {
+    pub(crate) fn sides(&self) -> [f64; 2] {
         if let Some(PlateCase { plate, .. }) = self.plate {
             return [plate.a(), plate.b()];
         }
@@ -93,7 +113,7 @@ impl Bodies {
     ///
     /// # Errors
     /// [`ProblemError`] if no body lies under it or it is too large for the memory.
-    pub(super) fn problem(&self, window: &Window) -> Result<ContactProblem, ProblemError> {
+    pub(crate) fn problem(&self, window: &Window) -> Result<ContactProblem, ProblemError> {
         let gap = match &self.gap {
             Given::Formula(shape) => window.gap(|x, y| shape.height(x, y)),
             Given::Grid(gap) => on(gap, window.grid()),
@@ -112,8 +132,14 @@ impl Bodies {
     }
 }
 
+/// The friction of a cell with a factor.
+fn cell_friction(friction: &FrictionCase, factor: f64) -> Result<CellFriction, RangeError> {
+    let [rest, motion] = [friction.rest, friction.motion].map(|f| Friction::new(f * factor));
+    CellFriction::new(rest?, motion?)
+}
+
 /// Heights plus a paraboloid, measured from the first contact point.
-fn standing(heights: &Field, radius: f64) -> Result<Gap, carom_special::RangeError> {
+fn standing(heights: &Field, radius: f64) -> Result<Gap, RangeError> {
     let places = heights.values().iter().zip(heights.grid().centres());
     let mut gaps: Vec<f64> =
         places.map(|(height, (x, y))| 0.5 * (x * x + y * y) / radius - height).collect();
@@ -123,7 +149,7 @@ fn standing(heights: &Field, radius: f64) -> Result<Gap, carom_special::RangeErr
 }
 
 /// The gap on its own grid or a coarser one.
-fn on(gap: &Gap, grid: Grid) -> Result<Gap, carom_special::RangeError> {
+fn on(gap: &Gap, grid: Grid) -> Result<Gap, RangeError> {
     let mut own = gap.clone();
     while own.grid() != grid && own.grid().cells() > grid.cells() {
         own = own.coarser()?;

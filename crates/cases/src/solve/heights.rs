@@ -5,8 +5,29 @@ use crate::Error;
 use crate::case::HeightFile;
 use crate::input::CaseFile;
 use crate::numbers::{bare, delimiter};
-use carom_halfspace::Grid;
+use carom_halfspace::{Field, Grid};
 use carom_solver::{Gap, HeightMap, HeightMapError};
+use std::path::Path;
+
+/// The factors in a file, one for each cell, and its content.
+///
+/// # Errors
+/// [`Error::Input`] as [`gap`], or if a factor is negative.
+pub(super) fn factors(case: &CaseFile, file: &Path, grid: Grid) -> Result<(Field, Vec<u8>), Error> {
+    let refused = |reason: String| Error::Input { path: case.beside(file), reason };
+    let (rows, read) = numbers(case, file, grid)?;
+    for (i, row) in rows.iter().enumerate() {
+        if let Some(j) = row.iter().position(|factor| !(*factor >= 0.0 && factor.is_finite())) {
+            let (row, column, factor) = (i + 1, j + 1, row[j]);
+            let told = format!(
+                "the factor of friction in row {row}, column {column} is {factor}: must be finite and >= 0"
+            );
+            return Err(refused(told));
+        }
+    }
+    let field = Field::new(grid, rows.concat()).map_err(|error| refused(error.to_string()))?;
+    Ok((field, read))
+}
 
 /// The gap of the heights in the file that the case names, and the content of the file.
 ///
@@ -14,24 +35,30 @@ use carom_solver::{Gap, HeightMap, HeightMapError};
 /// [`Error::Input`] if the rows differ in length, the size differs from that of the grid, or a height is too
 /// large or not finite.
 pub(super) fn gap(case: &CaseFile, map: &HeightFile, grid: Grid) -> Result<(Gap, Vec<u8>), Error> {
+    let (rows, read) = numbers(case, &map.file, grid)?;
     let refused = |reason: String| Error::Input { path: case.beside(&map.file), reason };
+    Ok((under(rows, map, grid).map_err(refused)?, read))
+}
+
+/// The rows of numbers in a file, one number for each cell, and its content.
+fn numbers(case: &CaseFile, file: &Path, grid: Grid) -> Result<(Vec<Vec<f64>>, Vec<u8>), Error> {
+    let refused = |reason: String| Error::Input { path: case.beside(file), reason };
     let check = |size| HeightMap::check_size(size, grid).map_err(|error| error.to_string());
-    let ending = map.file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let (rows, read) = match ending.to_ascii_lowercase().as_str() {
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    Ok(match ending.to_ascii_lowercase().as_str() {
         "npy" => {
-            let bytes = case.bytes(&map.file)?;
+            let bytes = case.bytes(file)?;
             (npy::rows(&bytes, check).map_err(refused)?, bytes)
         }
         "png" => {
-            let bytes = case.bytes(&map.file)?;
+            let bytes = case.bytes(file)?;
             (greys(&bytes, check).map_err(refused)?, bytes)
         }
         _ => {
-            let text = case.table(&map.file)?;
+            let text = case.table(file)?;
             (lines(&text, check).map_err(refused)?, text.into_bytes())
         }
-    };
-    Ok((under(rows, map, grid).map_err(refused)?, read))
+    })
 }
 
 fn under(mut rows: Vec<Vec<f64>>, map: &HeightFile, grid: Grid) -> Result<Gap, String> {

@@ -8,6 +8,7 @@ mod npy;
 
 pub use bodies::Bodies;
 pub use classic::{Chosen, ChosenError, Working};
+pub(crate) use follow::border;
 pub use follow::{Followed, Found, Run, Saved};
 
 use crate::Error;

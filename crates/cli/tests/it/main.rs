@@ -26,6 +26,7 @@ mod readme;
 mod refused;
 mod restitution;
 mod roll;
+mod rolling_drives;
 mod rolling_power;
 mod room;
 mod scene;

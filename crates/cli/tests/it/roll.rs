@@ -100,7 +100,7 @@ fn what_cannot_roll_is_refused_by_name() {
         (
             "CREEP",
             "creepage = [0, 1]\ndistance = 0.01",
-            vec!["rolling.distance", "rolling.creepage", "a single creepage"],
+            vec!["rolling.distance", "rolling.creepage", "a single value"],
         ),
         ("CREEP", "distance = 1", vec!["`rolling.distance` = 1", "100 lengths"]),
         ("elements = 16", "elements = 600", vec!["grid.elements", "6 to 512"]),

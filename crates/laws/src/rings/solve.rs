@@ -121,9 +121,10 @@ fn block_of<const N: usize, const H: usize, S: Symmetry<H>>(
     S::places(block).map(|(k, c)| hat[k][c])
 }
 
+// The methods below are not inlined: their code is large, and a call costs nothing beside it.
 impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     /// An inverse of the pair times a right-hand side, by harmonics; the spectrum stays in `hat`.
-    #[inline(always)]
+    #[inline(never)]
     fn divided(
         &self,
         inverses: &[Block<N>],
@@ -161,7 +162,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     }
 
     /// The limits with the pressures that tractions with this spectrum add.
-    #[inline(always)]
+    #[inline(never)]
     fn limits(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
         let mut added: Field<N, H> = [[[0.0; N]; 2]; H];
         for (b, press) in self.press.iter().enumerate() {
@@ -179,7 +180,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     }
 
     /// The displacement of the rim by tractions with this spectrum.
-    #[inline(always)]
+    #[inline(never)]
     fn at_rim(&self, hat: &Field<N, H>) -> [[f64; 2]; H] {
         let mut out: Field<1, H> = [[[0.0; 1]; 2]; H];
         for (b, rim) in self.rim.iter().enumerate() {
@@ -281,7 +282,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     }
 
     /// The harmonics of tractions.
-    #[inline(always)]
+    #[inline(never)]
     fn spectrum(&self, z: &Field<N, H>) -> Field<N, H> {
         let mut hat = *z;
         S::to_harmonics(&self.waves, &mut hat);

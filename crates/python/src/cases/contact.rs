@@ -79,16 +79,17 @@ pub(crate) fn case_roll<'py>(
         let text = "fastsim: supports the steady state only: the case must have no `distance`";
         return Err(PyValueError::new_err(text));
     }
-    let rolled = without_python(py, || roll::rolled(&path, &case, wanted)).map_err(raised)?;
-    let Rolled { rows, state, creep } = rolled;
-    let warnings = roll::warnings(&case, &rows, wanted);
-    let exceeded = of_contact(roll::validity(&case));
+    let rolled = without_python(py, || roll::rolled(&file, &case, wanted, &mut |_| ()));
+    let rolled = rolled.map_err(raised)?;
+    let warnings = roll::warnings(&case, &rolled, wanted);
+    let exceeded = of_contact(roll::validity(&case, &rolled.rows));
+    let Rolled { rows, state, window, creep, .. } = rolled;
     let creep = creep.map(|creep| arrays(py, roll::CREEP, &[creep])).transpose()?;
     let rows = arrays(py, roll::COLUMNS, &rows)?;
     Ok((
         rows,
         creep,
-        centres(py, &state.pressure.grid(), [0.0; 2]),
+        centres(py, &state.pressure.grid(), window.middle()),
         lines(py, &state),
         exceeded,
         warnings,

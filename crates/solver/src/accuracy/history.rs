@@ -127,6 +127,12 @@ impl<M: Method> NestedHistory<M> {
         &self.finest.state
     }
 
+    /// The method's memory on the finest grid.
+    #[must_use]
+    pub const fn scratch(&self) -> &M::Scratch {
+        &self.finest.scratch
+    }
+
     /// The states on the coarser grids, as long as the history could be solved there.
     #[must_use]
     pub fn coarse_states(&self) -> [Option<&ContactState>; 2] {

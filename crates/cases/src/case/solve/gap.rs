@@ -116,7 +116,7 @@ const SEED: Field = Field::number(
 .of(&[ROUGH])
 .default(Default::Number(1.0));
 /// The field `gap` of a case.
-pub(super) const GAP: Field = Field::new(
+pub(in crate::case) const GAP: Field = Field::new(
     "gap",
     Form::Table(&[
         SHAPE,
@@ -173,7 +173,7 @@ pub struct HeightFile {
 
 impl GapCase {
     /// Reads the gap; rough surfaces and heights are checked against the grid, if there is one.
-    pub(super) fn read(case: &Section<'_>, grid: Option<Grid>) -> Result<Self, CaseError> {
+    pub(in crate::case) fn read(case: &Section<'_>, grid: Option<Grid>) -> Result<Self, CaseError> {
         let (gap, shape) = &case.shaped(&GAP, &SHAPE)?;
         let shape = match *shape {
             PARABOLOID => Shape::Paraboloid { radii: gap.vector(&RADII)? },

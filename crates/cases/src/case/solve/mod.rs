@@ -1,24 +1,31 @@
 //! The case file of `carom solve`.
 
+mod friction;
 mod gap;
+mod grid;
 mod legs;
 mod method;
 mod plate;
 
+pub use friction::FrictionCase;
 pub use gap::{GapCase, HeightFile};
+pub use grid::{Border, GridCase};
 pub use legs::{Leg, Target};
 pub use method::SolveMethod;
 pub use plate::PlateCase;
 
 use super::error::CaseError;
-use super::field::{Default, Field, Form, Usual};
+use super::field::{Field, Form};
 use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::{Section, parse, survey};
-use super::unit::Dimension;
-use carom_halfspace::{Grid, MaterialPair};
-use gap::GAP;
+use carom_halfspace::MaterialPair;
+use friction::STATIC;
+pub(super) use friction::{FRICTION, FRICTION_MAP};
+pub(super) use gap::GAP;
+use grid::PERIODIC;
+pub(super) use grid::{ACCURACY, CELLS, CUT, SIZE};
 use legs::STEP;
 use method::METHOD;
 use plate::BODIES;
@@ -26,59 +33,11 @@ use plate::BODIES;
 const BODY_1: Field =
     Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");
 const BODY_2: Field = Field::new("body_2", Form::Table(&[MATERIAL]), "the other body");
-const CELLS: Field = Field::new(
-    "cells",
-    Form::Vector(&["x", "y"], Range::Cells.pure(), "two whole numbers [along x, along y]"),
-    "cells of the grid",
-)
-.or("`accuracy`")
-.such_as("[40, 40]");
-const SIZE: Field = Field::new(
-    "size",
-    Form::Vector(
-        &["x", "y"],
-        Range::Positive.of(Dimension::Length),
-        "two lengths [along x, along y]",
-    ),
-    "sides of the whole grid, on a plate those of the plate; the contact must not reach its border",
-)
-.or("`accuracy`")
-.such_as("[2.6e-4, 2.6e-4]");
-const CUT: Field = Field::new(
-    "cut",
-    Form::Switch,
-    "whether the bodies end at the border, so that the contact may reach it",
-)
-.default(Default::False);
-const PERIODIC: Field = Field::new(
-    "periodic",
-    Form::Switch,
-    "whether the surfaces are periodic; the approach is then measured from the mean plane",
-)
-.default(Default::False);
-const ACCURACY: Field = Field::number(
-    "accuracy",
-    Range::Accuracy.pure(),
-    "window and cells are chosen so that estimated errors of loads and shifts are at most this part \
-     of the greatest ones, instead of `cells` and `size`",
-)
-.may("a grid is given")
-.such_as("1e-3");
 const GRID: Field =
     Field::new("grid", Form::Table(&[CELLS, SIZE, CUT, PERIODIC, ACCURACY]), "the grid")
         .begun(&[(&CELLS, ""), (&SIZE, "")]);
-const FRICTION: Field =
-    Field::number("friction", Range::NonNegative.pure(), "coefficient of friction f")
-        .such_as("0.3")
-        .usually(Usual::FRICTION);
-const STATIC: Field = Field::number(
-    "static_friction",
-    Range::NonNegative.pure(),
-    "coefficient of static friction: cells stick below it; slipping cells have `friction`",
-)
-.may("the same as `friction`")
-.such_as("0.4");
-const TOLERANCE: Field = Field::number(
+/// The field `tolerance` of a contact.
+pub(super) const TOLERANCE: Field = Field::number(
     "tolerance",
     Range::SolveTolerance.pure(),
     "residual to which each step is solved, relative to the largest pressure",
@@ -87,7 +46,7 @@ const TOLERANCE: Field = Field::number(
 .such_as("1e-9");
 const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[FRICTION, STATIC, TOLERANCE, METHOD]),
+    Form::Table(&[FRICTION, STATIC, FRICTION_MAP, TOLERANCE, METHOD]),
     "friction, tolerance and method",
 );
 
@@ -105,41 +64,14 @@ pub struct SolveCase {
     pub gap: GapCase,
     /// The grid.
     pub grid: GridCase,
-    /// Coefficient of kinetic friction.
-    pub friction: f64,
-    /// Coefficient of static friction, at least as large.
-    pub static_friction: f64,
+    /// Coefficients of friction.
+    pub friction: FrictionCase,
     /// Tolerance of each step; none for the default of the method.
     pub tolerance: Option<f64>,
     /// The solution method.
     pub method: SolveMethod,
     /// The load history.
     pub legs: Vec<Leg>,
-}
-
-/// A grid, or the accuracy for which one is chosen.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GridCase {
-    /// Cells about the origin.
-    Cells {
-        /// The grid.
-        grid: Grid,
-        /// What lies beyond its border.
-        border: Border,
-    },
-    /// A grid chosen for this accuracy.
-    Accuracy(f64),
-}
-
-/// What lies beyond the border of a grid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Border {
-    /// The bodies continue, and the contact must not reach the border.
-    Free,
-    /// The bodies end there.
-    Cut,
-    /// The surfaces are periodic.
-    Periodic,
 }
 
 impl SolveCase {
@@ -168,26 +100,19 @@ impl SolveCase {
             .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
         let grid = match accuracy {
             Some(accuracy) => GridCase::Accuracy(accuracy),
-            None => read_grid(&case)?,
+            None => GridCase::read(&case.section(&GRID)?)?,
         };
-        let fixed = match grid {
-            GridCase::Cells { grid, .. } => Some(grid),
-            GridCase::Accuracy(_) => None,
-        };
-        let gap = GapCase::read(&case, fixed)?;
+        let gap = GapCase::read(&case, grid.given())?;
         let contact = case.section(&CONTACT)?;
-        let (friction, tolerance) = (contact.number(&FRICTION)?, contact.maybe(&TOLERANCE)?);
-        let static_friction = contact.maybe(&STATIC)?.unwrap_or(friction);
-        if static_friction < friction {
-            return Err(contact.out_of_range(&STATIC, static_friction, "at least `friction`"));
-        }
+        let (friction, tolerance) =
+            (FrictionCase::read(&contact, grid)?, contact.maybe(&TOLERANCE)?);
         let method = method::read(&contact)?;
         let plate = plate::read(&case, materials, grid)?;
         if plate.is_some() {
-            check_contact(&case, &contact, static_friction, method)?;
+            check_contact(&case, &contact, friction.rest, method)?;
         }
         let legs = legs::read(&case)?;
-        Ok(Self { materials, plate, gap, grid, friction, static_friction, tolerance, method, legs })
+        Ok(Self { materials, plate, gap, grid, friction, tolerance, method, legs })
     }
 }
 
@@ -207,30 +132,4 @@ fn check_contact(
         return Err(case.conflict([&CONTACT, &METHOD], [&BODIES, &plate::PLATE], reason));
     }
     Ok(())
-}
-
-fn read_grid(case: &Section<'_>) -> Result<GridCase, CaseError> {
-    let grid = case.section(&GRID)?;
-    if let Some(accuracy) = grid.maybe(&ACCURACY)? {
-        let others: [&Field; 4] = [&CELLS, &SIZE, &CUT, &PERIODIC];
-        return match others.into_iter().find(|field| grid.has(*field)) {
-            Some(other) => Err(grid.conflict(&ACCURACY, other, "an accuracy chooses the grid")),
-            None => Ok(GridCase::Accuracy(accuracy)),
-        };
-    }
-    let counts: [f64; 2] = grid.vector(&CELLS)?;
-    let sizes: [f64; 2] = grid.vector(&SIZE)?;
-    let [nx, ny] = counts.map(|count| count as usize);
-    let made = Grid::new(nx, ny, sizes[0] / counts[0], sizes[1] / counts[1])
-        .map_err(|error| grid.out_of_range(&SIZE, error.value, error.allowed))?;
-    let border = match (grid.switch(&CUT)?, grid.switch(&PERIODIC)?) {
-        (true, true) => {
-            let reason = "bodies that end at the border are not periodic";
-            return Err(grid.conflict(&PERIODIC, &CUT, reason));
-        }
-        (true, false) => Border::Cut,
-        (false, true) => Border::Periodic,
-        (false, false) => Border::Free,
-    };
-    Ok(GridCase::Cells { grid: made, border })
 }

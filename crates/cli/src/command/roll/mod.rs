@@ -1,13 +1,17 @@
 //! `carom roll`: a rolling contact under creepage and spin.
 
+mod contact;
 mod plot;
 mod view;
 
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
+use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
+use crate::progress::Progress;
 use carom_cases::case::RollCase;
+use carom_cases::input::CaseFile;
 use carom_cases::roll::{self, COLUMNS, CREEP, Creep, Rolled, Row, Wanted};
 use carom_cases::theory::Heed;
 use carom_table::row;
@@ -46,7 +50,7 @@ struct Both<'a> {
     rows: Vec<Record<'a, Row>>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(RollCase::parse)?;
     if arguments.fastsim && case.distance.is_some() {
@@ -55,20 +59,36 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         ));
     }
     let wanted = Wanted { coefficients: arguments.coefficients, springs: arguments.fastsim };
-    let Rolled { rows, state, creep } = roll::rolled(&file.path, &case, wanted)?;
+    let rolled = watched(&file, &case, wanted, messages)?;
+    let Rolled { rows, creep, .. } = &rolled;
     let format = arguments.given.format();
-    columns::check(&file.path, &view::columns(&rows, false), &rows)?;
-    let text = text(format, &rows, creep.as_ref())?;
+    columns::check(&file.path, &view::columns(rows, false), rows)?;
+    let text = text(format, rows, creep.as_ref())?;
     let picture = match plot {
-        Some(to) => Some(arguments.given.drawn(to, plot::draw(&rows, &state)?)),
+        Some(to) => Some(arguments.given.drawn(to, plot::draw(&case, &rolled)?)),
         None => None,
     };
     let mut heed = Heed::default();
-    heed.add(String::new, roll::validity(&case));
+    heed.add(String::new, roll::validity(&case, rows));
     let (caution, mut warnings) = heed.told("contacts");
-    warnings.extend(roll::warnings(&case, &rows, wanted));
+    warnings.extend(roll::warnings(&case, &rolled, wanted));
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
+}
+
+/// Computes the rows, and tells how far that is.
+fn watched(
+    file: &CaseFile,
+    case: &RollCase,
+    wanted: Wanted,
+    messages: &Messages,
+) -> Result<Rolled, CliError> {
+    let mut progress = None;
+    let rolled = roll::rolled(file, case, wanted, &mut |now| match now {
+        roll::Progress::Begun(count) => progress = Some(Progress::new(*messages, count, "rows")),
+        roll::Progress::Row => progress.iter().for_each(|progress| progress.inc(1)),
+    });
+    Ok(rolled?)
 }
 
 fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, CliError> {

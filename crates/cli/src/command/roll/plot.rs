@@ -1,12 +1,15 @@
 //! The picture of a rolling contact.
 
+use super::contact::{contact, line};
 use crate::command::plot::{Value, add_curve};
-use crate::command::solve::plot::{pressures, stick_and_slip};
+use crate::command::solve::plot::pressures;
 use crate::error::CliError;
 use crate::output::Picture;
-use carom_cases::roll::Row;
+use carom_cases::case::RollCase;
+use carom_cases::roll::{Rolled, Row};
 use carom_plot::{Axis, Marker, Panel, Series};
-use carom_solver::ContactState;
+use carom_rolling::RollingDrive;
+use carom_solver::Driven;
 
 /// Marks where rows make no curve.
 const MARKS: [Marker; 2] = [Marker::Circle, Marker::Square];
@@ -19,28 +22,41 @@ enum Varying {
     Several,
 }
 
-fn varying(rows: &[Row]) -> Varying {
-    let all: [(&str, Value<Row>); 4] = [
-        ("distance / m", |row| row.distance.unwrap_or(0.0)),
-        ("creepage", |row| row.creepage.along),
-        ("creepage across", |row| row.creepage.across),
-        ("spin / (rad/m)", |row| row.creepage.spin),
+/// What varies between the rows of a case: the given motion, by its creepage where a force is given.
+fn varying(case: &RollCase) -> Varying {
+    let drives = case.drives.as_slice();
+    let by_load = drives.iter().any(|drive| matches!(drive.normal, Driven::Load(_)));
+    let normal: (&str, Value<Row>) = match by_load {
+        true => ("F_z / N", |row| row.load.f_z),
+        false => ("ζ / m", |row| row.approach),
+    };
+    let creepage: (&str, Value<Row>) = ("creepage", |row| row.creepage.along);
+    let all: [(_, fn(&RollingDrive) -> Driven); 4] = [
+        (creepage, |drive| drive.along),
+        (("creepage across", |row| row.creepage.across), |drive| drive.across),
+        (("spin / (rad/m)", |row| row.creepage.spin), |drive| drive.spin),
+        (normal, |drive| drive.normal),
     ];
-    let changes =
-        |(_, of): &&(&str, Value<Row>)| rows.windows(2).any(|pair| of(&pair[0]) != of(&pair[1]));
-    let mut found = all.iter().filter(changes);
+    if case.distance.is_some() {
+        return Varying::One("distance / m", |row| row.distance.unwrap_or(0.0));
+    }
+    let changes = |of: fn(&RollingDrive) -> Driven| {
+        drives.windows(2).any(|pair| of(&pair[0]) != of(&pair[1]))
+    };
+    let mut found = all.into_iter().filter(|(_, of)| changes(*of));
     match (found.next(), found.next()) {
-        (Some(_), Some(_)) if rows.iter().all(|row| row.distance.is_none()) => Varying::Several,
-        (Some((name, of)), _) => Varying::One(name, *of),
-        (None, _) => Varying::One(all[1].0, all[1].1),
+        (Some(_), Some(_)) => Varying::Several,
+        (Some(((name, of), _)), None) => Varying::One(name, of),
+        (None, _) => Varying::One(creepage.0, creepage.1),
     }
 }
 
-pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliError> {
+pub(super) fn draw(case: &RollCase, rolled: &Rolled) -> Result<Picture, CliError> {
+    let (rows, state, middle) = (rolled.rows.as_slice(), &rolled.state, rolled.window.middle());
     let (mut panels, mut rest) = (Vec::new(), Vec::new());
     if rows.len() > 1 {
         let mut sorted: Vec<(f64, Row)> = (1..).map(f64::from).zip(rows.iter().copied()).collect();
-        let (label, is_curve) = match varying(rows) {
+        let (label, is_curve) = match varying(case) {
             Varying::One(label, at) => {
                 sorted.iter_mut().for_each(|(place, row)| *place = at(row));
                 sorted.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -70,7 +86,9 @@ pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliErr
             let line = points(&|row| force(row) / row.limit);
             add(&mut forces, name, line);
             if is_curve && sorted.iter().all(|(_, row)| row.springs.is_some()) {
-                let springs = points(&|row| row.springs.map_or(0.0, |both| both[i]) / row.limit);
+                let springs = points(&|row| {
+                    row.springs.map_or(0.0, |both| [both.f_x, both.f_y][i]) / row.limit
+                });
                 forces.add(Series::dashed(format!("{name}, FASTSIM"), springs).coloured(i));
             }
         }
@@ -78,7 +96,8 @@ pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliErr
         let mut torque = panel("torque on body 1", "M_z / N m");
         let line = points(&|row| row.load.m_z);
         add(&mut torque, "", line);
-        if rows.iter().any(|row| row.creepage.spin != 0.0) {
+        let turns = |drive: &RollingDrive| drive.spin != Driven::Shift(0.0);
+        if case.drives.iter().any(turns) {
             panels.push(torque)
         } else {
             rest.push(torque)
@@ -91,7 +110,12 @@ pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliErr
         }
         rest.push(areas);
     }
-    panels.push(pressures(state, [0.0; 2])?);
-    panels.push(stick_and_slip(state, [0.0; 2]));
-    Ok(Picture::new("Rolling contact, to the right", panels).with(rest))
+    panels.push(pressures(state, middle)?);
+    let grid = state.cells.grid();
+    let direction = case.method.direction();
+    panels.push(match grid.nx() > 1 && grid.ny() > 1 {
+        true => contact(state, middle, direction)?,
+        false => line(state, middle, case.friction.motion, direction),
+    });
+    Ok(Picture::new("Rolling contact", panels).with(rest))
 }

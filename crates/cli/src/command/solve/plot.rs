@@ -24,7 +24,7 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
         label: "step",
         at: |step: &StepSummary| step.step as f64,
     };
-    let (state, f) = (&followed.state, case.friction);
+    let (state, f) = (&followed.state, case.friction.motion);
     let (mut panels, mut rest) = (Vec::new(), Vec::new());
     if steps.len() > 1 {
         panels.extend(curves(&course));
@@ -102,7 +102,7 @@ fn over_steps(course: &Course<'_, StepSummary>) -> [Panel; 3] {
 /// Part of the contact's width by which the map of pressures extends beyond it.
 const MARGIN: usize = 8;
 
-fn axes(title: &str) -> Panel {
+pub(in crate::command) fn axes(title: &str) -> Panel {
     Panel::new(Axis::linear("x / m"), Axis::linear("y / m")).titled(title).equal_aspect()
 }
 
@@ -119,6 +119,9 @@ pub(in crate::command) fn pressures(
     middle: [f64; 2],
 ) -> Result<Panel, CliError> {
     let grid = state.pressure.grid();
+    if grid.nx() == 1 || grid.ny() == 1 {
+        return Ok(profile(state, middle));
+    }
     let [columns, rows] = around_contact(state);
     let x = columns.clone().map(|i| middle[0] + grid.centred_x(i)).collect();
     let y = rows.clone().map(|j| middle[1] + grid.centred_y(j)).collect();
@@ -128,8 +131,31 @@ pub(in crate::command) fn pressures(
     Ok(axes("pressure, last step").over(field))
 }
 
+/// Pressure and tractions along a single line of cells.
+fn profile(state: &ContactState, middle: [f64; 2]) -> Panel {
+    let grid = state.pressure.grid();
+    let is_column = grid.nx() == 1 && grid.ny() > 1;
+    let along = usize::from(is_column);
+    let range = around_contact(state)[along].clone();
+    let place = |i: usize| match is_column {
+        true => middle[1] + grid.centred_y(i),
+        false => middle[0] + grid.centred_x(i),
+    };
+    let axis = Axis::linear(if is_column { "y / m" } else { "x / m" });
+    let mut panel = Panel::new(axis, Axis::linear("traction / Pa")).titled("pressure, last step");
+    let fields = [("p", &state.pressure), ("t_x", &state.traction_x), ("t_y", &state.traction_y)];
+    for (colour, (name, field)) in fields.into_iter().enumerate() {
+        let values = field.values();
+        if values.iter().any(|value| *value != 0.0) {
+            let points = range.clone().map(|i| (place(i), values[i]));
+            panel.add(Series::line(name, points.collect::<Vec<_>>()).coloured(colour));
+        }
+    }
+    panel
+}
+
 /// Columns and rows of the contact and a few cells around it.
-fn around_contact(state: &ContactState) -> [Range<usize>; 2] {
+pub(in crate::command) fn around_contact(state: &ContactState) -> [Range<usize>; 2] {
     let grid = state.pressure.grid();
     let all = [grid.nx(), grid.ny()];
     let Some(extent) = state.extent() else { return all.map(|count| 0..count) };
@@ -143,10 +169,18 @@ fn around_contact(state: &ContactState) -> [Range<usize>; 2] {
 }
 
 /// Tractions as arrows, with the outlines of contact and stick area.
-pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2]) -> Panel {
+fn stick_and_slip(state: &ContactState, middle: [f64; 2]) -> Panel {
     let mut panel = axes("tractions on body 1, outlines smoothed");
     outlines(&mut panel, &state.contact_outlines(), middle, "contact", 0);
     outlines(&mut panel, &state.stick_outlines(), middle, "stick", 1);
+    if let Some(arrows) = arrows(state, middle) {
+        panel.add(Series::arrows("", arrows).coloured(2));
+    }
+    panel
+}
+
+/// Tractions as arrows; none without a traction.
+pub(in crate::command) fn arrows(state: &ContactState, middle: [f64; 2]) -> Option<Vec<Arrow>> {
     let grid = state.pressure.grid();
     let widest = around_contact(state).iter().map(Range::len).max().unwrap_or(1);
     let stride = widest.div_ceil(MAX_ARROWS);
@@ -165,10 +199,7 @@ pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2])
             }
         },
     );
-    if longest > 0.0 {
-        panel.add(Series::arrows("", arrows.collect::<Vec<_>>()).coloured(2));
-    }
-    panel
+    (longest > 0.0).then(|| arrows.collect())
 }
 
 /// Cells in contact with this state: distance from the middle, size and angle of the traction.

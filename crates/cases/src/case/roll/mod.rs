@@ -1,0 +1,103 @@
+//! The case file of `carom roll`.
+
+mod contact;
+mod rolling;
+
+pub use contact::Elliptical;
+
+use super::error::CaseError;
+use super::field::{Field, Form};
+use super::kind::CaseKind;
+use super::material::{self, MATERIAL};
+use super::section::{Section, parse, survey};
+use super::solve::{FrictionCase, GAP, GapCase, GridCase, TOLERANCE};
+use carom_halfspace::MaterialPair;
+use carom_rolling::{RollingDrive, SteadyMethod};
+use carom_solver::Shape;
+use contact::{CONTACT, FRICTION, GRID};
+use rolling::ROLLING;
+
+const BODY_1: Field =
+    Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");
+const BODY_2: Field = Field::new("body_2", Form::Table(&[MATERIAL]), "the other body");
+/// The gap of `carom solve`, which an elliptical contact need not give.
+const ANY_GAP: Field = GAP.or("`contact.semi_axes` or `contact.radii`");
+
+/// All fields.
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, ANY_GAP, CONTACT, ROLLING, GRID];
+
+/// A rolling contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RollCase {
+    /// Both bodies.
+    pub materials: MaterialPair,
+    /// The elliptical contact under its load, if the case gives one instead of a gap.
+    pub ellipse: Option<Elliptical>,
+    /// The gap between the bodies.
+    pub gap: GapCase,
+    /// The grid.
+    pub grid: GridCase,
+    /// Coefficients of friction, equal at rest and in motion.
+    pub friction: FrictionCase,
+    /// Tolerance of each solution; none for the default of the solver.
+    pub tolerance: Option<f64>,
+    /// Rolling speed, m/s.
+    pub speed: f64,
+    /// Direction of rolling, length of a step and place of the spin.
+    pub method: SteadyMethod,
+    /// What drives each row.
+    pub drives: Vec<RollingDrive>,
+    /// How far it rolls from rest, m; none for the steady state.
+    pub distance: Option<f64>,
+}
+
+impl RollCase {
+    /// Reads a case from the text of its file.
+    ///
+    /// # Errors
+    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
+    /// with another.
+    pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::read(source).map_err(|first| survey::all(CaseKind::Roll, source, first))
+    }
+
+    fn read(source: &str) -> Result<Self, CaseError> {
+        let table = parse(source)?;
+        let case = Section::root(source, table.get_ref(), FIELDS)?;
+        let body = |field| material::read(&case.section(field)?);
+        let materials = MaterialPair::new(body(&BODY_1)?, body(&BODY_2)?)
+            .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
+        let contact = case.section(&CONTACT)?;
+        let ellipse = contact::read(&case, &contact, materials)?;
+        let grid = contact::read_grid(&case, ellipse.as_ref())?;
+        let gap = match &ellipse {
+            Some(ellipse) => {
+                GapCase::Formula(Shape::Paraboloid { radii: ellipse.relative_radii() })
+            }
+            None => GapCase::read(&case, grid.given())?,
+        };
+        let friction = FrictionCase::read_one(&contact, &FRICTION, grid)?;
+        let tolerance = contact.maybe(&TOLERANCE)?;
+        let rolling = case.section(&ROLLING)?;
+        let normal = ellipse.as_ref().map(|ellipse| ellipse.loaded.force);
+        let drives = rolling::drives(&case, &rolling, normal)?;
+        if friction.map.is_none() {
+            rolling::check_friction(&rolling, &drives, friction.motion)?;
+        }
+        let distance = rolling::distance(&rolling, &drives, ellipse.as_ref(), grid)?;
+        let speed = rolling::speed(&rolling)?;
+        let method = rolling::method(&rolling, tolerance)?;
+        Ok(Self {
+            materials,
+            ellipse,
+            gap,
+            grid,
+            friction,
+            tolerance,
+            speed,
+            method,
+            drives,
+            distance,
+        })
+    }
+}

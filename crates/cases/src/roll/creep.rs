@@ -1,0 +1,86 @@
+//! Creep coefficients of an elliptical contact, and the forces of FASTSIM with them.
+
+use crate::Error;
+use crate::case::{Elliptical, RollCase};
+use carom_rolling::{
+    CreepCoefficients, Creepage, Fastsim, FastsimForces, RollingError, creep_coefficients,
+};
+use carom_table::Column;
+use std::path::Path;
+
+/// Strips and elements of FASTSIM.
+const SPRINGS: [usize; 2] = [100, 100];
+
+/// Creep coefficients of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Creep {
+    /// Kalker's coefficients.
+    pub coefficients: CreepCoefficients,
+    /// Axis ratio a/b, a along the direction of rolling.
+    pub ratio: f64,
+    /// Combined modulus, as that of each of two equal bodies.
+    pub shear_modulus: f64,
+    /// Poisson's ratio of each of them.
+    pub poisson: f64,
+}
+
+/// The columns of `--coefficients`.
+pub const CREEP: &[Column<Creep>] = &[
+    Column::new("axis_ratio", "", "a/b, a along the direction of rolling", |c| c.ratio.into()),
+    Column::new("G", "Pa", "shear modulus of each of two equal bodies", |c| c.shear_modulus.into()),
+    Column::new("nu", "", "Poisson's ratio of each of them", |c| c.poisson.into()),
+    Column::new("C11", "", "F_x = G a b C11 creepage", |c| c.coefficients.c11.into()),
+    Column::new("C22", "", "F_y = G a b C22 creepage_across", |c| c.coefficients.c22.into()),
+    Column::new("C23", "", "F_y = -G (ab)^1.5 C23 spin", |c| c.coefficients.c23.into()),
+    Column::new("C32", "", "M_z = G (ab)^1.5 C32 creepage_across", |c| c.coefficients.c32.into()),
+    Column::new("C33", "", "M_z = G (ab)^2 C33 spin", |c| c.coefficients.c33.into()),
+];
+
+/// The elliptical contact, whose axis a lies along the direction of rolling.
+fn ellipse<'a>(path: &Path, case: &'a RollCase) -> Result<&'a Elliptical, Error> {
+    let refused = |reason: &str| Error::Input { path: path.to_owned(), reason: reason.to_owned() };
+    let ellipse = case.ellipse.as_ref().ok_or_else(|| {
+        refused(
+            "creep coefficients and FASTSIM are for an elliptical contact: give \
+             `contact.semi_axes` or `contact.radii` instead of `gap`",
+        )
+    })?;
+    match case.method.direction() == 0.0 {
+        true => Ok(ellipse),
+        false => Err(refused(
+            "creep coefficients and FASTSIM are for rolling along x: remove `rolling.direction`",
+        )),
+    }
+}
+
+/// The creep coefficients of the contact, with its bodies replaced by two equal ones.
+pub(super) fn of(path: &Path, case: &RollCase) -> Result<Creep, Error> {
+    let Elliptical { hertz, loaded } = ellipse(path, case)?;
+    let (ellipse, materials) = (loaded.ellipse, hertz.materials());
+    let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();
+    let poisson = materials.poisson();
+    let coefficients = creep_coefficients(ratio, poisson).map_err(|source| match source {
+        RollingError::Range(source) => Error::Law { path: path.to_owned(), source },
+        source => Error::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
+    })?;
+    Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })
+}
+
+/// The forces of FASTSIM at a creepage.
+pub(super) fn springs(
+    path: &Path,
+    case: &RollCase,
+    coefficients: CreepCoefficients,
+    creepage: Creepage,
+) -> Result<FastsimForces, Error> {
+    let Elliptical { hertz, loaded } = ellipse(path, case)?;
+    let fastsim = Fastsim {
+        semi_axes: [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()],
+        shear_modulus: 2.0 * hertz.materials().shear_modulus(),
+        coefficients,
+        force: loaded.force,
+        friction: case.friction.motion,
+        mesh: SPRINGS,
+    };
+    fastsim.forces(creepage).map_err(|source| Error::Law { path: path.to_owned(), source })
+}
