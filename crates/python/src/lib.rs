@@ -13,6 +13,7 @@ mod materials;
 mod plate;
 mod records;
 mod restitution;
+mod roll;
 mod room;
 mod show;
 mod solver;
@@ -53,6 +54,8 @@ mod _carom {
     use super::records::columns;
     #[pymodule_export]
     use super::restitution::{restitution, restitution_of_dissimilar, restitution_of_groups};
+    #[pymodule_export]
+    use super::roll::roll;
     #[pymodule_export]
     use super::room::available_room;
     #[pymodule_export]

@@ -254,7 +254,7 @@ fn reaches_border(state: &ContactState) -> bool {
 }
 
 /// Friction with one coefficient for all cells, or one for each cell.
-fn surface(grid: Grid, friction: &[f64]) -> PyResult<SurfaceFriction> {
+pub(crate) fn surface(grid: Grid, friction: &[f64]) -> PyResult<SurfaceFriction> {
     let of = |value: &f64| Friction::new(*value).map_err(Fault::from);
     if let [value] = friction {
         return Ok(of(value)?.into());

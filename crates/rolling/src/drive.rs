@@ -57,10 +57,10 @@ impl RollingDrive {
     /// [`RangeError`] that names the first value out of range.
     pub fn check(&self) -> Result<(), RangeError> {
         match self.normal {
-            Driven::Shift(approach) => RangeError::finite("approach", approach)?,
-            Driven::Load(force) => RangeError::positive("normal force", force)?,
+            Driven::Shift(approach) => RangeError::finite("zeta", approach)?,
+            Driven::Load(force) => RangeError::positive("F_z", force)?,
         };
-        let names = [("creepage along", "F_x"), ("creepage across", "F_y"), ("spin", "M_z")];
+        let names = [("creepage", "F_x"), ("creepage_across", "F_y"), ("spin", "M_z")];
         for (driven, (creepage, load)) in
             [self.along, self.across, self.spin].into_iter().zip(names)
         {

@@ -46,8 +46,8 @@ pub struct Creepage {
 
 impl Creepage {
     fn check(self) -> Result<(), RangeError> {
-        RangeError::finite("creepage along", self.along)?;
-        RangeError::finite("creepage across", self.across)?;
+        RangeError::finite("creepage", self.along)?;
+        RangeError::finite("creepage_across", self.across)?;
         RangeError::finite("spin", self.spin).map(drop)
     }
 }

@@ -92,6 +92,12 @@ impl SteadyMethod {
         self.direction
     }
 
+    /// The tolerance of each solution; none for the solver's own.
+    #[must_use]
+    pub const fn tolerance(&self) -> Option<f64> {
+        self.tolerance
+    }
+
     /// The way of a step on a grid: the given length, or sqrt((dx cos chi)^2 + (dy sin chi)^2).
     ///
     /// # Errors

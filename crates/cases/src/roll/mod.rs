@@ -1,20 +1,19 @@
 //! A rolling contact on its grid: creep forces in the steady state, or step by step from rest.
 
 mod creep;
-mod from_rest;
 mod row;
-mod steady;
+mod run;
 
 pub use creep::{CREEP, Creep};
 pub use row::{COLUMNS, Row};
+pub use run::{Rows, Run, RunError};
 
 use crate::Error;
-use crate::case::{Border, RollCase};
+use crate::case::{Border, GridCase, RollCase};
 use crate::input::CaseFile;
 use crate::solve::Bodies;
 use carom_laws::validity::Validity;
-use carom_rolling::RollingError;
-use carom_solver::{ContactState, GridWarning, Window};
+use carom_solver::{Accuracy, ContactState, GridWarning, Window};
 use std::path::Path;
 
 /// A rolling contact: its rows, and the contact after the last one.
@@ -57,14 +56,66 @@ pub fn rolled(
         (wanted.coefficients || wanted.springs).then(|| creep::of(&file.path, case)).transpose()?;
     let bodies =
         Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?;
-    let springs = creep.as_ref().filter(|_| wanted.springs);
-    let rolling = Rolling { path: &file.path, case, bodies: &bodies };
-    let mut rolled = match case.distance {
-        Some(distance) => rolling.from_rest(distance, observer)?,
-        None => rolling.steadily(springs, observer)?,
+    let path = &file.path;
+    if case.distance.is_none() {
+        observer(Progress::Begun(case.drives.len()));
+    }
+    let window = window(path, case, &bodies)?;
+    let run = Run {
+        grid: window.grid(),
+        method: case.method,
+        speed: case.speed,
+        cut: case.grid.border() != Border::Free,
     };
-    rolled.creep = creep.filter(|_| wanted.coefficients);
-    Ok(rolled)
+    let make = |grid| bodies.problem(&window.with(grid));
+    let computed = match (case.distance, case.drives.first()) {
+        (Some(distance), Some(drive)) => {
+            make(run.grid).map_err(RunError::from).and_then(|problem| {
+                observer(Progress::Begun(1 + run.steps(distance)?));
+                run.from_rest(&problem, drive, distance, observer)
+            })
+        }
+        _ => run.steadily(make, &case.drives, observer),
+    };
+    let Rows { rows, state, too_large } = computed.map_err(|error| of_run(path, error))?;
+    let mut rows: Vec<Row> = rows.into_iter().map(|row| row.about(window.middle())).collect();
+    if let Some(creep) = creep.as_ref().filter(|_| wanted.springs) {
+        for row in &mut rows {
+            row.springs = Some(creep::springs(path, case, creep.coefficients, row.creepage)?);
+        }
+    }
+    let creep = creep.filter(|_| wanted.coefficients);
+    Ok(Rolled { rows, state, window, too_large, creep })
+}
+
+/// Cells of the finest grid that an accuracy may choose. The error falls with the width of a cell.
+const MOST_CELLS: usize = 512 * 512;
+
+/// The window of a case, or one chosen for its accuracy.
+fn window(path: &Path, case: &RollCase, bodies: &Bodies) -> Result<Window, Error> {
+    let range = |source| Error::Law { path: path.to_owned(), source };
+    let accuracy = match case.grid {
+        GridCase::Cells { grid, .. } => return Window::about([0.0; 2], grid).map_err(range),
+        GridCase::Accuracy(accuracy) => Accuracy::new(accuracy).map_err(range)?,
+    };
+    let drives: Vec<_> = case.drives.iter().map(|drive| (*drive).into()).collect();
+    let make = |window: &Window| bodies.problem(window);
+    let fit = accuracy.at_most(MOST_CELLS).fit(case.method, make, bodies.sides(), &drives);
+    match fit {
+        Ok(fit) => Ok(fit.window),
+        Err(source) => Err(Error::RollingFit { path: path.to_owned(), source: source.into() }),
+    }
+}
+
+/// The error of a run in a case.
+fn of_run(path: &Path, error: RunError) -> Error {
+    let path = path.to_owned();
+    match error {
+        RunError::Range(source) => Error::Law { path, source },
+        RunError::Problem(source) => Error::Problem { path, source: source.into() },
+        RunError::Row { row, source } => Error::Rolling { path, row, source },
+        RunError::Border { row, side } => Error::Border { path, step: row, side },
+    }
 }
 
 /// How far a computation is.
@@ -110,38 +161,4 @@ pub fn warnings(case: &RollCase, rolled: &Rolled, wanted: Wanted) -> Vec<String>
         warnings.push(note.to_owned());
     }
     warnings
-}
-
-/// A contact that rolls.
-struct Rolling<'a> {
-    path: &'a Path,
-    case: &'a RollCase,
-    bodies: &'a Bodies,
-}
-
-impl Rolling<'_> {
-    fn range(&self, source: carom_special::RangeError) -> Error {
-        Error::Law { path: self.path.to_owned(), source }
-    }
-
-    fn failed(&self, row: usize, source: impl Into<RollingError>) -> Error {
-        Error::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
-    }
-
-    /// Checks that a contact between bodies without an end does not reach the border of the grid.
-    fn check_border(&self, row: usize, state: &ContactState) -> Result<(), Error> {
-        if self.case.grid.border() != Border::Free {
-            return Ok(());
-        }
-        match crate::solve::border(state) {
-            Some(side) => Err(Error::Border { path: self.path.to_owned(), step: row, side }),
-            None => Ok(()),
-        }
-    }
-}
-
-/// The warning of a displacement beyond the theory.
-fn too_large(warnings: Vec<GridWarning>) -> Option<GridWarning> {
-    let is_large = |warning: &GridWarning| matches!(warning, GridWarning::LargeDisplacement { .. });
-    warnings.into_iter().find(is_large)
 }

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::case::{Border, FrictionCase, GapCase, GridCase, PlateCase, SolveCase};
 use crate::input::CaseFile;
 use carom_halfspace::operator::{OperatorError, PeriodicOperator, PlateOperator, Threads};
-use carom_halfspace::{Field, Grid, MaterialPair};
+use carom_halfspace::{Field, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     CellFriction, ContactProblem, Gap, ProblemError, Shape, SurfaceFriction, Window,
@@ -116,7 +116,7 @@ impl Bodies {
     pub(crate) fn problem(&self, window: &Window) -> Result<ContactProblem, ProblemError> {
         let gap = match &self.gap {
             Given::Formula(shape) => window.gap(|x, y| shape.height(x, y)),
-            Given::Grid(gap) => on(gap, window.grid()),
+            Given::Grid(gap) => gap.coarsened_to(window.grid()),
         };
         let gap = gap.map_err(OperatorError::from)?;
         if let Some(PlateCase { plate, theory }) = self.plate {
@@ -146,13 +146,4 @@ fn standing(heights: &Field, radius: f64) -> Result<Gap, RangeError> {
     let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
     gaps.iter_mut().for_each(|gap| *gap -= lowest);
     Gap::new(Field::new(heights.grid(), gaps)?)
-}
-
-/// The gap on its own grid or a coarser one.
-fn on(gap: &Gap, grid: Grid) -> Result<Gap, RangeError> {
-    let mut own = gap.clone();
-    while own.grid() != grid && own.grid().cells() > grid.cells() {
-        own = own.coarser()?;
-    }
-    Ok(own)
 }

@@ -101,6 +101,7 @@ from ._records import (
     SolverStep,
     SolverSteps,
 )
+from ._roll import roll
 from ._solver import Solver, cells
 from ._validity import CaromWarning, OutsideTheoryWarning
 
@@ -153,6 +154,7 @@ __all__ = [
     "lubkin_stick_radius",
     "lubkin_torque",
     "plane",
+    "roll",
     "plot",
     "restitution",
     "restitution_of_dissimilar",

@@ -76,6 +76,21 @@ def case_stress(path: str) -> tuple[_Columns, float, list[Array], list[Array], _
 def case_roll(
     path: str, coefficients: bool, fastsim: bool
 ) -> tuple[_Columns, _Columns | None, list[Array], tuple[list[Array], NDArray[np.int8]], _Told, list[str]]: ...
+def roll(
+    cells: list[int],
+    cell: list[float],
+    heights: Array,
+    materials: MaterialPair,
+    friction: Array,
+    given: list[tuple[bool, Array]],
+    direction: float,
+    spin_offset: float,
+    step: float | None,
+    distance: float | None,
+    speed: float,
+    tolerance: float,
+    cut: bool,
+) -> tuple[_Columns, tuple[list[Array], NDArray[np.int8]], _Told, list[str]]: ...
 def case_scene(path: str, points: int) -> tuple[_Columns, str, _Columns, _Columns, _Told]: ...
 def case_shell(path: str) -> tuple[str, _Columns, _Columns | None, _Columns, list[str]]: ...
 def case_history(path: str) -> tuple[_Columns, _Told]: ...

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from ._records import (
     SolverSteps,
     WallPlaces,
 )
+from ._solver import FIELDS
 from ._types import Array
 
 if TYPE_CHECKING:
@@ -67,6 +68,16 @@ class Gridded(Result):
     units = dict(zip(meanings, ("m", "m", "Pa", "Pa", "Pa", "m", "m", "", ""), strict=True))
 
 
+def gridded(
+    axes: list[Array], fields: list[Array], cells: NDArray[np.int8], warnings: list[str]
+) -> dict[str, Any]:
+    """Fields of a grid by name, in its shape."""
+    x, y = axes
+    shape = (len(y), len(x))
+    named = dict(zip(FIELDS, (field.reshape(shape) for field in fields), strict=True))
+    return {"x": x, "y": y, **named, "cells": cells.reshape(shape), "warnings": warnings}
+
+
 class Solved(Gridded):
     """A contact on a grid after all its steps. Fields are arrays (ny, nx) after the last step.
 
@@ -86,16 +97,16 @@ class Solved(Gridded):
 
 
 class Rolled(Gridded):
-    """A rolling contact. Fields are arrays (ny, nx) of the last contact, as in `Solved`; it rolls along x.
+    """A rolling contact. Fields are arrays (ny, nx) of the last contact, as in `Solved`.
 
-    rows          the contact under each creepage, or from rest after each cell rolled, arrays (n,)
+    rows          the contact under each drive, or from rest after each step, arrays (n,)
     coefficients  Kalker's creep coefficients, if they were asked for
     """
 
     rows: RollStates
     coefficients: CreepCoefficients | None
 
-    meanings = {"rows": "the contact under each creepage", "coefficients": "Kalker's"} | Gridded.meanings
+    meanings = {"rows": "the contact under each drive", "coefficients": "Kalker's"} | Gridded.meanings
     units = {"rows": "", "coefficients": ""} | Gridded.units
 
 

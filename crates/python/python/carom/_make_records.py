@@ -19,7 +19,7 @@ RESULTS = (
     ("PathPoint", "PathPoints", "point", "An instant of the flight of a ball."),
     ("RingPlace", "RingPlaces", "place", "A place around a flange: displacement and loads of its section."),
     ("WallPlace", "WallPlaces", "place", "A place of a bellows between crest and root."),
-    ("RollState", "RollStates", "row", "A rolling contact under one creepage, or after one distance. Loads act on body 1."),
+    ("RollState", "RollStates", "row", "A rolling contact under one drive, or after one distance. Loads act on body 1."),
     ("Rebound", "Rebounds", "impact", "The result of an impact. Quantities that only an impact has are NaN without one."),
 )
 #: Types of a column in one result and in many.

@@ -651,28 +651,45 @@ class WallPlaces(Records[WallPlace], one=WallPlace):
 
 
 class RollState(Record):
-    """A rolling contact under one creepage, or after one distance. Loads act on body 1.
+    """A rolling contact under one drive, or after one distance. Loads act on body 1.
 
-    distance             rolled from rest, if the case gives one, m
-    time                 since rest, s
-    creepage             along x
-    creepage_across      along y
-    spin                 about the normal, rad/m
-    F_x                  force on body 1 along x, N
-    F_y                  force on body 1 along y, N
-    F_z                  normal force, N
-    M_z                  torque on body 1, N m
-    used                 tangential force over f F_z
-    power                work rate of the loads on the creepage; heat in the steady state, W
-    p_max                maximum pressure, Pa
-    contact_area         of all cells in contact, m2
-    stick_area           of all cells that stick, m2
-    slides               whether the whole contact slides: the creep force is saturated
-    F_x_springs          F_x of FASTSIM, with --fastsim, N
-    F_y_springs          F_y of FASTSIM, with --fastsim, N
-    residual_normal      residual of the contact conditions
-    residual_tangential  residual of the friction law
-    iterations           linear systems or passes
+    distance               rolled from rest, if the case gives one, m
+    time                   since rest, s
+    creepage               along x, given or found
+    creepage_across        along y
+    spin                   about the normal, rad/m
+    zeta                   approach, m
+    F_x                    force on body 1 along x, N
+    F_y                    force on body 1 along y, N
+    F_z                    normal force, N
+    M_z                    torque on body 1, N m
+    used                   tangential force over f F_z
+    adhesion               tangential force over F_z
+    wear_number            friction heat per distance rolled, in the steady state, N
+    heating                friction heat per time, in the steady state, W
+    power                  work rate of the loads on the creepage; bodies of one material turn it into heat, W
+    p_max                  maximum pressure, Pa
+    contact_area           of all cells in contact, m2
+    stick_area             of all cells that stick, m2
+    slides                 whether the whole contact slides: the creep force is saturated
+    F_x_springs            F_x of FASTSIM, with --fastsim, N
+    F_y_springs            F_y of FASTSIM, with --fastsim, N
+    springs_error          FASTSIM's tangential force minus that here, over f F_z
+    residual_normal        residual of the contact conditions
+    residual_tangential    residual of the friction law
+    iterations             linear systems or passes
+    error                  estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size
+    zeta_error             estimated error of zeta by the mesh, m
+    creepage_error         the same of creepage
+    creepage_across_error  of creepage_across
+    spin_error             of spin, rad/m
+    F_x_error              of F_x, N
+    F_y_error              of F_y, N
+    F_z_error              of F_z, N
+    M_z_error              of M_z, N m
+    p_max_error            of p_max, Pa
+    contact_area_error     of contact_area, at most, m2
+    stick_area_error       of stick_area, at most, m2
     """
 
     distance: float
@@ -680,11 +697,15 @@ class RollState(Record):
     creepage: float
     creepage_across: float
     spin: float
+    zeta: float
     F_x: float
     F_y: float
     F_z: float
     M_z: float
     used: float
+    adhesion: float
+    wear_number: float
+    heating: float
     power: float
     p_max: float
     contact_area: float
@@ -692,12 +713,25 @@ class RollState(Record):
     slides: bool
     F_x_springs: float
     F_y_springs: float
+    springs_error: float
     residual_normal: float
     residual_tangential: float
     iterations: int
+    error: float
+    zeta_error: float
+    creepage_error: float
+    creepage_across_error: float
+    spin_error: float
+    F_x_error: float
+    F_y_error: float
+    F_z_error: float
+    M_z_error: float
+    p_max_error: float
+    contact_area_error: float
+    stick_area_error: float
 
-    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'residual_normal': '', 'residual_tangential': '', 'iterations': ''}
-    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x', 'creepage_across': 'along y', 'spin': 'about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'power': 'work rate of the loads on the creepage; heat in the steady state', 'p_max': 'maximum pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides: the creep force is saturated', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes'}
+    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'maximum pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides: the creep force is saturated', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'row'
 
@@ -710,11 +744,15 @@ class RollStates(Records[RollState], one=RollState):
     creepage: Array
     creepage_across: Array
     spin: Array
+    zeta: Array
     F_x: Array
     F_y: Array
     F_z: Array
     M_z: Array
     used: Array
+    adhesion: Array
+    wear_number: Array
+    heating: Array
     power: Array
     p_max: Array
     contact_area: Array
@@ -722,9 +760,22 @@ class RollStates(Records[RollState], one=RollState):
     slides: NDArray[np.bool_]
     F_x_springs: Array
     F_y_springs: Array
+    springs_error: Array
     residual_normal: Array
     residual_tangential: Array
     iterations: NDArray[np.int64]
+    error: Array
+    zeta_error: Array
+    creepage_error: Array
+    creepage_across_error: Array
+    spin_error: Array
+    F_x_error: Array
+    F_y_error: Array
+    F_z_error: Array
+    M_z_error: Array
+    p_max_error: Array
+    contact_area_error: Array
+    stick_area_error: Array
 
 
 class Rebound(Record):

@@ -21,7 +21,16 @@ from numpy.typing import NDArray
 from . import _carom
 from ._arrays import counted
 from ._carom import RangeError
-from ._case_results import Bellows, Flange, Rolled, Scene, Solved, Stresses, Sweep
+from ._case_results import (
+    Bellows,
+    Flange,
+    Rolled,
+    Scene,
+    Solved,
+    Stresses,
+    Sweep,
+    gridded,
+)
 from ._records import (
     BellowsResponse,
     BellowsStates,
@@ -40,7 +49,6 @@ from ._records import (
     WallPlaces,
 )
 from ._types import Array
-from ._solver import FIELDS
 from ._validity import warn
 
 Path = Union[str, "os.PathLike[str]"]
@@ -129,18 +137,8 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     steps, axes, fields, cells, exceeded, others = _carom.case_solve(os.fspath(path), accuracy)
     warn(exceeded)
     warn(exceeded)
-    gridded = _gridded(axes, fields, cells, exceeded[0] + others)
-    return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **gridded})
-
-
-def _gridded(
-    axes: list[Array], fields: list[Array], cells: NDArray[np.int8], warnings: list[str]
-) -> dict[str, Any]:
-    """Fields of a grid by name, in its shape."""
-    x, y = axes
-    shape = (len(y), len(x))
-    named = dict(zip(FIELDS, (field.reshape(shape) for field in fields), strict=True))
-    return {"x": x, "y": y, **named, "cells": cells.reshape(shape), "warnings": warnings}
+    named = gridded(axes, fields, cells, exceeded[0] + others)
+    return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **named})
 
 
 def hertz(path: Path) -> HertzStates:
@@ -238,7 +236,7 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
         {
             "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
             "coefficients": None if creep is None else CreepCoefficients._of(creep),
-            **_gridded(axes, fields, cells, exceeded[0] + others),
+            **gridded(axes, fields, cells, exceeded[0] + others),
         }
     )
 

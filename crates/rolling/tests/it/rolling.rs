@@ -285,7 +285,7 @@ fn a_normal_force_is_met_with_and_without_coupling() {
         assert!((got.load().f_x - want.load().f_x).abs() < 1e-8 * force);
         for force in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let error = roll_steadily(&problem, Driven::Load(force), dx, creepage).unwrap_err();
-            assert!(matches!(error, RollingError::Range(e) if e.field == "normal force"));
+            assert!(matches!(error, RollingError::Range(e) if e.field == "F_z"));
         }
     }
 }

@@ -73,6 +73,20 @@ impl Gap {
         Self::new(Field::new(grid, coarser(self.grid(), self.heights.values(), grid))?)
     }
 
+    /// The same surfaces on a grid to which doubling the width of the cells leads, once or more.
+    ///
+    /// # Errors
+    /// [`RangeError`] if it leads to no such grid; as [`Gap::coarser`].
+    pub fn coarsened_to(&self, grid: Grid) -> Result<Self, RangeError> {
+        let mut own = self.clone();
+        while own.grid() != grid && own.grid().cells() > grid.cells() {
+            own = own.coarser()?;
+        }
+        let holds = own.grid() == grid;
+        RangeError::check("nx", grid.nx() as f64, holds, "that of a coarser grid")?;
+        Ok(own)
+    }
+
     /// The grid.
     #[must_use]
     pub const fn grid(&self) -> Grid {

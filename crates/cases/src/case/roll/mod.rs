@@ -39,11 +39,9 @@ pub struct RollCase {
     pub grid: GridCase,
     /// Coefficients of friction, equal at rest and in motion.
     pub friction: FrictionCase,
-    /// Tolerance of each solution; none for the default of the solver.
-    pub tolerance: Option<f64>,
     /// Rolling speed, m/s.
     pub speed: f64,
-    /// Direction of rolling, length of a step and place of the spin.
+    /// Direction of rolling, length of a step, place of the spin and tolerance.
     pub method: SteadyMethod,
     /// What drives each row.
     pub drives: Vec<RollingDrive>,
@@ -87,17 +85,6 @@ impl RollCase {
         let distance = rolling::distance(&rolling, &drives, ellipse.as_ref(), grid)?;
         let speed = rolling::speed(&rolling)?;
         let method = rolling::method(&rolling, tolerance)?;
-        Ok(Self {
-            materials,
-            ellipse,
-            gap,
-            grid,
-            friction,
-            tolerance,
-            speed,
-            method,
-            drives,
-            distance,
-        })
+        Ok(Self { materials, ellipse, gap, grid, friction, speed, method, drives, distance })
     }
 }

@@ -1,0 +1,103 @@
+//! Rolling contact on a grid: gaps and drives in, forces, creepages and fields out.
+
+use carom::halfspace::Field;
+use carom::laws::validity::Validity;
+use carom::prelude::{ContactProblem, Driven, Gap, Grid};
+use carom::rolling::{RollingDrive, SteadyMethod};
+use carom::special::RangeError;
+use carom_cases::roll::{COLUMNS, Rows, Run};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{Numbers, same_length};
+use crate::cases::{Lines, lines};
+use crate::error::Fault;
+use crate::materials::MaterialPair;
+use crate::records::arrays;
+use crate::solver::surface;
+use crate::threads::without_python;
+use crate::told::{Told, of_contact};
+
+/// The values of one motion in all rows, and whether they are loads.
+type Given<'py> = (bool, Numbers<'py>);
+
+/// A rolling contact: its rows, the fields of the last one in the format of a solver's state, what exceeds the
+/// theory, and other warnings.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, clippy::type_complexity)] // named ones, in Python
+pub(crate) fn roll<'py>(
+    py: Python<'py>,
+    cells: [usize; 2],
+    cell: [f64; 2],
+    heights: Numbers<'py>,
+    materials: MaterialPair,
+    friction: Numbers<'py>,
+    given: [Given<'py>; 4],
+    direction: f64,
+    spin_offset: f64,
+    step: Option<f64>,
+    distance: Option<f64>,
+    speed: f64,
+    tolerance: f64,
+    cut: bool,
+) -> PyResult<(Bound<'py, PyDict>, Lines<'py>, Told, Vec<String>)> {
+    RangeError::positive("speed", speed).map_err(Fault::from)?;
+    let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
+    let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
+    let gap = Gap::new(heights).map_err(Fault::from)?;
+    let friction = surface(grid, friction.as_slice()?)?;
+    let drives = drives(&given)?;
+    let run = Run { grid, method: method(direction, spin_offset, step, tolerance)?, speed, cut };
+    let make = |grid: Grid| {
+        let gap =
+            gap.coarsened_to(grid).map_err(carom::halfspace::operator::OperatorError::from)?;
+        ContactProblem::of_half_spaces(gap, materials.0, friction.clone())
+    };
+    let rolled = without_python(py, || match (distance, drives.first()) {
+        (Some(distance), Some(drive)) => run.from_rest(&make(grid)?, drive, distance, &mut |_| ()),
+        _ => run.steadily(make, &drives, &mut |_| ()),
+    });
+    let Rows { rows, state, too_large } = rolled.map_err(Fault::other)?;
+    let peak = rows.iter().map(|row| row.greatest_pressure).fold(0.0, f64::max);
+    let told = of_contact(Validity::of_pressure(peak, materials.0.yield_stress()));
+    let warnings = too_large.map(|(row, warning)| format!("row {row}: {warning}"));
+    Ok((arrays(py, COLUMNS, &rows)?, lines(py, &state), told, warnings.into_iter().collect()))
+}
+
+/// What drives each row.
+fn drives(given: &[Given<'_>; 4]) -> PyResult<Vec<RollingDrive>> {
+    let count = given[0].1.as_slice()?.len();
+    for ((_, values), name) in given.iter().zip(["normal", "along", "across", "spin"]) {
+        same_length(name, values.as_slice()?.len(), count)?;
+    }
+    let driven = |motion: usize, row: usize| -> PyResult<Driven> {
+        let (is_load, values) = &given[motion];
+        let value = values.as_slice()?[row];
+        Ok(if *is_load { Driven::Load(value) } else { Driven::Shift(value) })
+    };
+    let row = |i| -> PyResult<RollingDrive> {
+        let drive = RollingDrive {
+            normal: driven(0, i)?,
+            along: driven(1, i)?,
+            across: driven(2, i)?,
+            spin: driven(3, i)?,
+        };
+        drive.check().map_err(|error| Fault::from(error).at(i))?;
+        Ok(drive)
+    };
+    (0..count).map(row).collect()
+}
+
+fn method(
+    direction: f64,
+    spin_offset: f64,
+    step: Option<f64>,
+    tolerance: f64,
+) -> Result<SteadyMethod, Fault> {
+    let method =
+        SteadyMethod::default().towards(direction)?.with_spin_at(spin_offset)?.within(tolerance)?;
+    Ok(match step {
+        Some(step) => method.in_steps_of(step)?,
+        None => method,
+    })
+}
