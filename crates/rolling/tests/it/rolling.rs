@@ -103,6 +103,23 @@ fn creep_coefficients_agree_with_an_independent_calculation() {
     }
 }
 
+/// An element in the middle of a strip has no image in it.
+#[test]
+fn odd_numbers_of_elements_lie_between_even_ones() {
+    for ratio in [0.5, 2.0] {
+        let on = |along| {
+            let c = creep_coefficients_on([8, along], ratio, 0.3).unwrap();
+            [c.c11, c.c22, c.c23, c.c32, c.c33]
+        };
+        for odd in [3, 9] {
+            let [below, at, above] = [on(odd - 1), on(odd), on(odd + 1)];
+            for ((below, at), above) in below.into_iter().zip(at).zip(above) {
+                assert!((at - below) * (above - at) > 0.0, "{ratio} {odd}: {below} {at} {above}");
+            }
+        }
+    }
+}
+
 /// Rolling cylinders: one row of elements of a plane half-space, by its logarithmic kernel.
 fn cylinders(n: usize) -> ContactProblem {
     let width = 2.2 / n as f64;

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::reference::reader;
 use crate::{Axis, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, Table};
 use carom_rolling::creep_coefficients;
+use rayon::prelude::*;
 
 /// The axis ratios a/b that are computed lie between these.
 const RATIOS: [f64; 2] = [0.2, 5.0];
@@ -22,24 +23,26 @@ struct Row {
 
 fn rows() -> Result<Vec<Row>, Failure> {
     let mut reader = reader(include_str!("../../../data/rolling/kalker_coefficients.csv"));
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record?;
-        let numbers: Result<Vec<f64>, _> = record.iter().map(str::parse).collect();
-        let numbers = numbers?;
-        let [ratio, poisson, rest @ ..] = &numbers[..] else { return Err("a row is short".into()) };
-        if *ratio < RATIOS[0] || *ratio > RATIOS[1] {
-            continue;
-        }
-        let c = creep_coefficients(*ratio, *poisson)?;
-        // The two couplings are one in the continuum.
-        let own = [c.c11, c.c22, 0.5 * (c.c23 + c.c32), c.c33];
-        let four = |part: &[f64]| <[f64; 4]>::try_from(part);
-        let (printed, other) = (four(&rest[..4])?, four(&rest[4..])?);
-        let couplings = (c.c23, c.c32);
-        rows.push(Row { ratio: *ratio, poisson: *poisson, printed, other, own, couplings });
+    let records: Result<Vec<_>, _> = reader.records().collect();
+    let rows: Result<Vec<_>, _> = records?.into_par_iter().map(|record| row(&record)).collect();
+    Ok(rows?.into_iter().flatten().collect())
+}
+
+/// A row of the table beside what is computed; none for a ratio outside those that are.
+fn row(record: &csv::StringRecord) -> Result<Option<Row>, Failure> {
+    let numbers: Result<Vec<f64>, _> = record.iter().map(str::parse).collect();
+    let numbers = numbers?;
+    let [ratio, poisson, rest @ ..] = &numbers[..] else { return Err("a row is short".into()) };
+    if *ratio < RATIOS[0] || *ratio > RATIOS[1] {
+        return Ok(None);
     }
-    Ok(rows)
+    let c = creep_coefficients(*ratio, *poisson)?;
+    // The two couplings are one in the continuum.
+    let own = [c.c11, c.c22, 0.5 * (c.c23 + c.c32), c.c33];
+    let four = |part: &[f64]| <[f64; 4]>::try_from(part);
+    let (printed, other) = (four(&rest[..4])?, four(&rest[4..])?);
+    let couplings = (c.c23, c.c32);
+    Ok(Some(Row { ratio: *ratio, poisson: *poisson, printed, other, own, couplings }))
 }
 
 pub(super) fn draw() -> FigureResult {

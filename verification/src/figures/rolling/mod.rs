@@ -2,12 +2,21 @@
 
 use crate::catalogue::Entry;
 
+mod bentall;
 mod coefficients;
 mod curves;
+mod growth;
+mod printed;
+mod tractcurv;
 
 /// The pages.
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("rolling.coefficients", "Kalker's creep coefficients")
         .slowly_by(coefficients::draw),
     Entry::check("rolling.curves", "Forces by creepage and spin").slowly_by(curves::draw),
+    Entry::check("rolling.tractcurv", "CONTACT's shipped cases: a traction curve")
+        .by(tractcurv::draw),
+    Entry::check("rolling.bentall", "CONTACT's shipped cases: dissimilar cylinders")
+        .by(bentall::draw),
+    Entry::check("rolling.growth", "Products as elements become smaller").slowly_by(growth::draw),
 ];

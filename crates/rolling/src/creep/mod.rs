@@ -1,12 +1,14 @@
 //! Kalker's creep coefficients: steady rolling with vanishing creepage and complete adhesion.
 
-use carom_halfspace::{Material, MaterialPair, Offset, Rectangle, RectangleInfluence};
+mod adhesion;
+mod strips;
+
+use carom_halfspace::{Material, MaterialPair};
 use carom_special::RangeError;
-use faer::Mat;
-use faer::linalg::solvers::Solve as _;
 
 use super::RollingError;
-use carom_classic::DirectError;
+use adhesion::{Adhesion, Motion};
+use strips::Strips;
 
 /// Approximate number of elements of the finest mesh for the extrapolation.
 const ELEMENTS: f64 = 1600.0;
@@ -14,7 +16,7 @@ const ELEMENTS: f64 = 1600.0;
 const STRIPS: f64 = 10.0;
 /// Approximate number of strips of the meshes relative to the finest.
 const PARTS: [f64; 4] = [0.35, 0.5, 0.7, 1.0];
-/// Greatest number of elements; two matrices with this number of rows are solved.
+/// Greatest number of elements; four matrices with half this number of rows are solved.
 const MOST_ELEMENTS: usize = 5000;
 
 /// Creep coefficients: forces for vanishing creepage of two equal bodies of shear modulus G each,
@@ -118,102 +120,14 @@ pub fn creep_coefficients_on(
     let (a, b) = (ratio.sqrt(), 1.0 / ratio.sqrt());
     let body = Material::from_shear(1.0, poisson)?;
     let pair = MaterialPair::new(body, body)?;
-    let elements = half(mesh, [a, b], pair)?;
-    let [even, odd] = matrices(&elements)?;
-    let pull = adhere(&elements, &even, &[|_| [1.0, 0.0]])?;
-    let turn = adhere(&elements, &odd, &[|_| [0.0, 1.0], |[x, y]| [y, -x]])?;
-    let height = 2.0 * b / strips as f64;
-    let load = |tractions: &Mat<f64>, motion: usize, weigh: Velocity| -> f64 {
-        let parts = elements.iter().enumerate().map(|(i, element)| {
-            let [x, y] = weigh([element.x, element.y]);
-            let t = [tractions[(2 * i, motion)], tractions[(2 * i + 1, motion)]];
-            element.width * height * (x * t[0] + y * t[1])
-        });
-        2.0 * parts.sum::<f64>()
-    };
+    let adhesion = Adhesion::new(Strips::new(mesh, [a, b], pair)?)?;
+    let pull = adhesion.along()?;
+    let [push, turn] = adhesion.across_and_spin()?;
     Ok(CreepCoefficients {
-        c11: load(&pull, 0, |_| [1.0, 0.0]),
-        c22: load(&turn, 0, |_| [0.0, 1.0]),
-        c23: -load(&turn, 1, |_| [0.0, 1.0]),
-        c32: load(&turn, 0, |[x, y]| [y, -x]),
-        c33: load(&turn, 1, |[x, y]| [y, -x]),
+        c11: adhesion.load(&pull, Motion::Along),
+        c22: adhesion.load(&push, Motion::Across),
+        c23: -adhesion.load(&turn, Motion::Across),
+        c32: adhesion.load(&push, Motion::Spin),
+        c33: adhesion.load(&turn, Motion::Spin),
     })
-}
-
-/// An element of a strip.
-struct Element {
-    x: f64,
-    y: f64,
-    width: f64,
-    influence: RectangleInfluence,
-}
-
-/// The elements on one side of the axis of rolling; the others follow by symmetry.
-fn half(
-    [strips, along]: [usize; 2],
-    [a, b]: [f64; 2],
-    pair: MaterialPair,
-) -> Result<Vec<Element>, RangeError> {
-    let height = 2.0 * b / strips as f64;
-    let mut elements = Vec::with_capacity(strips / 2 * along);
-    for row in 0..strips / 2 {
-        let y = (row as f64 + 0.5) * height;
-        let half = a * (1.0 - (y / b) * (y / b)).sqrt();
-        let width = 2.0 * half / along as f64;
-        let influence = RectangleInfluence::new(pair, Rectangle::new(width, height)?);
-        for column in 0..along {
-            let x = (column as f64 + 0.5) * width - half;
-            elements.push(Element { x, y, width, influence });
-        }
-    }
-    Ok(elements)
-}
-
-/// The slip per length due to unit tractions, for t_x even in y and t_y odd, and vice versa: the
-/// two cases of equal bodies under longitudinal creepage, and under lateral creepage or spin.
-fn matrices(elements: &[Element]) -> Result<[Mat<f64>; 2], RangeError> {
-    let unknowns = 2 * elements.len();
-    let mut matrices = [Mat::<f64>::zeros(unknowns, unknowns), Mat::zeros(unknowns, unknowns)];
-    for (k, from) in elements.iter().enumerate() {
-        for (i, to) in elements.iter().enumerate() {
-            let gain = |y: f64| -> Result<[[f64; 2]; 2], RangeError> {
-                let at =
-                    |x: f64| from.influence.coefficients(Offset { x: from.x - x, y: y - to.y });
-                let (here, ahead) = (at(to.x)?.rows, at(to.x + to.width)?.rows);
-                let part = |of: usize, by: usize| (here[of][by] - ahead[of][by]) / to.width;
-                Ok([0, 1].map(|of| [0, 1].map(|by| part(of, by))))
-            };
-            let (own, mirrored) = (gain(from.y)?, gain(-from.y)?);
-            for (matrix, signs) in matrices.iter_mut().zip([[1.0, -1.0], [-1.0, 1.0]]) {
-                for by in 0..2 {
-                    for of in 0..2 {
-                        matrix[(2 * i + of, 2 * k + by)] =
-                            own[of][by] + signs[by] * mirrored[of][by];
-                    }
-                }
-            }
-        }
-    }
-    Ok(matrices)
-}
-
-/// The rigid velocity of a unit motion at a point.
-type Velocity = fn([f64; 2]) -> [f64; 2];
-
-/// Tractions, two for each element, for unit motions with these rigid velocities.
-fn adhere(
-    elements: &[Element],
-    matrix: &Mat<f64>,
-    motions: &[Velocity],
-) -> Result<Mat<f64>, DirectError> {
-    let unknowns = matrix.nrows();
-    let right = Mat::from_fn(unknowns, motions.len(), |row, motion| {
-        let element = &elements[row / 2];
-        // Halfway to the point where the particle comes from.
-        motions[motion]([element.x + 0.5 * element.width, element.y])[row % 2]
-    });
-    let tractions = matrix.partial_piv_lu().solve(&right);
-    let columns = 0..motions.len();
-    let finite = columns.into_iter().all(|k| tractions.col(k).iter().all(|t| t.is_finite()));
-    if finite { Ok(tractions) } else { Err(DirectError::Singular { unknowns }) }
 }
