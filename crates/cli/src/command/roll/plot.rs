@@ -24,30 +24,30 @@ enum Varying {
 
 /// What varies between the rows of a case: the given motion, by its creepage where a force is given.
 fn varying(case: &RollCase) -> Varying {
-    let drives = case.drives.as_slice();
-    let by_load = drives.iter().any(|drive| matches!(drive.normal, Driven::Load(_)));
-    let normal: (&str, Value<Row>) = match by_load {
-        true => ("F_z / N", |row| row.load.f_z),
-        false => ("ζ / m", |row| row.approach),
-    };
-    let creepage: (&str, Value<Row>) = ("creepage", |row| row.creepage.along);
-    let all: [(_, fn(&RollingDrive) -> Driven); 4] = [
-        (creepage, |drive| drive.along),
-        (("creepage across", |row| row.creepage.across), |drive| drive.across),
-        (("spin / (rad/m)", |row| row.creepage.spin), |drive| drive.spin),
-        (normal, |drive| drive.normal),
-    ];
     if case.distance.is_some() {
         return Varying::One("distance / m", |row| row.distance.unwrap_or(0.0));
     }
-    let changes = |of: fn(&RollingDrive) -> Driven| {
-        drives.windows(2).any(|pair| of(&pair[0]) != of(&pair[1]))
-    };
-    let mut found = all.into_iter().filter(|(_, of)| changes(*of));
+    let drives = case.drives.as_slice();
+    let motions = |drive: &RollingDrive| [drive.along, drive.across, drive.spin, drive.normal];
+    let by_load = drives.iter().any(|drive| matches!(drive.normal, Driven::Load(_)));
+    let axes: [(&str, Value<Row>); 4] = [
+        ("creepage", |row| row.creepage.along),
+        ("creepage across", |row| row.creepage.across),
+        ("spin / (rad/m)", |row| row.creepage.spin),
+        match by_load {
+            true => ("F_z / N", |row| row.load.f_z),
+            false => ("ζ / m", |row| row.approach),
+        },
+    ];
+    let changes =
+        |i: &usize| drives.windows(2).any(|pair| motions(&pair[0])[*i] != motions(&pair[1])[*i]);
+    let mut found = (0..axes.len()).filter(changes);
     match (found.next(), found.next()) {
         (Some(_), Some(_)) => Varying::Several,
-        (Some(((name, of), _)), None) => Varying::One(name, of),
-        (None, _) => Varying::One(creepage.0, creepage.1),
+        (one, _) => {
+            let (name, of) = axes[one.unwrap_or(0)];
+            Varying::One(name, of)
+        }
     }
 }
 
