@@ -2,7 +2,7 @@
 
 use carom_halfspace::Grid;
 use carom_laws::law::Shift;
-use carom_solver::{ContactProblem, ContactState, Convergence, Drive, Method, Observer};
+use carom_solver::{ContactProblem, ContactState, Convergence, Drive, MeshOrder, Method, Observer};
 use carom_special::RangeError;
 
 use super::{RollingDrive, RollingError, SteadyContact, Way};
@@ -120,6 +120,10 @@ impl From<RollingDrive> for Drive {
 impl Method for SteadyMethod {
     type Error = RollingError;
     type Scratch = SteadyContact;
+
+    fn mesh_order(&self) -> MeshOrder {
+        MeshOrder::First
+    }
 
     fn scratch(&self, problem: &ContactProblem) -> Result<SteadyContact, RollingError> {
         let contact = SteadyContact::new(problem, self.way(problem.grid())?)?;

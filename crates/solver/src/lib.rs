@@ -48,7 +48,7 @@ mod state;
 mod tangential;
 
 pub use accuracy::{
-    Accuracy, Contour, Estimated, Estimates, Fit, FitError, GridWarning, NestedError,
+    Accuracy, Contour, Estimated, Estimates, Fit, FitError, GridWarning, MeshOrder, NestedError,
     NestedHistory, Side, Window, contours,
 };
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};

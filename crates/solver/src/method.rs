@@ -1,5 +1,6 @@
 //! The trait of the solution methods.
 
+use crate::accuracy::MeshOrder;
 use crate::convergence::{Convergence, Observer};
 use crate::drive::Drive;
 use crate::problem::ContactProblem;
@@ -15,6 +16,11 @@ pub trait Method {
 
     /// Working memory, reused between steps.
     type Scratch: Clone;
+
+    /// The order in which its tangential loads and shifts converge with the width of a cell.
+    fn mesh_order(&self) -> MeshOrder {
+        MeshOrder::Second
+    }
 
     /// Allocates the working memory for a problem.
     ///

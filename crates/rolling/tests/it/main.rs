@@ -2,5 +2,6 @@
 
 mod contact_cases;
 mod drawn;
+mod nested;
 mod oracle;
 mod rolling;

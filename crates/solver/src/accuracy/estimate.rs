@@ -6,6 +6,11 @@ use crate::state::{CellState, ContactState};
 /// Bounds on the ratio of successive differences when the cell width is halved: 4 is second order.
 const DIFFERENCE_RATIOS: [f64; 2] = [1.5, 4.0];
 
+/// The least part of the error of one component in that of the other.
+const LEAST_PART: f64 = 0.25;
+/// Values that differ by less than this part are given, and met by the solution to its tolerance.
+const ROUND_OFF: f64 = 1e-7;
+
 /// A traction has an edge at the border of the grid if it is greatest there and exceeds the value
 /// in the next cell by this factor.
 const EDGE_RATIO: f64 = 1.01;
@@ -15,6 +20,16 @@ const CELLS_OF_A_MISSED_SPOT: f64 = 4.0;
 
 /// Tangential loads and shifts are compared with at least this fraction of the normal ones.
 const LEAST_TANGENTIAL_FRACTION: f64 = 0.01;
+
+/// The order in which tangential values of a method converge with the width of a cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MeshOrder {
+    /// The error is halved with the width, as in rolling, where surfaces are compared over one cell.
+    First,
+    /// The error falls to a quarter.
+    #[default]
+    Second,
+}
 
 /// A value on the finest grid with an estimate of its discretisation error.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -49,6 +64,28 @@ impl Estimated {
         let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
         Self { value: values[0], error: fine.max(coarse / DIFFERENCE_RATIOS[1]) }
     }
+}
+
+impl Estimated {
+    /// As [`Estimated::of`], for values that converge in first order: a difference is half of the one
+    /// before, and as large as all those that follow.
+    #[must_use]
+    pub fn of_first_order(values: [f64; 3]) -> Self {
+        let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
+        Self { value: values[0], error: fine.max(0.5 * coarse) }
+    }
+}
+
+/// Both components of a force or a shift. In first order a component whose values on three grids agree by
+/// chance still has a part of the error of the other one.
+fn both(components: [Estimated; 2], order: MeshOrder) -> [Estimated; 2] {
+    let least = match order {
+        MeshOrder::First => LEAST_PART * components[0].error.max(components[1].error),
+        MeshOrder::Second => 0.0,
+    };
+    // A given value has no error.
+    let raised = |own: Estimated| Estimated { error: own.error.max(least), ..own };
+    components.map(|own| if own.error > ROUND_OFF * own.value.abs() { raised(own) } else { own })
 }
 
 impl ContactState {
@@ -128,9 +165,9 @@ pub struct Estimates {
 
 impl Estimates {
     /// From the states of one contact on three grids, finest first, with cell widths h, 2 h and 4
-    /// h.
+    /// h. Tangential values converge in this order.
     #[must_use]
-    pub fn of(states: [&ContactState; 3]) -> Self {
+    pub fn of(states: [&ContactState; 3], order: MeshOrder) -> Self {
         let state = states[0];
         let [p, x, y] = [&state.pressure, &state.traction_x, &state.traction_y].map(|f| f.values());
         let normal_edge = state.peaks_at_the_edge(|i| p[i]);
@@ -140,7 +177,10 @@ impl Estimates {
             if edge { Estimated::of_edge(values) } else { Estimated::of(values) }
         };
         let of = |value: &dyn Fn(&ContactState) -> f64| by(normal_edge, value);
-        let along = |value: &dyn Fn(&ContactState) -> f64| by(tangential_edge, value);
+        let along = |value: &dyn Fn(&ContactState) -> f64| match order {
+            MeshOrder::First => Estimated::of_first_order(states.map(value)),
+            MeshOrder::Second => by(tangential_edge, value),
+        };
         let area = |outlines: &dyn Fn(&ContactState) -> Vec<Contour>, touching: bool| {
             let estimated = of(&|state| outlines(state).iter().map(Contour::area).sum());
             let cell = state.pressure.grid().cell_area();
@@ -153,14 +193,18 @@ impl Estimates {
         // Without tangential tractions and without stick there is no friction.
         let pulled = x.iter().chain(y).any(|t| *t != 0.0);
         let may_stick = pulled || state.count(CellState::Stick) > 0;
+        let [f_x, f_y] =
+            both([along(&|state| state.load().f_x), along(&|state| state.load().f_y)], order);
+        let [xi, eta] =
+            both([along(&|state| state.shift.xi), along(&|state| state.shift.eta)], order);
         Self {
-            f_x: along(&|state| state.load().f_x),
-            f_y: along(&|state| state.load().f_y),
+            f_x,
+            f_y,
             f_z: of(&|state| state.load().f_z),
             m_z: along(&|state| state.load().m_z),
             zeta: of(&|state| state.shift.zeta),
-            xi: along(&|state| state.shift.xi),
-            eta: along(&|state| state.shift.eta),
+            xi,
+            eta,
             omega: along(&|state| state.shift.omega),
             peak: of(&ContactState::peak_pressure),
             contact_area: area(&ContactState::contact_outlines, touches),

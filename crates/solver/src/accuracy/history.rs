@@ -170,6 +170,6 @@ impl<M: Method> NestedHistory<M> {
     #[must_use]
     pub fn estimates(&self) -> Option<Estimates> {
         let [coarse, coarsest] = self.coarse_states();
-        Some(Estimates::of([self.state(), coarse?, coarsest?]))
+        Some(Estimates::of([self.state(), coarse?, coarsest?], self.method.mesh_order()))
     }
 }

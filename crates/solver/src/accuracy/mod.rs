@@ -10,7 +10,7 @@ mod span;
 mod window;
 
 pub use contour::{Contour, contours};
-pub use estimate::{Estimated, Estimates};
+pub use estimate::{Estimated, Estimates, MeshOrder};
 pub use fit::{Accuracy, Fit, FitError};
 pub use grid_warning::{GridWarning, Side};
 pub use history::{NestedError, NestedHistory};
