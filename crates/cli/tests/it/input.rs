@@ -240,7 +240,9 @@ fn a_sweep_warns_once_of_each_kind() {
         ),
         "{stderr}"
     );
-    assert_eq!(stderr.lines().count(), 1, "{stderr}");
+    // A slow machine also tells how far it is.
+    let told = stderr.lines().filter(|line| !line.starts_with("progress: "));
+    assert_eq!(told.count(), 1, "{stderr}");
     let scene = carom(&["scene", &example("scene_superball.toml")]);
     let lines = text(&scene.stderr);
     assert_eq!(lines.matches("large contact").count(), 1, "{lines}");

@@ -26,7 +26,8 @@ fn stderr(output: &Output) -> String {
 fn quiet_tells_errors_only() {
     let sweep = example("alumina_on_plane.toml");
     let told = carom(&["impact", &sweep, "--format", "csv"]);
-    assert!(stderr(&told).starts_with("warning: "));
+    // A slow machine also tells how far it is.
+    assert!(stderr(&told).lines().any(|line| line.starts_with("warning: ")));
     for arguments in [["--quiet", "impact", &sweep], ["impact", "-q", &sweep]] {
         let quiet = carom(&[&arguments[..], &["--format", "csv"]].concat());
         assert!(quiet.status.success() && quiet.stderr.is_empty());
