@@ -91,7 +91,7 @@ impl CaseKind {
             Self::History => "A contact that is pressed, shifted and twisted, step by step.",
             Self::Scene => "A ball that flies under gravity and bounces between walls.",
             Self::Solve => "A contact with friction on a grid, step by step.",
-            Self::Roll => "A rolling contact under creepage and spin.",
+            Self::Roll => "A rolling contact, driven by creepages or by forces.",
             Self::Stress => "Stresses below a contact under normal and tangential load.",
             Self::Shell => {
                 "A bellows under pressure and axial load, or a flange under forces around it."

@@ -1,4 +1,4 @@
-//! `carom roll`: a rolling contact under creepage and spin.
+//! `carom roll`: a rolling contact, driven by creepages or by forces.
 
 mod contact;
 mod plot;
@@ -20,10 +20,10 @@ use serde::Serialize;
 /// A rolling contact: creep forces in the steady state, or step by step from rest.
 ///
 /// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
-/// examples/roll_*.toml. The contact rolls along x. Creepages are motions of body 2 against body 1
-/// per length rolled; loads act on body 1. Several creepages give a creep curve. The picture shows
-/// the curve and the last contact. With 20 elements across, forces under small creepage have errors
-/// of about 5 %, and less with more elements; --coefficients gives their limit.
+/// examples/roll_*.toml. The contact is an ellipse or any gap; it rolls along x or in another direction.
+/// Creepages are motions of body 2 against body 1 per length rolled; loads act on body 1, and each
+/// motion is given by one or the other. Several values give a curve. The picture shows the curve and
+/// the last contact. Errors of the mesh are estimated; the table shows the greatest one.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
@@ -38,7 +38,7 @@ pub(super) struct Arguments {
 }
 
 fn help() -> String {
-    let rows = columns::help("A row for each creepage, or each cell rolled", COLUMNS);
+    let rows = columns::help("A row for each drive, or each step from rest", COLUMNS);
     let creep = columns::help("With --coefficients as CSV, one row", CREEP);
     format!("{rows}\n{creep}")
 }
