@@ -28,7 +28,7 @@ impl Warning {
     /// use carom_laws::validity::{Limit, Validity};
     /// let validity = Validity { wave_share: 0.05, ..Validity::default() };
     /// let told: Vec<String> = Warning::of(validity).map(|warning| warning.to_string()).collect();
-    /// let words = "elastic waves would carry away more than 1 % of the normal energy (about 5 %)";
+    /// let words = "elastic waves would carry away more than 1 % of the normal energy: about 5 %";
     /// assert_eq!(told, [words]);
     /// ```
     pub fn of(validity: Validity) -> impl Iterator<Item = Self> {

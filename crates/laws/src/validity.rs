@@ -57,7 +57,7 @@ impl Limit {
                 c"dissimilar materials: the coupling of normal and tangential displacements is neglected"
             }
             Self::LargeContact => c"large contact: a/R exceeds 0.1, beyond Hertz's theory",
-            Self::LargeApproach => c"the approach exceeds a tenth of the radius: the bodies are no half-spaces",
+            Self::LargeApproach => c"the approach exceeds a tenth of the radius, so that the bodies are no half-spaces",
             Self::Yields => {
                 c"yields: the greatest pressure exceeds 1.6 times the yield stress, from which metals \
                   flow below the surface"
@@ -66,10 +66,11 @@ impl Limit {
                 c"elastic waves would carry away more than 1 % of the normal energy"
             }
             Self::Spin => {
-                c"torsion is not computed: it would take more than 1 % of the relative spin about the normal"
+                c"torsion is not computed, which would take more than 1 % of the relative spin about the normal"
             }
             Self::TimeStep => {
-                c"the time step is too long: an impact should last 20 steps at the least, 50 for accurate friction"
+                c"the time step is too long: an impact should last 20 steps at the least, 50 for accurate \
+                  friction"
             }
         }
     }
@@ -97,7 +98,7 @@ const MANY_WAVES: &str = "elastic waves would carry away more than 10 % of the n
 /// ```
 /// use carom_laws::validity::{Excess, Limit};
 /// let excess = Excess { limit: Limit::LargeContact, value: 0.19 };
-/// let told = "large contact: a/R exceeds 0.1, beyond Hertz's theory (it is 0.19)";
+/// let told = "large contact: a/R exceeds 0.1, beyond Hertz's theory: it is 0.19";
 /// assert_eq!(excess.to_string(), told);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,15 +118,15 @@ impl Display for Excess {
         let percent = short_number(100.0 * self.value);
         let number = short_number(self.value);
         match self.limit {
-            Limit::Coupling => write!(f, "{words} (R_x of an impact changes by up to {number})"),
-            Limit::LargeContact => write!(f, "{words} (it is {number})"),
-            Limit::LargeApproach => write!(f, "{words} (it is {number} times the radius)"),
-            Limit::Yields => write!(f, "{words} (it is {number} times that)"),
-            Limit::Waves => write!(f, "{words} (about {percent} %)"),
-            Limit::Spin => write!(f, "{words} (up to {percent} %)"),
+            Limit::Coupling => write!(f, "{words}: R_x of an impact changes by up to {number}"),
+            Limit::LargeContact => write!(f, "{words}: it is {number}"),
+            Limit::LargeApproach => write!(f, "{words}: it is {number} times the radius"),
+            Limit::Yields => write!(f, "{words}: it is {number} times that"),
+            Limit::Waves => write!(f, "{words}: about {percent} %"),
+            Limit::Spin => write!(f, "{words}: up to {percent} %"),
             Limit::TimeStep => {
                 let steps = short_number(1.0 / self.value);
-                write!(f, "{words} (the shortest lasts {steps})")
+                write!(f, "{words}: the shortest lasts {steps}")
             }
         }
     }
@@ -399,7 +400,7 @@ mod tests {
         let told = |wave_share| Validity { wave_share, ..Validity::default() }.reasons();
         assert_eq!(told(0.09), [""; 0]);
         let words =
-            "elastic waves would carry away more than 10 % of the normal energy (about 93.9 %)";
+            "elastic waves would carry away more than 10 % of the normal energy: about 93.9 %";
         assert_eq!(told(0.939), [words]);
     }
 

@@ -68,7 +68,7 @@ fn the_warning_says_how_far_it_is_from_yield() {
         told,
         [
             "yields: the greatest pressure exceeds 1.6 times the yield stress, from which metals flow below the \
-          surface (it is 1.25 times that)"
+          surface: it is 1.25 times that"
         ]
     );
 }
