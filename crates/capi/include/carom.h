@@ -89,7 +89,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 6
+#define CAROM_ABI_VERSION 7
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -380,6 +380,11 @@ typedef struct carom_grains {
   double share_1;
   /* The displacement of body 2 at the contact over the approach. */
   double share_2;
+  /* How strongly material 1 radiates elastic waves: the energy of a pulse over the root of the density,
+   * the square of the greatest force and one over the time, (m^2/N)^1.5; 0 for a rigid body. */
+  double radiation_1;
+  /* The same of material 2. */
+  double radiation_2;
 } carom_grains;
 
 /* The load that body 2 exerts on body 1. */
@@ -813,7 +818,9 @@ carom_status carom_restitution_dissimilar(double kappa,
 /* ---- 7. Limits of the theory --------------------------------------------------
  *
  * Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.
- * carom_pair_validity tells whether a contact is small enough for Hertz's theory. */
+ * carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's
+ * theory, carom_grains_impact_validity whether an impact is slow enough and its time step short
+ * enough; carom_validity_text says it in a sentence. */
 
 /* Normal and tangential displacements are coupled by the materials; the result neglects this. */
 #define CAROM_WARNING_COUPLING 1
@@ -841,8 +848,12 @@ carom_status carom_restitution_dissimilar(double kappa,
  * the surface. */
 #define CAROM_WARNING_YIELDS 128
 
-/* How far a contact lies within Hertz's theory, which holds for elastic contacts that are small compared with
- * the bodies. R is the smallest radius of curvature of the two bodies at the contact. */
+/* The time step is too long: an impact lasts fewer than 20 steps. */
+#define CAROM_WARNING_TIME_STEP 256
+
+/* How far a contact or an impact lies within the theory, which holds for elastic contacts that are small
+ * compared with the bodies, and how much the result leaves out. R is the smallest radius of curvature of the
+ * two bodies at the contact. A ratio is 0 where it does not apply. Of many contacts take the largest of each. */
 typedef struct carom_validity {
   /* a/R: the larger semi-axis of the contact over R. Hertz's theory requires at most 0.1. */
   double semi_axis_over_radius;
@@ -851,23 +862,74 @@ typedef struct carom_validity {
   /* The greatest pressure over 1.6 times the smaller yield stress of the bodies, where metals begin to
    * flow; 0 if no yield stress is known. */
   double pressure_over_yield;
-  /* The bits CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_LARGE_APPROACH and CAROM_WARNING_YIELDS that
-   * hold; 0 within the theory. */
+  /* The share of the normal energy of an impact that elastic waves would carry away; worth a warning
+   * above 0.01. */
+  double wave_share;
+  /* Upper bound of the change of R_x by the coupling of dissimilar materials, if the law neglects it; worth
+   * a warning above 0.005. */
+  double coupling;
+  /* The time step over the duration of the impact, at most 1/20. */
+  double step_over_duration;
+  /* The CAROM_WARNING bits of the ratios that exceed their limits; 0 if none does. */
   uint32_t warnings;
 } carom_validity;
 
 /* Whether a contact at the approach `zeta` (m, at least 0) lies within Hertz's theory. `radius` is the
  * smallest radius of curvature of the two bodies at the contact, m: of two spheres the smaller one. For grains
- * make the pair by `carom_pair_of_spheres`. The pair must know its contact ellipse: one of
- * `carom_pair_of_stiffness` does not. */
+ * see `carom_grains_validity`. The pair must know its contact ellipse: one of `carom_pair_of_stiffness` does
+ * not. */
 carom_status carom_pair_validity(const struct carom_pair *pair,
                                  double zeta,
                                  double radius,
                                  struct carom_validity *validity,
                                  struct carom_error *error);
 
+/* Whether the contact of two grains at the approach `zeta` (m, at least 0) lies within Hertz's theory. The
+ * second is a wall if its radius is infinite. */
+carom_status carom_grains_validity(const struct carom_grains *grains,
+                                   double radius_1,
+                                   double radius_2,
+                                   double zeta,
+                                   struct carom_validity *validity,
+                                   struct carom_error *error);
+
+/* How far an impact of two grains, which approach with `velocity` (above 0), lies within the theory, and
+ * whether a time step of this duration, s, resolves it; 0 for no steps. Radii and masses are as in
+ * `carom_grains_impact_time`.
+ *
+ * The largest contact and the share of elastic waves are those without damping: they are 0 if the grains
+ * have a relaxation time, which stands for all losses. Waves need the density of the grains, by mass and
+ * radius; a wall counts as rigid for them. */
+carom_status carom_grains_impact_validity(const struct carom_grains *grains,
+                                          double radius_1,
+                                          double radius_2,
+                                          double mass_1,
+                                          double mass_2,
+                                          double velocity,
+                                          double step,
+                                          struct carom_validity *validity,
+                                          struct carom_error *error);
+
+/* The worst of many contacts of grains, in each ratio, by their present places. Their touches are not read.
+ *
+ * `encounters` must have `count` entries. */
+carom_status carom_encounters_validity(const struct carom_encounter *encounters,
+                                       size_t count,
+                                       struct carom_validity *validity,
+                                       struct carom_error *error);
+
 /* A sentence for one CAROM_WARNING bit. Never null, and not to be freed. */
 const char *carom_warning_text(uint32_t warning);
+
+/* The sentence for one CAROM_WARNING bit with the number of a `carom_validity`, cut to `size` bytes with a
+ * zero at the end; empty if that ratio does not exceed its limit. 200 bytes are enough.
+ *
+ * `text` must have `size` bytes. */
+carom_status carom_validity_text(const struct carom_validity *validity,
+                                 uint32_t warning,
+                                 char *text,
+                                 size_t size,
+                                 struct carom_error *error);
 
 /* ---- 8. Twist about the normal ------------------------------------------------
  *

@@ -99,7 +99,7 @@ impl Failure {
 }
 
 /// Copies as much of a text as fits, and fills up with zeros.
-fn copy(text: &str, to: &mut [c_char]) {
+pub(crate) fn copy(text: &str, to: &mut [c_char]) {
     let fits = |len: &usize| text.is_char_boundary(*len);
     let len = (0..to.len()).rev().find(fits).unwrap_or(0);
     to.fill(0);

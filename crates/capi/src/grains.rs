@@ -1,6 +1,7 @@
 //! The constants of the contacts of grains and walls, and what particle codes hand over and get back.
 
 use carom_halfspace::MaterialPair;
+use carom_impact::closed_form::radiation_coefficient;
 use carom_impact::normal::NormalImpact;
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall, compliance_shares};
@@ -29,6 +30,11 @@ pub struct CaromGrains {
     pub share_1: f64,
     /// The displacement of body 2 at the contact over the approach.
     pub share_2: f64,
+    /// How strongly material 1 radiates elastic waves: the energy of a pulse over the root of the density,
+    /// the square of the greatest force and one over the time, (m^2/N)^1.5; 0 for a rigid body.
+    pub radiation_1: f64,
+    /// The same of material 2.
+    pub radiation_2: f64,
 }
 
 /// The load that body 2 exerts on body 1.
@@ -70,6 +76,23 @@ impl CaromGrains {
             torsion_arm: by * unit.torsion_arm,
             ..unit
         }
+    }
+}
+
+impl CaromGrains {
+    /// The elastic impact of two grains without damping, by radii, masses and the velocity of approach.
+    pub(crate) fn impact(
+        &self,
+        [radius_1, radius_2]: [f64; 2],
+        [mass_1, mass_2]: [f64; 2],
+        velocity: f64,
+    ) -> Result<NormalImpact, Failure> {
+        let c_z = relative_radius(radius_1, radius_2)?.sqrt() * self.unit.c_z;
+        RangeError::check("mass_1", mass_1, mass_1 > 0.0, "> 0")?;
+        RangeError::check("mass_2", mass_2, mass_2 > 0.0, "> 0")?;
+        let mobility = 1.0 / mass_1 + 1.0 / mass_2;
+        RangeError::check("mass_2", mass_2, mobility > 0.0, "finite if `mass_1` is not")?;
+        Ok(NormalImpact::new(mobility, c_z, velocity)?)
     }
 }
 
@@ -174,12 +197,7 @@ pub unsafe extern "C" fn carom_grains_impact_time(
     let call = || unsafe {
         let (grains, place) = (read(grains, "grains")?, write(time, "time")?);
         grains.unit.check_version()?;
-        let pair = grains.pair(relative_radius(radius_1, radius_2)?);
-        RangeError::check("mass_1", mass_1, mass_1 > 0.0, "> 0")?;
-        RangeError::check("mass_2", mass_2, mass_2 > 0.0, "> 0")?;
-        let mobility = 1.0 / mass_1 + 1.0 / mass_2;
-        RangeError::check("mass_2", mass_2, mobility > 0.0, "finite if `mass_1` is not")?;
-        *place = NormalImpact::new(mobility, pair.c_z, velocity)?.duration();
+        *place = grains.impact([radius_1, radius_2], [mass_1, mass_2], velocity)?.duration();
         Ok::<(), Failure>(())
     };
     // SAFETY: the caller's promise.
@@ -197,7 +215,9 @@ fn constants(
     let unit = CaromPair::of_hertz(&Hertz::new(gap, materials)?, friction, law, tolerance)?;
     finite(&unit)?;
     let [share_1, share_2] = compliance_shares(&materials);
-    let grains = CaromGrains { unit, relaxation, share_1, share_2 };
+    let [radiation_1, radiation_2] =
+        [radiation_coefficient(materials.body_1())?, radiation_coefficient(materials.body_2())?];
+    let grains = CaromGrains { unit, relaxation, share_1, share_2, radiation_1, radiation_2 };
     match law {
         CAROM_LAW_RINGS => RangeError::non_negative("relaxation", relaxation).map(|_| ())?,
         _ => grains.contact(1.0).map(|_| ())?,

@@ -1,7 +1,7 @@
 //! Checks whether results lie within the theory and reports the worst case once.
 
 use carom_impact::{Rebound, Warning};
-use carom_laws::validity::Validity;
+use carom_laws::validity::{Limit, Validity};
 use carom_table::short;
 
 const APPROXIMATE: &str = "The results are approximate.";
@@ -65,22 +65,38 @@ impl Worst {
 /// worst form and with the number of results concerned.
 #[derive(Debug, Clone, Default)]
 pub struct Warnings {
-    kinds: Vec<(Warning, String, usize)>,
+    kinds: Vec<Kind>,
     all: usize,
 }
 
+/// A kind of warning and the results concerned.
+#[derive(Debug, Clone)]
+struct Kind {
+    worst: Warning,
+    /// Where it is worst.
+    place: String,
+    count: usize,
+    /// Whether its number differs between results.
+    varies: bool,
+}
+
 impl Warnings {
-    /// Adds the warnings of one result; `place` names it, for example `at 5°`.
+    /// Adds the warnings of one result; `place` names it, for example `at 5°`. That on the approach is left
+    /// to [`Worst::caution`].
     pub fn add(&mut self, place: impl Fn() -> String, warnings: &[Warning]) {
         self.all += 1;
-        for warning in warnings {
-            let kind = std::mem::discriminant(warning);
-            match self.kinds.iter_mut().find(|(known, ..)| std::mem::discriminant(known) == kind) {
-                None => self.kinds.push((*warning, place(), 1)),
-                Some((worst, at, count)) => {
-                    *count += 1;
-                    if severity(warning) > severity(worst) {
-                        (*worst, *at) = (*warning, place());
+        let is_told = |warning: &&Warning| warning.ratio(Limit::LargeApproach).is_none();
+        for warning in warnings.iter().filter(is_told) {
+            match self.kinds.iter_mut().find(|kind| is_alike(&kind.worst, warning)) {
+                None => {
+                    let (worst, place) = (*warning, place());
+                    self.kinds.push(Kind { worst, place, count: 1, varies: false });
+                }
+                Some(kind) => {
+                    kind.count += 1;
+                    kind.varies |= severity(warning) != severity(&kind.worst);
+                    if severity(warning) > severity(&kind.worst) {
+                        (kind.worst, kind.place) = (*warning, place());
                     }
                 }
             }
@@ -97,8 +113,9 @@ impl Warnings {
     #[must_use]
     pub fn told(self, what: &str) -> Vec<String> {
         let all = self.all;
-        let told = self.kinds.into_iter().map(|(worst, place, count)| match all {
+        let told = self.kinds.into_iter().map(|Kind { worst, place, count, varies }| match all {
             1 => worst.to_string(),
+            _ if count == all && !varies => worst.to_string(),
             _ if severity(&worst).is_none() => format!("{worst} ({count} of {all} {what})"),
             _ => format!("{worst} ({count} of {all} {what} concerned, the worst {place})"),
         });
@@ -140,22 +157,32 @@ impl Heed {
     }
 }
 
+/// Whether two warnings are of the same kind.
+fn is_alike(one: &Warning, other: &Warning) -> bool {
+    match (one, other) {
+        (Warning::Exceeds(one), Warning::Exceeds(other)) => one.limit == other.limit,
+        _ => std::mem::discriminant(one) == std::mem::discriminant(other),
+    }
+}
+
 /// The number that makes a warning worse than another of its kind.
 fn severity(warning: &Warning) -> Option<f64> {
     match warning {
-        Warning::WaveLoss { share } | Warning::SpinLeftAlone { share } => Some(*share),
-        Warning::LargeContact { ratio } | Warning::Yields { ratio } => Some(*ratio),
+        Warning::Exceeds(excess) => Some(excess.value),
         _ => None,
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use carom_laws::validity::Excess;
+
     use super::*;
 
     #[test]
     fn a_kind_of_warning_is_told_once_in_its_worst_form() {
-        let shares = [0.02, 0.05, 0.03].map(|share| vec![Warning::WaveLoss { share }]);
+        let shares = [0.02, 0.05, 0.03]
+            .map(|value| vec![Warning::Exceeds(Excess { limit: Limit::Waves, value })]);
         let places = ["at 5°", "at 10°", "at 15°", "at 20°"].map(str::to_owned);
         let concerned = places.into_iter().zip(shares.iter().map(Vec::as_slice).chain([&[][..]]));
         let mut warnings = Warnings::default();
@@ -163,11 +190,33 @@ mod tests {
         let told = warnings.told("angles");
         assert_eq!(
             told,
-            [
-                "elastic waves carry away about 5.00 % of the normal energy (3 of 4 angles concerned, \
-              the worst at 10°)"
-            ]
+            ["elastic waves would carry away more than 1 % of the normal energy: about 5 % \
+                 (3 of 4 angles concerned, the worst at 10°)"]
         );
+    }
+
+    #[test]
+    fn what_is_the_same_in_all_results_is_told_without_places() {
+        let of = |coupling, semi_axis_over_radius| Validity {
+            coupling,
+            semi_axis_over_radius,
+            ..Validity::default()
+        };
+        let mut heed = Heed::default();
+        for (place, value) in [("at a", 0.0), ("at b", 0.2), ("at c", 0.2)] {
+            heed.add(|| place.to_owned(), of(0.3, value));
+        }
+        let (caution, told) = heed.told("steps");
+        assert_eq!(caution, None);
+        assert!(
+            told[0].ends_with("is neglected: R_x of an impact changes by up to 0.3"),
+            "{told:?}"
+        );
+        assert!(
+            told[1].ends_with("it is 0.2 (2 of 3 steps concerned, the worst at b)"),
+            "{told:?}"
+        );
+        assert_eq!(told.len(), 2);
     }
 
     #[test]
@@ -181,9 +230,10 @@ mod tests {
         assert_eq!(caution(&[within], "angles"), None);
         let text = caution(&[within, outside], "angles").unwrap();
         assert!(
-            text.starts_with("OUTSIDE THE THEORY at 1 of 2 angles: the approach is 0.25 times")
+            text.starts_with("OUTSIDE THE THEORY at 1 of 2 angles: the approach exceeds a tenth")
         );
-        assert!(text.contains("carry away 1160 % of the energy, more than 10 %"), "{text}");
+        assert!(text.contains("it is 0.25 times the radius; elastic waves"), "{text}");
+        assert!(text.contains("more than 10 % of the normal energy: about 1160 %"), "{text}");
         assert!(text.contains("Is a unit wrong?"), "{text}");
         assert!(caution(&[of(0.0, 0.16)], "").unwrap().ends_with("The results are approximate."));
     }

@@ -222,6 +222,30 @@ impl NormalImpact {
         2.0 * self.velocity / self.mobility
     }
 
+    /// The share of the kinetic energy of approach that this pulse radiates into a half-space of this density
+    /// and [`radiation_coefficient`](crate::closed_form::radiation_coefficient), kg/m^3 and (m^2/N)^(3/2). For a
+    /// solid sphere on its own material it is (3.2).
+    ///
+    /// ```
+    /// use std::f64::consts::PI;
+    /// use carom_halfspace::{Material, MaterialPair};
+    /// use carom_impact::closed_form::{radiation_coefficient, wave_loss};
+    /// use carom_impact::normal::NormalImpact;
+    /// // A ball of glass, radius 1 m, on glass at 1 m/s: c_z = E*.
+    /// let (young, poisson, density) = (70e9_f64, 0.22, 2500.0);
+    /// let stiffness = young / (1.0 - poisson * poisson);
+    /// let impact = NormalImpact::new(3.0 / (4.0 * PI * density), stiffness, 1.0)?;
+    /// let glass = radiation_coefficient(Material::from_young(young, poisson)?)?;
+    /// let share = wave_loss(poisson, 1.0, (young / density).sqrt())?;
+    /// assert!((impact.wave_share(glass, density) / share - 1.0).abs() < 1e-12);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    #[must_use]
+    pub fn wave_share(&self, radiation: f64, density: f64) -> f64 {
+        let force = self.maximal_force();
+        radiation * density.sqrt() * force * force / (self.time_unit() * self.energy())
+    }
+
     /// The normal mobility D_zz.
     #[must_use]
     pub fn mobility(&self) -> f64 {

@@ -56,7 +56,7 @@ impl NormalRestitution {
     }
 
     /// The coefficient that follows from the energy radiated by elastic waves,
-    /// `e = sqrt(1 - share)`. The share is that of (3.2), as in [`crate::Warning::WaveLoss`]: for
+    /// `e = sqrt(1 - share)`. The share is that of (3.2), as in [`carom_laws::validity::Limit::Waves`]: for
     /// the body that would lose most to a half-space of its own material.
     #[must_use]
     pub const fn by_waves() -> Self {

@@ -8,11 +8,9 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::closed_form::NOTICEABLE;
 use crate::normal_restitution::Damped;
 use crate::outcome::Torsion;
 use crate::torsional::{SpinCollision, Spinner, TorsionalError, limits};
-use crate::warning::Warning;
 
 /// Couplings below this share of their largest possible value are round-off.
 const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-9;
@@ -110,13 +108,6 @@ impl NormalSpin<'_> {
     pub(crate) fn turn(&self, body: usize, torsion: &Torsion) -> Vector3<f64> {
         let sign = if body == 0 { 1.0 } else { -1.0 };
         self.pivots[body].inverse_tensor * self.normal * (sign * torsion.torque_impulse)
-    }
-
-    /// The warning of an outcome without torsion if torsion would take a noticeable share of the
-    /// spin.
-    pub(crate) fn left_alone(&self) -> Option<Warning> {
-        let share = self.greatest_loss()?;
-        (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
     }
 
     /// An upper bound of the fraction of the relative spin that torsion would remove: the smaller of the

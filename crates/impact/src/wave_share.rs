@@ -1,8 +1,9 @@
 //! The share of the energy of an impact radiated by elastic waves, for its own force pulse.
 
 use carom_halfspace::Material;
+use carom_special::RangeError;
 
-use crate::closed_form::radiated_energy;
+use crate::closed_form::radiation_coefficient;
 use crate::normal::NormalImpact;
 
 /// The share of the kinetic energy of approach that this pulse radiates into a half-space of a
@@ -10,9 +11,8 @@ use crate::normal::NormalImpact;
 ///
 /// For a solid sphere on its own material it is (3.2).
 pub(crate) fn wave_share(material: Material, density: f64, pulse: &NormalImpact) -> Option<f64> {
-    let radiated =
-        radiated_energy(material, density, pulse.maximal_force(), pulse.time_unit()).ok()?;
-    Some(radiated / pulse.energy())
+    RangeError::positive("density", density).ok()?;
+    Some(pulse.wave_share(radiation_coefficient(material).ok()?, density))
 }
 
 #[cfg(test)]

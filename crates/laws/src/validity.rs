@@ -1,20 +1,148 @@
-//! Whether a contact, or the largest contact of an impact, lies within the theory of elastic half-spaces.
+//! Whether a contact, or the largest contact of an impact, lies within the theory of elastic half-spaces, and
+//! what a result leaves out: the limits, and the words for them in every front end.
 
 use std::ffi::CStr;
+use std::fmt::{self, Display, Formatter};
 
+use carom_halfspace::MaterialPair;
 use carom_table::short;
 
+use crate::coupling::coupling_bound;
+use crate::friction::Friction;
 use crate::hertz::{Hertz, HertzState};
 
-/// How far a contact, or the largest contact of an impact, is from the limits of the theory: four
-/// ratios, 0 where a limit does not concern it. R is the smallest radius of curvature of the bodies.
+/// A limit of the theory, or an effect that a result may leave out.
+///
+/// ```
+/// use carom_laws::validity::Limit;
+/// let words = Limit::LargeContact.words().to_str()?;
+/// assert_eq!(words, "large contact: a/R exceeds 0.1, beyond Hertz's theory");
+/// # Ok::<(), std::str::Utf8Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Limit {
+    /// The law neglects the coupling of normal and tangential displacements by dissimilar materials.
+    Coupling,
+    /// The contact is not small against the bodies.
+    LargeContact,
+    /// The bodies approach too far to be half-spaces.
+    LargeApproach,
+    /// The weaker material begins to yield.
+    Yields,
+    /// Elastic waves carry away energy that the result keeps.
+    Waves,
+    /// Friction does not act on the spin about the normal.
+    Spin,
+    /// An impact has too few time steps.
+    TimeStep,
+}
+
+impl Limit {
+    /// All limits, in the order in which they are told.
+    pub const ALL: [Self; 7] = [
+        Self::Coupling,
+        Self::LargeContact,
+        Self::LargeApproach,
+        Self::Yields,
+        Self::Waves,
+        Self::Spin,
+        Self::TimeStep,
+    ];
+
+    /// What is told where the limit is exceeded, without its number.
+    #[must_use]
+    pub const fn words(self) -> &'static CStr {
+        match self {
+            Self::Coupling => {
+                c"dissimilar materials: the coupling of normal and tangential displacements is neglected"
+            }
+            Self::LargeContact => c"large contact: a/R exceeds 0.1, beyond Hertz's theory",
+            Self::LargeApproach => c"the approach exceeds a tenth of the radius, so that the bodies are no half-spaces",
+            Self::Yields => {
+                c"yields: the greatest pressure exceeds 1.6 times the yield stress, from which metals \
+                  flow below the surface"
+            }
+            Self::Waves => {
+                c"elastic waves would carry away more than 1 % of the normal energy"
+            }
+            Self::Spin => {
+                c"torsion is not computed, which would take more than 1 % of the relative spin about the normal"
+            }
+            Self::TimeStep => {
+                c"the time step is too long: an impact should last 20 steps at the least, 50 for accurate \
+                  friction"
+            }
+        }
+    }
+
+    /// The ratio above which the limit is exceeded.
+    #[must_use]
+    pub const fn threshold(self) -> f64 {
+        match self {
+            Self::Coupling => Validity::NEGLIGIBLE_COUPLING,
+            Self::LargeContact => Validity::LARGE_CONTACT,
+            Self::LargeApproach => Validity::LARGE_APPROACH,
+            Self::Yields => 1.0,
+            Self::Waves => Validity::NOTICEABLE_WAVE_SHARE,
+            Self::Spin => Validity::NOTICEABLE_SPIN_SHARE,
+            Self::TimeStep => Validity::LONG_STEP,
+        }
+    }
+}
+
+/// The words for waves that leave the theory.
+const MANY_WAVES: &str = "elastic waves would carry away more than 10 % of the normal energy";
+
+/// A limit that is exceeded, and by how much. As a text it is what all front ends tell.
+///
+/// ```
+/// use carom_laws::validity::{Excess, Limit};
+/// let excess = Excess { limit: Limit::LargeContact, value: 0.19 };
+/// let told = "large contact: a/R exceeds 0.1, beyond Hertz's theory: it is 0.19";
+/// assert_eq!(excess.to_string(), told);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Excess {
+    /// The limit.
+    pub limit: Limit,
+    /// The ratio that exceeds it, as in [`Validity`].
+    pub value: f64,
+}
+
+impl Display for Excess {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let words = match self.limit {
+            Limit::Waves if self.value > Validity::LARGE_WAVE_SHARE => MANY_WAVES,
+            limit => limit.words().to_str().map_err(|_| fmt::Error)?,
+        };
+        let percent = short_number(100.0 * self.value);
+        let number = short_number(self.value);
+        match self.limit {
+            Limit::Coupling => write!(f, "{words}: R_x of an impact changes by up to {number}"),
+            Limit::LargeContact => write!(f, "{words}: it is {number}"),
+            Limit::LargeApproach => write!(f, "{words}: it is {number} times the radius"),
+            Limit::Yields => write!(f, "{words}: it is {number} times that"),
+            Limit::Waves => write!(f, "{words}: about {percent} %"),
+            Limit::Spin => write!(f, "{words}: up to {percent} %"),
+            Limit::TimeStep => {
+                let steps = short_number(1.0 / self.value);
+                write!(f, "{words}: the shortest lasts {steps}")
+            }
+        }
+    }
+}
+
+/// How far a contact, or the largest contact of an impact, is from the limits of the theory, and how much a
+/// result leaves out: ratios, 0 where a limit does not concern it. R is the smallest radius of curvature of the
+/// bodies.
 ///
 /// ```
 /// use carom_laws::validity::Validity;
 /// let good = Validity { semi_axis_over_radius: 0.03, ..Validity::default() };
 /// let bad = Validity { approach_over_radius: 0.25, wave_share: 0.2, ..good };
 /// assert!(!good.is_outside() && bad.is_outside());
-/// assert_eq!(bad.reasons().len(), 2);
+/// assert_eq!(good.exceeded().count(), 0);
+/// assert_eq!(bad.exceeded().count(), 2);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Validity {
@@ -28,6 +156,14 @@ pub struct Validity {
     /// The share of the normal energy that elastic waves would carry away, if the result leaves this
     /// loss out.
     pub wave_share: f64,
+    /// A bound of the change of R_x by the coupling of dissimilar materials
+    /// ([`coupling_bound`]), if the result leaves it out.
+    pub coupling: f64,
+    /// The share of the relative spin about the normal that friction would take at most, if the result leaves
+    /// this out.
+    pub spin_share: f64,
+    /// The time step over the duration of the shortest impact; 0 without time steps.
+    pub step_over_duration: f64,
 }
 
 impl Validity {
@@ -39,14 +175,17 @@ impl Validity {
     pub const LARGE_WAVE_SHARE: f64 = 0.1;
     /// The share of the energy of elastic waves that is worth a word.
     pub const NOTICEABLE_WAVE_SHARE: f64 = 0.01;
+    /// Largest change of R_x by neglected coupling that is not worth a word.
+    pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
+    /// The share of the spin about the normal, left out, that is worth a word.
+    pub const NOTICEABLE_SPIN_SHARE: f64 = 0.01;
+    /// Longest time step over the duration of an impact: 20 steps. By 50 steps the error of R_x is
+    /// below 1e-3.
+    pub const LONG_STEP: f64 = 1.0 / 20.0;
     /// Pressure over yield stress at which a circular contact begins to flow below its surface: by von
     /// Mises and for nu = 0.3 the equivalent stress is greatest on the axis, .62 of the greatest pressure
     /// at the depth .48 a, and 1/.62 = 1.6. A line contact bears 1.67 Y by Tresca, 1.79 Y by von Mises.
     pub const YIELDS_AT: f64 = 1.6;
-    /// What a contact that yields is told, without its number.
-    pub const YIELDS: &CStr =
-        c"yields: the greatest pressure exceeds 1.6 times the yield stress, from \
-                                which metals flow below the surface";
 
     /// A contact of this larger semi-axis, approach and greatest pressure, between bodies of this smaller
     /// yield stress ([`carom_halfspace::MaterialPair::yield_stress`]; infinite if unknown) and smallest radius of curvature.
@@ -60,7 +199,7 @@ impl Validity {
             semi_axis_over_radius: semi_axis / radius,
             approach_over_radius: approach / radius,
             pressure_over_yield: pressure / (Self::YIELDS_AT * yield_stress),
-            wave_share: 0.0,
+            ..Self::default()
         }
     }
 
@@ -78,6 +217,12 @@ impl Validity {
         Self::of_contact([semi_axis, state.approach, state.peak_pressure], yield_stress, radius)
     }
 
+    /// The same for a law that neglects the coupling of these materials under this friction.
+    #[must_use]
+    pub fn without_coupling(self, materials: &MaterialPair, friction: Friction) -> Self {
+        Self { coupling: coupling_bound(materials.gamma(), friction), ..self }
+    }
+
     /// The worse of both in each ratio.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
@@ -86,43 +231,49 @@ impl Validity {
             approach_over_radius: self.approach_over_radius.max(other.approach_over_radius),
             pressure_over_yield: self.pressure_over_yield.max(other.pressure_over_yield),
             wave_share: self.wave_share.max(other.wave_share),
+            coupling: self.coupling.max(other.coupling),
+            spin_share: self.spin_share.max(other.spin_share),
+            step_over_duration: self.step_over_duration.max(other.step_over_duration),
         }
     }
 
-    /// Whether a/R exceeds its limit.
+    /// The ratio of a limit.
     #[must_use]
-    pub fn is_large_contact(self) -> bool {
-        self.semi_axis_over_radius > Self::LARGE_CONTACT
+    pub const fn ratio(self, limit: Limit) -> f64 {
+        match limit {
+            Limit::Coupling => self.coupling,
+            Limit::LargeContact => self.semi_axis_over_radius,
+            Limit::LargeApproach => self.approach_over_radius,
+            Limit::Yields => self.pressure_over_yield,
+            Limit::Waves => self.wave_share,
+            Limit::Spin => self.spin_share,
+            Limit::TimeStep => self.step_over_duration,
+        }
     }
 
-    /// Whether the approach exceeds its limit.
+    /// Whether a limit is exceeded, and by how much.
     #[must_use]
-    pub fn is_large_approach(self) -> bool {
-        self.approach_over_radius > Self::LARGE_APPROACH
+    pub fn excess(self, limit: Limit) -> Option<Excess> {
+        let value = self.ratio(limit);
+        (value > limit.threshold()).then_some(Excess { limit, value })
     }
 
-    /// Whether the weaker material begins to yield.
-    #[must_use]
-    pub fn yields(self) -> bool {
-        self.pressure_over_yield > 1.0
+    /// The limits that are exceeded.
+    pub fn exceeded(self) -> impl Iterator<Item = Excess> {
+        Limit::ALL.into_iter().filter_map(move |limit| self.excess(limit))
     }
 
-    /// Whether elastic waves are worth a word.
-    #[must_use]
-    pub fn has_waves(self) -> bool {
-        self.wave_share > Self::NOTICEABLE_WAVE_SHARE
-    }
-
-    /// Whether all limits hold; waves count from a tenth of the energy.
+    /// Whether all limits hold but those on what a result leaves out; waves count from a tenth of the energy.
     #[must_use]
     pub fn holds(self) -> bool {
-        !(self.is_large_contact() || self.yields() || self.is_outside())
+        let kept = [Limit::LargeContact, Limit::Yields, Limit::TimeStep];
+        !self.is_outside() && kept.into_iter().all(|limit| self.excess(limit).is_none())
     }
 
     /// Whether results are approximate at best, as [`Validity::reasons`] say.
     #[must_use]
     pub fn is_outside(self) -> bool {
-        self.is_large_approach() || self.wave_share > Self::LARGE_WAVE_SHARE
+        self.excess(Limit::LargeApproach).is_some() || self.wave_share > Self::LARGE_WAVE_SHARE
     }
 
     /// Whether results are meaningless: the approach exceeds the radius, or the waves the available
@@ -135,15 +286,9 @@ impl Validity {
     /// Why results are approximate at best: one text for each limit.
     #[must_use]
     pub fn reasons(self) -> Vec<String> {
-        let approach = self.is_large_approach().then(|| {
-            let share = short_number(self.approach_over_radius);
-            format!("the approach is {share} times the radius, more than a tenth")
-        });
-        let waves = (self.wave_share > Self::LARGE_WAVE_SHARE).then(|| {
-            let percent = short_number(100.0 * self.wave_share);
-            format!("elastic waves would carry away {percent} % of the energy, more than 10 %")
-        });
-        approach.into_iter().chain(waves).collect()
+        let approach = self.excess(Limit::LargeApproach);
+        let waves = self.excess(Limit::Waves).filter(|waves| waves.value > Self::LARGE_WAVE_SHARE);
+        approach.into_iter().chain(waves).map(|excess| excess.to_string()).collect()
     }
 }
 
@@ -173,9 +318,10 @@ mod tests {
         };
         let most = (1..200).map(|i| at(0.01 * f64::from(i))).fold(0.0, f64::max);
         assert!((Validity::YIELDS_AT * most - 1.0).abs() < 0.01, "{most}");
-        let yields = |pressure| Validity::of_pressure(pressure, 1e9).yields();
+        let yields =
+            |pressure| Validity::of_pressure(pressure, 1e9).excess(Limit::Yields).is_some();
         assert!(yields(1.01e9 / most) && !yields(0.98e9 / most));
-        assert!(!Validity::of_pressure(1e12, f64::INFINITY).yields());
+        assert_eq!(Validity::of_pressure(1e12, f64::INFINITY).exceeded().count(), 0);
     }
 
     #[test]
@@ -197,7 +343,85 @@ mod tests {
         let worst = validity.and(other);
         assert_eq!(worst.semi_axis_over_radius, 0.2);
         assert_eq!(worst.pressure_over_yield, validity.pressure_over_yield);
-        assert!(worst.is_large_contact() && !other.is_large_approach());
-        assert!(Validity::of_contact([0.0, 0.11, 1.0], 1.0, 1.0).is_large_approach());
+        assert!(worst.excess(Limit::LargeContact).is_some());
+        assert_eq!(other.excess(Limit::LargeApproach), None);
+        let deep = Validity::of_contact([0.0, 0.11, 1.0], f64::INFINITY, 1.0);
+        let excess = Excess { limit: Limit::LargeApproach, value: 0.11 };
+        assert_eq!(deep.exceeded().collect::<Vec<_>>(), [excess]);
+    }
+
+    /// Each ratio with its limit: nothing is told there, and its own words just above.
+    #[test]
+    fn each_limit_is_told_above_its_threshold_with_its_number() {
+        let none = Validity::default();
+        let of = |value: f64| {
+            [
+                Validity { coupling: 5e-3 * value, ..none },
+                Validity { semi_axis_over_radius: 0.1 * value, ..none },
+                Validity { approach_over_radius: 0.1 * value, ..none },
+                Validity { pressure_over_yield: value, ..none },
+                Validity { wave_share: 0.01 * value, ..none },
+                Validity { spin_share: 0.01 * value, ..none },
+                Validity { step_over_duration: value / 20.0, ..none },
+            ]
+        };
+        let numbers = ["0.01", "0.2", "0.2", "2 times", "2 %", "2 %", "lasts 10"];
+        for (i, limit) in Limit::ALL.into_iter().enumerate() {
+            let [at, above] = [0.999_999, 2.0].map(|value| of(value)[i]);
+            assert_eq!(at.exceeded().count(), 0, "{limit:?}");
+            let told: Vec<_> = above.exceeded().collect();
+            assert_eq!(told.iter().map(|excess| excess.limit).collect::<Vec<_>>(), [limit]);
+            let (text, words) = (told[0].to_string(), limit.words().to_str().unwrap());
+            assert!(text.starts_with(words) && text.contains(numbers[i]), "{text}");
+            // Of two results the worse one counts.
+            assert_eq!([at.and(above), above.and(at)], [above; 2]);
+        }
+    }
+
+    #[test]
+    fn what_a_result_leaves_out_does_not_make_it_wrong() {
+        let none = Validity::default();
+        let left_out = Validity { coupling: 0.7, spin_share: 0.5, wave_share: 0.09, ..none };
+        assert!(left_out.holds() && !left_out.is_outside() && left_out.exceeded().count() == 3);
+        let wrong = [
+            Validity { semi_axis_over_radius: 0.11, ..none },
+            Validity { approach_over_radius: 0.11, ..none },
+            Validity { pressure_over_yield: 1.1, ..none },
+            Validity { wave_share: 0.11, ..none },
+            Validity { step_over_duration: 0.06, ..none },
+        ];
+        assert!(wrong.iter().all(|validity| !validity.holds()));
+        let outside: Vec<bool> = wrong.iter().map(|validity| validity.is_outside()).collect();
+        assert_eq!(outside, [false, true, false, true, false]);
+    }
+
+    #[test]
+    fn many_waves_are_told_with_the_limit_that_they_exceed() {
+        let told = |wave_share| Validity { wave_share, ..Validity::default() }.reasons();
+        assert_eq!(told(0.09), [""; 0]);
+        let words =
+            "elastic waves would carry away more than 10 % of the normal energy: about 93.9 %";
+        assert_eq!(told(0.939), [words]);
+    }
+
+    /// Alumina on glass, of which the coupling is left out: gamma from the moduli, (15.2).
+    #[test]
+    fn neglected_coupling_has_its_bound() {
+        let [one, two] = [(380e9, 0.23), (70e9, 0.22)]
+            .map(|(young, poisson)| Material::from_young(young, poisson).unwrap());
+        let softness = |young: f64, poisson: f64| {
+            let shear = young / (2.0 * (1.0 + poisson));
+            [(1.0 - 2.0 * poisson) / (4.0 * shear), (1.0 - poisson) / (2.0 * shear)]
+        };
+        let [[e_1, s_1], [e_2, s_2]] = [softness(380e9, 0.23), softness(70e9, 0.22)];
+        let square = ((e_1 - e_2) / (s_1 + s_2)).powi(2);
+        let over = square / (0.09 * 0.09);
+        let expected = over / (4.0 + over) + square;
+        let of = |pair: [Material; 2]| {
+            let materials = MaterialPair::new(pair[0], pair[1]).unwrap();
+            Validity::default().without_coupling(&materials, Friction::new(0.09).unwrap()).coupling
+        };
+        assert!((of([one, two]) / expected - 1.0).abs() < 1e-12, "{} {expected}", of([one, two]));
+        assert_eq!([of([one; 2]), of([two; 2])], [0.0; 2]);
     }
 }

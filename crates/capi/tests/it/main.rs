@@ -4,6 +4,7 @@ mod border;
 mod dissimilar;
 mod garbled;
 mod grains;
+mod grains_validity;
 mod header;
 mod hostile;
 mod losses;

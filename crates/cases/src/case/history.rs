@@ -9,6 +9,7 @@ use super::range::Range;
 use super::section::{Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_laws::coulomb::Tolerance;
+use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
 use carom_laws::turning_law::TurningLaw;
@@ -66,7 +67,7 @@ pub struct HistoryCase {
     /// The smallest radius of curvature of both bodies, m; infinite for planes.
     pub smallest_radius: f64,
     /// Coefficient of friction; infinite for no slip.
-    pub friction: f64,
+    pub friction: Friction,
     /// The law of friction where the direction of the shift turns.
     pub law: TurningLaw,
     /// Tolerance of the law `coulomb`.
@@ -100,7 +101,8 @@ impl HistoryCase {
         let contact = case.section(&CONTACT)?;
         let (law, tolerance) = law(&contact)?;
         let Pair { hertz, smallest_radius } = pair::read(&case, Some(&contact))?;
-        let friction = contact.number(&FRICTION)?;
+        let friction =
+            Friction::new(contact.number(&FRICTION)?).map_err(|error| contact.refused(error))?;
         let history = case.section(&HISTORY)?;
         let given = history.given([&STEPS, &FILE]);
         let steps = match given.as_slice() {

@@ -2,7 +2,6 @@
 
 use crate::case::HistoryCase;
 use carom_laws::accounted::Accounted;
-use carom_laws::friction::Friction;
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_laws::law::{ContactLaw as _, ContactLoad, Energies as _, Shift};
 use carom_laws::shift_law::ShiftLaw;
@@ -24,12 +23,8 @@ impl Laws {
     ///
     /// # Errors
     /// [`RangeError`] if a law refuses a value.
-    pub fn new(
-        case: &HistoryCase,
-        friction: Friction,
-        steps: &[Shift],
-    ) -> Result<Self, RangeError> {
-        let stiffness = case.hertz.stiffness();
+    pub fn new(case: &HistoryCase, steps: &[Shift]) -> Result<Self, RangeError> {
+        let (stiffness, friction) = (case.hertz.stiffness(), case.friction);
         let shift = ShiftLaw::chosen(case.law, stiffness, friction, case.tolerance);
         let torsion = TorsionLaw::new(&case.hertz, friction)?;
         let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);

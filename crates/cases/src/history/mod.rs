@@ -16,7 +16,6 @@ use crate::Error;
 use crate::case::{HistoryCase, Steps};
 use crate::input::CaseFile;
 use crate::theory::Heed;
-use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 
 /// Reads the shifts of a case; a file that it names is relative to the case file.
@@ -57,11 +56,10 @@ pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = shifts(file, &case)?;
     let at_fault = |source| Error::Law { path: file.path.clone(), source };
-    let friction = Friction::new(case.friction).map_err(at_fault)?;
-    let mut laws = Laws::new(&case, friction, &shifts).map_err(at_fault)?;
+    let mut laws = Laws::new(&case, &shifts).map_err(at_fault)?;
     let after = |(i, shift): (usize, &Shift)| {
         laws.advance(*shift).map_err(at_fault)?;
-        step((i + 1) as f64, &laws, friction, 0)
+        step((i + 1) as f64, &laws, case.friction, 0)
     };
     let steps = shifts.iter().enumerate().map(after).collect::<Result<_, _>>()?;
     Ok(Followed { case, steps })

@@ -52,7 +52,9 @@ impl Step {
         let contact = ContactEllipse::new(self.semi_axis_a, self.semi_axis_b);
         let pressure = contact.map_or(0.0, |contact| contact.peak_pressure(self.load.f_z));
         let largest = [self.semi_axis_a.max(self.semi_axis_b), self.shift.zeta, pressure];
-        Validity::of_contact(largest, case.hertz.materials().yield_stress(), case.smallest_radius)
+        let materials = case.hertz.materials();
+        Validity::of_contact(largest, materials.yield_stress(), case.smallest_radius)
+            .without_coupling(&materials, case.friction)
     }
 
     /// Adds what the contact exceeds.

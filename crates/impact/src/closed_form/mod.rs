@@ -13,8 +13,7 @@ mod wave_loss;
 pub use adhesion::{AdhesiveCompression, compression_time};
 pub use constants::ImpactConstants;
 pub use energy::{normal_energy_loss, tangential_energy_loss};
-pub(crate) use wave_loss::radiated_energy;
-pub use wave_loss::{NOTICEABLE, wave_loss, wave_loss_coefficient};
+pub use wave_loss::{radiation_coefficient, wave_loss, wave_loss_coefficient};
 
 /// phi = sqrt(1 + 120 chi) of (9.15), the parameter of the adhesion solutions: from sqrt(61) to sqrt(721)
 /// for chi from 1/2 to 6 (15.9).

@@ -6,14 +6,10 @@
 //! half-space of its own material the share becomes `C(nu) (v/c_0)^(3/5)`, c_0 = sqrt(E/rho).
 
 use carom_halfspace::Material;
-use carom_laws::validity::Validity;
 use carom_special::RangeError;
 use carom_special::gamma::gamma;
 use carom_special::quadrature::FixedRule;
 use carom_special::roots::bisect;
-
-/// Share of the energy above which an elastic outcome has a warning.
-pub const NOTICEABLE: f64 = Validity::NOTICEABLE_WAVE_SHARE;
 
 /// The coefficient C(nu) of the share of energy radiated, with the exact pulse and all waves.
 ///
@@ -46,19 +42,29 @@ pub fn wave_loss(poisson: f64, velocity: f64, rod_speed: f64) -> Result<f64, Ran
     Ok(wave_loss_coefficient(poisson)? * libm::pow(velocity / rod_speed, 0.6))
 }
 
-/// The energy that a Hertz pulse of this maximum force and time unit zeta_max/v radiates into a
-/// half-space: `I/(2 pi rho c_T^3) int F'(t)^2 dt`.
-pub(crate) fn radiated_energy(
-    material: Material,
-    density: f64,
-    maximal_force: f64,
-    time_unit: f64,
-) -> Result<f64, RangeError> {
-    RangeError::positive("density", density)?;
-    let shear_speed = (material.shear_modulus() / density).sqrt();
-    let per_rate = radiation(material.poisson())?
-        / (2.0 * std::f64::consts::PI * density * shear_speed * shear_speed * shear_speed);
-    Ok(per_rate * maximal_force * maximal_force / time_unit * pulse_integral())
+/// How strongly a half-space of this material radiates: a Hertz pulse of the maximum force F and the time unit
+/// t = zeta_max/v radiates the energy k sqrt(density) F^2/t. This is k, in (m^2/N)^(3/2); 0 for a rigid body.
+///
+/// It is `I/(2 pi G^(3/2)) int F'(t)^2 dt t/F^2`. See [`NormalImpact::wave_share`](crate::normal::NormalImpact::wave_share).
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::closed_form::radiation_coefficient;
+/// let [steel, rubber] = [Material::from_young(208e9, 0.3)?, Material::from_young(208e5, 0.3)?];
+/// let ratio = radiation_coefficient(rubber)? / radiation_coefficient(steel)?;
+/// assert!((ratio - 1e6).abs() < 1e-3);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+///
+/// # Errors
+/// [`RangeError`] if the integral over the half-space is not finite.
+pub fn radiation_coefficient(material: Material) -> Result<f64, RangeError> {
+    if material.is_rigid() {
+        return Ok(0.0);
+    }
+    let shear = material.shear_modulus();
+    let wave = radiation(material.poisson())? * pulse_integral();
+    RangeError::finite("radiation", wave / (2.0 * std::f64::consts::PI * shear * shear.sqrt()))
 }
 
 // int (d zeta^(3/2)/dt)^2 dt = (9/5) B(4/5, 3/2)

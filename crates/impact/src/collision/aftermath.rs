@@ -90,15 +90,12 @@ impl Collision {
         RangeError::finite("impulse", impulse.abs().sum())?;
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
-        let validity = self.validity(&outcome, &maximal_contact, share);
-        let mut warnings = self.warnings(validity, before.z);
-        if outcome.method.counts_coupling() {
-            warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
-        }
-        if known.torsion.is_some() {
-            warnings.retain(|warning| !matches!(warning, Warning::SpinLeftAlone { .. }));
-        }
-        warnings.extend(outcome.warning);
+        let spin_share = match torsion {
+            Some(_) => 0.0,
+            None => self.normal_spin(before.z).greatest_loss().unwrap_or(0.0),
+        };
+        let validity = Validity { spin_share, ..self.validity(&outcome, &maximal_contact, share) };
+        let warnings = self.warnings(validity).chain(outcome.warning).collect();
         Ok(Rebound {
             motions,
             impulse: self.frame().to_space(&impulse),
@@ -195,27 +192,17 @@ impl Collision {
         let largest = [contact.semi_axis_b(), outcome.maximal_approach, pressure];
         let radius = self.contact.smallest_radius();
         let wave_share = if self.normal_restitution.is_elastic() { wave_share } else { 0.0 };
+        let coupling = if outcome.method.counts_coupling() { 0.0 } else { self.coupling_bound() };
         Validity {
             wave_share,
+            coupling,
             ..Validity::of_contact(largest, self.materials.yield_stress(), radius)
         }
     }
 
-    fn warnings(&self, validity: Validity, velocity: f64) -> Vec<Warning> {
-        let mut warnings = Vec::new();
-        if self.contact.certainty() == Certainty::Sampled {
-            warnings.push(Warning::PointSampled);
-        }
-        if !self.materials.is_uncoupled() {
-            let gamma = self.materials.gamma();
-            let friction_over_gamma = self.friction.get() / gamma.abs();
-            warnings.push(Warning::Coupling { gamma, friction_over_gamma });
-        }
-        warnings.extend(Warning::of(validity));
-        if self.torsion != TorsionMode::Included {
-            warnings.extend(self.normal_spin(velocity).left_alone());
-        }
-        warnings
+    fn warnings(&self, validity: Validity) -> impl Iterator<Item = Warning> {
+        let sampled = self.contact.certainty() == Certainty::Sampled;
+        sampled.then_some(Warning::PointSampled).into_iter().chain(Warning::of(validity))
     }
 }
 

@@ -79,7 +79,7 @@ impl From<CoupledError> for CollisionError {
 ///
 /// The shapes determine the method. The rotational symmetry of spheres and planes keeps the tangential motion
 /// in one direction and independent of the normal motion: the outcome is exact for materials with epsilon = 0
-/// (5.20); for others it carries [`crate::Warning::Coupling`]. For all other bodies the method is that of
+/// (5.20); for others it warns of [`carom_laws::validity::Limit::Coupling`]. For all other bodies the method is that of
 /// [`CoupledImpact`]. The spin about the normal is not changed, except by [`Collision::with_torsion`].
 ///
 /// ```
@@ -244,7 +244,7 @@ impl Collision {
 
     /// The same collision with the torsional impact of chapter 10 on the spin about the normal.
     ///
-    /// By default that spin is not changed, and [`crate::Warning::SpinLeftAlone`] reports where this matters;
+    /// By default that spin is not changed, and [`carom_laws::validity::Limit::Spin`] tells where this matters;
     /// the neglected change is of the order of zeta_max/R. The torsional impact is computed as if there were
     /// no tangential impact. This is an approximation if both slip, since they share one friction limit.
     /// [`Collision::solve`] then rejects bodies whose spin about the normal is coupled to other motion.

@@ -3,10 +3,10 @@
 use std::ops::RangeInclusive;
 
 use carom_laws::coupling::coupling_bound;
+use carom_laws::validity::Validity;
 
 use super::{Collision, CollisionError};
 use crate::outcome::{Outcome, TorsionMode};
-use crate::warning::Warning;
 
 /// Ratios D_xx/D_zz of spheres for which the bound of the effect of coupling was measured.
 const MEASURED: RangeInclusive<f64> = 2.5..=5.0;
@@ -30,7 +30,7 @@ pub enum NeededLaw {
 
 impl Collision {
     /// The change of R_x below which the coupling of dissimilar bodies is neglected by default: 5e-3.
-    pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
+    pub const NEGLIGIBLE_COUPLING: f64 = Validity::NEGLIGIBLE_COUPLING;
 
     /// An upper bound of the change of R_x by the coupling of normal and tangential displacements
     /// ([`carom_laws::coupling::coupling_bound`]).
@@ -66,9 +66,8 @@ impl Collision {
     }
 
     /// As [`Collision::solve`], with the bounds of the effects of coupling and twist added to the error
-    /// estimate. If the bound of coupling is negligible, it replaces [`Warning::Coupling`]. If the effect of
-    /// friction on the spin about the normal is not negligible, it is computed as if there were no tangential
-    /// impact.
+    /// estimate. If the effect of friction on the spin about the normal is not negligible, it is computed as if
+    /// there were no tangential impact.
     ///
     /// # Errors
     /// Those of [`Collision::solve`].
@@ -89,9 +88,6 @@ impl Collision {
             }
             if let Some(torsion) = rebound.torsion.as_mut().filter(|_| self.is_tangential()) {
                 torsion.error_estimate += twist.spin;
-            }
-            if coupling <= Self::NEGLIGIBLE_COUPLING {
-                rebound.warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
             }
         }
         Ok(outcome)

@@ -27,7 +27,7 @@ pub trait CollisionSolver {
 /// The analytic law, or the law of rings where [`Collision::needed_law`] requires it.
 ///
 /// For dissimilar bodies other than spheres and planes it uses the analytic law, with
-/// [`crate::Warning::Coupling`].
+/// [`carom_laws::validity::Limit::Coupling`].
 ///
 /// ```
 /// use carom_halfspace::Material;

@@ -1,5 +1,6 @@
 //! A Monte Carlo study of impacts.
 
+use carom_laws::validity::Limit;
 use carom_special::{RangeError, Readable};
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -10,7 +11,6 @@ use super::quantity::Quantity;
 use super::summary::Summary;
 use crate::collision::{AnalyticOrRings, Collision, CollisionError, CollisionSolver};
 use crate::outcome::{Outcome, Rebound};
-use crate::warning::Warning;
 
 /// Largest number of samples of a study.
 const MOST_SAMPLES: usize = 1_000_000;
@@ -144,12 +144,11 @@ struct Sampled {
 
 impl Sampled {
     fn of(rebound: &Rebound, normal: &Vector3<f64>) -> Self {
-        let is_coupling = |warning: &Warning| matches!(warning, Warning::Coupling { .. });
         Self {
             numbers: Quantity::ALL.map(|quantity| quantity.of(rebound, normal)),
             method: rebound.method.name(),
             error_estimate: rebound.error_estimate,
-            neglects_coupling: rebound.warnings.iter().any(is_coupling),
+            neglects_coupling: rebound.validity.excess(Limit::Coupling).is_some(),
         }
     }
 }
@@ -287,7 +286,7 @@ impl Study {
         self.error_estimate
     }
 
-    /// Number of samples in which the coupling of dissimilar materials was neglected ([`Warning::Coupling`]).
+    /// Number of samples in which the coupling of dissimilar materials was neglected ([`Limit::Coupling`]).
     #[must_use]
     pub const fn coupling_neglected(&self) -> usize {
         self.coupling_neglected

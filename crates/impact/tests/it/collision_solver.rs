@@ -8,6 +8,7 @@ use carom_impact::{
     Warning,
 };
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 use carom_special::RangeError;
 
 const FRICTION: f64 = 0.092;
@@ -49,7 +50,7 @@ fn bounces<S: CollisionSolver<Error: std::fmt::Debug>>(solver: S, floor: Materia
 }
 
 fn neglects(warnings: &[Warning]) -> bool {
-    warnings.iter().any(|warning| matches!(warning, Warning::Coupling { .. }))
+    warnings.iter().any(|warning| warning.ratio(Limit::Coupling).is_some())
 }
 
 #[test]

@@ -6,6 +6,7 @@ use carom_impact::{
     Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
 };
 use carom_laws::friction::Friction;
+use carom_laws::validity::{Excess, Limit};
 use carom_table::{Column, Value};
 use nalgebra::Vector3;
 
@@ -56,7 +57,10 @@ fn columns_of_a_rebound_show_its_fields() {
     rebound.r_x = Some(0.456);
     let r: &mut Rebound = &mut rebound;
     let regimes: Vec<&'static str> = r.log.iter().map(|entry| entry.regime.name()).collect();
-    r.warnings = vec![Warning::PointSampled, Warning::LargeContact { ratio: 0.25 }];
+    r.warnings = vec![
+        Warning::PointSampled,
+        Warning::Exceeds(Excess { limit: Limit::LargeContact, value: 0.25 }),
+    ];
     r.compressions = 7;
     let outcome = Outcome::Rebound(Box::new(r.clone()));
     let expected = [

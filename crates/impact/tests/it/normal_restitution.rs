@@ -5,8 +5,9 @@ use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
 use carom_impact::closed_form::wave_loss;
 use carom_impact::scene::{Ball, Ending, Limits, Scene, Wall};
-use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound, Warning};
+use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound};
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 use proptest::prelude::*;
 
 const RADIUS: f64 = 0.02;
@@ -75,7 +76,7 @@ fn waves_take_the_share_of_the_closed_form() {
     let share = wave_loss(poisson, speed, f64::sqrt(young / density)).unwrap();
     let is_warned = |outcome: &Outcome| {
         let warnings = &outcome.rebound().unwrap().warnings;
-        warnings.iter().any(|warning| matches!(warning, Warning::WaveLoss { .. }))
+        warnings.iter().any(|warning| warning.ratio(Limit::Waves).is_some())
     };
     assert!(is_warned(&collision.solve().unwrap()));
     let damped = collision.with_normal_restitution(NormalRestitution::by_waves()).solve().unwrap();

@@ -4,8 +4,9 @@ use approx::assert_relative_eq;
 use carom_geometry::{Attitude, Inertia, Surface};
 use carom_halfspace::Material;
 use carom_impact::torsional::{SpinCollision, Spinner};
-use carom_impact::{Body, Collision, CollisionError, Motion, NormalSpinError, Rebound, Warning};
+use carom_impact::{Body, Collision, CollisionError, Motion, NormalSpinError, Rebound};
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 use nalgebra::{Matrix3, Vector3};
 
 fn rubber() -> Material {
@@ -102,22 +103,17 @@ fn an_encounter_of_spheres_is_their_collision() {
     let energy = with.energy;
     assert!((energy.before - energy.after - energy.dissipated).abs() < 1e-12 * energy.before);
     let waves = |rebound: &Rebound| {
-        let shares = rebound.warnings.iter().filter_map(|warning| match warning {
-            Warning::WaveLoss { share } => Some(*share),
-            _ => None,
-        });
+        let shares = rebound.warnings.iter().filter_map(|warning| warning.ratio(Limit::Waves));
         shares.collect::<Vec<_>>()
     };
     assert_relative_eq!(waves(with)[0], waves(&collision)[0], max_relative = 1e-12);
     // Left out, it is said, with a share that is close to the true one.
     let without = encounter.solve().unwrap();
-    let share = without.rebound().unwrap().warnings.iter().find_map(|warning| match warning {
-        Warning::SpinLeftAlone { share } => Some(*share),
-        _ => None,
-    });
+    let mut told = without.rebound().unwrap().warnings.iter();
+    let share = told.find_map(|warning| warning.ratio(Limit::Spin));
     let taken = 1.0 - with.torsion.unwrap().spin_ratio;
     assert!(share.unwrap() > taken && share.unwrap() < 2.0 * taken, "{share:?} {taken}");
-    assert!(!with.warnings.iter().any(|w| matches!(w, Warning::SpinLeftAlone { .. })));
+    assert!(!with.warnings.iter().any(|w| w.ratio(Limit::Spin).is_some()));
 }
 
 // A top: an ellipsoid on the end of axis c, turned about it.

@@ -1,8 +1,9 @@
 //! Impacts of spheres by rings: common pairs of materials, similar bodies, spin about the normal, limits.
 
 use carom_halfspace::Material;
-use carom_impact::{Body, Collision, Motion, RingImpact, Warning};
+use carom_impact::{Body, Collision, Motion, RingImpact};
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 
 const STEEL: [f64; 2] = [210e9, 0.3];
 const GLASS: [f64; 2] = [70e9, 0.22];
@@ -136,7 +137,7 @@ fn spin_about_the_normal_is_taken_down_and_pushes_sideways() {
         let alone = alone.rebound().unwrap().torsion.unwrap().spin_ratio;
         assert!((1.0 - torsion.spin_ratio) < 1.2 * (1.0 - alone), "{alone} {torsion:?}");
         assert!(!rebound.warnings.iter().any(|warning| {
-            matches!(warning, Warning::Coupling { .. } | Warning::SpinLeftAlone { .. })
+            [Limit::Coupling, Limit::Spin].iter().any(|limit| warning.ratio(*limit).is_some())
         }));
         // Twist and coupling push sideways, alike bodies' twist does not.
         let sideways = rebound.contact_velocity_after.y;

@@ -4,6 +4,7 @@ use carom_geometry::Inertia;
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, NeededLaw, Rebound, RingImpact};
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 use nalgebra::Vector3;
 
 const TOLERANCE: f64 = Collision::NEGLIGIBLE_COUPLING;
@@ -158,11 +159,8 @@ fn a_slow_spin_that_friction_takes_asks_for_rings() {
 fn the_share_of_waves_is_that_of_one_body() {
     let share = |collision: &Collision| {
         let outcome = collision.solve().unwrap();
-        let told = outcome.rebound().unwrap().warnings.iter().find_map(|warning| match warning {
-            carom_impact::Warning::WaveLoss { share } => Some(*share),
-            _ => None,
-        });
-        told.unwrap()
+        let mut told = outcome.rebound().unwrap().warnings.iter();
+        told.find_map(|warning| warning.ratio(Limit::Waves)).unwrap()
     };
     let rubber = material(5e6, 0.4);
     let sphere = |radius: f64, mass: f64, z: f64| {

@@ -6,6 +6,7 @@ use carom_impact::{
     RingImpact, TorsionMode, Warning,
 };
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 
 const SPEED: f64 = 2.0;
 
@@ -123,7 +124,7 @@ fn a_spin_that_is_left_out_changes_nothing_and_is_told() {
         assert_eq!((spun.r_x, spun.method), (still.r_x, still.method));
         assert_eq!(spun.impulse, still.impulse);
         assert!(spun.torsion.is_none());
-        let told = |warning: &Warning| matches!(warning, Warning::SpinLeftAlone { .. });
+        let told = |warning: &Warning| warning.ratio(Limit::Spin).is_some();
         assert!(spun.warnings.iter().any(told) && !still.warnings.iter().any(told));
         // By default it counts, and nothing is told.
         let counted = auto(&unlike(poisson, 0.2, 0.8, 0.7));

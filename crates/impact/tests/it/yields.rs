@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, Rebound, Warning};
 use carom_laws::friction::Friction;
-use carom_laws::validity::Validity;
+use carom_laws::validity::{Limit, Validity};
 
 const RADIUS: f64 = 0.01;
 const MASS: f64 = 7850.0 * 4.0 / 3.0 * PI * RADIUS * RADIUS * RADIUS;
@@ -24,10 +24,7 @@ fn fall([ball, floor]: [Material; 2], velocity: f64) -> Rebound {
 }
 
 fn yields(rebound: &Rebound) -> Option<f64> {
-    rebound.warnings.iter().find_map(|warning| match warning {
-        Warning::Yields { ratio } => Some(*ratio),
-        _ => None,
-    })
+    rebound.warnings.iter().find_map(|warning| warning.ratio(Limit::Yields))
 }
 
 /// The velocity at which the greatest pressure of a sphere of steel on steel is p: the energy stored at the approach
@@ -71,7 +68,7 @@ fn the_warning_says_how_far_it_is_from_yield() {
         told,
         [
             "yields: the greatest pressure exceeds 1.6 times the yield stress, from which metals flow below the \
-          surface: it is 1.250 times that"
+          surface: it is 1.25 times that"
         ]
     );
 }

@@ -2,8 +2,9 @@
 
 use carom_geometry::Surface;
 use carom_halfspace::Material;
-use carom_impact::{Body, Collision, Motion, NeededLaw, Outcome, Warning};
+use carom_impact::{Body, Collision, Motion, NeededLaw, Outcome};
 use carom_laws::friction::Friction;
+use carom_laws::validity::Limit;
 use carom_numerical::CollisionLaw;
 
 /// A ball on a plane, by the shear moduli of both, with nu = 0.2 and 0.4.
@@ -20,7 +21,7 @@ fn r_x(outcome: &Outcome) -> f64 {
 
 fn warns(outcome: &Outcome) -> bool {
     let warnings = &outcome.rebound().unwrap().warnings;
-    warnings.iter().any(|warning| matches!(warning, Warning::Coupling { .. }))
+    warnings.iter().any(|warning| warning.ratio(Limit::Coupling).is_some())
 }
 
 #[test]

@@ -4,10 +4,11 @@ use carom_halfspace::Material;
 use carom_impact::closed_form::{tangential_energy_loss, wave_loss};
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::torsional::{SpinCollision, Spinner, TorsionalImpact, TorsionalPhase};
-use carom_impact::{Body, Collision, Motion, Rebound, Warning, normal};
+use carom_impact::{Body, Collision, Motion, Rebound, normal};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::law::TorsionLaw;
+use carom_laws::validity::Limit;
 
 use super::super::outline::ellipse;
 use super::super::spheres::kappa;
@@ -196,10 +197,7 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
         Body::sphere(RADIUS, steel()?, MASS)?.moving(Motion::new([0.0, 0.0, -5.0], [0.0; 3])?);
     let thrown = Collision::new(ball, Body::plane(steel()?), Friction::new(FRICTION)?)?.solve()?;
     let warned = thrown.rebound().ok_or("the ball flies at the plane")?.warnings.iter();
-    let warned = warned.filter_map(|warning| match warning {
-        Warning::WaveLoss { share } => Some(*share),
-        _ => None,
-    });
+    let warned = warned.filter_map(|warning| warning.ratio(Limit::Waves));
     figure.all_close(
             "share of the energy that waves carry away: 1 m/s, and a ball at 5 m/s on its own steel",
             [

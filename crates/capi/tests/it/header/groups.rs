@@ -44,7 +44,9 @@ const GROUPS: &[Group] = &[
     Group {
         title: "Limits of the theory",
         about: "Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.\n\
-                carom_pair_validity tells whether a contact is small enough for Hertz's theory.",
+                carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's\n\
+                theory, carom_grains_impact_validity whether an impact is slow enough and its time step short\n\
+                enough; carom_validity_text says it in a sentence.",
         modules: &["validity"],
     },
     Group {

@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 48] = [
+pub(crate) const NAMES: [&str; 52] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -58,6 +58,10 @@ pub(crate) const NAMES: [&str; 48] = [
     "carom_warning_text",
     "carom_pair_validity",
     "carom_grains_impact_time",
+    "carom_grains_validity",
+    "carom_grains_impact_validity",
+    "carom_encounters_validity",
+    "carom_validity_text",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -69,8 +73,8 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     let which = match world.pick(400) {
         0 => 38 + world.pick(2),
         1 => 36 + world.pick(2),
-        2 => 40 + world.pick(8),
-        3..=12 => 32 + world.pick(4),
+        2..=4 => 40 + world.pick(12),
+        5..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
         k if k % 2 == 0 => world.pick(16),
@@ -89,6 +93,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         43 => rings(world),
         46 => validity(world),
         47 => impact_time(world),
+        48..=51 => grains_validity(world, which),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -194,6 +199,43 @@ fn validity(world: &mut World) -> CaromStatus {
     let (pair, to) = (world.point(pair), world.point(&raw mut validity));
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
     unsafe { carom_pair_validity(pair, zeta, radius, to, error) }
+}
+
+fn grains_validity(world: &mut World, which: usize) -> CaromStatus {
+    let (of, error) = (world.pick(3), world.error());
+    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
+    let [mass_1, mass_2] = [world.number(1e-6, 1e-3), world.number(1e-6, 1e-3)];
+    let (zeta, velocity, step) =
+        (world.number(0.0, 1e-3), world.number(0.0, 10.0), world.number(0.0, 1e-6));
+    let mut validity = CaromValidity {
+        semi_axis_over_radius: world.number(0.0, 1.0),
+        wave_share: world.number(0.0, 1.0),
+        step_over_duration: world.number(0.0, 1.0),
+        ..CaromValidity::default()
+    };
+    let grains = &raw mut world.grains[of];
+    let (grains, to) = (world.point(grains), world.point(&raw mut validity));
+    // Of bytes, none is misaligned: there is room for a shift.
+    let mut text = [0; 208];
+    let (size, warning) = (world.pick(200), (world.bits() as u32) & (1 << world.pick(10)));
+    let text = world.point(text.as_mut_ptr());
+    let mut all: [CaromEncounter; 12] = std::array::from_fn(|_| {
+        let [one, two] = world.meeting();
+        let grains = world.point(grains);
+        CaromEncounter { grains, touch: null_mut(), one, two, load: CaromGrainLoad::default() }
+    });
+    let first = world.point(all.as_mut_ptr());
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            48 => carom_grains_validity(grains, radius_1, radius_2, zeta, to, error),
+            49 => carom_grains_impact_validity(
+                grains, radius_1, radius_2, mass_1, mass_2, velocity, step, to, error,
+            ),
+            50 => carom_encounters_validity(first, all.len(), to, error),
+            _ => carom_validity_text(to, warning, text, size, error),
+        }
+    }
 }
 
 fn impact_time(world: &mut World) -> CaromStatus {

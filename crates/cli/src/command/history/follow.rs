@@ -7,7 +7,6 @@ use crate::rows::BLOCK;
 use carom_cases::Error;
 use carom_cases::case::HistoryCase;
 use carom_cases::history::{self, Laws, Step};
-use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
@@ -62,12 +61,12 @@ pub(super) fn follow(
     at_fault: impl Fn(RangeError) -> Error,
     mut visit: impl FnMut(&mut Vec<Step>) -> Result<(), CliError>,
 ) -> Result<Drawn, CliError> {
-    let friction = Friction::new(case.friction).map_err(&at_fault)?;
+    let friction = case.friction;
     if wanted.radii > 0 && friction.coefficient().is_none() {
         return Err(CliError::Options("--tractions requires finite friction"));
     }
     let state = |number, laws: &Laws, radii| history::step(number, laws, friction, radii);
-    let mut laws = Laws::new(case, friction, shifts).map_err(&at_fault)?;
+    let mut laws = Laws::new(case, shifts).map_err(&at_fault)?;
     let (mut course, mut marked) = (Thinned::new(QUANTITIES), Vec::new());
     let (mut steps, mut last) = (Vec::new(), None);
     for (i, shift) in shifts.iter().enumerate() {

@@ -109,15 +109,6 @@ impl Limits {
 /// Warnings about effects that the law neglects in this case.
 fn warnings(case: &HistoryCase, limits: &Limits, has_tractions: bool) -> Vec<String> {
     let mut warnings = Vec::new();
-    let materials = case.hertz.materials();
-    if !materials.is_uncoupled() {
-        let gamma = materials.gamma();
-        warnings.push(format!(
-            "dissimilar materials: gamma = {gamma:.4}, f/|gamma| = {:.3}; the coupling of normal \
-             and tangential displacements is neglected",
-            case.friction / gamma.abs()
-        ));
-    }
     let ContactStiffness { c_x, c_y, .. } = case.hertz.stiffness();
     if (c_x - c_y).abs() > 1e-12 * c_x {
         warnings.push(format!(

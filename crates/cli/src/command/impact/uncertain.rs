@@ -6,8 +6,8 @@ use crate::output::{Format, Picture, json};
 use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
 use carom_cases::theory::readable;
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
-use carom_impact::{CollisionError, Outcome, Warning};
-use carom_laws::validity::Validity;
+use carom_impact::{CollisionError, Outcome};
+use carom_laws::validity::{Limit, Validity};
 use carom_numerical::CollisionLawError;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
@@ -227,6 +227,9 @@ fn rows(report: &Report, shown: impl Fn(&Spread) -> bool) -> Vec<Vec<Cell>> {
     inputs.chain(outcome.map(|spread| row("outcome", spread))).collect()
 }
 
+/// Limits that are told in another way: coupling of the samples, the approach as outside the theory.
+const APART: [Limit; 2] = [Limit::Coupling, Limit::LargeApproach];
+
 /// Warnings about a contact that is large or yields at the means, and about samples that are left out.
 pub(super) fn warnings(report: &Report, validity: Validity) -> Vec<String> {
     let mut warnings: Vec<String> = report
@@ -243,13 +246,12 @@ pub(super) fn warnings(report: &Report, validity: Validity) -> Vec<String> {
             )
         })
         .collect();
-    warnings.extend(Warning::of(validity).map(|warning| format!("at the means: {warning}")));
+    let told = validity.exceeded().filter(|excess| !APART.contains(&excess.limit));
+    warnings.extend(told.map(|excess| format!("at the means: {excess}")));
     if report.coupling_neglected > 0 {
         let (neglected, all) = (report.coupling_neglected, report.samples);
-        warnings.push(format!(
-            "dissimilar materials: the coupling of normal and tangential displacements is neglected in {neglected} \
-             of {all} samples"
-        ));
+        let words = Limit::Coupling.words().to_string_lossy();
+        warnings.push(format!("{words} in {neglected} of {all} samples"));
     }
     if report.no_impact > 0 {
         let (none, all) = (report.no_impact, report.samples);
