@@ -36,11 +36,11 @@ def test_an_array_rolls_as_the_case_does(tmp_path):
         contact.friction = 0.3
         gap = { shape = "paraboloid", radii = [0.01, 0.0142857142857142857] }
         grid = { cells = [32, 32], size = [3.2e-4, 3.2e-4] }
-        rolling = { speed = 3, direction = 30, F_z = 10, F_x = [0, 1], spin = 2, spin_offset = 0, step = 8e-6 }
+        rolling = { speed = 3, direction = 30, F_z = 10, F_x = [0, 1], spin = 2, spin_offset = 0.25, step = 8e-6 }
         """
     )
     of_case = carom.cases.roll(case)
-    options = {"direction": 30.0, "step": 8e-6, "speed": 3.0}
+    options = {"direction": 30.0, "step": 8e-6, "speed": 3.0, "spin_offset": 0.25}
     own = carom.roll(gap(), SIZE, UNLIKE, 0.3, F_z=10.0, F_x=[0.0, 1.0], spin=2.0, **options)
     for name in ("creepage", "creepage_across", "F_x", "F_y", "M_z", "heating", "stick_area", "F_y_error"):
         np.testing.assert_allclose(
@@ -50,6 +50,16 @@ def test_an_array_rolls_as_the_case_does(tmp_path):
         np.testing.assert_allclose(getattr(own, name), getattr(of_case, name), atol=1e-18)
     np.testing.assert_allclose(own.traction_y, of_case.traction_y, atol=1e-6 * own.pressure.max())
     assert own.cells.shape == (32, 32) and (own.cells == of_case.cells).all()
+
+
+def test_a_spin_taken_ahead_is_a_lateral_creepage():
+    """At x + q d a spin moves the surfaces by q d more: to the side, if the contact rolls along x."""
+    common = {"F_z": 10.0, "creepage": 1e-3, "spin": 40.0, "step": 1e-5}
+    ahead = carom.roll(gap(), SIZE, STEEL, 0.3, spin_offset=0.5, **common).rows
+    same = carom.roll(gap(), SIZE, STEEL, 0.3, creepage_across=-0.5 * 1e-5 * 40.0, **common).rows
+    other = carom.roll(gap(), SIZE, STEEL, 0.3, **common).rows
+    assert ahead.F_y[0] == pytest.approx(same.F_y[0], rel=1e-7)
+    assert abs(ahead.F_y[0] - other.F_y[0]) > 1e-3 * abs(other.F_y[0])
 
 
 def test_rolling_from_rest_ends_in_the_steady_state():
