@@ -40,7 +40,14 @@ void FixCaromKeep::pre_exchange()
 {
   if (!pair) return;
   pair->pack_all();
-  pair->pace.tell(lmp);
+  pair->tell_of_limits(false);
+}
+
+void FixCaromKeep::post_run()
+{
+  if (!pair) return;
+  pair->pack_all();
+  pair->tell_of_limits(true);
 }
 
 void FixCaromKeep::min_pre_exchange()

@@ -19,8 +19,8 @@ class FixCaromKeep : public Fix {
   ~FixCaromKeep() override;
   int setmask() override;
   void pre_exchange() override;
+  void post_run() override;
   void min_pre_exchange() override;
-  void post_run() override { pre_exchange(); }
   void write_restart(FILE *fp) override;
   void restart(char *buffer) override;
 

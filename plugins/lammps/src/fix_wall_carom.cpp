@@ -47,7 +47,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
                             "': only plane and velocity (with all their values), young, shear, poisson, "
-                            "rigid, friction, damping, law, tolerance and torsion");
+                            "rigid, yield, friction, damping, law, tolerance and torsion");
     k += words;
   }
   material.check(lmp, who());
@@ -107,6 +107,7 @@ void FixWallCarom::init()
   known.assign(atom->ntypes + 1, 0);
   pair = pairs.front();
   twists = law_with(pair->law()).torsion;
+  limits.start();
   for (const PairCarom *style : pairs) {
     account = account || style->keeps_account();
     for (int type = 1; type <= atom->ntypes; type++) {
@@ -137,7 +138,7 @@ carom_grain_load FixWallCarom::step(int i, double duration)
   const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
   const carom::Constants &its = constants[atom->type[i]];
   const bool is_new = slots[i][0] == 0.0;
-  if (is_new && update->whichflag == 1) pair->pace.begins(its.grains, grain, atom->rmass[i], wall, update->dt);
+  if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, atom->rmass[i], wall, update->dt);
   const carom::Touch touch = touch_of(i);
   carom_grain_load load;
   carom_error why;
@@ -165,6 +166,7 @@ void FixWallCarom::post_force(int)
   const double duration = update->setupflag ? 0.0 : update->dt;
   for (int axis = 0; axis < 3; axis++) wall.place[axis] += duration * wall.velocity[axis];
   const double *n = wall.normal, *p = wall.place;
+  const bool looks = duration > 0.0 && carom::Limits::looks(update->ntimestep);
   double sum[3] = {0.0, 0.0, 0.0};
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
@@ -180,6 +182,7 @@ void FixWallCarom::post_force(int)
       error->one(FLERR, who() + ": pair_coeff of pair carom sets no material for grains of type " +
                             std::to_string(atom->type[i]));
     slot_of(i);
+    if (looks) limits.look(constants[atom->type[i]].grains, atom->radius[i], atom->radius[i] - height);
     const carom_grain_load load = step(i, duration);
     for (int axis = 0; axis < 3; axis++) {
       atom->f[i][axis] += load.force[axis];

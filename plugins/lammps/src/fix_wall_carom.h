@@ -5,6 +5,7 @@
 #include "fix.h"
 
 #include "carom.h"
+#include "limits.h"
 #include "material.h"
 #include "touches.h"
 
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace LAMMPS_NS {
+
+class PairCarom;
 
 class FixWallCarom : public Fix {
   using Touches = carom::Touches;
@@ -47,6 +50,11 @@ class FixWallCarom : public Fix {
   };
   const Sums &sums() const { return sums_; }
 
+  std::string who() const { return std::string("fix ") + id + " wall/carom"; }
+  // Whether the wall takes its defaults from this pair style.
+  bool is_of(const PairCarom *its) const { return pair == its; }
+  carom::Limits limits;    // of this run
+
  private:
   carom::Material material;
   carom::Law law;                       // those of its values that were given
@@ -61,11 +69,10 @@ class FixWallCarom : public Fix {
   Touches touches;
   std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
 
-  class PairCarom *pair = nullptr;    // the first of the pair styles
+  const PairCarom *pair = nullptr;    // the first of the pair styles
 
   // The values of a pair style, but for those that were given to the wall.
   carom::Law law_with(carom::Law its) const;
-  std::string who() const { return std::string("fix ") + id + " wall/carom"; }
   [[noreturn]] void damaged(const std::string &what) const;
   carom::Touch touch_of(int i);
   carom_grain_load step(int i, double duration);

@@ -49,6 +49,9 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   } else if (word == "poisson") {
     poisson = number(lmp, who, narg, arg);
     has_poisson = true;
+  } else if (word == "yield") {
+    yield = number(lmp, who, narg, arg);
+    if (!(yield > 0.0 && yield < INFINITY)) out_of_range(lmp, who, "yield", yield, "finite and > 0");
   } else if (word == "friction") {
     friction = number(lmp, who, narg, arg);
     if (!(friction >= 0.0 && friction < INFINITY))
@@ -78,14 +81,16 @@ bool Material::come_from_file()
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
   const bool none = !is_set && !has_body;
   const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
+  const bool strength = yield >= 0.0 && yield < INFINITY;
   return is_flag(is_set) && is_flag(has_body) &&
-      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY));
+      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength));
 }
 
 void Material::check(LAMMPS *lmp, const std::string &who) const
 {
   if (has_poisson != (has_young || has_shear))
     lmp->error->all(FLERR, who + (has_poisson ? ": poisson requires young or shear" : ": poisson is missing"));
+  if (yield > 0.0 && !has_poisson) lmp->error->all(FLERR, who + ": yield requires young or shear");
   if (!has_poisson) return;
   if (!(poisson > -1.0 && poisson <= 0.5)) out_of_range(lmp, who, "poisson", poisson, "in (-1, 0.5]");
   if (!(young > 0.0 && young < INFINITY)) out_of_range(lmp, who, "young", young, "finite and > 0");
@@ -140,14 +145,14 @@ Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material
 
 void tell_of_coupling(LAMMPS *lmp, const std::string &who, const Constants &constants)
 {
-  const double bound = constants.grains.unit.coupling_bound;
-  if (constants.rings || !(bound > 0.0) || lmp->comm->me != 0) return;
-  char text[160];
-  snprintf(text, sizeof text,
-           ": dissimilar materials: their coupling, which the law neglects, changes R_x of an impact by up to %.2g: "
-           "law rings has it\n",
-           bound);
-  utils::logmesg(lmp, who + text);
+  carom_validity validity;
+  char text[200];
+  if (lmp->comm->me != 0 ||
+      carom_grains_validity(&constants.grains, 1.0, 1.0, 0.0, &validity, nullptr) != CAROM_STATUS_OK ||
+      carom_validity_text(&validity, CAROM_WARNING_COUPLING, text, sizeof text, nullptr) != CAROM_STATUS_OK ||
+      text[0] == '\0')
+    return;
+  utils::logmesg(lmp, who + ": " + text + "; law rings has it\n");
 }
 
 }    // namespace carom

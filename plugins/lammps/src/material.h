@@ -15,13 +15,14 @@ namespace carom {
 
 // young E poisson NU
 // shear G poisson NU
-// rigid, friction F, damping A; plain data, written to restart files unchanged.
+// rigid, yield Y, friction F, damping A; plain data, written to restart files unchanged.
 struct Material {
   int is_set = 0;      // whether any keyword was given
   int has_body = 0;    // whether there are moduli, or rigid
   double young = 0.0, poisson = 0.0;
   double friction = -1.0;    // not given
   double damping = 0.0;
+  double yield = 0.0;        // not known
 
   // Reads a keyword and its value; returns the number of words read, 0 for an unknown keyword.
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
@@ -30,7 +31,7 @@ struct Material {
   bool come_from_file();
   // Raises an error for values that are missing or out of range.
   void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
-  carom_material body() const { return {young, poisson, 0}; }
+  carom_material body() const { return {young, poisson, yield}; }
 
  private:
   double shear = 0.0;

@@ -1,6 +1,7 @@
 #include "pair_carom.h"
 
 #include "fix_carom_keep.h"
+#include "fix_wall_carom.h"
 #include "host.h"
 
 #include "atom.h"
@@ -123,7 +124,7 @@ void PairCarom::coeff(int narg, char **arg)
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
-                            "': only young, shear, poisson, rigid, friction and damping");
+                            "': only young, shear, poisson, rigid, yield, friction and damping");
     k += words;
   }
   material.check(lmp, who);
@@ -145,7 +146,7 @@ void PairCarom::init_style()
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "pair carom requires atom_style sphere");
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
-  pace.start();
+  limits.start();
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
     const auto make = [this](const std::string &id, const std::string &style) {
@@ -307,8 +308,9 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     all.set(met.one, one);
     all.set(met.two, two);
     if (is_new[k] && update->whichflag == 1)
-      pace.begins(*met.grains, met.one, atom->rmass[one], met.two, atom->rmass[two], update->dt);
+      limits.begins(*met.grains, met.one, atom->rmass[one], met.two, atom->rmass[two], update->dt);
   }
+  if (moves && limits.looks(update->ntimestep)) limits.look(encounters, count);
   if (!moves || account || law_.by_rings()) {
     for (int k = 0; k < count; k++) step_alone(close[k], encounters[k], dt, moves || is_new[k]);
   } else if (carom_touch_many(encounters, count, dt, nullptr, &why) != CAROM_STATUS_OK) {
@@ -383,6 +385,16 @@ void PairCarom::end(const Close &pair)
   touches.drop(pair.slot);
   memset(pair.slot, 0, numbers() * sizeof(double));
   *pair.flag = 0;
+}
+
+void PairCarom::tell_of_limits(bool is_end)
+{
+  std::vector<carom::Limits::Of> styles = {{"pair carom", &limits}};
+  for (Fix *fix : modify->get_fix_by_style("^wall/carom$")) {
+    auto *wall = static_cast<FixWallCarom *>(fix);
+    if (wall->is_of(this)) styles.push_back({wall->who(), &wall->limits});
+  }
+  carom::Limits::tell(lmp, styles, is_end);
 }
 
 void PairCarom::pack_all()
@@ -498,9 +510,16 @@ void PairCarom::read_restart_settings(FILE *fp)
     error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is not valid");
 }
 
+// Of the contacts, by the library, and of what this style writes beside them.
+static uint32_t file_version()
+{
+  constexpr uint32_t OF_STYLE = 2;
+  return 1000 * OF_STYLE + carom_state_version();
+}
+
 void PairCarom::write_restart(FILE *fp)
 {
-  const uint32_t version = carom_state_version();
+  const uint32_t version = file_version();
   fwrite(&version, sizeof version, 1, fp);
   write_restart_settings(fp);
   for (int i = 1; i <= atom->ntypes; i++)
@@ -516,7 +535,7 @@ void PairCarom::read_restart(FILE *fp)
   uint32_t version = 0;
   if (comm->me == 0) utils::sfread(FLERR, &version, sizeof version, 1, fp, nullptr, error);
   MPI_Bcast(&version, sizeof version, MPI_BYTE, 0, world);
-  if (version != carom_state_version())
+  if (version != file_version())
     error->all(FLERR, "pair carom: the restart file was written by another version of carom (" +
                           std::to_string(version) + ")");
   read_restart_settings(fp);

@@ -5,8 +5,8 @@
 #include "pair.h"
 
 #include "carom.h"
+#include "limits.h"
 #include "material.h"
-#include "pace.h"
 #include "touches.h"
 
 #include <string>
@@ -49,7 +49,8 @@ class PairCarom : public Pair {
 
   FixCaromKeep *keep = nullptr;    // null once the host has deleted it
   carom_heats heats = {0.0, 0.0};  // of this rank, since the beginning
-  carom::Pace pace;                // of this run, walls included
+  // Logs what the contacts of this style and of its walls exceed.
+  void tell_of_limits(bool is_end);
 
  private:
   carom::Law law_;
@@ -62,6 +63,7 @@ class PairCarom : public Pair {
   class FixCaromRestore *restore = nullptr;
   std::string keep_id, history_id, restore_id;
   Touches touches;
+  carom::Limits limits;    // of this run
   carom_error why;
 
   // Number of values of a contact in the host's slots.

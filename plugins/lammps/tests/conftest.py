@@ -57,6 +57,8 @@ def thermo(printed):
         if line.split()[:1] == ["Step"]:
             rows = []
             for row in lines[at + 1 :]:
+                if row.startswith("WARNING: "):
+                    continue
                 try:
                     rows.append([float(word) for word in row.split()])
                 except ValueError:

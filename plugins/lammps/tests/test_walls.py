@@ -81,7 +81,7 @@ def test_a_time_step_that_is_too_long_is_told_once(tmp_path):
 
     assert TOO_LONG not in log(21)
     assert log(19).count(TOO_LONG) == 1
-    assert "lasts 19 steps" in log(19, ranks=2)
+    assert "the shortest lasts 19" in log(19, ranks=2)
     # In a second run nothing begins.
     assert log(10, more="run 100\n").count(TOO_LONG) == 1
 

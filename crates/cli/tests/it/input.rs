@@ -1,6 +1,6 @@
 //! Input of the command: units, misspelt cases, files that are not cases, and results that are not finite.
 
-use crate::common::{carom, case, example, folder, json, stdout};
+use crate::common::{carom, case, example, folder, json, stdout, without_progress};
 use std::process::Output;
 
 fn changed(name: &str, changes: &[(&str, &str)]) -> String {
@@ -232,7 +232,7 @@ fn what_is_no_text_of_an_allowed_size_ends_with_code_2() {
 #[test]
 fn a_sweep_warns_once_of_each_kind() {
     let output = carom(&["impact", &example("alumina_on_plane.toml")]);
-    let stderr = text(&output.stderr);
+    let stderr = without_progress(&text(&output.stderr));
     assert_eq!(stderr.matches("elastic waves").count(), 1, "{stderr}");
     assert!(
         stderr.contains(
@@ -240,9 +240,7 @@ fn a_sweep_warns_once_of_each_kind() {
         ),
         "{stderr}"
     );
-    // A slow machine also tells how far it is.
-    let told = stderr.lines().filter(|line| !line.starts_with("progress: "));
-    assert_eq!(told.count(), 1, "{stderr}");
+    assert_eq!(stderr.lines().count(), 1, "{stderr}");
     let scene = carom(&["scene", &example("scene_superball.toml")]);
     let lines = text(&scene.stderr);
     assert_eq!(lines.matches("large contact").count(), 1, "{lines}");
@@ -301,11 +299,8 @@ fn a_slip_of_units_is_said_first_and_plainly() {
         let few = changed(name, &[(old, new)]).replace("samples = 10000", "samples = 20");
         case(&format!("slip-{name}"), &few)
     };
-    // On a slow machine a line of progress comes before.
     let first = |output: &[u8]| {
-        let all = text(output);
-        let mut lines = all.lines().filter(|line| !line.starts_with("progress: "));
-        lines.next().unwrap_or_default().to_owned()
+        without_progress(&text(output)).lines().next().unwrap_or_default().to_owned()
     };
     for (command, file) in [
         ("impact", slip("alumina_on_plane.toml", "380e9", "380")),

@@ -84,3 +84,27 @@ material = { young_modulus = 2e11, poisson = 0.3 }
     let stress = told("stress", &format!("{contact}{load}{points}"));
     assert!(stress.starts_with(&large("0.881")), "{stress}");
 }
+
+/// Of unlike materials under friction, and told once for all steps, since it is the same in each.
+#[test]
+fn a_history_tells_of_the_coupling_that_it_leaves_out() {
+    let told = |poisson: &str, friction: &str| {
+        let text = format!(
+            "[body_1]\nradii = 0.01\nmaterial = {{ young_modulus = 2e11, poisson = 0.3 }}\n\
+             [body_2]\nradii = inf\nmaterial = {{ young_modulus = 2e11, poisson = {poisson} }}\n\
+             [contact]\nfriction = {friction}\n[history]\nsteps = [[1e-7, 0, 0], [2e-7, 1e-8, 0]]\n"
+        );
+        let name = format!("coupled-{poisson}-{friction}.toml");
+        String::from_utf8(carom(&["history", &case(&name, &text)]).stderr).unwrap()
+    };
+    // (15.2): half of ((1 - 2 nu)/G against (1 - 2 nu)/G) over the sum of (1 - nu)/G, G = E/(2 (1 + nu)).
+    let gamma: f64 = 0.5 * (1.0 - 0.4 * 1.3) / (1.0 + 0.7 * 1.3);
+    let over = (gamma / 0.2).powi(2);
+    let bound = over / (4.0 + over) + gamma * gamma;
+    let expected = format!(
+        "warning: dissimilar materials: the coupling of normal and tangential displacements is neglected: R_x \
+         of an impact changes by up to {bound:.3}\n"
+    );
+    assert_eq!(told("0", "0.2"), expected);
+    assert_eq!([told("0.3", "0.2"), told("0", "0")], ["", ""]);
+}

@@ -140,3 +140,9 @@ pub(crate) fn examples(kind: CaseKind) -> Vec<(String, String)> {
     found.sort();
     found
 }
+
+/// What was told without lines of progress, which come on a slow machine.
+pub(crate) fn without_progress(told: &str) -> String {
+    let is_progress = |line: &&str| line.starts_with("progress: ");
+    told.split_inclusive('\n').filter(|line| !is_progress(line)).collect()
+}
