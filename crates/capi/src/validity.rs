@@ -106,8 +106,8 @@ impl CaromPair {
     /// How far the contact at this approach is from the limits of the theory.
     fn validity(&self, zeta: f64, radius: f64) -> Validity {
         let squares = [self.a_squared, self.b_squared];
-        let contact = at_approach(squares, self.c_z, zeta, self.yield_stress, radius);
-        Validity { coupling: self.left_out(), ..contact }
+        let contact = Squares::new(squares, self.c_z, zeta, self.yield_stress, radius);
+        contact.validity(self.left_out())
     }
 
     /// The bound of the effect of coupling, if the law leaves it out.
@@ -126,24 +126,67 @@ impl CaromPair {
     }
 }
 
-/// A contact with a^2 and b^2 over its approach.
-#[inline]
-fn at_approach([a, b]: [f64; 2], c_z: f64, zeta: f64, yield_stress: f64, radius: f64) -> Validity {
-    let wide = (a.max(b) * zeta).sqrt();
-    // (5.11) with F_z = (2/3) c_z zeta^1.5, without a contact of area 0.
-    let pressure = c_z * zeta.sqrt() / (PI * (a * b).sqrt());
-    Validity::of_contact([wide, zeta, pressure], yield_stress, radius)
+/// A contact by squares of its ratios, without roots.
+#[derive(Debug, Clone, Copy, Default)]
+struct Squares {
+    /// Of a/R.
+    contact: f64,
+    /// zeta/R, no square.
+    approach: f64,
+    /// Of the pressure over that of yield.
+    pressure: f64,
+}
+
+impl Squares {
+    /// A contact with a^2 and b^2 over its approach.
+    #[inline]
+    fn new([a, b]: [f64; 2], c_z: f64, zeta: f64, yield_stress: f64, radius: f64) -> Self {
+        // (5.11) with F_z = (2/3) c_z zeta^1.5, without a contact of area 0.
+        let pressure = c_z / (PI * Validity::YIELDS_AT * yield_stress);
+        let approach = zeta / radius;
+        Self {
+            contact: a.max(b) * approach / radius,
+            approach,
+            pressure: pressure * pressure * zeta / (a * b),
+        }
+    }
+
+    #[inline]
+    fn and(self, other: Self) -> Self {
+        Self {
+            contact: self.contact.max(other.contact),
+            approach: self.approach.max(other.approach),
+            pressure: self.pressure.max(other.pressure),
+        }
+    }
+
+    fn validity(self, coupling: f64) -> Validity {
+        Validity {
+            semi_axis_over_radius: self.contact.sqrt(),
+            approach_over_radius: self.approach,
+            pressure_over_yield: self.pressure.sqrt(),
+            coupling,
+            ..Validity::default()
+        }
+    }
 }
 
 impl CaromGrains {
     /// How far a contact of these radii at this approach is from the limits of the theory.
     #[inline]
     fn validity(&self, [one, two]: [f64; 2], zeta: f64) -> Result<Validity, Failure> {
-        let (unit, relative) = (&self.unit, relative_radius(one, two)?);
+        let contact = self.squares(relative_radius(one, two)?, one.min(two), zeta);
+        Ok(contact.validity(self.unit.left_out()))
+    }
+
+    /// A contact of this relative radius between bodies of which this is the smaller radius.
+    #[inline]
+    fn squares(&self, relative: f64, smaller: f64, zeta: f64) -> Squares {
+        let unit = &self.unit;
         let squares = [unit.a_squared, unit.b_squared].map(|square| relative * square);
-        let c_z = relative.sqrt() * unit.c_z;
-        let contact = at_approach(squares, c_z, zeta, unit.yield_stress, one.min(two));
-        Ok(Validity { coupling: unit.left_out(), ..contact })
+        // Per relative radius: c_z grows as its root.
+        let of_unit = Squares::new(squares, unit.c_z, zeta, unit.yield_stress, smaller);
+        Squares { pressure: relative * of_unit.pressure, ..of_unit }
     }
 
     /// The share of the energy of an impact that the waves in one of the grains carry away.
@@ -217,8 +260,8 @@ pub unsafe extern "C" fn carom_grains_validity(
 /// `carom_grains_impact_time`.
 ///
 /// The largest contact and the share of elastic waves are those without damping: they are 0 if the grains
-/// have a relaxation time, which stands for all losses. Waves need the density of the grains, by mass and
-/// radius; a wall counts as rigid for them.
+/// have a relaxation time, which stands for all losses. The density of the grains follows from mass and
+/// radius; waves in a wall are left out.
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.
@@ -271,28 +314,29 @@ pub unsafe extern "C" fn carom_encounters_validity(
         let place = write(validity, "validity")?;
         let size = size_of::<CaromEncounter>();
         let all = Strided::new(encounters.cast_mut(), size, count, "encounters")?;
-        let mut worst = Validity::default();
+        let (mut worst, mut coupling) = (Squares::default(), 0.0_f64);
         for i in 0..count {
             let CaromEncounter { grains, one, two, .. } = &*all.at(i);
             let grains = read(*grains, "grains").map_err(|failure| failure.at(i))?;
-            let zeta = overlap(one, two);
+            let reach = one.radius + two.radius;
+            let zeta = reach - distance(one, two);
             if zeta > 0.0 {
-                let contact = grains.validity([one.radius, two.radius], zeta);
-                worst = worst.and(contact.map_err(|failure| failure.at(i))?);
+                let relative = one.radius * two.radius / reach;
+                worst = worst.and(grains.squares(relative, one.radius.min(two.radius), zeta));
+                coupling = coupling.max(grains.unit.left_out());
             }
         }
-        *place = worst.into();
+        *place = worst.validity(coupling).into();
         Ok::<(), Failure>(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
 }
 
-/// By how much two grains overlap; negative if they are apart.
 #[inline]
-fn overlap(one: &Grain, two: &Grain) -> f64 {
-    let square: f64 = (0..3).map(|k| (one.place[k] - two.place[k]).powi(2)).sum();
-    one.radius + two.radius - square.sqrt()
+fn distance(one: &Grain, two: &Grain) -> f64 {
+    let [x, y, z] = [0, 1, 2].map(|k| one.place[k] - two.place[k]);
+    (x * x + y * y + z * z).sqrt()
 }
 
 /// A sentence for one CAROM_WARNING bit. Never null, and not to be freed.

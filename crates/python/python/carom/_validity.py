@@ -8,7 +8,8 @@ import warnings
 class CaromWarning(UserWarning):
     """What a result leaves out is noticeable, but the result holds: what the command tells as `warning:`.
 
-    For example, elastic waves carry away more than 1 % of the energy, or the spin about the normal is left alone.
+    For example, elastic waves would carry away more than 1 % of the energy, the spin about the normal is left alone, or
+    the coupling of dissimilar materials is neglected.
     """
 
 
