@@ -898,8 +898,8 @@ carom_status carom_grains_validity(const struct carom_grains *grains,
  * `carom_grains_impact_time`.
  *
  * The largest contact and the share of elastic waves are those without damping: they are 0 if the grains
- * have a relaxation time, which stands for all losses. Waves need the density of the grains, by mass and
- * radius; a wall counts as rigid for them. */
+ * have a relaxation time, which stands for all losses. The density of the grains follows from mass and
+ * radius; waves in a wall are left out. */
 carom_status carom_grains_impact_validity(const struct carom_grains *grains,
                                           double radius_1,
                                           double radius_2,
