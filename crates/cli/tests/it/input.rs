@@ -230,6 +230,18 @@ fn what_is_no_text_of_an_allowed_size_ends_with_code_2() {
 }
 
 #[test]
+fn bodies_that_part_are_told_first() {
+    let text = std::fs::read_to_string(example("steel_balls.toml")).unwrap();
+    let parting = text
+        .lines()
+        .map(|line| if line.starts_with("velocity") { "velocity = [0, 0, 0]" } else { line })
+        .collect::<Vec<_>>()
+        .join("\n");
+    let told = stdout(&["impact", &case("parting.toml", &parting)]);
+    assert!(told.starts_with("no impact: the bodies do not approach each other\n"), "{told}");
+}
+
+#[test]
 fn a_sweep_warns_once_of_each_kind() {
     let output = carom(&["impact", &example("alumina_on_plane.toml")]);
     let stderr = without_progress(&text(&output.stderr));

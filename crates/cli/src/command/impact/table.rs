@@ -24,7 +24,7 @@ pub(super) const OF_SWEEP: [&str; 8] = [
 pub(super) fn one(page: Page, record: &Record) -> Result<String, CliError> {
     let mut text = columns::upright(page, &record.contact()) + &motions(page, record)?;
     match record.rebound() {
-        None => text.push_str("no impact: the bodies do not approach each other\n"),
+        None => text.insert_str(0, "no impact: the bodies do not approach each other\n"),
         Some(rebound) => {
             text.push_str(&columns::upright(page, &record.quantities()));
             text.push_str(&events(page, record, rebound.duration)?);
