@@ -9,6 +9,7 @@ mod contact;
 mod contacts;
 mod error;
 mod hertz;
+mod influence;
 mod materials;
 mod plate;
 mod records;

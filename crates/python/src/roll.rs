@@ -8,10 +8,12 @@ use carom::special::RangeError;
 use carom_cases::roll::{COLUMNS, Rows, Run};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 use crate::arrays::{Numbers, same_length};
 use crate::cases::{Lines, lines};
 use crate::error::Fault;
+use crate::influence;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
 use crate::solver::surface;
@@ -40,6 +42,7 @@ pub(crate) fn roll<'py>(
     speed: f64,
     tolerance: f64,
     cut: bool,
+    influence: influence::Given<'_>,
 ) -> PyResult<(Bound<'py, PyDict>, Lines<'py>, Told, Vec<String>)> {
     RangeError::positive("speed", speed).map_err(Fault::from)?;
     let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
@@ -48,10 +51,17 @@ pub(crate) fn roll<'py>(
     let friction = surface(grid, friction.as_slice()?)?;
     let drives = drives(&given)?;
     let run = Run { grid, method: method(direction, spin_offset, step, tolerance)?, speed, cut };
+    let table = influence::operator(py, grid, &influence, &friction)?;
     let make = |grid: Grid| {
         let gap =
             gap.coarsened_to(grid).map_err(carom::halfspace::operator::OperatorError::from)?;
-        ContactProblem::of_half_spaces(gap, materials.0, friction.clone())
+        match &table {
+            Some(table) => {
+                let operator = Arc::new(table.coarsened_to(grid)?);
+                ContactProblem::new(gap, operator, friction.clone())
+            }
+            None => ContactProblem::of_half_spaces(gap, materials.0, friction.clone()),
+        }
     };
     let rolled = without_python(py, || match (distance, drives.first()) {
         (Some(distance), Some(drive)) => run.from_rest(&make(grid)?, drive, distance, &mut |_| ()),

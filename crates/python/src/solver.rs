@@ -20,6 +20,7 @@ use std::sync::Arc;
 use crate::arrays::{Numbers, map, same_length};
 use crate::cases::lines;
 use crate::error::Fault;
+use crate::influence;
 use crate::materials::MaterialPair;
 use crate::plate::Plate;
 use crate::records::arrays;
@@ -89,6 +90,7 @@ impl Solver {
         tolerance: f64,
         cut: bool,
         plate: Option<Plate>,
+        influence: influence::Given<'_>,
     ) -> PyResult<Self> {
         let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
         let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
@@ -100,10 +102,14 @@ impl Solver {
             let holds = greatest == 0.0;
             RangeError::check("friction", greatest, holds, "0 on a plate").map_err(Fault::from)?;
         }
+        let table = influence::operator(py, grid, &influence, &friction)?;
         let (problem, method) = without_python(py, || {
-            let problem = match plate {
-                Some(plate) => on_plate(gap, materials, friction, cut, plate)?,
-                None => ContactProblem::of_half_spaces(gap, materials.0, friction)
+            let problem = match (plate, table) {
+                (Some(plate), _) => on_plate(gap, materials, friction, cut, plate)?,
+                (None, Some(table)) => {
+                    ContactProblem::new(gap, Arc::new(table), friction).map_err(Fault::other)?
+                }
+                (None, None) => ContactProblem::of_half_spaces(gap, materials.0, friction)
                     .map_err(Fault::other)?,
             };
             let method = Chosen::new(&problem, tolerance, plate.is_some())?;

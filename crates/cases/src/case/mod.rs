@@ -37,7 +37,7 @@ pub use scene::SceneCase;
 pub use section::Numbers;
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
-    Border, FrictionCase, GapCase, GridCase, HeightFile, Leg, PlateCase, SolveCase, SolveMethod,
+    Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase, SolveMethod,
     Target,
 };
 pub use stress::StressCase;

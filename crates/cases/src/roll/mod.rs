@@ -55,7 +55,8 @@ pub fn rolled(
     let creep =
         (wanted.coefficients || wanted.springs).then(|| creep::of(&file.path, case)).transpose()?;
     let bodies =
-        Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?;
+        Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?
+            .with_influence(file, case.influence.as_ref(), case.grid)?;
     let path = &file.path;
     if case.distance.is_none() {
         observer(Progress::Begun(case.drives.len()));

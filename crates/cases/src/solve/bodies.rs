@@ -1,10 +1,12 @@
 //! The bodies of a case on any grid.
 
-use super::heights;
+use super::{heights, influence};
 use crate::Error;
-use crate::case::{Border, FrictionCase, GapCase, GridCase, PlateCase, SolveCase};
+use crate::case::{Border, FrictionCase, GapCase, GridCase, InfluenceFile, PlateCase, SolveCase};
 use crate::input::CaseFile;
-use carom_halfspace::operator::{OperatorError, PeriodicOperator, PlateOperator, Threads};
+use carom_halfspace::operator::{
+    Blocks, KernelOperator, OperatorError, PeriodicOperator, PlateOperator, Threads,
+};
 use carom_halfspace::{Field, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
@@ -20,6 +22,8 @@ pub struct Bodies {
     friction: SurfaceFriction,
     border: Border,
     plate: Option<PlateCase>,
+    /// Influence numbers of both bodies on the given grid.
+    table: Option<KernelOperator>,
     /// The content of the files that the case names.
     read: Vec<u8>,
 }
@@ -39,7 +43,26 @@ impl Bodies {
     pub fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, Error> {
         let bodies =
             Self::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?;
-        Ok(Self { plate: case.plate, ..bodies })
+        let bodies = Self { plate: case.plate, ..bodies };
+        bodies.with_influence(file, case.influence.as_ref(), case.grid)
+    }
+
+    /// Takes the influence numbers of a file instead of half-spaces, if the case names one.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the file is not valid, or its numbers are not those of elastic bodies.
+    pub(crate) fn with_influence(
+        mut self,
+        file: &CaseFile,
+        influence: Option<&InfluenceFile>,
+        grid: GridCase,
+    ) -> Result<Self, Error> {
+        let (Some(influence), Some(grid)) = (influence, grid.given()) else { return Ok(self) };
+        let blocks = if self.friction.is_none() { Blocks::Normal } else { Blocks::All };
+        let (table, read) = influence::operator(file, influence, grid, self.materials, blocks)?;
+        self.table = Some(table);
+        self.read.extend(read);
+        Ok(self)
     }
 
     /// Reads two half-spaces, their gap and friction.
@@ -86,7 +109,7 @@ impl Bodies {
                 Field::new(factors.grid(), cells.map_err(law)?).map_err(law)?.into()
             }
         };
-        Ok(Self { gap, materials, friction, border: grid.border(), plate: None, read })
+        Ok(Self { gap, materials, friction, border: grid.border(), plate: None, table: None, read })
     }
 
     /// The content of the files that the case names.
@@ -122,6 +145,10 @@ impl Bodies {
         if let Some(PlateCase { plate, theory }) = self.plate {
             let pair = self.materials;
             let operator = PlateOperator::new(pair, plate, gap.grid(), theory, Threads::One)?;
+            return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
+        }
+        if let Some(table) = &self.table {
+            let operator = table.coarsened_to(gap.grid())?;
             return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
         }
         if self.border == Border::Periodic {

@@ -4,6 +4,7 @@ mod bodies;
 mod classic;
 mod follow;
 mod heights;
+mod influence;
 mod npy;
 
 pub use bodies::Bodies;

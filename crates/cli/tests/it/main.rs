@@ -14,6 +14,7 @@ mod fields;
 mod heights;
 mod history_tractions;
 mod input;
+mod influence;
 mod inputs_are_kept;
 mod kept_folders;
 mod manner;

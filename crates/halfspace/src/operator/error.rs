@@ -75,4 +75,65 @@ pub enum OperatorError {
         /// Rows from receiver to source.
         rows: i32,
     },
+    /// A block of a table of coefficients has the wrong name, size or values.
+    #[error("block \"{name}\": {reason}")]
+    Block {
+        /// Its name.
+        name: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A table of offsets >= 0 has a coefficient that contradicts its own mirror image.
+    #[error(
+        "{of} is {value} at {columns} columns and {rows} rows: must be 0, since it is odd there in a table of \
+         offsets >= 0, which is for bodies symmetric about both axes"
+    )]
+    Odd {
+        /// The coefficient.
+        of: &'static str,
+        /// Its value.
+        value: f64,
+        /// Columns from receiver to source.
+        columns: i32,
+        /// Rows from receiver to source.
+        rows: i32,
+    },
+    /// A table of coefficients contradicts Betti's theorem.
+    #[error(
+        "{of} is {value:.6e} at {columns} columns and {rows} rows, and {by} is {converse:.6e} at the opposite offset: \
+         must be equal, since the displacement of one cell by another equals the converse (Betti)"
+    )]
+    NotReciprocal {
+        /// The coefficient: displacement, then traction.
+        of: &'static str,
+        /// Its value.
+        value: f64,
+        /// The coefficient with displacement and traction exchanged.
+        by: &'static str,
+        /// Its value at the opposite offset.
+        converse: f64,
+        /// Columns from receiver to source.
+        columns: i32,
+        /// Rows from receiver to source.
+        rows: i32,
+    },
+    /// A cell is not displaced along its own traction.
+    #[error("{of} of a cell under its own traction is {value}: must be > 0")]
+    Zero {
+        /// The displacement.
+        of: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Tractions exist that do negative work on the displacements that they cause.
+    #[error(
+        "the influence matrix of the {cells} cells is not positive definite: tractions do {work:.3e} of the work \
+         that they do on a half-space, must be > 0"
+    )]
+    Indefinite {
+        /// Work of such tractions over that on a half-space with the same displacements of a loaded cell.
+        work: f64,
+        /// Number of cells.
+        cells: usize,
+    },
 }

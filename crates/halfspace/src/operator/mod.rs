@@ -38,7 +38,7 @@ pub use plate::{Plate, PlateOperator, PlateSymbol};
 pub use preconditioner::Preconditioner;
 pub use rolled::RolledOperator;
 pub use table::{Blocks, CoefficientTable};
-pub use tabulated::{KernelOperator, TabulatedKernel};
+pub use tabulated::{InflcfUnits, KernelBlock, KernelOperator, TabulatedKernel};
 pub use threads::Threads;
 pub use toeplitz::HalfSpaceOperator;
 pub use torus::TorusInverse;

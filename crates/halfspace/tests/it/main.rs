@@ -9,3 +9,4 @@ mod periodic;
 mod plate;
 mod point_load;
 mod rectangle;
+mod tables;

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -54,6 +54,19 @@ def two(name: str, x: object) -> tuple[float, float]:
     if pair.shape != (2,):
         raise ValueError(f"{name}: must be two numbers, not {str(x):.60}")
     return float(pair[0]), float(pair[1])
+
+
+def blocks(influence: Mapping[str, ArrayLike] | None) -> list[tuple[str, int, Array]]:
+    """Name, columns and numbers of each block of influence numbers."""
+    chosen = []
+    for name, block in ({} if influence is None else influence).items():
+        array = numbers(f"influence[{name!r}]", block)
+        if array.ndim != 2:
+            raise ValueError(f"influence[{name!r}] has {array.ndim} dimensions: must be an array of rows")
+        chosen.append((str(name), array.shape[1], line(array)))
+    if influence is not None and not chosen:
+        raise ValueError("influence is empty: must have blocks of numbers, at least 'zz'")
+    return chosen
 
 
 def counted(name: str, x: object, each: int = 1) -> int:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import line, numbers, two
+from ._arrays import blocks, line, numbers, two
 from ._carom import MaterialPair
 from ._case_results import Rolled, gridded
 from ._records import RollStates
@@ -38,10 +39,11 @@ def roll(
     speed: float = 1.0,
     tolerance: float = 1e-9,
     cut: bool = False,
+    influence: Mapping[str, ArrayLike] | None = None,
 ) -> Rolled:
     """Rolls two bodies on each other: creep forces in the steady state, or step by step from rest.
 
-    `gap`, `size`, `materials`, `friction`, `tolerance` and `cut` are those of `Solver`. The contact moves over the bodies
+    `gap`, `size`, `materials`, `friction`, `tolerance`, `cut` and `influence` are those of `Solver`. The contact moves over the bodies
     in the `direction` from +x towards +y (degrees). Each motion is given by its creepage (motion of body 2 against body 1
     per distance rolled; spin in rad/m) or by its load on body 1: numbers, or arrays of one shape (n,) for n rows. What is
     not given is a creepage of 0. Friction cannot hold loads above its limit: `CaromError`.
@@ -87,6 +89,7 @@ def roll(
         float(speed),
         float(tolerance),
         bool(cut),
+        blocks(influence),
     )
     warn(exceeded)
     axes = [(np.arange(n) - 0.5 * (n - 1)) * d for n, d in zip((nx, ny), cell, strict=True)]

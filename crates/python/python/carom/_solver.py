@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carom, _show
-from ._arrays import counted, line, numbers, two
+from ._arrays import blocks, counted, line, numbers, two
 from ._carom import MaterialPair, Plate
 from ._records import SolverStep
 from ._types import Array
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from typing_extensions import Self
 
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
@@ -56,6 +58,12 @@ class Solver:
     sides. Friction is then 0, and the contact must not reach an edge. `warnings` says whether it is bent by more
     than half its thickness.
 
+    With `influence`, the bodies are no half-spaces: the displacement of one cell by a unit traction on another (m/Pa) is
+    `influence["zz"]` for the pressure, `influence["xz"]` for the displacement along x by the pressure, and so on; blocks
+    that are missing are zero. Each is an array of the shape of `gap`, for offsets (source minus receiver) of 0, 1, 2...
+    rows and columns, if both bodies are symmetric about both axes; or (2 ny - 1, 2 nx - 1), from 1 - ny and 1 - nx.
+    They must obey Betti's theorem, and tractions must do positive work. Materials then count for warnings only.
+
     A steel ball of 1 cm radius on steel, pressed with 10 N and loaded tangentially:
 
     >>> import carom
@@ -82,6 +90,7 @@ class Solver:
         tolerance: float = 1e-9,
         cut: bool = False,
         plate: Plate | None = None,
+        influence: Mapping[str, ArrayLike] | None = None,
     ) -> None:
         heights = numbers("gap", gap).copy()
         if heights.ndim != 2:
@@ -93,10 +102,14 @@ class Solver:
         self._gap, self._size, self._materials = heights, two("size", size), materials
         self._friction, self._tolerance, self._cut = fine, float(tolerance), bool(cut)
         self._plate = plate
+        if plate is not None and influence is not None:
+            raise ValueError("plate and influence are both given: give one of them")
+        table = blocks(influence)
+        self._influence = None if influence is None else {name: np.array(influence[name], float) for name in influence}
         self._given: list[tuple[bool, float]] = [(False, 0.0)] * 4
         cell = [self._size[0] / max(nx, 1), self._size[1] / max(ny, 1)]
         self._native = _carom.Solver(
-            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance, self._cut, plate
+            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance, self._cut, plate, table
         )
 
     def step(
@@ -135,6 +148,11 @@ class Solver:
     def plate(self) -> Plate | None:
         """The plate that body 2 is; None for a half-space."""
         return self._plate
+
+    @property
+    def influence(self) -> Mapping[str, Array] | None:
+        """The influence numbers (m/Pa) of the bodies; None for half-spaces and a plate."""
+        return self._influence
 
     @property
     def warnings(self) -> list[str]:
@@ -196,6 +214,8 @@ class Solver:
         A sum over all cells, exact for tractions that are constant on each cell. A plate has no such stresses:
         they are those of a half-space.
         """
+        if self._influence is not None:
+            raise ValueError("stress: is that of half-spaces, and unknown beside influence numbers")
         if self._plate is not None and body == 2:
             raise ValueError("body = 2: must be 1 beside a plate; stresses are those of a half-space")
         arrays = np.broadcast_arrays(*(numbers(n, a) for n, a in zip("xyz", (x, y, z), strict=True)))
@@ -213,6 +233,7 @@ class Solver:
             ("friction", _show.number(self._friction.item()) if self._friction.ndim == 0 else "of each cell", "", ""),
         ]
         own += [] if self._plate is None else [("plate", repr(self._plate), "", "body 2")]
+        own += [] if self._influence is None else [("influence", ", ".join(self._influence), "", "blocks of numbers")]
         step = self.summary()
         return own + (step._rows() if step.step else [("step", "0", "", "no step yet")])
 
@@ -236,6 +257,7 @@ class Solver:
             tolerance=state["_tolerance"],
             cut=state["_cut"],
             plate=state["_plate"],
+            influence=state["_influence"],
         )
         self._given = state["_given"]
         self._native.restore(*native)

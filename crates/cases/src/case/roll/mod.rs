@@ -10,7 +10,8 @@ use super::field::{Field, Form};
 use super::kind::CaseKind;
 use super::material::{self, MATERIAL};
 use super::section::{Section, parse, survey};
-use super::solve::{FrictionCase, GAP, GapCase, GridCase, TOLERANCE};
+use super::solve::influence::{self, INFLUENCE};
+use super::solve::{FrictionCase, GAP, GapCase, GridCase, InfluenceFile, TOLERANCE};
 use carom_halfspace::MaterialPair;
 use carom_rolling::{RollingDrive, SteadyMethod};
 use carom_solver::Shape;
@@ -23,8 +24,11 @@ const BODY_2: Field = Field::new("body_2", Form::Table(&[MATERIAL]), "the other 
 /// The gap of `carom solve`, which an elliptical contact need not give.
 const ANY_GAP: Field = GAP.or("`contact.semi_axes` or `contact.radii`");
 
+const BODIES: Field = Field::new("bodies", Form::Table(&[INFLUENCE]), "what the bodies are")
+    .may("both are half-spaces");
+
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, ANY_GAP, CONTACT, ROLLING, GRID];
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, ANY_GAP, CONTACT, ROLLING, GRID];
 
 /// A rolling contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +39,8 @@ pub struct RollCase {
     pub ellipse: Option<Elliptical>,
     /// The gap between the bodies.
     pub gap: GapCase,
+    /// The file of influence numbers; none for half-spaces.
+    pub influence: Option<InfluenceFile>,
     /// The grid.
     pub grid: GridCase,
     /// Coefficients of friction, equal at rest and in motion.
@@ -74,6 +80,11 @@ impl RollCase {
             }
             None => GapCase::read(&case, grid.given())?,
         };
+        let influence = influence::read(&case, &BODIES, grid)?;
+        if influence.is_some() && ellipse.is_some() {
+            let reason = "influence numbers belong to the cells of a grid; give `gap` and `grid`";
+            return Err(case.conflict([&BODIES, &INFLUENCE], &CONTACT, reason));
+        }
         let friction = FrictionCase::read_one(&contact, &FRICTION, grid)?;
         let tolerance = contact.maybe(&TOLERANCE)?;
         let rolling = case.section(&ROLLING)?;
@@ -85,6 +96,17 @@ impl RollCase {
         let distance = rolling::distance(&rolling, &drives, ellipse.as_ref(), grid)?;
         let speed = rolling::speed(&rolling)?;
         let method = rolling::method(&rolling, tolerance)?;
-        Ok(Self { materials, ellipse, gap, grid, friction, speed, method, drives, distance })
+        Ok(Self {
+            materials,
+            ellipse,
+            gap,
+            influence,
+            grid,
+            friction,
+            speed,
+            method,
+            drives,
+            distance,
+        })
     }
 }

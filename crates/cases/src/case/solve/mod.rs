@@ -3,6 +3,7 @@
 mod friction;
 mod gap;
 mod grid;
+pub(super) mod influence;
 mod legs;
 mod method;
 mod plate;
@@ -10,6 +11,7 @@ mod plate;
 pub use friction::FrictionCase;
 pub use gap::{GapCase, HeightFile};
 pub use grid::{Border, GridCase};
+pub use influence::InfluenceFile;
 pub use legs::{Leg, Target};
 pub use method::SolveMethod;
 pub use plate::PlateCase;
@@ -60,6 +62,8 @@ pub struct SolveCase {
     pub materials: MaterialPair,
     /// The plate that body 2 is; none for a half-space.
     pub plate: Option<PlateCase>,
+    /// The file of influence numbers; none for half-spaces and a plate.
+    pub influence: Option<InfluenceFile>,
     /// The gap between them.
     pub gap: GapCase,
     /// The grid.
@@ -108,11 +112,27 @@ impl SolveCase {
             (FrictionCase::read(&contact, grid)?, contact.maybe(&TOLERANCE)?);
         let method = method::read(&contact)?;
         let plate = plate::read(&case, materials, grid)?;
+        let influence = influence::read(&case, &BODIES, grid)?;
+        if plate.is_some() && influence.is_some() {
+            let reason = "influence numbers are those of both bodies together";
+            let place = [&BODIES, &influence::INFLUENCE];
+            return Err(case.conflict(place, [&BODIES, &plate::PLATE], reason));
+        }
         if plate.is_some() {
             check_contact(&case, &contact, friction.rest, method)?;
         }
         let legs = legs::read(&case)?;
-        Ok(Self { materials, plate, gap, grid, friction, tolerance, method, legs })
+        Ok(Self {
+            materials,
+            plate,
+            influence,
+            gap,
+            grid,
+            friction,
+            tolerance,
+            method,
+            legs,
+        })
     }
 }
 

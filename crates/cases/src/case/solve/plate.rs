@@ -1,5 +1,6 @@
 //! The plate that body 2 may be: `bodies.plate`.
 
+use super::influence::INFLUENCE;
 use super::{Border, CUT, GRID, GridCase, PERIODIC, SIZE};
 use crate::case::error::CaseError;
 use crate::case::field::{Default, Field, Form};
@@ -37,7 +38,8 @@ pub(super) const PLATE: Field = Field::new(
 .such_as("{ a = 0.3, b = 0.3, thickness = 4e-3 }");
 /// The field `bodies` of a case.
 pub(super) const BODIES: Field =
-    Field::new("bodies", Form::Table(&[PLATE]), "what the bodies are").may("both are half-spaces");
+    Field::new("bodies", Form::Table(&[PLATE, INFLUENCE]), "what the bodies are")
+        .may("both are half-spaces");
 
 /// A plate and its theory.
 #[derive(Debug, Clone, Copy, PartialEq)]

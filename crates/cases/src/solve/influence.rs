@@ -1,0 +1,81 @@
+//! Influence numbers from a file: CSV, NPZ, or the format of the program CONTACT.
+
+use super::npy;
+use crate::Error;
+use crate::case::InfluenceFile;
+use crate::input::CaseFile;
+use carom_halfspace::operator::{
+    Blocks, InflcfUnits, KernelBlock, KernelOperator, OperatorError, TabulatedKernel, Threads,
+};
+use carom_halfspace::{Grid, MaterialPair};
+use std::io::{Cursor, Read as _};
+use zip::ZipArchive;
+
+/// Metres in the unit of length of a file of CONTACT.
+const MILLIMETRE: f64 = 1e-3;
+
+/// The operator of the numbers in the file that the case names, and the content of the file. The numbers must obey
+/// Betti's theorem, and tractions of the kind `blocks` do positive work.
+///
+/// # Errors
+/// [`Error::Input`].
+pub(super) fn operator(
+    case: &CaseFile,
+    influence: &InfluenceFile,
+    grid: Grid,
+    materials: MaterialPair,
+    blocks: Blocks,
+) -> Result<(KernelOperator, Vec<u8>), Error> {
+    let file = &influence.file;
+    let refused = |reason: String| Error::Input { path: case.beside(file), reason };
+    let told = |error: OperatorError| refused(error.to_string());
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let (kernel, read) = match ending.to_ascii_lowercase().as_str() {
+        "csv" => {
+            let text = case.table(file)?;
+            let kernel = TabulatedKernel::from_csv(grid, &text).map_err(told)?;
+            (kernel.scaled(influence.scale).map_err(told)?, text.into_bytes())
+        }
+        "npz" => {
+            let bytes = case.bytes(file)?;
+            let blocks = arrays(&bytes, grid).map_err(refused)?;
+            let kernel = TabulatedKernel::from_blocks(grid, &blocks).map_err(told)?;
+            (kernel.scaled(influence.scale).map_err(told)?, bytes)
+        }
+        _ => {
+            let text = case.table(file)?;
+            let units = InflcfUnits::new(MILLIMETRE, materials.shear_modulus());
+            let units = units.map_err(|error| refused(error.to_string()))?;
+            let kernel = TabulatedKernel::from_inflcf(grid, &text, units).map_err(told)?;
+            (kernel, text.into_bytes())
+        }
+    };
+    let kernel = kernel.reciprocal().map_err(told)?;
+    let operator = KernelOperator::new(kernel, Threads::One).map_err(told)?;
+    operator.check_definite(blocks).map_err(told)?;
+    Ok((operator, read))
+}
+
+/// The arrays of an NPZ, as `numpy.savez` writes it.
+fn arrays(bytes: &[u8], grid: Grid) -> Result<Vec<KernelBlock>, String> {
+    let broken = |error: &dyn std::fmt::Display| {
+        format!("this is not an .npz file of `numpy.savez`, or it is damaged or compressed: {error}")
+    };
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
+    let most = [2 * grid.nx() - 1, 2 * grid.ny() - 1];
+    let mut blocks = Vec::new();
+    for i in 0..archive.len() {
+        let mut file = archive.by_index(i).map_err(|error| broken(&error))?;
+        let name = file.name().map_err(|error| broken(&error))?;
+        let name = name.strip_suffix(".npy").unwrap_or(&name).to_owned();
+        let mut data = Vec::new();
+        file.read_to_end(&mut data).map_err(|error| broken(&error))?;
+        let check = |[columns, rows]: [usize; 2]| match columns > most[0] || rows > most[1] {
+            true => Err(format!("{columns} columns and {rows} rows: more than the grid has")),
+            false => Ok(()),
+        };
+        let rows = npy::rows(&data, check).map_err(|said| format!("array \"{name}\": {said}"))?;
+        blocks.push(KernelBlock::new(&name, &rows).map_err(|error| error.to_string())?);
+    }
+    Ok(blocks)
+}
