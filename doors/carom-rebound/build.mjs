@@ -29,7 +29,7 @@ const inlined = (name, source) => {
 const page = (table) => {
   const module = SOURCES.map(name => inlined(name, name === 'table-data' ? table : text(`src/${name}.js`)));
   const script = `'use strict';\nconst modules = {};\n${module.join('\n')}\n${text('page/draw.js')}\n${text('page/page.js')}`;
-  const fill = { style: text('page/play.css') + text('page/page.css'), script };
+  const fill = { style: text('page/theme.css') + text('page/play.css') + text('page/page.css'), script };
   return text('page/page.html').replaceAll(/@(style|script)@/g, (_, name) => fill[name]);
 };
 

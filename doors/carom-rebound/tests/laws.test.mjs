@@ -86,7 +86,7 @@ test('the normal velocity is reversed by the factor e, and the impulse keeps the
 test('R_x is the ratio of slips of the contact', () => {
   const slipOf = (impact, velocities, spins) => {
     const normal = unit(impact.normal);
-    const at = i => (velocities[i]
+    const at = i => (bodiesOf(impact)[i]
       ? add(velocities[i], cross(spins[i], times(centre(impact, i), -1))) : [0, 0, 0]);
     const relative = add(at(1), at(0), -1);
     return add(relative, normal, -dot(relative, normal));
