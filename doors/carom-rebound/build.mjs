@@ -1,5 +1,5 @@
-// Writes src/table-data.js, from the table that the library stores, and index.html, from the module and page/.
-// `node build.mjs --check` compares only. Needs the sources of carom around this folder.
+// Writes src/table-data.js, from the table that the library stores, index.html, from the module and page/, and the drawing
+// of the book. `node build.mjs --check` compares only. Needs the sources of carom around this folder.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -33,14 +33,19 @@ const page = (table) => {
   return text('page/page.html').replaceAll(/@(style|script)@/g, (_, name) => fill[name]);
 };
 
+const isCheck = process.argv.includes('--check');
+const finish = files => {
+  const stale = Object.entries(files).filter(([path, wanted]) => {
+    try { return text(path) !== wanted; } catch { return true; }
+  });
+  for (const [path, wanted] of stale) {
+    if (isCheck) console.error(`${path} is not current: node build.mjs`);
+    else writeFileSync(place(path), wanted);
+  }
+  if (isCheck && stale.length) process.exitCode = 1;
+};
+
 const table = data();
-const files = { 'src/table-data.js': table, 'index.html': page(table) };
-const stale = Object.entries(files).filter(([path, wanted]) => {
-  try { return text(path) !== wanted; } catch { return true; }
-});
-if (process.argv.includes('--check')) {
-  for (const [path] of stale) console.error(`${path} is not current: node build.mjs`);
-  process.exitCode = stale.length ? 1 : 0;
-} else {
-  for (const [path, wanted] of stale) writeFileSync(place(path), wanted);
-}
+finish({ 'src/table-data.js': table, 'index.html': page(table) });
+const [{ rebound }, { picture }] = await Promise.all([import('./src/index.js'), import('./picture.mjs')]);
+finish({ '../../docs/book/drawings/rebound.svg': picture(rebound) });
