@@ -1,5 +1,6 @@
-"""Draws how a rolling ball leaves a cushion by carom and by the models of pooltool: python compare.py [rebound.png]."""
+"""Draws how a rolling ball leaves a cushion by carom and by the models of pooltool: python compare.py [PICTURE.png]."""
 
+import pathlib
 import sys
 
 import numpy as np
@@ -12,6 +13,7 @@ from pooltool.physics.resolve.ball_cushion.mathavan_2010 import Mathavan2010Line
 from pooltool.physics.resolve.ball_cushion.stronge_compliant import StrongeCompliantLinear
 from pooltool.physics.resolve.resolver import default_resolver
 
+PICTURE = str(pathlib.Path(__file__).resolve().parents[2] / "docs/book/src/start/pooltool.png")
 SPEED = 1.5
 """m/s."""
 SIDES = (-1.0, 0.0, 1.0)
@@ -93,7 +95,7 @@ def largest(side: float) -> tuple[float, float]:
 
 
 if __name__ == "__main__":
-    draw(sys.argv[1] if len(sys.argv) > 1 else "rebound.png")
+    draw(sys.argv[1] if len(sys.argv) > 1 else PICTURE)
     for side in SIDES:
         angle, spin = largest(side)
         print(f"side spin {side:+.0f}: carom and the default differ by at most {angle:.1f} degrees, side spin {spin:.2f} v/R")
