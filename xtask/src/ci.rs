@@ -2,8 +2,8 @@
 
 use crate::outcome::Outcome;
 use crate::{
-    book, browse, cargo, changes, deny, doors, install_c, lammps, mutants, python, release, sanitize,
-    sdist, test, tidy,
+    book, browse, cargo, changes, deny, doors, install_c, lammps, mutants, python, release,
+    sanitize, sdist, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;

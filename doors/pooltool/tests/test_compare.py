@@ -1,5 +1,7 @@
 """The comparison draws, and its numbers are those of the README."""
 
+import pathlib
+
 import compare
 import numpy as np
 
@@ -22,4 +24,23 @@ def test_the_mirror_of_running_side_is_running_side():
 def test_the_picture_is_drawn(tmp_path):
     path = tmp_path / "rebound.png"
     compare.draw(str(path))
-    assert path.read_bytes().startswith(b"\x89PNG") and path.stat().st_size < 200_000
+    assert path.read_bytes().startswith(b"\x89PNG") and path.stat().st_size < 100_000
+
+
+def test_the_table_of_the_readme_is_current():
+    readme = (pathlib.Path(compare.__file__).parent / "README.md").read_text()
+    lines = [line for line in readme.splitlines() if line.startswith(("| pool ball", "| snooker ball"))]
+    told = [[float(cell) for cell in line.strip("| ").split("|")[1:]] for line in lines]
+    strategies = [strategy for strategy, _, _ in compare.models().values()][1:]
+    found = [
+        [round(compare.largest(strategy, own, roll)[0], 1) for strategy in strategies]
+        for own in (compare.POOL, compare.SNOOKER)
+        for roll in (0, 1)
+    ]
+    assert np.allclose(told, found, atol=0.11)  # a last digit may fall to the other side
+
+
+def test_balls_throw_each_other_less_than_in_a_head_on_slide():
+    default, ours = compare.throws(0.5)
+    assert 0 < ours < np.degrees(np.arctan(0.118))  # the greatest friction of the model
+    assert abs(default - ours) < 1

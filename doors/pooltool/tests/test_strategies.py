@@ -52,6 +52,10 @@ def energy(one):
     return 0.5 * one.params.m * (v @ v + 0.4 * one.params.R**2 * (w @ w))
 
 
+# carom tells where friction would change the spin about the normal, which pooltool leaves out.
+pytestmark = pytest.mark.filterwarnings("ignore::carom.CaromWarning")
+
+
 def of_carom(balls, plane_normal, friction, restitution, poisson):
     """The same impact by carom.collide."""
     material = carom.Material(1e13, poisson)
@@ -163,24 +167,37 @@ def test_all_models_agree_where_the_contact_slides_throughout(model):
 
 def test_balls_that_slide_throughout_are_those_of_pooltool():
     random = np.random.default_rng(7)
-    for _ in range(50):
+    # With e < 1 pooltool's limit of friction counts the speed of separation e v in the place of (1 + e) v/2.
+    same, friction, count = BallParams(u_b=0.01, e_b=1.0), AverageBallBallFriction(), 0
+    for _ in range(100):
         one, other = pair(random)
-        same = BallParams(u_b=0.01)
         balls = [ball(same, b.xyz * same.R / b.params.R, b.vel, b.state.rvw[2], b.id) for b in (one, other)]
-        friction = AverageBallBallFriction()
+        if slip_ratio(*balls, same.u_b) < 7:
+            continue
+        count += 1
         ours = door.CaromBallBall(friction=friction).solve(*[b.copy() for b in balls])
         theirs = FrictionalInelastic(friction).solve(*[b.copy() for b in balls])
         for mine, his in zip(ours, theirs, strict=True):
-            assert np.allclose(mine.state.rvw, his.state.rvw, rtol=1e-6, atol=1e-6)
+            assert np.allclose(mine.state.rvw, his.state.rvw, rtol=1e-9, atol=1e-9)
+    assert count > 50
+
+
+def slip_ratio(one, other, friction):
+    """lambda, slip speed over friction times approach speed."""
+    normal = (one.xyz - other.xyz) / np.linalg.norm(one.xyz - other.xyz)
+    at_contact = [b.vel + np.cross(b.state.rvw[2], side * b.params.R * normal) for b, side in ((one, -1), (other, 1))]
+    relative = at_contact[0] - at_contact[1]
+    approach = -normal @ relative
+    return np.linalg.norm(relative + approach * normal) / (friction * approach)
 
 
 def test_the_contact_is_thrown_back_where_rigid_balls_stick():
     own = BallParams(e_c=1.0)
     spin = 1 / own.R
-    before = ball(own, [-own.R, 0, own.R], [1, 0, 0], [0, 0, 0.2 * spin])
+    before = ball(own, [-own.R, 0, own.R], [1, 0, 0], [0, 0, 0.6 * spin])
     slip = lambda b: b.vel[1] + b.state.rvw[2][2] * own.R  # of the contact, at x = R of the ball
     after, _ = door.CaromLinear(0.5).solve(before.copy(), cushion(own.R))
-    r_x = carom.restitution(1.5, 0.2 / own.f_c)
+    r_x = carom.restitution(1.5, 0.6 / own.f_c)
     assert r_x > 0.5
     assert slip(after) == pytest.approx(-r_x * slip(before), rel=1e-9)
     rigid, _ = Han2005Linear().solve(before.copy(), cushion(own.R))
