@@ -156,3 +156,16 @@ test('R_x is continuous where the regimes meet, and within its bounds', () => {
     assert.ok(value >= -1 && value <= 1);
   }
 });
+
+test('the limit of friction is kept just below sliding throughout, where the table may err', () => {
+  let near = 0;
+  for (let i = 0; i < 2000; i += 1) {
+    const [kappa, friction] = [1 + 0.5 * next(), 0.3];
+    const lambda = (7 - kappa) * (1 - 10 ** (-4 - 4 * next()));
+    const poisson = (2 * kappa - 2) / (2 * kappa - 1);
+    const after = rebound({ body1: { mass: 1, radius: 1, velocity: [lambda * friction, 0, -1] }, poisson, friction });
+    assert.ok(-after.impulse[0] <= friction * after.impulse[2] * (1 + 1e-15));
+    near += after.slides ? 0 : 1;
+  }
+  assert.ok(near > 1900);
+});

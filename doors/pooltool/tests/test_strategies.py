@@ -245,6 +245,14 @@ def test_a_break_runs_to_rest():
     assert system.events[-1].time != other.events[-1].time
 
 
+def test_the_resolver_has_all_strategies():
+    made = door.resolver(cushion_poisson=0.45, ball_poisson=0.3)
+    assert made.ball_linear_cushion == door.CaromLinear(0.45)
+    assert made.ball_circular_cushion == door.CaromCircular(0.45)
+    assert made.ball_ball == door.CaromBallBall(0.3)
+    assert made.stick_ball == default_resolver().stick_ball
+
+
 @pytest.mark.parametrize("end", ["yaml", "json"])
 def test_a_resolver_is_kept_in_a_file(tmp_path, end):
     kept = door.resolver(cushion_poisson=0.45)
