@@ -1,7 +1,7 @@
 // The drawing of the book: how a ball leaves a plane, elastic and rigid.
 
 const [FRICTION, POISSON] = [0.3, 0.3];
-const [LEFT, TOP, WIDTH, HEIGHT] = [48, 16, 276, 236];
+const [LEFT, TOP, WIDTH, HEIGHT] = [48, 16, 270, 236];
 const DESCRIPTION = 'A solid ball without spin meets a plane, friction 0.3, Poisson\'s ratio 0.3. First: the angle at which it '
   + 'leaves over that at which it comes. Second: the speed of its surface by spin over its speed before. The elastic ball leaves '
   + 'steeper and with more spin than the rigid one between about 22 and 65 degrees; beyond, both slide throughout and agree.';
