@@ -2,8 +2,8 @@
 
 use crate::outcome::Outcome;
 use crate::{
-    book, browse, cargo, changes, deny, install_c, lammps, mutants, python, release, sanitize,
-    sdist, test, tidy,
+    book, browse, cargo, changes, deny, doors, install_c, lammps, mutants, python, release,
+    sanitize, sdist, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -34,6 +34,11 @@ const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
     (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
     (MANIFESTS, "packages", || passed(release::pack_quickly())),
     (&["docs"], "the book", book::run),
+    (
+        &["doors/carom-rebound", "crates/impact/src/restitution/table"],
+        "the JavaScript module of the rebound",
+        doors::rebound,
+    ),
     (
         &["Cargo.toml", "crates/capi", "xtask/src/install_c"],
         "the installed C library, by pkg-config and CMake",
@@ -68,6 +73,7 @@ const LONG: &[(&str, Step)] = &[
     ("the book", book::run),
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
     ("the installed C library, by pkg-config and CMake", install_c::check),
+    ("the doors to other engines", doors::run),
     ("the C border under sanitizers", sanitize::run),
     ("a Python wheel from its source distribution", sdist::check),
     ("a search for a bad path of Coulomb's law", adversary),

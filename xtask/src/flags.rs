@@ -80,6 +80,10 @@ xflags::xflags! {
             /// Leave out the tests that take minutes.
             optional --short
         }
+        /// Tests the doors to other engines, the folders of doors/: the JavaScript module by Node, the strategy
+        /// of pooltool in an environment below target/. Skipped without Node, without Python, or if the Python
+        /// package registry cannot be reached; in CI that is a failure.
+        cmd doors {}
         /// Builds the C library and installs header, static and shared library, carom.pc and a CMake package below a
         /// prefix. Without a prefix it installs below target/, and builds and runs the examples from there by
         /// pkg-config and CMake.

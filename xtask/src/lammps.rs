@@ -31,10 +31,7 @@ impl Host {
             call(Command::new(python).args(["-m", "venv"]).arg(&venv))?;
         }
         if let Err(error) = call(pip(&venv, "install").args(HOST).args(TOOLS)) {
-            // A small package shows whether the registry or these packages are missing.
-            let mut probe = pip(&venv, "download");
-            probe.args(["--no-deps", "--no-cache-dir", "--dest"]).arg(folder.join("probe"));
-            if call(probe.arg("iniconfig")).is_ok() {
+            if reaches_registry(&venv) {
                 bail!("{} cannot be installed: {error:#}", HOST.join(" and "));
             }
             return Ok(None);
@@ -74,7 +71,14 @@ pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
     python::pytest(&mut pytest, &host.folder).context("the tests of the LAMMPS plugin")
 }
 
-fn pip(venv: &Path, task: &str) -> Command {
+/// Whether the Python package registry can be reached, by a small package.
+pub(crate) fn reaches_registry(venv: &Path) -> bool {
+    let mut probe = pip(venv, "download");
+    probe.args(["--no-deps", "--no-cache-dir", "--dest"]).arg(venv.join("probe"));
+    call(probe.arg("iniconfig")).is_ok()
+}
+
+pub(crate) fn pip(venv: &Path, task: &str) -> Command {
     let mut pip = Command::new(venv.join("bin/python"));
     pip.args(["-m", "pip", task, "--quiet", "--disable-pip-version-check"]);
     pip

@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`.
+//! `python`, `lammps`, `doors`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`.
 //!
 //! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
 //! builds quickly.
@@ -11,6 +11,7 @@ mod cargo;
 mod changes;
 mod ci;
 mod deny;
+mod doors;
 mod flags;
 mod generate;
 mod install_c;
@@ -67,6 +68,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             }
         }
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
+        flags::XtaskCmd::Doors(_) => drop(doors::run()?.accept()?),
         flags::XtaskCmd::InstallC(options) => match &options.prefix {
             Some(prefix) => install_c::install(prefix)?,
             None => drop(install_c::check()?.accept()?),

@@ -31,10 +31,14 @@ pub(crate) enum Part {
     Interfaces,
     /// The LAMMPS plugin.
     Lammps,
+    /// The JavaScript module of the rebound.
+    Node,
     /// Tests that skip themselves.
     OwnTests,
     /// The build with the oldest supported Rust.
     OldestRust,
+    /// The strategy of pooltool.
+    Pooltool,
     /// The Python module and its wheel.
     Python,
     /// Tests of the Python module that need optional packages.

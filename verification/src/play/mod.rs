@@ -9,7 +9,9 @@ use std::fmt::Write as _;
 use crate::Failure;
 pub(crate) use table::{Instant, Table, exact, lambda_of_sliding, restitution};
 
-const SCRIPT: &str = include_str!("script.js");
+/// The drawing of the balls is that of the page of `doors/carom-rebound`.
+const SCRIPT: &str =
+    concat!(include_str!("../../../doors/carom-rebound/page/draw.js"), include_str!("script.js"));
 const BODY: &str = include_str!("body.html");
 
 /// A position of the sliders and the exact result there.

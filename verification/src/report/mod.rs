@@ -15,7 +15,12 @@ use markup::{escape, prose};
 use std::fmt::Write as _;
 use std::path::Path;
 
-const STYLE: &str = include_str!("style.css");
+/// Colours and sliders are those of the page of `doors/carom-rebound`.
+const STYLE: &str = concat!(
+    include_str!("../../../doors/carom-rebound/page/theme.css"),
+    include_str!("style.css"),
+    include_str!("../../../doors/carom-rebound/page/play.css"),
+);
 const SCRIPT: &str = include_str!("script.js");
 
 /// The contents of a report.

@@ -1,0 +1,3 @@
+export { InputError } from './check.js';
+export { HOLLOW, SOLID, kappaOf, rx, rxOfGroups } from './groups.js';
+export { rebound } from './rebound.js';
