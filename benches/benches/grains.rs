@@ -34,9 +34,19 @@ fn path() -> Vec<[[CaromGrain; 2]; PAIRS]> {
         let place = [0.0, 0.0, 2e-3 - 1e-7 * (1.2 + 0.3 * (t + phase).sin())];
         let (x, y) = (1.7 * t + 2.0 * phase, 1.3 * t + 3.0 * phase);
         let along = [4e-4 * x.cos(), -4e-4 * y.sin(), -6e-4 * (t + phase).cos()];
-        let one = CaromGrain { place, velocity: along, spin: [0.3, 0.1, 0.2], radius: 1e-3 };
+        let one =
+            CaromGrain { place, velocity: along, spin: [0.3, 0.1, 0.2], radius: 1e-3, mass: 1.0 };
         let still = [0.0; 3];
-        [one, CaromGrain { place: still, velocity: still, spin: [0.1, 0.2, 0.3], radius: 1e-3 }]
+        [
+            one,
+            CaromGrain {
+                place: still,
+                velocity: still,
+                spin: [0.1, 0.2, 0.3],
+                radius: 1e-3,
+                mass: 1.0,
+            },
+        ]
     };
     (0..STEPS).map(|step| std::array::from_fn(|pair| at(step, pair))).collect()
 }

@@ -74,8 +74,7 @@ impl Layer {
     /// (1 - L) J_0(k r).
     fn of_point(&self, r: f64) -> f64 {
         let scale = (1.0 - POISSON) / (2.0 * PI * SHEAR_MODULUS * THICKNESS);
-        let sum: f64 =
-            self.waves.iter().map(|[x, part]| part * libm::j0(x * r / THICKNESS)).sum();
+        let sum: f64 = self.waves.iter().map(|[x, part]| part * libm::j0(x * r / THICKNESS)).sum();
         scale * sum
     }
 }

@@ -38,6 +38,7 @@ pub mod accounted;
 mod bounds;
 pub mod coulomb;
 pub mod coupling;
+pub mod damping;
 pub mod ellipse;
 pub mod field;
 pub mod friction;

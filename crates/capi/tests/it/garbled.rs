@@ -115,7 +115,8 @@ fn grains(law: u32) -> CaromGrains {
 
 /// Two grains that meet obliquely, at a time.
 fn meeting(time: f64) -> [CaromGrain; 2] {
-    let still = CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1e-3 };
+    let still =
+        CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1e-3, mass: 1.0 };
     let velocity = [0.3, 0.1, -0.5];
     let place = [0.3 * time, 0.1 * time, 2e-3 - 0.5 * time];
     [CaromGrain { place, velocity, spin: [40.0, 0.0, 30.0], ..still }, still]

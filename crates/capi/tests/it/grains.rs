@@ -113,6 +113,7 @@ impl Impact {
             ),
             spin: [0.0; 3],
             radius,
+            mass: 1.0,
         };
         let bodies = [body(1.0, RADII[0]), body(-1.0, RADII[1])];
         let (touch, load, heats) = (apart(), CaromGrainLoad::default(), CaromHeats::default());
@@ -306,6 +307,7 @@ fn wall_is_a_sphere_without_end() {
         velocity: [1e-4, 0.0, -1e-4],
         spin: [0.0, 1e-5, 2e-5],
         radius: 0.5,
+        mass: 1.0,
     };
     let place = [3.0, -2.0, 0.0];
     let wall = CaromWall { place, normal: [0.0, 0.0, 1.0], velocity: [0.0, 5e-5, 0.0] };
@@ -317,6 +319,7 @@ fn wall_is_a_sphere_without_end() {
             velocity: wall.velocity,
             spin: [0.0; 3],
             radius: far,
+            mass: 1.0,
         };
         let (mut load, grain) = (CaromGrainLoad::default(), one(f64::from(t)));
         // SAFETY: all pointers are references or null.
@@ -356,7 +359,8 @@ fn what_is_out_of_range_is_named() {
     says(made([0.3; 2], 0.1, 3, 0.0), "law = 3");
     says(made([0.3; 2], 0.1, 0, -1.0), "relaxation = -1");
     let grains = made([0.3; 2], 0.1, 0, 0.0).unwrap();
-    let grain = CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    let grain =
+        CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
     let tried = |grains: *const CaromGrains, touch: &mut CaromTouch, two: CaromGrain, dt: f64| {
         let (mut load, mut error) = (CaromGrainLoad::default(), error());
         // SAFETY: all pointers are references or null.
@@ -412,6 +416,7 @@ fn spin_about_the_normal_meets_the_law_of_a_twist() {
         velocity: [0.0; 3],
         spin: normal.map(|n| spin * n),
         radius,
+        mass: 1.0,
     };
     // SAFETY: plain numbers; all pointers are references or null.
     unsafe {
@@ -510,8 +515,13 @@ fn encounters_go_through_one_call_as_one_by_one() {
         made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 1e-7).unwrap(),
         made([0.1, 0.4], 0.2, CAROM_LAW_COULOMB, 0.0).unwrap(),
     ];
-    let body =
-        |radius: f64| CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius };
+    let body = |radius: f64| CaromGrain {
+        place: [0.0; 3],
+        velocity: [0.0; 3],
+        spin: [0.0; 3],
+        radius,
+        mass: 1.0,
+    };
     let (mut alone, mut many) = (vec![apart(); PAIRS], vec![apart(); PAIRS]);
     let dt = 1e-6;
     let all = |encounters: &mut [CaromEncounter]| {

@@ -170,6 +170,7 @@ fn many_contacts_are_as_bad_as_the_worst_in_each_ratio() {
         velocity: [0.0; 3],
         spin: [0.0; 3],
         radius,
+        mass: 1.0,
     };
     let met = |grains, radii: [f64; 2], zeta: f64| CaromEncounter {
         grains,

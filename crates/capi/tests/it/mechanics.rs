@@ -341,14 +341,15 @@ fn friction_of_unlike_grains_has_the_arm_of_each() {
             CaromTouch { mark: 0, words: [std::mem::MaybeUninit::new(0); CAROM_TOUCH_WORDS] };
         let mut load = CaromGrainLoad::default();
         let rest = [0.0; 3];
-        let two = CaromGrain { place: rest, velocity: rest, spin: rest, radius: radii[1] };
+        let two =
+            CaromGrain { place: rest, velocity: rest, spin: rest, radius: radii[1], mass: 1.0 };
         let wall =
             CaromWall { place: [0.0, 0.0, radii[1]], normal: [0.0, 0.0, 1.0], velocity: rest };
         // Pressed in one step, then shifted.
         let height = radii[0] + radii[1] - zeta;
         for (velocity, x) in [([0.0, 0.0, -1.0], 0.0), ([-1.0, 0.0, 0.0], -1e-6)] {
             let place = [x, 0.0, height];
-            let one = CaromGrain { place, velocity, spin: rest, radius: radii[0] };
+            let one = CaromGrain { place, velocity, spin: rest, radius: radii[0], mass: 1.0 };
             let dt = if x == 0.0 { 1e-4 } else { 1e-6 };
             // SAFETY: all pointers are references or null.
             let status = unsafe {

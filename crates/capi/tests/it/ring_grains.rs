@@ -106,6 +106,7 @@ impl<'a> Impact<'a> {
             ),
             spin: NORMAL.map(|n| 0.5 * sign * about * n),
             radius,
+            mass: 1.0,
         };
         let bodies = [body(1.0, RADII[0]), body(-1.0, RADII[1])];
         let (load, heats) = (CaromGrainLoad::default(), CaromHeats::default());
@@ -189,7 +190,7 @@ impl<'a> Impact<'a> {
     /// The same by the library's impact.
     fn by_collision(&self, pair: [[f64; 2]; 2]) -> [f64; 4] {
         let body = |i: usize| {
-            let CaromGrain { place, velocity, spin, radius } = self.bodies[i];
+            let CaromGrain { place, velocity, spin, radius, .. } = self.bodies[i];
             let material = material(pair[i]);
             // SAFETY: zeros are what is usual.
             let usual: CaromBody = unsafe { zeroed() };
@@ -347,9 +348,11 @@ fn wall_is_a_sphere_without_end() {
             velocity: [1e-4, 0.0, -1e-4],
             spin: [0.0, 1e-5, 2e-3],
             radius: 0.5,
+            mass: 1.0,
         };
         let place = [grain.place[0], 0.0, -1e7];
-        let below = CaromGrain { place, velocity: wall.velocity, spin: [0.0; 3], radius: 1e7 };
+        let below =
+            CaromGrain { place, velocity: wall.velocity, spin: [0.0; 3], radius: 1e7, mass: 1.0 };
         let (mut load, mut expected) = (CaromGrainLoad::default(), CaromGrainLoad::default());
         let mut kept = CaromGrainLoad::default();
         let (grains, rings, none) = (&raw const made.grains, made.rings, null_mut());

@@ -37,8 +37,8 @@ pub use scene::SceneCase;
 pub use section::Numbers;
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
-    Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase, SolveMethod,
-    Target,
+    Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase,
+    SolveMethod, Target,
 };
 pub use stress::StressCase;
 pub use uncertainty::Uncertainty;

@@ -59,7 +59,9 @@ pub(super) fn operator(
 /// The arrays of an NPZ, as `numpy.savez` writes it.
 fn arrays(bytes: &[u8], grid: Grid) -> Result<Vec<KernelBlock>, String> {
     let broken = |error: &dyn std::fmt::Display| {
-        format!("this is not an .npz file of `numpy.savez`, or it is damaged or compressed: {error}")
+        format!(
+            "this is not an .npz file of `numpy.savez`, or it is damaged or compressed: {error}"
+        )
     };
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| broken(&error))?;
     let most = [2 * grid.nx() - 1, 2 * grid.ny() - 1];

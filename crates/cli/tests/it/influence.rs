@@ -68,8 +68,8 @@ fn npz() -> Vec<u8> {
     let operator = HalfSpaceOperator::new(pair(), grid).unwrap();
     let [nx, ny] = CELLS.map(|count| count as i32);
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    let stored = zip::write::SimpleFileOptions::default()
-        .compression_method(zip::CompressionMethod::Stored);
+    let stored =
+        zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
     for (place, name) in NAMES.iter().enumerate() {
         let head = format!(
             "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}\n",
@@ -135,7 +135,8 @@ fn half_spaces_from_a_file_are_half_spaces() {
                 for field in wanted {
                     let value = row[field].as_f64().unwrap();
                     // At the trailing edge of rolling, what moves in from beyond the table is unknown.
-                    let size = row["F_z"].as_f64().unwrap() * if field == "M_z" { 1e-4 } else { 1.0 };
+                    let size =
+                        row["F_z"].as_f64().unwrap() * if field == "M_z" { 1e-4 } else { 1.0 };
                     close(&same[field], value, tolerance * size);
                 }
             }

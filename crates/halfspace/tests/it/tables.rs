@@ -231,10 +231,8 @@ fn is_definite(operator: &KernelOperator, axes: &[usize]) -> bool {
     let entry = |(i, x, y): (usize, i32, i32), (l, s, t): (usize, i32, i32)| {
         operator.coefficients(s - x, t - y).rows[i][l]
     };
-    let mut matrix: Vec<Vec<f64>> = places
-        .iter()
-        .map(|to| places.iter().map(|from| entry(*to, *from)).collect())
-        .collect();
+    let mut matrix: Vec<Vec<f64>> =
+        places.iter().map(|to| places.iter().map(|from| entry(*to, *from)).collect()).collect();
     for k in 0..matrix.len() {
         if matrix[k][k] <= 0.0 {
             return false;

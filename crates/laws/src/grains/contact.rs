@@ -4,10 +4,12 @@ use std::mem::offset_of;
 
 use carom_special::RangeError;
 
-use super::load::{GrainLoad, drag, elastic, load_in};
+use super::dashpots::Dashpots;
+use super::load::{GrainLoad, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
+use crate::damping::HertzDamping;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{Fixed, Growing, VertexStack};
 use crate::shift_law::ShiftLaw;
@@ -30,7 +32,9 @@ use crate::shift_law::ShiftLaw;
 ///
 /// Damping is that of a viscoelastic material in the quasi-static limit: it adds `(2/3) c_z (3/2) A
 /// sqrt(zeta) dzeta/dt` to Hertz's force, with a relaxation time A of the material. The sum with
-/// Hertz's force is never tensile. The friction limit depends on Hertz's force only.
+/// Hertz's force is never tensile. The friction limit depends on Hertz's force only. A contact [with a
+/// restitution](GrainContact::with_restitution) has in addition a damping force by which two grains rebound with this
+/// restitution at any speed ([`HertzDamping`]); it needs their masses.
 #[derive(Debug, Clone, PartialEq)]
 #[repr(C)]
 pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
@@ -46,8 +50,7 @@ pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
     pub(super) velocity: [f64; 2],
     /// Difference between the shift given to the law and the true shift.
     pub(super) lead: [f64; 2],
-    /// The damping force divided by `sqrt(zeta) dzeta/dt`.
-    pub(super) viscosity: f64,
+    pub(super) dashpots: Dashpots,
 }
 
 /// Dissipated energy, by cause, J. Steps add to it.
@@ -82,8 +85,15 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             drag,
             velocity: none,
             lead: none,
-            viscosity,
+            dashpots: Dashpots { viscosity, ratio: 0.0 },
         })
+    }
+
+    /// The same contact with damping of a given restitution beside that of the materials.
+    #[must_use]
+    pub const fn with_restitution(mut self, damping: HertzDamping) -> Self {
+        self.dashpots.ratio = damping.ratio();
+        self
     }
 
     /// The shift law, in the axes of the contact.
@@ -116,10 +126,11 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         }
         let step = self.step(meeting, dt);
         if leaves(meeting, dt) {
-            return self.leave(meeting, &step);
+            return self.leave(meeting, &step, dt);
         }
         let load = self.law.advance(step.to())?;
-        Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y]))
+        let drag = self.drag(meeting, load.f_z, dt);
+        Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y], drag))
     }
 
     /// As [`GrainContact::advance`], and adds the dissipated energy to `heats`. The energy of
@@ -171,6 +182,11 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     }
 
     #[inline(always)]
+    fn drag(&self, meeting: &Meeting, elastic: f64, dt: f64) -> f64 {
+        self.dashpots.force(meeting, self.law.stiffness().c_z, elastic, dt)
+    }
+
+    #[inline(always)]
     fn step(&self, meeting: &Meeting, dt: f64) -> Step {
         let Shift { xi, eta, .. } = self.law.shift();
         let (tangent, normal, velocity, lead) =
@@ -187,13 +203,14 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         law.advance(before)?;
         let load = law.advance(step.to())?;
         self.law = law;
-        Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y]))
+        let drag = self.dashpots.first_force(meeting, self.law.stiffness().c_z, load.f_z, dt);
+        Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y], drag))
     }
 
     /// A step in which friction is averaged over half a step before its end and half a step after
     /// it.
     #[inline(never)]
-    fn leave(&mut self, meeting: &Meeting, step: &Step) -> Result<GrainLoad, RangeError> {
+    fn leave(&mut self, meeting: &Meeting, step: &Step, dt: f64) -> Result<GrainLoad, RangeError> {
         let (from, to) = (self.law.shift(), step.to());
         let between = |part: f64| on_the_way(from, to, part);
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
@@ -204,7 +221,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         self.law = law;
         let friction =
             [mean_about(past.f_x, load.f_x, ahead.f_x), mean_about(past.f_y, load.f_y, ahead.f_y)];
-        Ok(self.keep(meeting, step, load, friction))
+        let drag = self.drag(meeting, load.f_z, dt);
+        Ok(self.keep(meeting, step, load, friction, drag))
     }
 
     #[inline(always)]
@@ -214,8 +232,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         step: &Step,
         load: ContactLoad,
         friction: [f64; 2],
+        drag: f64,
     ) -> GrainLoad {
-        self.drag = drag(self.viscosity, meeting, load.f_z);
+        self.drag = drag;
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
         load_in([step.tangent, meeting.normal], meeting.arms, load.f_z + self.drag, friction)

@@ -1,8 +1,7 @@
 //! The load of two grains in contact.
 
-use super::meeting::Meeting;
 use super::number::Number;
-use super::vector::{Vector, cross, dot, minus, plus, times};
+use super::vector::{Vector, cross, minus, plus, times};
 
 /// The load that body 2 exerts on body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -19,14 +18,6 @@ pub struct GrainLoad {
 pub(super) fn elastic<T: Number>(c_z: T, zeta: T) -> T {
     let zeta = zeta.larger(T::of(0.0));
     T::of(2.0 / 3.0) * c_z * (zeta * zeta.sqrt())
-}
-
-/// The damping force; its sum with Hertz's force is never tensile.
-#[inline(always)]
-pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) -> T {
-    let speed = dot(meeting.velocity, meeting.normal);
-    let root = meeting.zeta.larger(T::of(0.0)).sqrt();
-    (viscosity * root * speed).larger(T::of(0.0) - elastic)
 }
 
 /// The force on body 1 and the torques on both bodies, in the axes of tangent and normal.

@@ -20,6 +20,8 @@ pub struct Grain {
     pub spin: [f64; 3],
     /// Its radius, m.
     pub radius: f64,
+    /// Its mass, kg; infinite for one that does not move. It counts for damping by a restitution only.
+    pub mass: f64,
 }
 
 /// A flat wall, which may move.
@@ -54,6 +56,8 @@ pub struct Meeting<T = f64> {
     /// Angular velocity of body 2 relative to body 1, rad/s; its component along the normal twists
     /// the contact.
     pub twisting: [T; 3],
+    /// The masses of both bodies, kg; infinite for a wall.
+    pub masses: [T; 2],
 }
 
 /// The fraction of the approach by which each body is compressed: its (1 - nu)/G divided by the sum
@@ -81,12 +85,13 @@ struct Moving<T> {
     velocity: Vector<T>,
     spin: Vector<T>,
     radius: T,
+    mass: T,
 }
 
 impl Moving<f64> {
     #[inline(always)]
-    fn of(&Grain { place, velocity, spin, radius }: &Grain) -> Self {
-        Self { place, velocity, spin, radius }
+    fn of(&Grain { place, velocity, spin, radius, mass }: &Grain) -> Self {
+        Self { place, velocity, spin, radius, mass }
     }
 }
 
@@ -98,6 +103,7 @@ impl Moving<Lanes> {
             velocity: from_fn(|k| lanes(|i| grains[i].velocity[k])),
             spin: from_fn(|k| lanes(|i| grains[i].spin[k])),
             radius: lanes(|i| grains[i].radius),
+            mass: lanes(|i| grains[i].mass),
         }
     }
 }
@@ -126,7 +132,8 @@ impl<T: Number> Moving<T> {
         let velocity = minus(two.velocity, one.velocity);
         let turning = times(plus(one.spin, two.spin), T::of(0.5));
         let twisting = minus(two.spin, one.spin);
-        Meeting { normal, zeta, arms, velocity, rolling, turning, twisting }
+        let masses = [one.mass, two.mass];
+        Meeting { normal, zeta, arms, velocity, rolling, turning, twisting, masses }
     }
 }
 
@@ -157,6 +164,7 @@ impl Meeting<Lanes> {
             rolling: vector(&self.rolling),
             turning: vector(&self.turning),
             twisting: vector(&self.twisting),
+            masses: self.masses.map(|lane| lane.to_array()[i]),
         }
     }
 }
@@ -191,6 +199,21 @@ impl Meeting {
         let velocity = minus(wall.velocity, one.velocity);
         let (rolling, turning) = (times(one.spin, arm), times(one.spin, 0.5));
         let (normal, arms, twisting) = (wall.normal, [arm, 0.0], times(one.spin, -1.0));
-        Self { normal, zeta, arms, velocity, rolling, turning, twisting }
+        let masses = [one.mass, f64::INFINITY];
+        Self { normal, zeta, arms, velocity, rolling, turning, twisting, masses }
+    }
+
+    /// Checks that the masses are > 0 and not both infinite, as damping by a restitution needs them.
+    ///
+    /// # Errors
+    /// [`RangeError`] of `mass`.
+    #[inline]
+    pub fn check_masses(&self) -> Result<(), RangeError> {
+        for mass in self.masses {
+            RangeError::check("mass", mass, mass > 0.0, "> 0")?;
+        }
+        let [one, two] = self.masses;
+        let moves = one.is_finite() || two.is_finite();
+        RangeError::check("mass", one, moves, "finite for one of both bodies").map(|_| ())
     }
 }

@@ -16,7 +16,7 @@
 //! use carom_laws::stiffness::ContactStiffness;
 //! let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
 //! let mut contact = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
-//! let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+//! let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
 //! let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
 //! let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
 //! let load = contact.advance(&meeting, 1e-3)?;
@@ -26,6 +26,7 @@
 //! ```
 
 mod contact;
+mod dashpots;
 mod load;
 mod meeting;
 mod number;

@@ -18,6 +18,9 @@ pub(super) trait Number:
 
     fn larger(self, other: Self) -> Self;
 
+    /// Whether it is > 0 in any lane.
+    fn is_any_positive(self) -> bool;
+
     /// Fast path `then` if all lanes are at most `up_to` in magnitude; otherwise lane by lane.
     fn where_small(
         self,
@@ -41,6 +44,11 @@ impl Number for f64 {
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.max(other)
+    }
+
+    #[inline(always)]
+    fn is_any_positive(self) -> bool {
+        self > 0.0
     }
 
     #[inline(always)]
@@ -77,6 +85,11 @@ impl Number for Lanes {
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.max(other)
+    }
+
+    #[inline(always)]
+    fn is_any_positive(self) -> bool {
+        self.simd_gt(Self::splat(0.0)).any()
     }
 
     #[inline(always)]

@@ -3,10 +3,12 @@
 use carom_special::RangeError;
 
 use super::contact::Heats;
-use super::load::{GrainLoad, drag, elastic, load_in};
+use super::dashpots::Dashpots;
+use super::load::{GrainLoad, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
+use crate::damping::HertzDamping;
 use crate::law::{ContactLoad, Shift};
 use crate::rings::{RingMemory, Rings};
 
@@ -26,7 +28,7 @@ use crate::rings::{RingMemory, Rings};
 /// let matrices = RingMatrices::<6, 8>::new(1.2, 0.25, Friction::new(0.3)?)?;
 /// let rings = matrices.contact(1.0, 0.7, Tolerance::PARTICLES)?;
 /// let mut contact = GrainRings::new(&rings, 0.0)?;
-/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], spin: [0.0, 0.0, 1.0], ..below };
 /// let load = contact.advance(&rings, &Meeting::of_spheres(&above, &below, [0.5; 2])?, 1e-3)?;
 /// // Friction acts against the velocity and against the spin.
@@ -50,8 +52,7 @@ pub struct GrainRings<const N: usize = 6, const M: usize = 8> {
     pub(super) velocity: [f64; 2],
     /// Difference between the shift given to the law and the true shift.
     pub(super) lead: [f64; 2],
-    /// The damping force divided by `sqrt(zeta) dzeta/dt`.
-    pub(super) viscosity: f64,
+    pub(super) dashpots: Dashpots,
 }
 
 /// The load that the law gives at the end of a step.
@@ -78,8 +79,15 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             drag: 0.0,
             velocity: [0.0; 2],
             lead: [0.0; 2],
-            viscosity,
+            dashpots: Dashpots { viscosity, ratio: 0.0 },
         })
+    }
+
+    /// The same contact with damping of a given restitution, as [`super::GrainContact::with_restitution`].
+    #[must_use]
+    pub const fn with_restitution(mut self, damping: HertzDamping) -> Self {
+        self.dashpots.ratio = damping.ratio();
+        self
     }
 
     /// The load history in the axes of the contact.
@@ -118,11 +126,17 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
-        let (step, given) = match self.is_new() {
+        let (is_new, old) = (self.is_new(), self.drag);
+        let (step, given) = match is_new {
             true => self.begin(rings, meeting, dt)?,
             false => self.go_on(rings, meeting, dt)?,
         };
-        let old = self.drag;
+        let elastic = given.load.f_z;
+        let c_z = pressed(elastic, meeting.zeta).unwrap_or(rings.c_z());
+        self.drag = match is_new {
+            true => self.dashpots.first_force(meeting, c_z, elastic, dt),
+            false => self.dashpots.force(meeting, c_z, elastic, dt),
+        };
         let load = self.keep(meeting, &step, given.load);
         heats.friction += given.heat;
         heats.damping += 0.5 * (old + self.drag) * dot(meeting.velocity, meeting.normal) * dt;
@@ -201,7 +215,6 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
     }
 
     fn keep(&mut self, meeting: &Meeting, step: &Step, load: ContactLoad) -> GrainLoad {
-        self.drag = drag(self.viscosity, meeting, load.f_z);
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.velocity, self.lead) = (step.velocity, step.lead);
         self.friction = [load.f_x, load.f_y];
@@ -223,6 +236,12 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         }
         load
     }
+}
+
+/// The constant c_z of Hertz's law that gives this force; that of coupled materials is stiffer than without friction.
+fn pressed(force: f64, zeta: f64) -> Option<f64> {
+    let c_z = 1.5 * force / (zeta * zeta.sqrt());
+    (zeta > 0.0 && c_z.is_finite()).then_some(c_z)
 }
 
 /// The twist during a step, clockwise as in the law.

@@ -5,7 +5,8 @@ use std::array::from_fn;
 use carom_special::RangeError;
 
 use super::contact::GrainContact;
-use super::load::{GrainLoad, drag, elastic, forces};
+use super::dashpots::Dashpots;
+use super::load::{GrainLoad, elastic, forces};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
 use super::step::{Before, Step, parting};
@@ -45,7 +46,7 @@ pub struct Touching<'a, S: VertexStack<[f64; 2]>> {
 /// let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
 /// let new = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
 /// let mut four = [(new, GrainLoad::default()); 4];
-/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
 /// let mut pairs = four.each_mut().map(|(contact, load)| {
 ///     Touching { contact, bodies: [&above, &below], shares: [0.5; 2], load }
@@ -100,9 +101,14 @@ fn go_on<S: VertexStack<[f64; 2]>>(
         let to = to.map(|lane| lane.to_array()[i]);
         frictions[i] = pair.contact.law.go(lane(&step, i), to);
     }
-    let elastic = elastic(each(pairs, |pair| pair.contact.law.stiffness().c_z), meeting.zeta);
+    let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
+    let elastic = elastic(c_z, meeting.zeta);
     let friction = from_fn(|k| lanes(|i| frictions[i][k]));
-    let drag = drag(each(pairs, |pair| pair.contact.viscosity), meeting, elastic);
+    let dashpots = Dashpots {
+        viscosity: each(pairs, |pair| pair.contact.dashpots.viscosity),
+        ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
+    };
+    let drag = dashpots.force(meeting, c_z, elastic, dt);
     let axes = [step.tangent, meeting.normal];
     let loads = forces(axes, meeting.arms, elastic + drag, friction);
     for (i, pair) in pairs.iter_mut().enumerate() {

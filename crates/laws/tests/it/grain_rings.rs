@@ -65,7 +65,7 @@ fn a_grain_on_a_wall_follows_the_law_of_its_materials() {
         let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: along };
         let place = [0.0, 0.0, 1.0 - zeta];
         let spins = [0.0, 0.0, spin];
-        let grain = Grain { place, velocity: [0.0; 3], spin: spins, radius: 1.0 };
+        let grain = Grain { place, velocity: [0.0; 3], spin: spins, radius: 1.0, mass: 1.0 };
         for law in [&mut law, &mut other] {
             law.advance(Shift { zeta, ..Shift::default() }).unwrap();
         }
@@ -102,6 +102,7 @@ fn walk(steps: usize, mut each: impl FnMut(&[Grain; 2], f64)) {
         velocity: [0.0; 3],
         spin: [0.0; 3],
         radius,
+        mass: 1.0,
     });
     grains[0].place = normal.map(|n| 1.299 * n);
     let dt = 0.02;
@@ -200,7 +201,7 @@ fn a_contact_begins_and_ends() {
     let meeting = |zeta: f64, velocity: V| {
         let place = [0.0, 0.0, 1.0 - zeta];
         Meeting::on_wall(
-            &Grain { place, velocity, spin: [0.0, 0.0, 0.01], radius: 1.0 },
+            &Grain { place, velocity, spin: [0.0, 0.0, 0.01], radius: 1.0, mass: 1.0 },
             &wall,
             0.5,
         )

@@ -24,7 +24,7 @@ fn contact(friction: f64, relaxation: f64) -> GrainContact<Fixed<[f64; 2], 12>> 
 fn on_wall(zeta: f64, grain: [f64; 3], spin: [f64; 3], wall: [f64; 3]) -> Meeting {
     let place = [0.0, 0.0, RADIUS - zeta];
     let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: wall };
-    Meeting::on_wall(&Grain { place, velocity: grain, spin, radius: RADIUS }, &wall, 0.5)
+    Meeting::on_wall(&Grain { place, velocity: grain, spin, radius: RADIUS, mass: 1.0 }, &wall, 0.5)
 }
 
 /// In sliding the friction at an approach is (2/3) f c_z zeta^(3/2). A step that ends shortly before the

@@ -49,7 +49,8 @@ fn vector(size: f64) -> impl Strategy<Value = V> {
 
 /// A pair pressed and shifted, and then turned as a whole at this spin by steps of dt.
 fn turned_as_a_whole(shift: V, spin: V, dt: f64, steps: usize) -> (f64, V, V) {
-    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    let grain =
+        Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
     let arm = [0.6, 0.0, 0.8];
     let one = Grain { place: arm.map(|x| 1.98 * x), velocity: shift, ..grain };
     let mut contact = fresh(0.0);
@@ -65,7 +66,8 @@ fn turned_as_a_whole(shift: V, spin: V, dt: f64, steps: usize) -> (f64, V, V) {
         // Velocities of a leapfrog: those of the middle of the step.
         let at = |t: f64| turned(one.place, spin.map(|w| w * t * dt));
         let (here, middle) = (at(step as f64), at(step as f64 - 0.5));
-        let body = Grain { place: here, velocity: cross(spin, middle), spin, radius: 1.0 };
+        let body =
+            Grain { place: here, velocity: cross(spin, middle), spin, radius: 1.0, mass: 1.0 };
         let other = Grain { spin, ..grain };
         let meeting = Meeting::of_spheres(&body, &other, [0.5; 2]).unwrap();
         load = contact.advance(&meeting, dt).unwrap();
@@ -103,9 +105,9 @@ proptest! {
     ) {
         let apart = plus([1.0, 0.7, 0.0], places.0, 1.0);
         let length = dot(apart, apart).sqrt();
-        let one = Grain { place: places.1, velocity: velocities.0, spin: spins.0, radius: 0.5 * length };
+        let one = Grain { place: places.1, velocity: velocities.0, spin: spins.0, radius: 0.5 * length, mass: 1.0 };
         let two = Grain {
-            place: plus(places.1, apart, 1.0), velocity: velocities.1, spin: spins.1, radius: 0.55 * length,
+            place: plus(places.1, apart, 1.0), velocity: velocities.1, spin: spins.1, radius: 0.55 * length, mass: 2.0,
         };
         let (mut contact, mut other) = (fresh(0.3), fresh(0.3));
         let (mut ways, dt) = ([one, two], 0.1);
@@ -139,7 +141,7 @@ proptest! {
     fn heats_are_not_negative(walk in prop::collection::vec((vector(1e-2), vector(1e-2)), 1..60)) {
         let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
         let mut contact = fresh(0.5);
-        let mut grain = Grain { place: [0.0, 0.0, 0.995], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+        let mut grain = Grain { place: [0.0, 0.0, 0.995], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
         let mut heats = Heats::default();
         for (velocity, spin) in walk {
             (grain.velocity, grain.spin) = (velocity, spin);
@@ -161,7 +163,8 @@ proptest! {
 
 #[test]
 fn what_is_no_contact_is_refused() {
-    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    let grain =
+        Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
     assert_eq!(Meeting::of_spheres(&grain, &grain, [0.5; 2]).unwrap_err().field, "distance");
     let stiffness = ContactStiffness::new(1.0, 1.0, 1.0).unwrap();
     let law = ShiftLaw::<_, Fixed<_, 12>>::new(stiffness, Friction::new(0.4).unwrap());
@@ -182,7 +185,8 @@ fn what_is_no_contact_is_refused() {
 /// The normal turns right round in one step, or nearly so: the axes stay of length 1 and across it.
 #[test]
 fn normal_may_turn_right_round() {
-    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    let grain =
+        Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
     for lean in [0.0, 1e-14, 1e-9, 1e-4, 0.3, 1.5] {
         let mut contact = fresh(0.0);
         let angle = std::f64::consts::PI - lean;
@@ -216,7 +220,7 @@ fn swing_without_slip_keeps_its_period_and_gains_nothing() {
         let before = x;
         x += v;
         let place = [x, 0.0, 1.0 - zeta];
-        let body = Grain { place, velocity: [v, 0.0, 0.0], spin: [0.0; 3], radius: 1.0 };
+        let body = Grain { place, velocity: [v, 0.0, 0.0], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
         let load = contact.advance(&Meeting::on_wall(&body, &wall, 1.0), 1.0).unwrap();
         v += load.force[0] / mass;
         if before < 0.0 && x >= 0.0 {
@@ -252,8 +256,8 @@ fn together_each_goes_as_alone() {
             let spin = [0.02 * (0.7 * t).sin(), 0.01, 0.4 * (0.5 * t * i).sin()];
             let radius = 1.0 + 0.02 * (0.1 * t).sin();
             [
-                Grain { place, velocity, spin, radius },
-                Grain { place: still, velocity: still, spin, radius: 1.0 },
+                Grain { place, velocity, spin, radius, mass: 1.0 },
+                Grain { place: still, velocity: still, spin, radius: 1.0, mass: 1.0 },
             ]
         });
         let dt = if step % 7 == 0 { 0.0 } else { 0.05 };
@@ -300,7 +304,7 @@ fn a_contact_begins_where_its_first_step_touched() {
         let zeta = part * by;
         let velocity = [slope * by / dt, 0.0, -by / dt];
         let place = [0.0, 0.0, 1.0 - zeta];
-        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0 };
+        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0, mass: 1.0 };
         let meeting = Meeting::on_wall(&grain, &wall, 1.0);
         let (mut contact, mut heats) = (fresh(0.0), Heats::default());
         let load = match accounted {
@@ -322,7 +326,7 @@ fn damping_is_ahead_by_the_relaxation_time() {
     let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
     let pushed = |zeta: f64, speed: f64, relaxation: f64| {
         let (place, velocity) = ([0.0, 0.0, 1.0 - zeta], [0.0, 0.0, -speed]);
-        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0 };
+        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0, mass: 1.0 };
         let meeting = Meeting::on_wall(&grain, &wall, 1.0);
         fresh(relaxation).advance(&meeting, 1e-3).unwrap().force[2]
     };
@@ -350,6 +354,7 @@ fn a_pair_kept_in_numbers_accelerates_on() {
             velocity: [velocity, -0.4 * velocity, 0.0],
             spin: [0.0; 3],
             radius: 1.0,
+            mass: 1.0,
         };
         let meeting = Meeting::on_wall(&body, &wall, 1.0);
         let load = contact.advance(&meeting, 1.0).unwrap();

@@ -13,6 +13,7 @@ mod energy_known;
 mod field;
 mod field_interior;
 mod field_known;
+mod grain_restitution;
 mod grain_rings;
 mod grain_steps;
 mod grains;

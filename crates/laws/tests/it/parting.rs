@@ -13,7 +13,13 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const WALL: Wall = Wall { place: [0.0; 3], normal: UP, velocity: [0.0; 3] };
 
 fn grain(height: f64, velocity: f64, spin: [f64; 3]) -> Grain {
-    Grain { place: [0.0, 0.0, height], velocity: [0.0, 0.0, velocity], spin, radius: 1.0 }
+    Grain {
+        place: [0.0, 0.0, height],
+        velocity: [0.0, 0.0, velocity],
+        spin,
+        radius: 1.0,
+        mass: 1.0,
+    }
 }
 
 fn friction() -> Friction {
@@ -98,8 +104,13 @@ fn a_wall_is_a_sphere_of_infinite_radius() {
     let (radius, share) = (1e8, 0.5);
     let spin = [0.2, -0.3, 0.7];
     let one = Grain { velocity: [0.1, 0.2, -0.3], ..grain(1.0 - 1e-3, 0.0, spin) };
-    let below =
-        Grain { place: [0.0, 0.0, -radius], velocity: [-0.4, 0.1, 0.0], spin: [0.0; 3], radius };
+    let below = Grain {
+        place: [0.0, 0.0, -radius],
+        velocity: [-0.4, 0.1, 0.0],
+        spin: [0.0; 3],
+        radius,
+        mass: 1.0,
+    };
     let wall = Wall { velocity: below.velocity, ..WALL };
     let (flat, round) = (
         Meeting::on_wall(&one, &wall, share),

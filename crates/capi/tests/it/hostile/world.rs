@@ -193,12 +193,14 @@ impl World {
             velocity: self.vector(0.5),
             spin: self.vector(100.0),
             radius: self.number(1e-3, 1.0001e-3),
+            mass: 1.0,
         };
         let two = CaromGrain {
             place: self.vector(1e-9),
             velocity: self.vector(0.1),
             spin: self.vector(10.0),
             radius: 1e-3,
+            mass: 1.0,
         };
         [one, two]
     }

@@ -122,17 +122,7 @@ impl SolveCase {
             check_contact(&case, &contact, friction.rest, method)?;
         }
         let legs = legs::read(&case)?;
-        Ok(Self {
-            materials,
-            plate,
-            influence,
-            gap,
-            grid,
-            friction,
-            tolerance,
-            method,
-            legs,
-        })
+        Ok(Self { materials, plate, influence, gap, grid, friction, tolerance, method, legs })
     }
 }
 

@@ -116,4 +116,3 @@ impl Head {
         Ok((offset, value))
     }
 }
-

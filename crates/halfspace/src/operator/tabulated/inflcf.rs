@@ -125,7 +125,9 @@ fn head(
     }
     let (line, [uncoupled, order]) = lines.numbers("quasi-identity, order of the axes")?;
     if uncoupled != 0.0 || order != 312.0 {
-        let reason = format!("{uncoupled} and {order}: must be 0 and 312, nine numbers a line in the order n, x, y");
+        let reason = format!(
+            "{uncoupled} and {order}: must be 0 and 312, nine numbers a line in the order n, x, y"
+        );
         return Err(table_error(line, reason));
     }
     let (line, [along, across]) = lines.numbers("symmetry in x and in y")?;

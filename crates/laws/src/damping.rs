@@ -1,0 +1,220 @@
+//! Damping of the normal motion of a Hertz contact: which damping gives which restitution.
+//!
+//! Two bodies of the reduced mass m approach with the speed v and are pressed by Hertz's force K zeta^(3/2), K =
+//! (2/3) c_z, and a damping force, whose sum never pulls. Without friction they part with the speed e v.
+//!
+//! - [`HertzDamping`]: the force `alpha sqrt(m K) zeta^(1/4) dzeta/dt` of Tsuji, Tanaka and Ishida (Powder Technology
+//!   71, 1992). It has no scale of its own, so that e is the same at any speed.
+//! - [`viscoelastic_restitution`]: the force `K (3/2) A sqrt(zeta) dzeta/dt` of a viscoelastic material (Kuwabara and
+//!   Kono, Jpn. J. Appl. Phys. 26, 1987), with which e falls as the speed grows.
+
+use carom_special::RangeError;
+use carom_special::ode::{Stepper, Tolerance};
+use carom_special::roots::{ALL_DIGITS, bisect};
+
+/// The damping with which two bodies in Hertz contact rebound with a given restitution at any speed.
+///
+/// With `s = (2/sqrt 5) x^(5/4)`, x the approach in units in which m = K = 1, the motion is that of a linear spring with
+/// the damping ratio beta = alpha/sqrt 5: `s'' + 2 beta s' + s = 0`, where s' is the speed of approach. The force
+/// vanishes where s'' does. With beta = cos psi this is after a phase of 2 psi, and
+///
+/// `e = exp(-2 psi cot psi)`; with beta = cosh chi > 1, `e = exp(-2 chi coth chi)`.
+///
+/// ```
+/// use carom_laws::damping::HertzDamping;
+/// let damping = HertzDamping::of_restitution(0.5)?;
+/// assert!((damping.ratio() - 0.5408).abs() < 1e-4);
+/// assert_eq!(HertzDamping::of_restitution(1.0)?.ratio(), 0.0);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HertzDamping {
+    restitution: f64,
+    ratio: f64,
+}
+
+impl HertzDamping {
+    /// The damping of a restitution e.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is in \[0.01, 1\].
+    pub fn of_restitution(restitution: f64) -> Result<Self, RangeError> {
+        let holds = (0.01..=1.0).contains(&restitution);
+        RangeError::check("restitution", restitution, holds, "from 0.01 to 1")?;
+        Ok(Self { restitution, ratio: 5.0_f64.sqrt() * damping_ratio(restitution) })
+    }
+
+    /// The restitution e.
+    #[must_use]
+    pub const fn restitution(&self) -> f64 {
+        self.restitution
+    }
+
+    /// alpha: the damping force over `sqrt(m K) zeta^(1/4) dzeta/dt`.
+    #[must_use]
+    pub const fn ratio(&self) -> f64 {
+        self.ratio
+    }
+}
+
+/// beta from e: cos psi with `psi cot psi = -ln(e)/2`, or cosh chi.
+fn damping_ratio(restitution: f64) -> f64 {
+    let wanted = -0.5 * libm::log(restitution);
+    if wanted <= 0.0 {
+        return 0.0;
+    }
+    // psi cot psi falls from 1 to 0, chi coth chi grows from 1 and lies between chi and chi + 1.
+    if wanted < 1.0 {
+        let ends = [0.0, std::f64::consts::FRAC_PI_2];
+        let [psi, _] = bisect(ends, ALL_DIGITS, |psi| psi <= 0.0 || psi / libm::tan(psi) > wanted);
+        return libm::cos(psi);
+    }
+    let [chi, _] =
+        bisect([0.0, wanted + 1.0], ALL_DIGITS, |chi| chi <= 0.0 || chi / libm::tanh(chi) < wanted);
+    libm::cosh(chi)
+}
+
+/// The greatest damping number: e is then below 1e-6.
+const GREATEST: f64 = 100.0;
+
+/// The restitution of viscoelastic bodies: `damping` is `b = (3/2) A/tau`, A the viscous relaxation time and
+/// `tau = (m/K)^(2/5) v^(-1/5)` the time of the impact.
+///
+/// Integrated in the root u of the approach: with `du/ds = v` and `dv/ds = -2 u^2 (u^2 + b v)` everything is smooth. For
+/// a small b, `e = 1 - 1.153449 b + 0.798267 b^2 + (4/15) b^(5/2)`, up to b^3. Error below 1e-10.
+///
+/// ```
+/// use carom_laws::damping::viscoelastic_restitution;
+/// assert_eq!(viscoelastic_restitution(0.0)?, 1.0);
+/// assert!((viscoelastic_restitution(0.1)? - 0.8935).abs() < 1e-3);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+///
+/// # Errors
+/// [`RangeError`] unless b is in \[0, 100\].
+pub fn viscoelastic_restitution(damping: f64) -> Result<f64, RangeError> {
+    let holds = (0.0..=GREATEST).contains(&damping);
+    let allowed = "from 0 to 100, (3/2) A over the time of the impact";
+    RangeError::check("damping", damping, holds, allowed)?;
+    if damping == 0.0 {
+        return Ok(1.0);
+    }
+    let force = |y: &[f64; 2]| y[0] * y[0] + damping * y[1];
+    let slope = |_: f64, y: &[f64; 2]| [y[1], -2.0 * y[0] * y[0] * force(y)];
+    let tolerance = Tolerance { absolute: 1e-14, relative: 1e-13 };
+    let fails = |_| RangeError::new("damping", damping, allowed);
+    let mut stepper = Stepper::new(0.0, [0.0, 1.0], 0.1, tolerance, slope).map_err(fails)?;
+    while force(stepper.y()) > 0.0 || stepper.y()[1] > 0.0 {
+        stepper.step(f64::INFINITY).map_err(fails)?;
+    }
+    let dense = stepper.dense();
+    let ends = [dense.start(), dense.end()];
+    let [end, _] = bisect(ends, ALL_DIGITS, |x| force(&dense.at(x)) > 0.0);
+    Ok(-dense.at(end)[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    /// The rebound by steps of a method that knows nothing of the transformation: Heun's with extrapolation, for
+    /// any damping force.
+    fn rebound(force: impl Fn(f64, f64) -> f64, steps: usize) -> f64 {
+        let dt = 3.5 / steps as f64;
+        let (mut x, mut v) = (0.0, 1.0);
+        loop {
+            // Classical Runge-Kutta.
+            let at = |x: f64, v: f64| [v, -force(x, v)];
+            let k1 = at(x, v);
+            let k2 = at(x + 0.5 * dt * k1[0], v + 0.5 * dt * k1[1]);
+            let k3 = at(x + 0.5 * dt * k2[0], v + 0.5 * dt * k2[1]);
+            let k4 = at(x + dt * k3[0], v + dt * k3[1]);
+            x += dt / 6.0 * (k1[0] + 2.0 * k2[0] + 2.0 * k3[0] + k4[0]);
+            v += dt / 6.0 * (k1[1] + 2.0 * k2[1] + 2.0 * k3[1] + k4[1]);
+            if v < 0.0 && force(x, v) <= 0.0 {
+                return -v;
+            }
+        }
+    }
+
+    #[test]
+    fn the_given_restitution_is_the_one_of_an_integration() {
+        for restitution in [1.0, 0.98, 0.9, 0.7, 0.5, 0.3, 0.2, 0.14, 0.13, 0.1, 0.03, 0.01] {
+            let ratio = HertzDamping::of_restitution(restitution).unwrap().ratio();
+            let got = rebound(
+                |x, v| {
+                    let x = x.max(0.0);
+                    (x.powf(1.5) + ratio * x.powf(0.25) * v).max(0.0)
+                },
+                200_000,
+            );
+            assert_abs_diff_eq!(got, restitution, epsilon = 2e-6);
+        }
+    }
+
+    #[test]
+    fn restitutions_out_of_range_are_refused() {
+        for restitution in [0.0, 0.009, 1.01, -0.5, f64::NAN, f64::INFINITY] {
+            assert_eq!(HertzDamping::of_restitution(restitution).unwrap_err().field, "restitution");
+        }
+        for damping in [-1e-9, 100.1, f64::NAN] {
+            assert_eq!(viscoelastic_restitution(damping).unwrap_err().field, "damping");
+        }
+    }
+
+    /// The ratio falls as the restitution grows, without a jump where the motion is critically damped, e = exp(-2).
+    #[test]
+    fn the_ratio_is_continuous_and_falls() {
+        let ratio = |e: f64| HertzDamping::of_restitution(e).unwrap().ratio();
+        let critical = (-2.0_f64).exp();
+        assert_abs_diff_eq!(ratio(critical), 5.0_f64.sqrt(), epsilon = 1e-6);
+        let mut before = f64::INFINITY;
+        for k in 1..=1000 {
+            let next = ratio((0.001 * f64::from(k)).max(0.01));
+            assert!(next <= before, "{k}");
+            before = next;
+        }
+        // Close to 1 the losses of a period add up: 1 - e = pi beta.
+        assert_abs_diff_eq!(
+            ratio(1.0 - 1e-6),
+            5.0_f64.sqrt() * 1e-6 / std::f64::consts::PI,
+            epsilon = 1e-11
+        );
+    }
+
+    /// Published coefficients of the series in the damping number (T. Schwager and T. Poeschel, Phys. Rev. E 78,
+    /// 051304 (2008)).
+    #[test]
+    fn viscoelastic_restitution_has_the_published_series() {
+        let series = |b: f64| 1.0 - 1.153_449 * b + 0.798_267 * b * b + 4.0 / 15.0 * b.powf(2.5);
+        for b in [1e-4, 1e-3, 1e-2, 3e-2] {
+            let got = viscoelastic_restitution(b).unwrap();
+            assert!(
+                (got - series(b)).abs() < 1.2 * b.powi(3) + 1e-6 * b,
+                "{b} {got} {}",
+                series(b)
+            );
+        }
+    }
+
+    #[test]
+    fn viscoelastic_restitution_is_that_of_an_integration() {
+        for damping in [0.01, 0.1, 0.5, 1.0, 3.0] {
+            let got = rebound(
+                |x, v| {
+                    let x = x.max(0.0);
+                    (x.powf(1.5) + damping * x.sqrt() * v).max(0.0)
+                },
+                200_000,
+            );
+            assert_abs_diff_eq!(got, viscoelastic_restitution(damping).unwrap(), epsilon = 5e-6);
+        }
+        let mut before = 1.0;
+        for k in 1..=200 {
+            let next = viscoelastic_restitution(0.5 * f64::from(k)).unwrap();
+            assert!(next > 0.0 && next < before, "{k} {next} {before}");
+            before = next;
+        }
+    }
+}
