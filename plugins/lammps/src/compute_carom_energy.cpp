@@ -1,7 +1,7 @@
 #include "compute_carom_energy.h"
 
 #include "find_pair.h"
-#include "fix_wall_carom.h"
+#include "find_wall.h"
 
 #include "error.h"
 #include "force.h"
@@ -46,9 +46,7 @@ void ComputeCaromEnergy::compute_vector()
     mine[FRICTION] += pair->heats.friction;
     mine[DAMPING] += pair->heats.damping;
   }
-  for (Fix *fix : modify->get_fix_by_style("^wall/carom$")) {
-    auto *wall = dynamic_cast<FixWallCarom *>(fix);
-    if (!wall) continue;
+  for (FixWallCarom *wall : carom::find_walls(modify)) {
     mine[STORED] += wall->stored_energy();
     mine[FRICTION] += wall->sums().friction;
     mine[DAMPING] += wall->sums().damping;

@@ -146,8 +146,7 @@ carom_grain_load FixWallCarom::step(int i, double duration)
   if (duration > 0.0 || is_new) {
     carom_heats made = {0.0, 0.0};
     status = touch.step(its, grain, wall, duration, &load, account ? &made : nullptr, &why);
-    sums_.friction += made.friction;
-    sums_.damping += made.damping;
+    book(i, made);
   } else {
     status = touch.load(its, grain, wall, &load, &why);
   }
@@ -155,14 +154,22 @@ carom_grain_load FixWallCarom::step(int i, double duration)
     carom_heats made = {0.0, 0.0};
     status = carom_touch_twist_wall(&its.grains, Touches::twist_of(slots[i].get()), &grain, &wall, duration, &load,
                                     account ? &made : nullptr, &why);
-    sums_.friction += made.friction;
+    book(i, made);
   }
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
   return load;
 }
 
+void FixWallCarom::book(int i, const carom_heats &made)
+{
+  sums_.friction += made.friction;
+  sums_.damping += made.damping;
+  if (grain_heat.is_wanted()) grain_heat.add(i, made.friction + made.damping);
+}
+
 void FixWallCarom::post_force(int)
 {
+  grain_heat.begin(pair->heat_readers, atom->nlocal);
   const double duration = update->setupflag ? 0.0 : update->dt;
   for (int axis = 0; axis < 3; axis++) wall.place[axis] += duration * wall.velocity[axis];
   const double *n = wall.normal, *p = wall.place;

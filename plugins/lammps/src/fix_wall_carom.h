@@ -5,6 +5,7 @@
 #include "fix.h"
 
 #include "carom.h"
+#include "grain_heat.h"
 #include "limits.h"
 #include "material.h"
 #include "touches.h"
@@ -54,6 +55,7 @@ class FixWallCarom : public Fix {
   // Whether the wall takes its defaults from this pair style.
   bool is_of(const PairCarom *its) const { return pair == its; }
   carom::Limits limits;    // of this run
+  carom::GrainHeat grain_heat;    // of the last step
 
  private:
   carom::Material material;
@@ -76,6 +78,7 @@ class FixWallCarom : public Fix {
   [[noreturn]] void damaged(const std::string &what) const;
   carom::Touch touch_of(int i);
   carom_grain_load step(int i, double duration);
+  void book(int i, const carom_heats &made);
   void pack(int i);
   void drop(int i);
   double *slot_of(int i);

@@ -22,7 +22,7 @@
 using namespace LAMMPS_NS;
 
 // Values of single() for a contact, in the order of p1, p2, ... of compute pair/local.
-enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, EXTRAS };
+enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, HEAT, WHOLE_HEAT, EXTRAS };
 
 // Number of contacts of a grain for which there is space while restart files are read.
 static constexpr int FORESEEN = 64;
@@ -56,7 +56,7 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   for (const std::string &id : {keep_id, history_id, restore_id}) {
     Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
     // Grains from several restart files are moved before anything else is made.
-    place->maxexchange = FORESEEN * (1 + Touches::MOST);
+    place->maxexchange = FORESEEN * (1 + Touches::MOST + Touches::HEATS);
   }
 }
 
@@ -147,6 +147,7 @@ void PairCarom::init_style()
     error->all(FLERR, "pair carom requires atom_style sphere");
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
   limits.start();
+  heat_readers.clear();
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
     const auto make = [this](const std::string &id, const std::string &style) {
@@ -251,6 +252,8 @@ void PairCarom::compute(int eflag, int vflag)
   // A setup only reads the result of the last step; a contact that is new to it begins with a step of
   // duration zero. Two separated grains that were in contact make one more step, in which the contact ends.
   const bool moves = !update->setupflag;
+  heat_readers.expire();
+  grain_heat.begin(heat_readers, atom->nlocal + atom->nghost);
   const double *x = atom->nlocal ? atom->x[0] : nullptr, *radius = atom->radius;
   const tagint *tag = atom->tag;
   int found = 0;
@@ -343,7 +346,9 @@ void PairCarom::step_alone(const Close &pair, carom_encounter &met, double dt, b
       steps ? touch.step(its, met.one, met.two, dt, &met.load, account ? &made : nullptr, &why)
             : touch.load(its, met.one, met.two, &met.load, &why);
   if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
-  if (account) book(pair, made);
+  if (!account || !steps) return;
+  heats_of(pair.slot)[0] = 0.0;
+  book(pair, made);
 }
 
 void PairCarom::twist(const Close &pair, carom_encounter &met, double dt)
@@ -360,6 +365,14 @@ void PairCarom::book(const Close &pair, const carom_heats &made)
   const double share = share_of(pair.j);
   heats.friction += share * made.friction;
   heats.damping += share * made.damping;
+  const double made_here = made.friction + made.damping;
+  double *of_contact = heats_of(pair.slot);
+  of_contact[0] += made_here;
+  of_contact[1] += made_here;
+  if (!grain_heat.is_wanted()) return;
+  // Half to each grain; another rank counts that of its own, unless newton is on.
+  grain_heat.add(pair.i, 0.5 * made_here);
+  if (share == 1.0) grain_heat.add(pair.j, 0.5 * made_here);
 }
 
 // The elastic energy of a contact, its twist included.
@@ -482,6 +495,7 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   svector[STICKING] = report.sticking;
   svector[REGIME] = report.regime;
   svector[ENERGY] = energy;
+  if (account) std::copy_n(heats_of(slot), Touches::HEATS, svector + HEAT);
   fforce = normal_force / distance;
   return energy;
 }
@@ -513,7 +527,7 @@ void PairCarom::read_restart_settings(FILE *fp)
 // Of the contacts, by the library, and of what this style writes beside them.
 static uint32_t file_version()
 {
-  constexpr uint32_t OF_STYLE = 2;
+  constexpr uint32_t OF_STYLE = 3;
   return 1000 * OF_STYLE + carom_state_version();
 }
 

@@ -5,6 +5,7 @@
 #include "pair.h"
 
 #include "carom.h"
+#include "grain_heat.h"
 #include "limits.h"
 #include "material.h"
 #include "touches.h"
@@ -49,6 +50,8 @@ class PairCarom : public Pair {
 
   FixCaromKeep *keep = nullptr;    // null once the host has deleted it
   carom_heats heats = {0.0, 0.0};  // of this rank, since the beginning
+  carom::GrainHeat grain_heat;     // of the last step
+  carom::HeatReaders heat_readers;
   // Logs what the contacts of this style and of its walls exceed.
   void tell_of_limits(bool is_end);
 
@@ -69,9 +72,14 @@ class PairCarom : public Pair {
   // Number of values of a contact in the host's slots.
   int numbers() const
   {
+    return of_touch() + (account ? Touches::HEATS : 0);
+  }
+  int of_touch() const
+  {
     if (law_.by_rings()) return Touches::OF_RINGS;
     return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS;
   }
+  double *heats_of(double *slot) const { return slot + of_touch(); }
   double energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();

@@ -20,6 +20,8 @@ class Touches {
   static constexpr int WITH_TWIST = NUMBERS + CAROM_TWIST_NUMBERS;
   static constexpr int OF_RINGS = CAROM_RING_TOUCH_NUMBERS;
   static constexpr int MOST = OF_RINGS > WITH_TWIST ? OF_RINGS : WITH_TWIST;
+  // The heat that a contact of grains made in the last step, and since it began: at the end of its slot.
+  static constexpr int HEATS = 2;
   static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
   // The unpacked contact of a slot; new if there is none. Null if the numbers are not a contact: `why` says

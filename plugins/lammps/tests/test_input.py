@@ -58,6 +58,9 @@ PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 1 0 0 rigid friction 1\nrun 1", ["periodic"]),
         (f"{VEL}pair_style zero 0.2\npair_coeff * *\nfix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1\nrun 1", ["requires pair_style carom"]),
         (f"{PAIRS}{VEL}compute e all carom/energy\nrun 1", ["energy yes"]),
+        (f"{PAIRS}{VEL}compute e all carom/heat/atom\nrun 1", ["carom/heat/atom", "energy yes"]),
+        (f"{PAIRS}{VEL}compute e all carom/heat/atom wall 1.5", ["wall = 1.5", "[0, 1]"]),
+        (f"{PAIRS}{VEL}compute e all carom/heat/atom floor 1", ["does not know 'floor'", "only wall"]),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path, commands, words):
