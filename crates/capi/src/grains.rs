@@ -3,8 +3,10 @@
 use carom_halfspace::MaterialPair;
 use carom_impact::closed_form::radiation_coefficient;
 use carom_impact::normal::NormalImpact;
-use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
-use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall, compliance_shares};
+use carom_laws::curvature::RelativeCurvature;
+use carom_laws::grains::{
+    Grain, GrainContact, GrainLoad, Meeting, Surface, Wall, compliance_shares,
+};
 use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 
@@ -135,15 +137,42 @@ impl Bodies for (&Grain, &Wall) {
     #[inline(always)]
     fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
         let (grain, wall) = self;
-        let [x, y, z] = wall.normal;
-        let square = x * x + y * y + z * z;
-        RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")?;
+        unit_normal(wall.normal)?;
         Ok(Meeting::on_wall(grain, wall, grains.share_1))
     }
 
     fn radii(self) -> [f64; 2] {
         [self.0.radius, f64::INFINITY]
     }
+}
+
+impl Bodies for (&Grain, &Surface) {
+    #[inline]
+    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
+        let (grain, wall) = self;
+        unit_normal(wall.normal)?;
+        let [square, along] = [wall.axis, wall.normal].map(|v| dot(wall.axis, v));
+        let (length, holds) = (square.sqrt(), square == 0.0 || (square - 1.0).abs() < 1e-9);
+        RangeError::check("axis", length, holds, "of length 0 or 1")?;
+        RangeError::check("axis", along, along.abs() < 1e-9, "across the normal")?;
+        Ok(Meeting::on_surface(grain, wall, grains.share_1))
+    }
+
+    fn radii(self) -> [f64; 2] {
+        [self.0.radius, f64::INFINITY]
+    }
+}
+
+#[inline(always)]
+fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
+    a * x + b * y + c * z
+}
+
+#[inline(always)]
+fn unit_normal(normal: [f64; 3]) -> Result<(), RangeError> {
+    let square = dot(normal, normal);
+    RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")
+        .map(|_| ())
 }
 
 /// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
@@ -169,11 +198,63 @@ pub unsafe extern "C" fn carom_grains_of(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let materials = materials(material_1, material_2)?;
-        *write(grains, "grains")? = constants(materials, friction, law, tolerance, relaxation)?;
+        let gap = RelativeCurvature::from_coefficients(0.5, 0.5)?;
+        *write(grains, "grains")? =
+            constants(materials, gap, friction, law, tolerance, relaxation)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
+}
+
+/// The constants of the contacts of grains of material 1 with a curved wall of material 2, as `carom_grains_of`
+/// makes those with a flat one: for grains of one radius R. The wall, where it is nearest, has the curvature
+/// `curvature_x` along the axis x of the contact, `curvature_y` across it, 1/m; above 0 where it is convex, as a
+/// shaft, below 0 where it is hollow, as a drum: then above -1/R. In calls that ask for the radius of the wall it
+/// is infinite, as that of a flat one. CAROM_LAW_RINGS needs two equal curvatures.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_grains_on_curved_wall(
+    material_1: *const CaromMaterial,
+    material_2: *const CaromMaterial,
+    radius: f64,
+    curvature_x: f64,
+    curvature_y: f64,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    relaxation: f64,
+    grains: *mut CaromGrains,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let materials = materials(material_1, material_2)?;
+        let gap = gap_at_wall(radius, [curvature_x, curvature_y], law)?;
+        *write(grains, "grains")? =
+            constants(materials, gap, friction, law, tolerance, relaxation)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The gap of a grain of radius 1 at a wall with as much smaller radii.
+fn gap_at_wall(radius: f64, curvatures: [f64; 2], law: u32) -> Result<RelativeCurvature, Failure> {
+    RangeError::positive("radius", radius)?;
+    let [x, y] = curvatures;
+    for (field, curvature) in [("curvature_x", x), ("curvature_y", y)] {
+        RangeError::check(field, curvature, curvature * radius > -1.0, "above -1 over the radius")?;
+    }
+    RangeError::check(
+        "curvature_y",
+        y,
+        law != CAROM_LAW_RINGS || x == y,
+        "curvature_x for law rings",
+    )?;
+    Ok(RelativeCurvature::from_coefficients(0.5 * (1.0 + x * radius), 0.5 * (1.0 + y * radius))?)
 }
 
 /// The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
@@ -206,12 +287,12 @@ pub unsafe extern "C" fn carom_grains_impact_time(
 
 fn constants(
     materials: MaterialPair,
+    gap: RelativeCurvature,
     friction: f64,
     law: u32,
     tolerance: f64,
     relaxation: f64,
 ) -> Result<CaromGrains, Failure> {
-    let gap = RelativeCurvature::new(PrincipalRadii::sphere(1.0)?, PrincipalRadii::PLANE, 0.0)?;
     let unit = CaromPair::of_hertz(&Hertz::new(gap, materials)?, friction, law, tolerance)?;
     finite(&unit)?;
     let [share_1, share_2] = compliance_shares(&materials);
