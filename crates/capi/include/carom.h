@@ -26,7 +26,8 @@
  *   6. R_x of spheres
  *   7. Limits of the theory
  *   8. Twist about the normal
- *   9. Rings: particles of dissimilar materials */
+ *   9. Rolling resistance of particles
+ *   10. Rings: particles of dissimilar materials */
 
 #ifndef CAROM_H
 #define CAROM_H
@@ -366,7 +367,9 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
 /* ---- 4. Contacts of particles: grains and walls -------------------------------
  *
  * carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make
- * one step of a contact: positions, velocities and spins in, force and torques out.
+ * one step of a contact: positions, velocities and spins in, force and torques out;
+ * carom_touch_surface does so at walls that are curved or turn, with the constants of
+ * carom_grains_on_curved_wall.
  * carom_grains_impact_time tells how long an impact lasts, for the choice of the time step. */
 
 /* The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
@@ -412,6 +415,23 @@ carom_status carom_grains_of(const struct carom_material *material_1,
                              struct carom_grains *grains,
                              struct carom_error *error);
 
+/* The constants of the contacts of grains of material 1 with a curved wall of material 2, as `carom_grains_of`
+ * makes those with a flat one: for grains of one radius R. The wall, where it is nearest, has the curvature
+ * `curvature_x` along the axis x of the contact, `curvature_y` across it, 1/m; above 0 where it is convex, as a
+ * shaft, below 0 where it is hollow, as a drum: then above -1/R. In calls that ask for the radius of the wall it
+ * is infinite, as that of a flat one. CAROM_LAW_RINGS needs two equal curvatures. */
+carom_status carom_grains_on_curved_wall(const struct carom_material *material_1,
+                                         const struct carom_material *material_2,
+                                         double radius,
+                                         double curvature_x,
+                                         double curvature_y,
+                                         double friction,
+                                         uint32_t law,
+                                         double tolerance,
+                                         double relaxation,
+                                         struct carom_grains *grains,
+                                         struct carom_error *error);
+
 /* The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
  * from this. The second is a wall if its radius is infinite; a mass may be infinite, not both. `velocity` is
  * that of approach, above 0. */
@@ -445,6 +465,22 @@ typedef struct carom_wall {
   /* Its velocity, m/s. */
   double velocity[3];
 } carom_wall;
+
+/* The place where a wall of any shape, at rest or moving, is nearest to a grain: its tangent plane there and its
+ * motion. */
+typedef struct carom_surface {
+  /* The nearest point of the wall, m. */
+  double place[3];
+  /* Unit normal at that point, pointing towards the grain. */
+  double normal[3];
+  /* The velocity of the wall at that point, m/s. */
+  double velocity[3];
+  /* The angular velocity of the wall, rad/s. */
+  double spin[3];
+  /* The direction of the axis x of the contact, a unit vector across the normal, for an ellipse whose axes are
+   * given by the wall. Zero for a circle, whose axes turn with the mean of the two spins. */
+  double axis[3];
+} carom_surface;
 
 /* Dissipated energy, by cause, J. Steps add to it. */
 typedef struct carom_heats {
@@ -497,6 +533,17 @@ carom_status carom_touch_wall(const struct carom_grains *grains,
                               struct carom_heats *heats,
                               struct carom_error *error);
 
+/* One step of the contact of a grain, body 1, and a wall of any shape, which may turn, as `carom_touch_grains`.
+ * With a curved wall `grains` are those of `carom_grains_on_curved_wall`. */
+carom_status carom_touch_surface(const struct carom_grains *grains,
+                                 struct carom_touch *touch,
+                                 const struct carom_grain *one,
+                                 const struct carom_surface *surface,
+                                 double dt,
+                                 struct carom_grain_load *load,
+                                 struct carom_heats *heats,
+                                 struct carom_error *error);
+
 /* The load of two grains after the last step, without a new one: the same bits if the positions are the
  * same. A touch that is zero carries only the force of Hertz. */
 carom_status carom_touch_grains_load(const struct carom_grains *grains,
@@ -513,6 +560,14 @@ carom_status carom_touch_wall_load(const struct carom_grains *grains,
                                    const struct carom_wall *wall,
                                    struct carom_grain_load *load,
                                    struct carom_error *error);
+
+/* The load of a grain, body 1, and a wall of any shape after the last step, as `carom_touch_grains_load`. */
+carom_status carom_touch_surface_load(const struct carom_grains *grains,
+                                      const struct carom_touch *touch,
+                                      const struct carom_grain *one,
+                                      const struct carom_surface *surface,
+                                      struct carom_grain_load *load,
+                                      struct carom_error *error);
 
 /* The elastic energy of a contact, compression included, J. */
 carom_status carom_touch_energy(const struct carom_touch *touch,
@@ -1009,6 +1064,16 @@ carom_status carom_touch_twist_wall(const struct carom_grains *grains,
                                     struct carom_heats *heats,
                                     struct carom_error *error);
 
+/* One step of the twist of a grain, body 1, and a wall of any shape, as `carom_touch_twist_wall`. */
+carom_status carom_touch_twist_surface(const struct carom_grains *grains,
+                                       struct carom_twist *twist,
+                                       const struct carom_grain *one,
+                                       const struct carom_surface *surface,
+                                       double dt,
+                                       struct carom_grain_load *load,
+                                       struct carom_heats *heats,
+                                       struct carom_error *error);
+
 /* The elastic energy of the twist of two grains, J. The radius of a wall is infinite. */
 carom_status carom_touch_twist_energy(const struct carom_grains *grains,
                                       const struct carom_twist *twist,
@@ -1017,7 +1082,76 @@ carom_status carom_touch_twist_energy(const struct carom_grains *grains,
                                       double *energy,
                                       struct carom_error *error);
 
-/* ---- 9. Rings: particles of dissimilar materials ------------------------------
+/* ---- 9. Rolling resistance of particles ---------------------------------------
+ *
+ * carom_touch_roll_grains and carom_touch_roll_surface add the torque of a spring, a dashpot and a
+ * slider to the load of a touch. */
+
+/* Number of numbers in a `carom_roll`. */
+#define CAROM_ROLL_NUMBERS 9
+
+/* The constants of a rolling resistance: a spring and a dashpot side by side, in series with a slider. The force
+ * of spring and dashpot acts on no body; times the relative radius it is a torque. */
+typedef struct carom_rolling {
+  /* The spring: force over the displacement of rolling, N/m. */
+  double stiffness;
+  /* The dashpot: force over the velocity of rolling, N s/m. */
+  double damping;
+  /* The slider: the greatest force over the normal force. */
+  double friction;
+} carom_rolling;
+
+/* The state of a rolling resistance, as 9 numbers in memory of the caller, in any build; zeros stand for two
+ * separated grains. */
+typedef struct carom_roll {
+  /* The displacement of the spring, m. */
+  double shift[3];
+  /* The normal of the last step; zero for separated grains. */
+  double normal[3];
+  /* The force of the last step, N. */
+  double force[3];
+} carom_roll;
+
+/* One step of the rolling resistance of two grains, for use after `carom_touch_grains` in the same step: the
+ * normal force is that of `load`, to whose torques it adds its own. The heat is added to `heat`, which may be
+ * null.
+ *
+ * With the relative radius R (1/R = 1/radius_1 + 1/radius_2) and the normal n from body 2 into body 1 the grains
+ * roll with the velocity v = R (spin_1 - spin_2) x n. Spring and dashpot exert the force F = - stiffness s -
+ * damping ds/dt, up to friction times the normal force, beyond which they slip: ds/dt = v without slip. The
+ * torque on body 1 is R n x F, that on body 2 the opposite. The step of s is that of the implicit Euler method.
+ *
+ * A step of duration zero returns the torque after the last step. Where the grains separate, the history is lost,
+ * and the energy of the spring becomes heat. */
+carom_status carom_touch_roll_grains(const struct carom_grains *grains,
+                                     const struct carom_rolling *rolling,
+                                     struct carom_roll *roll,
+                                     const struct carom_grain *one,
+                                     const struct carom_grain *two,
+                                     double dt,
+                                     struct carom_grain_load *load,
+                                     double *heat,
+                                     struct carom_error *error);
+
+/* One step of the rolling resistance of a grain, body 1, and a wall of any shape, whose torque is zero, as
+ * `carom_touch_roll_grains`. The relative radius is the radius of the grain. */
+carom_status carom_touch_roll_surface(const struct carom_grains *grains,
+                                      const struct carom_rolling *rolling,
+                                      struct carom_roll *roll,
+                                      const struct carom_grain *one,
+                                      const struct carom_surface *surface,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      double *heat,
+                                      struct carom_error *error);
+
+/* The elastic energy of a rolling resistance, J. */
+carom_status carom_touch_roll_energy(const struct carom_rolling *rolling,
+                                     const struct carom_roll *roll,
+                                     double *energy,
+                                     struct carom_error *error);
+
+/* ---- 10. Rings: particles of dissimilar materials ------------------------------
  *
  * Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the
  * matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step. */
@@ -1086,6 +1220,18 @@ carom_status carom_ring_touch_wall(const struct carom_grains *grains,
                                    struct carom_heats *heats,
                                    struct carom_error *error);
 
+/* One step of the contact of a grain, body 1, and a wall of any shape, as `carom_ring_touch_grains`. With a curved
+ * wall `grains` are those of `carom_grains_on_curved_wall`. */
+carom_status carom_ring_touch_surface(const struct carom_grains *grains,
+                                      const struct carom_rings *rings,
+                                      struct carom_ring_touch *touch,
+                                      const struct carom_grain *one,
+                                      const struct carom_surface *surface,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      struct carom_heats *heats,
+                                      struct carom_error *error);
+
 /* The load of two grains after the last step, without a new one, as `carom_touch_grains_load`. */
 carom_status carom_ring_touch_grains_load(const struct carom_grains *grains,
                                           const struct carom_rings *rings,
@@ -1103,6 +1249,15 @@ carom_status carom_ring_touch_wall_load(const struct carom_grains *grains,
                                         const struct carom_wall *wall,
                                         struct carom_grain_load *load,
                                         struct carom_error *error);
+
+/* The load of a grain, body 1, and a wall of any shape after the last step, as `carom_ring_touch_grains_load`. */
+carom_status carom_ring_touch_surface_load(const struct carom_grains *grains,
+                                           const struct carom_rings *rings,
+                                           const struct carom_ring_touch *touch,
+                                           const struct carom_grain *one,
+                                           const struct carom_surface *surface,
+                                           struct carom_grain_load *load,
+                                           struct carom_error *error);
 
 /* The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite. */
 carom_status carom_ring_touch_energy(const struct carom_grains *grains,

@@ -84,7 +84,9 @@ unsafe fn step_together(
     // SAFETY: the caller's promise.
     let is_ready = |i: usize| unsafe {
         let at = &*all.at(i);
-        is_place(at.grains) && is_place(at.touch) && (*at.touch).holds_one()
+        let is_contact = is_place(at.grains) && is_place(at.touch) && (*at.touch).holds_one();
+        // Masses that a restitution cannot use are refused one by one.
+        is_contact && ((*at.grains).restitution_ratio == 0.0 || is_massive(&at.one, &at.two))
     };
     if !(from..from + TOGETHER).all(is_ready) {
         return None;
@@ -105,6 +107,11 @@ unsafe fn step_together(
         }
     };
     advance_together(&mut pairs, dt, send_for_next).ok()
+}
+
+/// Whether both masses are > 0 and one of them finite.
+fn is_massive(one: &Grain, two: &Grain) -> bool {
+    one.mass > 0.0 && two.mass > 0.0 && one.mass.min(two.mass).is_finite()
 }
 
 /// Prefetches the cache line of an address. It has no other effect, and any address is allowed.

@@ -3,9 +3,13 @@
 use carom_halfspace::MaterialPair;
 use carom_impact::closed_form::radiation_coefficient;
 use carom_impact::normal::NormalImpact;
-use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
-use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall, compliance_shares};
+use carom_laws::curvature::RelativeCurvature;
+use carom_laws::damping::HertzDamping;
+use carom_laws::grains::{
+    Grain, GrainContact, GrainLoad, GrainRings, Meeting, Surface, Wall, compliance_shares,
+};
 use carom_laws::hertz::Hertz;
+use carom_laws::rings::Rings;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -26,6 +30,8 @@ pub struct CaromGrains {
     pub unit: CaromPair,
     /// The viscous relaxation time of the materials, s.
     pub relaxation: f64,
+    /// The ratio alpha of the damping of a given restitution (`carom_grains_restitution`); 0 for none.
+    pub restitution_ratio: f64,
     /// The displacement of body 1 at the contact over the approach.
     pub share_1: f64,
     /// The displacement of body 2 at the contact over the approach.
@@ -59,7 +65,29 @@ impl From<GrainLoad> for CaromGrainLoad {
 impl CaromGrains {
     /// A new contact of a given relative radius, not yet loaded.
     pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
-        Ok(GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?)
+        let contact = GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?;
+        Ok(contact.with_restitution(HertzDamping::of_ratio(self.restitution_ratio)?))
+    }
+
+    /// Whether the normal motion is not damped.
+    pub(crate) fn is_elastic(&self) -> bool {
+        self.relaxation == 0.0 && self.restitution_ratio == 0.0
+    }
+
+    /// A new contact with the law of rings.
+    pub(crate) fn ring_contact(&self, rings: &Rings<'_>) -> Result<GrainRings, Failure> {
+        let damping = HertzDamping::of_ratio(self.restitution_ratio)?;
+        Ok(GrainRings::new(rings, self.relaxation)?.with_restitution(damping))
+    }
+
+    /// The meeting of two bodies, whose masses are checked if a restitution needs them.
+    #[inline(always)]
+    pub(crate) fn meeting(&self, bodies: impl Bodies) -> Result<Meeting, Failure> {
+        let meeting = bodies.meeting(self)?;
+        if self.restitution_ratio > 0.0 {
+            meeting.check_masses()?;
+        }
+        Ok(meeting)
     }
 
     /// The constants of a contact of a given relative radius, which is a^2/zeta.
@@ -135,15 +163,42 @@ impl Bodies for (&Grain, &Wall) {
     #[inline(always)]
     fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
         let (grain, wall) = self;
-        let [x, y, z] = wall.normal;
-        let square = x * x + y * y + z * z;
-        RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")?;
+        unit_normal(wall.normal)?;
         Ok(Meeting::on_wall(grain, wall, grains.share_1))
     }
 
     fn radii(self) -> [f64; 2] {
         [self.0.radius, f64::INFINITY]
     }
+}
+
+impl Bodies for (&Grain, &Surface) {
+    #[inline]
+    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
+        let (grain, wall) = self;
+        unit_normal(wall.normal)?;
+        let [square, along] = [wall.axis, wall.normal].map(|v| dot(wall.axis, v));
+        let (length, holds) = (square.sqrt(), square == 0.0 || (square - 1.0).abs() < 1e-9);
+        RangeError::check("axis", length, holds, "of length 0 or 1")?;
+        RangeError::check("axis", along, along.abs() < 1e-9, "across the normal")?;
+        Ok(Meeting::on_surface(grain, wall, grains.share_1))
+    }
+
+    fn radii(self) -> [f64; 2] {
+        [self.0.radius, f64::INFINITY]
+    }
+}
+
+#[inline(always)]
+fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
+    a * x + b * y + c * z
+}
+
+#[inline(always)]
+fn unit_normal(normal: [f64; 3]) -> Result<(), RangeError> {
+    let square = dot(normal, normal);
+    RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")
+        .map(|_| ())
 }
 
 /// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
@@ -169,11 +224,89 @@ pub unsafe extern "C" fn carom_grains_of(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let materials = materials(material_1, material_2)?;
-        *write(grains, "grains")? = constants(materials, friction, law, tolerance, relaxation)?;
+        let gap = RelativeCurvature::from_coefficients(0.5, 0.5)?;
+        *write(grains, "grains")? =
+            constants(materials, gap, friction, law, tolerance, relaxation)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
+}
+
+/// Damps contacts such that two grains part with `restitution` times the speed with which they met, at any speed: from
+/// 0.01 to 1, which means none. The force is alpha sqrt(m K) zeta^(1/4) dzeta/dt beside that of Hertz, K zeta^(3/2),
+/// m the reduced mass; the sum never pulls. Friction, torsion and resistance to rolling leave it as it is.
+///
+/// With 50 steps in an impact the restitution is met to 2e-4. Masses of grains are read then, and must be > 0; that of
+/// one of both bodies must be finite. A relaxation time damps in addition. Contacts that have begun keep theirs.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_grains_restitution(
+    grains: *mut CaromGrains,
+    restitution: f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let grains = write(grains, "grains")?;
+        grains.unit.check_version()?;
+        grains.restitution_ratio = HertzDamping::of_restitution(restitution)?.ratio();
+        Ok::<(), Failure>(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The constants of the contacts of grains of material 1 with a curved wall of material 2, as `carom_grains_of`
+/// makes those with a flat one: for grains of one radius R. The wall, where it is nearest, has the curvature
+/// `curvature_x` along the axis x of the contact, `curvature_y` across it, 1/m; above 0 where it is convex, as a
+/// shaft, below 0 where it is hollow, as a drum: then above -1/R. In calls that ask for the radius of the wall it
+/// is infinite, as that of a flat one. CAROM_LAW_RINGS needs two equal curvatures.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_grains_on_curved_wall(
+    material_1: *const CaromMaterial,
+    material_2: *const CaromMaterial,
+    radius: f64,
+    curvature_x: f64,
+    curvature_y: f64,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    relaxation: f64,
+    grains: *mut CaromGrains,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let materials = materials(material_1, material_2)?;
+        let gap = gap_at_wall(radius, [curvature_x, curvature_y], law)?;
+        *write(grains, "grains")? =
+            constants(materials, gap, friction, law, tolerance, relaxation)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The gap of a grain of radius 1 at a wall with as much smaller radii.
+fn gap_at_wall(radius: f64, curvatures: [f64; 2], law: u32) -> Result<RelativeCurvature, Failure> {
+    RangeError::positive("radius", radius)?;
+    let [x, y] = curvatures;
+    for (field, curvature) in [("curvature_x", x), ("curvature_y", y)] {
+        RangeError::check(field, curvature, curvature * radius > -1.0, "above -1 over the radius")?;
+    }
+    RangeError::check(
+        "curvature_y",
+        y,
+        law != CAROM_LAW_RINGS || x == y,
+        "curvature_x for law rings",
+    )?;
+    Ok(RelativeCurvature::from_coefficients(0.5 * (1.0 + x * radius), 0.5 * (1.0 + y * radius))?)
 }
 
 /// The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
@@ -206,18 +339,26 @@ pub unsafe extern "C" fn carom_grains_impact_time(
 
 fn constants(
     materials: MaterialPair,
+    gap: RelativeCurvature,
     friction: f64,
     law: u32,
     tolerance: f64,
     relaxation: f64,
 ) -> Result<CaromGrains, Failure> {
-    let gap = RelativeCurvature::new(PrincipalRadii::sphere(1.0)?, PrincipalRadii::PLANE, 0.0)?;
     let unit = CaromPair::of_hertz(&Hertz::new(gap, materials)?, friction, law, tolerance)?;
     finite(&unit)?;
     let [share_1, share_2] = compliance_shares(&materials);
     let [radiation_1, radiation_2] =
         [radiation_coefficient(materials.body_1())?, radiation_coefficient(materials.body_2())?];
-    let grains = CaromGrains { unit, relaxation, share_1, share_2, radiation_1, radiation_2 };
+    let grains = CaromGrains {
+        unit,
+        relaxation,
+        restitution_ratio: 0.0,
+        share_1,
+        share_2,
+        radiation_1,
+        radiation_2,
+    };
     match law {
         CAROM_LAW_RINGS => RangeError::non_negative("relaxation", relaxation).map(|_| ())?,
         _ => grains.contact(1.0).map(|_| ())?,

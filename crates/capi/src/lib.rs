@@ -42,12 +42,15 @@ mod rings;
 mod state;
 mod stored;
 mod touch;
+mod touch_roll;
 mod touch_twist;
 mod twist;
 mod validity;
 mod version;
 
-pub use carom_laws::grains::{Grain as CaromGrain, Heats as CaromHeats, Wall as CaromWall};
+pub use carom_laws::grains::{
+    Grain as CaromGrain, Heats as CaromHeats, Surface as CaromSurface, Wall as CaromWall,
+};
 
 pub use batch::carom_contact_advance_many;
 pub use collide_options::{
@@ -62,7 +65,10 @@ pub use contact::{
 };
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
-pub use grains::{CaromGrainLoad, CaromGrains, carom_grains_impact_time, carom_grains_of};
+pub use grains::{
+    CaromGrainLoad, CaromGrains, carom_grains_impact_time, carom_grains_of,
+    carom_grains_on_curved_wall, carom_grains_restitution,
+};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
     CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CaromBody, CaromRebound,
@@ -80,17 +86,25 @@ pub use restitution::{
 pub use ring_touch::{
     CAROM_RING_TOUCH_MARK, CAROM_RING_TOUCH_NUMBERS, CAROM_RING_TOUCH_WORDS, CaromRingTouch,
     carom_ring_touch_energy, carom_ring_touch_grains, carom_ring_touch_grains_load,
-    carom_ring_touch_pack, carom_ring_touch_report, carom_ring_touch_unpack, carom_ring_touch_wall,
+    carom_ring_touch_pack, carom_ring_touch_report, carom_ring_touch_surface,
+    carom_ring_touch_surface_load, carom_ring_touch_unpack, carom_ring_touch_wall,
     carom_ring_touch_wall_load,
 };
 pub use rings::{CaromRings, carom_rings_free, carom_rings_of};
 pub use state::{CAROM_STATE_NUMBERS, CaromState};
 pub use touch::{
     CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_grains,
-    carom_touch_grains_load, carom_touch_pack, carom_touch_report, carom_touch_unpack,
-    carom_touch_wall, carom_touch_wall_load,
+    carom_touch_grains_load, carom_touch_pack, carom_touch_report, carom_touch_surface,
+    carom_touch_surface_load, carom_touch_unpack, carom_touch_wall, carom_touch_wall_load,
 };
-pub use touch_twist::{carom_touch_twist_energy, carom_touch_twist_grains, carom_touch_twist_wall};
+pub use touch_roll::{
+    CAROM_ROLL_NUMBERS, CaromRoll, CaromRolling, carom_touch_roll_energy, carom_touch_roll_grains,
+    carom_touch_roll_surface,
+};
+pub use touch_twist::{
+    carom_touch_twist_energy, carom_touch_twist_grains, carom_touch_twist_surface,
+    carom_touch_twist_wall,
+};
 pub use twist::{
     CAROM_TWIST_NUMBERS, CaromTwist, carom_twist_advance, carom_twist_energy, carom_twist_heat,
     carom_twist_torque,

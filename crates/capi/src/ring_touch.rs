@@ -2,7 +2,9 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::{Grain, GrainRings, Heats, RING_GRAIN_MARK, Wall, ring_grain_numbers};
+use carom_laws::grains::{
+    Grain, GrainRings, Heats, RING_GRAIN_MARK, Surface, Wall, ring_grain_numbers,
+};
 use carom_laws::rings::Rings;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -74,14 +76,14 @@ unsafe fn advance(
     let (touch, load) = unsafe { (write(touch, "touch")?, write(load, "load")?) };
     // SAFETY: the caller's promise.
     let sums = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
-    let meeting = bodies.meeting(grains)?;
+    let meeting = grains.meeting(bodies)?;
     let rings = constants(grains, rings, bodies.radii())?;
     let mut unasked = Heats::default();
     let heats = sums.unwrap_or(&mut unasked);
     if let Some(contact) = present_mut::<GrainRings, _>(touch.mark, &mut touch.words)? {
         *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
     } else {
-        let mut contact = GrainRings::new(&rings, grains.relaxation)?;
+        let mut contact = grains.ring_contact(&rings)?;
         *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
         touch.keep(&contact);
     }
@@ -100,11 +102,11 @@ unsafe fn load_of(
     let (grains, rings) = unsafe { (read(grains, "grains")?, read(rings, "rings")?) };
     // SAFETY: the caller's promise.
     let (touch, load) = unsafe { (read(touch, "touch")?, write(load, "load")?) };
-    let meeting = bodies.meeting(grains)?;
+    let meeting = grains.meeting(bodies)?;
     let rings = constants(grains, rings, bodies.radii())?;
     *load = match touch.present()? {
         Some(contact) => contact.load(&rings, &meeting),
-        None => GrainRings::new(&rings, grains.relaxation)?.load(&rings, &meeting),
+        None => grains.ring_contact(&rings)?.load(&rings, &meeting),
     }
     .into();
     Ok(())
@@ -165,6 +167,32 @@ pub unsafe extern "C" fn carom_ring_touch_wall(
     unsafe { border(error, call) }
 }
 
+/// One step of the contact of a grain, body 1, and a wall of any shape, as `carom_ring_touch_grains`. With a curved
+/// wall `grains` are those of `carom_grains_on_curved_wall`.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_surface(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *mut CaromRingTouch,
+    one: *const Grain,
+    surface: *const Surface,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = (read(one, "one")?, read(surface, "surface")?);
+        advance((grains, rings), touch, bodies, dt, load, heats)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
 /// The load of two grains after the last step, without a new one, as `carom_touch_grains_load`.
 ///
 /// # Safety
@@ -203,6 +231,28 @@ pub unsafe extern "C" fn carom_ring_touch_wall_load(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         load_of((grains, rings), touch, (read(one, "one")?, read(wall, "wall")?), load)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The load of a grain, body 1, and a wall of any shape after the last step, as `carom_ring_touch_grains_load`.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_surface_load(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *const CaromRingTouch,
+    one: *const Grain,
+    surface: *const Surface,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        load_of((grains, rings), touch, (read(one, "one")?, read(surface, "surface")?), load)
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
@@ -322,7 +372,7 @@ pub unsafe extern "C" fn carom_ring_touch_unpack(
             return Ok(());
         }
         let rings = constants(grains, rings, [radius_1, radius_2])?;
-        let mut contact = GrainRings::new(&rings, grains.relaxation)?;
+        let mut contact = grains.ring_contact(&rings)?;
         contact.unpack(&rings, numbers).map_err(|error| Failure::from(error).in_state())?;
         touch.keep(&contact);
         Ok(())

@@ -2,7 +2,9 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, grain_numbers};
+use carom_laws::grains::{
+    Grain, GrainContact, GrainLoad, Heats, Meeting, Surface, Wall, grain_numbers,
+};
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -126,7 +128,7 @@ pub(crate) unsafe fn advance(
         unsafe { (read(grains, "grains")?, write(touch, "touch")?, write(load, "load")?) };
     // SAFETY: the caller's promise.
     let heats = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
-    let meeting = bodies.meeting(grains)?;
+    let meeting = grains.meeting(bodies)?;
     touch.advance(&meeting, dt, heats, load, || bodies.fresh(grains))
 }
 
@@ -140,7 +142,7 @@ unsafe fn load_of(
 ) -> Result<(), Failure> {
     // SAFETY: the caller's promise.
     let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
-    let meeting = bodies.meeting(grains)?;
+    let meeting = grains.meeting(bodies)?;
     // SAFETY: the caller's promise.
     *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains))?;
     Ok(())
@@ -199,6 +201,31 @@ pub unsafe extern "C" fn carom_touch_wall(
     unsafe { border(error, call) }
 }
 
+/// One step of the contact of a grain, body 1, and a wall of any shape, which may turn, as `carom_touch_grains`.
+/// With a curved wall `grains` are those of `carom_grains_on_curved_wall`.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_surface(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    one: *const Grain,
+    surface: *const Surface,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = (read(one, "one")?, read(surface, "surface")?);
+        advance(grains, touch, bodies, dt, load, heats)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
 /// The load of two grains after the last step, without a new one: the same bits if the positions are the
 /// same. A touch that is zero carries only the force of Hertz.
 ///
@@ -234,6 +261,26 @@ pub unsafe extern "C" fn carom_touch_wall_load(
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
     let call = || unsafe { load_of(grains, touch, (read(one, "one")?, read(wall, "wall")?), load) };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The load of a grain, body 1, and a wall of any shape after the last step, as `carom_touch_grains_load`.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_surface_load(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    one: *const Grain,
+    surface: *const Surface,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call =
+        || unsafe { load_of(grains, touch, (read(one, "one")?, read(surface, "surface")?), load) };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
 }

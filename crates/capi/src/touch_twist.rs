@@ -1,6 +1,6 @@
 //! The twist of two grains, or of a grain and a wall, about their common normal.
 
-use carom_laws::grains::{Grain, GrainTwist, Heats, Wall};
+use carom_laws::grains::{Grain, GrainTwist, Heats, Surface, Wall};
 use carom_laws::law::ContactLaw as _;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -68,6 +68,32 @@ pub unsafe extern "C" fn carom_touch_twist_wall(
     unsafe { border(error, call) }
 }
 
+/// One step of the twist of a grain, body 1, and a wall of any shape, as `carom_touch_twist_wall`.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_twist_surface(
+    grains: *const CaromGrains,
+    twist: *mut CaromTwist,
+    one: *const Grain,
+    surface: *const Surface,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = (read(one, "one")?, read(surface, "surface")?);
+        let torque = turn(grains, twist, bodies, dt, load, heats)?;
+        add(&mut write(load, "load")?.torque_1, torque, 1.0);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
 /// The elastic energy of the twist of two grains, J. The radius of a wall is infinite.
 ///
 /// # Safety
@@ -126,7 +152,7 @@ unsafe fn turn(
     Ok(torque)
 }
 
-fn add(to: &mut [f64; 3], torque: [f64; 3], sign: f64) {
+pub(crate) fn add(to: &mut [f64; 3], torque: [f64; 3], sign: f64) {
     for (to, torque) in to.iter_mut().zip(torque) {
         *to += sign * torque;
     }

@@ -284,7 +284,7 @@ pub unsafe extern "C" fn carom_grains_impact_validity(
         RangeError::non_negative("step", step)?;
         let (radii, masses) = ([radius_1, radius_2], [mass_1, mass_2]);
         let pulse = grains.impact(radii, masses, velocity)?;
-        let (depth, wave_share) = match grains.relaxation == 0.0 {
+        let (depth, wave_share) = match grains.is_elastic() {
             true => (pulse.maximal_approach(), grains.wave_share(radii, masses, &pulse)),
             false => (0.0, 0.0),
         };

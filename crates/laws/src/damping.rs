@@ -39,9 +39,28 @@ impl HertzDamping {
     /// # Errors
     /// [`RangeError`] unless it is in \[0.01, 1\].
     pub fn of_restitution(restitution: f64) -> Result<Self, RangeError> {
-        let holds = (0.01..=1.0).contains(&restitution);
+        let holds = (LEAST..=1.0).contains(&restitution);
         RangeError::check("restitution", restitution, holds, "from 0.01 to 1")?;
         Ok(Self { restitution, ratio: 5.0_f64.sqrt() * damping_ratio(restitution) })
+    }
+
+    /// The damping of a ratio alpha, whose restitution follows.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is that of a restitution in \[0.01, 1\], from 0 to 11.2.
+    pub fn of_ratio(ratio: f64) -> Result<Self, RangeError> {
+        let greatest = 5.0_f64.sqrt() * damping_ratio(LEAST) * (1.0 + 1e-12);
+        let holds = (0.0..=greatest).contains(&ratio);
+        RangeError::check("ratio", ratio, holds, "from 0 to that of a restitution of 0.01, 11.2")?;
+        let beta = ratio / 5.0_f64.sqrt();
+        let exponent = if beta < 1.0 {
+            let psi = libm::acos(beta);
+            psi * beta / libm::sin(psi)
+        } else {
+            let chi = libm::acosh(beta);
+            if chi == 0.0 { 1.0 } else { chi / libm::tanh(chi) }
+        };
+        Ok(Self { restitution: libm::exp(-2.0 * exponent), ratio })
     }
 
     /// The restitution e.
@@ -56,6 +75,9 @@ impl HertzDamping {
         self.ratio
     }
 }
+
+/// The least restitution.
+const LEAST: f64 = 0.01;
 
 /// beta from e: cos psi with `psi cot psi = -ln(e)/2`, or cosh chi.
 fn damping_ratio(restitution: f64) -> f64 {
@@ -160,6 +182,18 @@ mod tests {
         }
         for damping in [-1e-9, 100.1, f64::NAN] {
             assert_eq!(viscoelastic_restitution(damping).unwrap_err().field, "damping");
+        }
+    }
+
+    #[test]
+    fn a_ratio_has_the_restitution_that_it_came_from() {
+        for k in 1..=100 {
+            let damping = HertzDamping::of_restitution(0.01 * f64::from(k)).unwrap();
+            let back = HertzDamping::of_ratio(damping.ratio()).unwrap();
+            assert_abs_diff_eq!(back.restitution(), damping.restitution(), epsilon = 1e-13);
+        }
+        for ratio in [-1e-9, 11.7, f64::NAN] {
+            assert_eq!(HertzDamping::of_ratio(ratio).unwrap_err().field, "ratio");
         }
     }
 

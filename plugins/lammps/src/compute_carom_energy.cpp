@@ -1,7 +1,7 @@
 #include "compute_carom_energy.h"
 
 #include "find_pair.h"
-#include "fix_wall_carom.h"
+#include "find_wall.h"
 
 #include "error.h"
 #include "force.h"
@@ -11,7 +11,7 @@
 using namespace LAMMPS_NS;
 
 // c_ID[1] and so on.
-enum { STORED, FRICTION, DAMPING, WORK_OF_WALLS, OUTPUTS };
+enum { STORED, FRICTION, DAMPING, WORK_OF_WALLS, ROLLING, OUTPUTS };
 
 ComputeCaromEnergy::ComputeCaromEnergy(LAMMPS *lmp, int narg, char **arg) : Compute(lmp, narg, arg)
 {
@@ -40,18 +40,18 @@ void ComputeCaromEnergy::init()
 void ComputeCaromEnergy::compute_vector()
 {
   invoked_vector = update->ntimestep;
-  double mine[OUTPUTS] = {0.0, 0.0, 0.0, 0.0};
+  double mine[OUTPUTS] = {};
   for (PairCarom *pair : carom::find_pairs(force)) {
     mine[STORED] += pair->stored_energy();
     mine[FRICTION] += pair->heats.friction;
     mine[DAMPING] += pair->heats.damping;
+    mine[ROLLING] += pair->heats.rolling;
   }
-  for (Fix *fix : modify->get_fix_by_style("^wall/carom$")) {
-    auto *wall = dynamic_cast<FixWallCarom *>(fix);
-    if (!wall) continue;
+  for (FixWallCarom *wall : carom::find_walls(modify)) {
     mine[STORED] += wall->stored_energy();
     mine[FRICTION] += wall->sums().friction;
     mine[DAMPING] += wall->sums().damping;
+    mine[ROLLING] += wall->sums().rolling;
     mine[WORK_OF_WALLS] += wall->sums().work;
   }
   MPI_Allreduce(mine, vector, OUTPUTS, MPI_DOUBLE, MPI_SUM, world);

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <string>
 
 using namespace LAMMPS_NS;
 
@@ -28,7 +30,7 @@ void FixCaromKeep::serve(PairCarom *its, NeighHistory *history_of_host)
 {
   pair = its;
   history = history_of_host;
-  pair->heats = {heats_of_file[0], heats_of_file[1]};
+  if (comm->me == 0) pair->heats = {of_file[1], of_file[2], of_file[3]};
 }
 
 int FixCaromKeep::setmask()
@@ -60,22 +62,30 @@ void FixCaromKeep::write_restart(FILE *fp)
   if (!pair) return;
   if (update->whichflag == 0) save();
   else pair->pack_all();
-  const double mine[2] = {pair->heats.friction, pair->heats.damping};
-  double all[2];
-  MPI_Reduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, 0, world);
+  const double mine[KEPT - 1] = {pair->heats.friction, pair->heats.damping, pair->heats.rolling};
+  double all[KEPT] = {static_cast<double>(pair->numbers())};
+  MPI_Reduce(mine, all + 1, KEPT - 1, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
   const int size = sizeof all;
   fwrite(&size, sizeof size, 1, fp);
-  fwrite(all, sizeof(double), 2, fp);
+  fwrite(all, sizeof(double), KEPT, fp);
 }
 
 void FixCaromKeep::restart(char *buffer)
 {
-  const double *all = reinterpret_cast<double *>(buffer);
-  if (!std::isfinite(all[0]) || !std::isfinite(all[1]))
+  memcpy(of_file, buffer, sizeof of_file);
+  if (!std::all_of(of_file, of_file + KEPT, [](double number) { return std::isfinite(number); }))
     error->all(FLERR, "pair carom: the restart file is damaged: the heats are not finite numbers");
-  heats_of_file[0] = comm->me == 0 ? all[0] : 0.0;
-  heats_of_file[1] = comm->me == 0 ? all[1] : 0.0;
+}
+
+void FixCaromKeep::check_numbers(int numbers) const
+{
+  if (of_file[0] == 0.0 || of_file[0] == numbers) return;
+  char text[32];
+  snprintf(text, sizeof text, "%g", of_file[0]);
+  error->all(FLERR, std::string("pair carom: the contacts of the restart file have ") + text +
+                        " numbers, those of this run " + std::to_string(numbers) +
+                        ": law rings, torsion, energy and rolling must be as in the run that wrote it");
 }
 
 // Between runs the host has moved grains, with their contacts, since it built the neighbor list; yet its fix

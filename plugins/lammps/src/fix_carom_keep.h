@@ -26,6 +26,8 @@ class FixCaromKeep : public Fix {
 
   // The pair style whose contacts it keeps; passes on what a restart file contained.
   void serve(PairCarom *its, NeighHistory *history);
+  // Raises an error if a restart file has contacts of another size.
+  void check_numbers(int numbers) const;
   // Restores the contents of the host's fix for each grain.
   void restore();
   // Largest number of values that the host's fix keeps for a grain of this rank.
@@ -37,7 +39,9 @@ class FixCaromKeep : public Fix {
   NeighHistory *history = nullptr;
   std::vector<double> known;
   void save();
-  double heats_of_file[2] = {0.0, 0.0};
+  // What a restart file has: the size of a contact (0 without a file) and heats.
+  static constexpr int KEPT = 4;
+  double of_file[KEPT] = {0.0, 0.0, 0.0, 0.0};
 };
 
 class FixCaromRestore : public Fix {

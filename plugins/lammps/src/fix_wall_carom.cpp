@@ -17,8 +17,11 @@
 
 using namespace LAMMPS_NS;
 
+// Number of values of the whole wall in a restart file: position, sums, force.
+static constexpr int KEPT = 10;
+
 // Values of compute_vector(), from f_ID[1] on.
-enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, OUTPUTS };
+enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, ROLLING, OUTPUTS };
 
 FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
@@ -47,7 +50,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
                             "': only plane and velocity (with all their values), young, shear, poisson, "
-                            "rigid, yield, friction, damping, law, tolerance and torsion");
+                            "rigid, yield, friction, damping, rolling, law, tolerance and torsion");
     k += words;
   }
   material.check(lmp, who());
@@ -62,7 +65,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
 
   restart_global = restart_peratom = 1;
   create_attribute = 1;
-  maxexchange = 1 + Touches::MOST;
+  maxexchange = 1 + SLOT;
   vector_flag = 1;
   size_vector = OUTPUTS;
   global_freq = 1;
@@ -146,8 +149,7 @@ carom_grain_load FixWallCarom::step(int i, double duration)
   if (duration > 0.0 || is_new) {
     carom_heats made = {0.0, 0.0};
     status = touch.step(its, grain, wall, duration, &load, account ? &made : nullptr, &why);
-    sums_.friction += made.friction;
-    sums_.damping += made.damping;
+    book(i, {made.friction, made.damping, 0.0});
   } else {
     status = touch.load(its, grain, wall, &load, &why);
   }
@@ -155,14 +157,38 @@ carom_grain_load FixWallCarom::step(int i, double duration)
     carom_heats made = {0.0, 0.0};
     status = carom_touch_twist_wall(&its.grains, Touches::twist_of(slots[i].get()), &grain, &wall, duration, &load,
                                     account ? &made : nullptr, &why);
-    sums_.friction += made.friction;
+    book(i, {made.friction, made.damping, 0.0});
   }
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
+  if (its.rolls()) roll(i, grain, duration, load);
   return load;
+}
+
+void FixWallCarom::roll(int i, const carom_grain &grain, double duration, carom_grain_load &load)
+{
+  const carom::Constants &its = constants[atom->type[i]];
+  carom_surface surface = {};
+  memcpy(surface.place, wall.place, sizeof surface.place);
+  memcpy(surface.normal, wall.normal, sizeof surface.normal);
+  carom::HeatSums made;
+  carom_error why;
+  if (carom_touch_roll_surface(&its.grains, &its.rolling, roll_of(slots[i].get()), &grain, &surface, duration, &load,
+                               &made.rolling, &why) != CAROM_STATUS_OK)
+    carom::fail(lmp, who(), why);
+  if (account) book(i, made);
+}
+
+void FixWallCarom::book(int i, const carom::HeatSums &made)
+{
+  sums_.friction += made.friction;
+  sums_.damping += made.damping;
+  sums_.rolling += made.rolling;
+  if (grain_heat.is_wanted()) grain_heat.add(i, made.all());
 }
 
 void FixWallCarom::post_force(int)
 {
+  grain_heat.begin(pair->heat_readers, atom->nlocal);
   const double duration = update->setupflag ? 0.0 : update->dt;
   for (int axis = 0; axis < 3; axis++) wall.place[axis] += duration * wall.velocity[axis];
   const double *n = wall.normal, *p = wall.place;
@@ -204,8 +230,10 @@ double FixWallCarom::stored_energy()
     if (!touches_wall(i)) continue;
     const carom::Constants &its = constants[atom->type[i]];
     sum += touch_of(i).energy(its, atom->radius[i], INFINITY);
-    if (!twists || its.rings) continue;
     double energy = 0.0;
+    if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slots[i].get()), &energy, nullptr);
+    sum += energy;
+    if (!twists || its.rings) continue;
     carom_touch_twist_energy(&its.grains, Touches::twist_of(slots[i].get()), atom->radius[i],
                              INFINITY, &energy, nullptr);
     sum += energy;
@@ -221,6 +249,7 @@ double FixWallCarom::compute_vector(int n)
     case FRICTION: mine = sums_.friction; break;
     case DAMPING: mine = sums_.damping; break;
     case WORK: mine = sums_.work; break;
+    case ROLLING: mine = sums_.rolling; break;
     default: mine = force_on_wall[n];
   }
   double all;
@@ -231,25 +260,26 @@ double FixWallCarom::compute_vector(int n)
 // The position of the wall, and the sums of all ranks.
 void FixWallCarom::write_restart(FILE *fp)
 {
-  const double mine[6] = {sums_.friction,   sums_.damping,    sums_.work,
-                          force_on_wall[0], force_on_wall[1], force_on_wall[2]};
-  double all[9];
+  const double mine[7] = {sums_.friction,   sums_.damping,    sums_.work,    force_on_wall[0],
+                          force_on_wall[1], force_on_wall[2], sums_.rolling};
+  double all[KEPT];
   memcpy(all, wall.place, 3 * sizeof(double));
-  MPI_Reduce(mine, all + 3, 6, MPI_DOUBLE, MPI_SUM, 0, world);
+  MPI_Reduce(mine, all + 3, 7, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
   const int size = sizeof all;
   fwrite(&size, sizeof size, 1, fp);
-  fwrite(all, sizeof(double), 9, fp);
+  fwrite(all, sizeof(double), KEPT, fp);
 }
 
 void FixWallCarom::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
-  if (!std::all_of(all, all + 9, [](double number) { return std::isfinite(number); }))
+  if (!std::all_of(all, all + KEPT, [](double number) { return std::isfinite(number); }))
     damaged("the position or a sum of the wall is not a finite number");
   memcpy(wall.place, all, 3 * sizeof(double));
   if (comm->me != 0) return;
   sums_ = {all[3], all[4], all[5]};
+  sums_.rolling = all[9];
   memcpy(force_on_wall, all + 6, 3 * sizeof(double));
 }
 
@@ -268,21 +298,22 @@ void FixWallCarom::drop(int i)
 {
   if (!slots[i]) return;
   touches.drop(slots[i].get());
-  memset(slots[i].get(), 0, Touches::MOST * sizeof(double));
+  memset(slots[i].get(), 0, SLOT * sizeof(double));
 }
 
 // Number of values kept for a grain.
 int FixWallCarom::count_of(int i) const
 {
   if (!touches_wall(i)) return 0;
-  if (touches.is_of_rings(slots[i].get())) return Touches::OF_RINGS;
-  return twists ? Touches::WITH_TWIST : Touches::NUMBERS;
+  const int more = keeps_more() ? Touches::AT_WALL : 0;
+  if (touches.is_of_rings(slots[i].get())) return Touches::OF_RINGS + more;
+  return (twists ? Touches::WITH_TWIST : Touches::NUMBERS) + more;
 }
 
 // A slot has space for any law: a restart file is read before the law is known.
 double *FixWallCarom::slot_of(int i)
 {
-  if (!slots[i]) slots[i].reset(new double[Touches::MOST]());
+  if (!slots[i]) slots[i].reset(new double[SLOT]());
   return slots[i].get();
 }
 
@@ -300,9 +331,10 @@ void FixWallCarom::pack(int i)
 int FixWallCarom::pack_exchange(int i, double *buffer)
 {
   pack(i);
-  const int count = count_of(i);
+  const int count = count_of(i), more = count > 0 && keeps_more() ? Touches::AT_WALL : 0;
   buffer[0] = count;
-  if (count > 0) memcpy(buffer + 1, slots[i].get(), count * sizeof(double));
+  if (count > 0) memcpy(buffer + 1, slots[i].get(), (count - more) * sizeof(double));
+  if (more > 0) memcpy(buffer + 1 + count - more, slots[i].get() + Touches::MOST, more * sizeof(double));
   return 1 + count;
 }
 
@@ -311,7 +343,10 @@ int FixWallCarom::unpack_exchange(int i, double *buffer)
   drop(i);
   if (!Touches::is_count(buffer[0])) damaged(std::to_string(buffer[0]) + " numbers of a contact");
   const int count = static_cast<int>(buffer[0]);
-  if (count > 0) memcpy(slot_of(i), buffer + 1, count * sizeof(double));
+  if (count == 0) return 1;
+  const int more = Touches::is_count_of_touch(count) ? 0 : Touches::AT_WALL;
+  memcpy(slot_of(i), buffer + 1, (count - more) * sizeof(double));
+  memcpy(slot_of(i) + Touches::MOST, buffer + 1 + count - more, more * sizeof(double));
   return 1 + count;
 }
 
@@ -340,7 +375,7 @@ int FixWallCarom::size_restart(int i)
 
 int FixWallCarom::maxsize_restart()
 {
-  return 2 + Touches::MOST;
+  return 2 + SLOT;
 }
 
 double FixWallCarom::memory_usage()

@@ -5,6 +5,7 @@
 #include "fix.h"
 
 #include "carom.h"
+#include "grain_heat.h"
 #include "limits.h"
 #include "material.h"
 #include "touches.h"
@@ -44,9 +45,9 @@ class FixWallCarom : public Fix {
 
   // Of this rank's contacts.
   double stored_energy();
-  // Sums of this rank: friction, damping, and the work that the moving wall did.
+  // Sums of this rank: heats, and the work that the moving wall did.
   struct Sums {
-    double friction, damping, work;
+    double friction, damping, work, rolling = 0.0;
   };
   const Sums &sums() const { return sums_; }
 
@@ -54,6 +55,7 @@ class FixWallCarom : public Fix {
   // Whether the wall takes its defaults from this pair style.
   bool is_of(const PairCarom *its) const { return pair == its; }
   carom::Limits limits;    // of this run
+  carom::GrainHeat grain_heat;    // of the last step
 
  private:
   carom::Material material;
@@ -76,9 +78,15 @@ class FixWallCarom : public Fix {
   [[noreturn]] void damaged(const std::string &what) const;
   carom::Touch touch_of(int i);
   carom_grain_load step(int i, double duration);
+  void roll(int i, const carom_grain &grain, double duration, carom_grain_load &load);
+  void book(int i, const carom::HeatSums &made);
   void pack(int i);
   void drop(int i);
   double *slot_of(int i);
+  // A slot: the numbers of a contact of any law, then what only walls keep.
+  static constexpr int SLOT = Touches::MOST + Touches::AT_WALL;
+  static carom_roll *roll_of(double *slot) { return Touches::roll_at(slot + Touches::MOST); }
+  bool keeps_more() const { return material.rolls(); }
   int count_of(int i) const;
   bool touches_wall(int i) const { return slots[i] && slots[i][0] != 0.0; }
 };

@@ -32,6 +32,22 @@ static double number(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   return utils::numeric(FLERR, arg[1], false, lmp);
 }
 
+// rolling K C F: stiffness, damping and friction.
+int Material::take_rolling(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  if (narg < 4) lmp->error->all(FLERR, who + ": rolling requires three values: stiffness, damping and friction");
+  const auto value = [&](int k) { return utils::numeric(FLERR, arg[k], false, lmp); };
+  rolling = {value(1), value(2), value(3)};
+  if (!(rolling.stiffness > 0.0 && rolling.stiffness < INFINITY))
+    out_of_range(lmp, who, "rolling: stiffness", rolling.stiffness, "finite and > 0");
+  if (!(rolling.damping >= 0.0 && rolling.damping < INFINITY))
+    out_of_range(lmp, who, "rolling: damping", rolling.damping, "finite and >= 0");
+  if (!(rolling.friction >= 0.0 && rolling.friction < INFINITY))
+    out_of_range(lmp, who, "rolling: friction", rolling.friction, "finite and >= 0");
+  is_set = 1;
+  return 4;
+}
+
 int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   const std::string word = arg[0];
@@ -40,6 +56,7 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     is_set = has_body = 1;
     return 1;
   }
+  if (word == "rolling") return take_rolling(lmp, who, narg, arg);
   if (word == "young") {
     young = number(lmp, who, narg, arg);
     has_young = true;
@@ -82,8 +99,10 @@ bool Material::come_from_file()
   const bool none = !is_set && !has_body;
   const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
   const bool strength = yield >= 0.0 && yield < INFINITY;
+  const bool resists = std::isfinite(rolling.stiffness + rolling.damping + rolling.friction) &&
+      rolling.stiffness >= 0.0 && rolling.damping >= 0.0 && rolling.friction >= 0.0;
   return is_flag(is_set) && is_flag(has_body) &&
-      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength));
+      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength && resists));
 }
 
 void Material::check(LAMMPS *lmp, const std::string &who) const
@@ -131,6 +150,7 @@ Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material
 {
   if (pair.friction < 0.0) lmp->error->all(FLERR, who + ": friction is missing");
   Constants made;
+  made.rolling = pair.rolling;
   carom_error error;
   carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance, pair.damping,
                                         &made.grains, &error);

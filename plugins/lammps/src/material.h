@@ -15,7 +15,7 @@ namespace carom {
 
 // young E poisson NU
 // shear G poisson NU
-// rigid, yield Y, friction F, damping A; plain data, written to restart files unchanged.
+// rigid, yield Y, friction F, damping A, rolling K C F; plain data, written to restart files unchanged.
 struct Material {
   int is_set = 0;      // whether any keyword was given
   int has_body = 0;    // whether there are moduli, or rigid
@@ -23,6 +23,7 @@ struct Material {
   double friction = -1.0;    // not given
   double damping = 0.0;
   double yield = 0.0;        // not known
+  carom_rolling rolling = {0.0, 0.0, 0.0};    // none
 
   // Reads a keyword and its value; returns the number of words read, 0 for an unknown keyword.
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
@@ -32,10 +33,12 @@ struct Material {
   // Raises an error for values that are missing or out of range.
   void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
   carom_material body() const { return {young, poisson, yield}; }
+  bool rolls() const { return rolling.friction > 0.0; }
 
  private:
   double shear = 0.0;
   bool has_young = false, has_shear = false, has_poisson = false;
+  int take_rolling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
 };
 
 // law fixed-direction | coulomb | rings, tolerance T, torsion yes | no

@@ -22,7 +22,7 @@
 using namespace LAMMPS_NS;
 
 // Values of single() for a contact, in the order of p1, p2, ... of compute pair/local.
-enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, EXTRAS };
+enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, HEAT, WHOLE_HEAT, EXTRAS };
 
 // Number of contacts of a grain for which there is space while restart files are read.
 static constexpr int FORESEEN = 64;
@@ -56,7 +56,7 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   for (const std::string &id : {keep_id, history_id, restore_id}) {
     Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
     // Grains from several restart files are moved before anything else is made.
-    place->maxexchange = FORESEEN * (1 + Touches::MOST);
+    place->maxexchange = FORESEEN * (1 + Touches::MOST + Touches::ROLL + Touches::HEATS);
   }
 }
 
@@ -96,7 +96,7 @@ void PairCarom::allocate()
 void PairCarom::settings(int narg, char **arg)
 {
   law_ = {};
-  account = 0;
+  account = rolls = 0;
   for (int k = 0; k < narg;) {
     int words = law_.take(lmp, "pair_style carom", narg - k, arg + k);
     if (words == 0 && strcmp(arg[k], "energy") == 0 && k + 1 < narg) {
@@ -124,7 +124,7 @@ void PairCarom::coeff(int narg, char **arg)
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
-                            "': only young, shear, poisson, rigid, yield, friction and damping");
+                            "': only young, shear, poisson, rigid, yield, friction, damping and rolling");
     k += words;
   }
   material.check(lmp, who);
@@ -147,12 +147,15 @@ void PairCarom::init_style()
     error->all(FLERR, "pair carom requires atom_style sphere");
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
   limits.start();
+  set_rolls();
+  heat_readers.clear();
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
     const auto make = [this](const std::string &id, const std::string &style) {
       return modify->replace_fix(id + "_DUMMY", id + " all " + style, 0);
     };
     keep = static_cast<FixCaromKeep *>(make(keep_id, "CAROM_KEEP"));
+    keep->check_numbers(numbers());
     history = static_cast<NeighHistory *>(make(history_id, "NEIGH_HISTORY " + std::to_string(numbers())));
     keep->serve(this, history);
     restore = static_cast<FixCaromRestore *>(make(restore_id, "CAROM_RESTORE"));
@@ -176,6 +179,16 @@ void PairCarom::init_style()
   for (int i = 0; i < atom->nlocal; i++)
     mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
   MPI_Allreduce(mine.data(), largest.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX, world);
+}
+
+// The size of a contact is fixed when the first run begins.
+void PairCarom::set_rolls()
+{
+  const bool asked = std::any_of(coefficients.begin(), coefficients.end(),
+                                 [](const carom::Material &material) { return material.rolls(); });
+  if (asked && history && !rolls)
+    error->all(FLERR, "pair carom: rolling must be given before the first run, at least for one pair of types");
+  rolls = rolls || asked;
 }
 
 double PairCarom::init_one(int i, int j)
@@ -251,6 +264,8 @@ void PairCarom::compute(int eflag, int vflag)
   // A setup only reads the result of the last step; a contact that is new to it begins with a step of
   // duration zero. Two separated grains that were in contact make one more step, in which the contact ends.
   const bool moves = !update->setupflag;
+  heat_readers.expire();
+  grain_heat.begin(heat_readers, atom->nlocal + atom->nghost);
   const double *x = atom->nlocal ? atom->x[0] : nullptr, *radius = atom->radius;
   const tagint *tag = atom->tag;
   int found = 0;
@@ -321,6 +336,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
     if (law_.twists_apart()) twist(pair, met, dt);
+    if (constants_of(one, two).rolls()) roll(pair, met, dt);
     const double *force_1 = met.load.force;
     const double force_2[3] = {-force_1[0], -force_1[1], -force_1[2]};
     all.add(one, force_1, met.load.torque_1);
@@ -343,7 +359,9 @@ void PairCarom::step_alone(const Close &pair, carom_encounter &met, double dt, b
       steps ? touch.step(its, met.one, met.two, dt, &met.load, account ? &made : nullptr, &why)
             : touch.load(its, met.one, met.two, &met.load, &why);
   if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
-  if (account) book(pair, made);
+  if (!account || !steps) return;
+  heats_of(pair.slot)[0] = 0.0;
+  book(pair, {made.friction, made.damping, 0.0});
 }
 
 void PairCarom::twist(const Close &pair, carom_encounter &met, double dt)
@@ -352,14 +370,33 @@ void PairCarom::twist(const Close &pair, carom_encounter &met, double dt)
   if (carom_touch_twist_grains(met.grains, Touches::twist_of(pair.slot), &met.one, &met.two, dt, &met.load,
                                account ? &made : nullptr, &why) != CAROM_STATUS_OK)
     carom::fail(lmp, "pair carom", why);
+  if (account) book(pair, {made.friction, made.damping, 0.0});
+}
+
+void PairCarom::roll(const Close &pair, carom_encounter &met, double dt)
+{
+  carom::HeatSums made;
+  const carom_rolling *rolling = &constants_of(one_of(pair), two_of(pair)).rolling;
+  if (carom_touch_roll_grains(met.grains, rolling, roll_of(pair.slot), &met.one, &met.two, dt, &met.load,
+                              &made.rolling, &why) != CAROM_STATUS_OK)
+    carom::fail(lmp, "pair carom", why);
   if (account) book(pair, made);
 }
 
-void PairCarom::book(const Close &pair, const carom_heats &made)
+void PairCarom::book(const Close &pair, const carom::HeatSums &made)
 {
   const double share = share_of(pair.j);
   heats.friction += share * made.friction;
   heats.damping += share * made.damping;
+  heats.rolling += share * made.rolling;
+  const double made_here = made.all();
+  double *of_contact = heats_of(pair.slot);
+  of_contact[0] += made_here;
+  of_contact[1] += made_here;
+  if (!grain_heat.is_wanted()) return;
+  // Half to each grain; another rank counts that of its own, unless newton is on.
+  grain_heat.add(pair.i, 0.5 * made_here);
+  if (share == 1.0) grain_heat.add(pair.j, 0.5 * made_here);
 }
 
 // The elastic energy of a contact, its twist included.
@@ -367,10 +404,11 @@ double PairCarom::energy_of(double *slot, const carom::Touch &touch, int body_1,
 {
   const carom::Constants &its = constants_of(body_1, body_2);
   const double radius_1 = atom->radius[body_1], radius_2 = atom->radius[body_2];
-  double twisted = 0.0;
+  double twisted = 0.0, rolled = 0.0;
   if (law_.twists_apart())
     carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), radius_1, radius_2, &twisted, nullptr);
-  return touch.energy(its, radius_1, radius_2) + twisted;
+  if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
+  return touch.energy(its, radius_1, radius_2) + twisted + rolled;
 }
 
 void PairCarom::tally(const Close &pair, double energy, const double *force_1, double sign)
@@ -482,6 +520,7 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   svector[STICKING] = report.sticking;
   svector[REGIME] = report.regime;
   svector[ENERGY] = energy;
+  if (account) std::copy_n(heats_of(slot), Touches::HEATS, svector + HEAT);
   fforce = normal_force / distance;
   return energy;
 }
@@ -495,6 +534,7 @@ void PairCarom::write_restart_settings(FILE *fp)
 {
   fwrite(&law_, sizeof law_, 1, fp);
   fwrite(&account, sizeof account, 1, fp);
+  fwrite(&rolls, sizeof rolls, 1, fp);
 }
 
 void PairCarom::read_restart_settings(FILE *fp)
@@ -502,18 +542,20 @@ void PairCarom::read_restart_settings(FILE *fp)
   if (comm->me == 0) {
     utils::sfread(FLERR, &law_, sizeof law_, 1, fp, nullptr, error);
     utils::sfread(FLERR, &account, sizeof account, 1, fp, nullptr, error);
+    utils::sfread(FLERR, &rolls, sizeof rolls, 1, fp, nullptr, error);
   }
   MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
+  MPI_Bcast(&rolls, sizeof rolls, MPI_BYTE, 0, world);
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
-  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
-    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is not valid");
+  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !is_flag(rolls) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
+    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion, energy or rolling is not valid");
 }
 
 // Of the contacts, by the library, and of what this style writes beside them.
 static uint32_t file_version()
 {
-  constexpr uint32_t OF_STYLE = 2;
+  constexpr uint32_t OF_STYLE = 3;
   return 1000 * OF_STYLE + carom_state_version();
 }
 

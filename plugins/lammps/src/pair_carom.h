@@ -5,6 +5,7 @@
 #include "pair.h"
 
 #include "carom.h"
+#include "grain_heat.h"
 #include "limits.h"
 #include "material.h"
 #include "touches.h"
@@ -48,13 +49,16 @@ class PairCarom : public Pair {
   bool keeps_account() const { return account; }
 
   FixCaromKeep *keep = nullptr;    // null once the host has deleted it
-  carom_heats heats = {0.0, 0.0};  // of this rank, since the beginning
+  carom::HeatSums heats;           // of this rank, since the beginning
+  carom::GrainHeat grain_heat;     // of the last step
+  carom::HeatReaders heat_readers;
   // Logs what the contacts of this style and of its walls exceed.
   void tell_of_limits(bool is_end);
 
  private:
   carom::Law law_;
   int account = 0;
+  int rolls = 0;    // whether contacts have space for rolling resistance
   std::vector<carom::Material> coefficients;    // by two types
   std::vector<carom::Constants> constants;      // by the types of body 1 and 2
   std::vector<char> told;                       // of which pairs of types the log tells of coupling
@@ -66,15 +70,23 @@ class PairCarom : public Pair {
   carom::Limits limits;    // of this run
   carom_error why;
 
+  friend class FixCaromKeep;
   // Number of values of a contact in the host's slots.
   int numbers() const
+  {
+    return of_touch() + (rolls ? Touches::ROLL : 0) + (account ? Touches::HEATS : 0);
+  }
+  int of_touch() const
   {
     if (law_.by_rings()) return Touches::OF_RINGS;
     return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS;
   }
+  carom_roll *roll_of(double *slot) const { return Touches::roll_at(slot + of_touch()); }
+  double *heats_of(double *slot) const { return slot + of_touch() + (rolls ? Touches::ROLL : 0); }
   double energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
+  void set_rolls();
   // The host's arrays of grains, in the layout of the library.
   struct Bodies {
     const double *x, *v, *w, *radius;
@@ -103,7 +115,8 @@ class PairCarom : public Pair {
   static int two_of(const Close &pair) { return pair.i_is_1 ? pair.j : pair.i; }
   void step_alone(const Close &pair, carom_encounter &met, double dt, bool steps);
   void twist(const Close &pair, carom_encounter &met, double dt);
-  void book(const Close &pair, const carom_heats &made);
+  void roll(const Close &pair, carom_encounter &met, double dt);
+  void book(const Close &pair, const carom::HeatSums &made);
   void step_all(int count, int eflag, bool moves);
   void tally(const Close &pair, double energy, const double *force_1, double sign);
   void end(const Close &pair);

@@ -1,6 +1,7 @@
 // Registers the styles with the host.
 
 #include "compute_carom_energy.h"
+#include "compute_carom_heat_atom.h"
 #include "fix_carom_keep.h"
 #include "fix_wall_carom.h"
 #include "host.h"
@@ -89,5 +90,10 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   plugin.name = "carom/energy";
   plugin.info = "compute carom/energy: stored energy, heats and work";
   plugin.creator.of_arguments = &of_arguments<ComputeCaromEnergy, Compute>;
+  add(&plugin, lmp);
+
+  plugin.name = "carom/heat/atom";
+  plugin.info = "compute carom/heat/atom: heat that the contacts of each grain made in the last step";
+  plugin.creator.of_arguments = &of_arguments<ComputeCaromHeatAtom, Compute>;
   add(&plugin, lmp);
 }

@@ -13,6 +13,16 @@ namespace carom {
 struct Constants {
   carom_grains grains = {};
   std::shared_ptr<const carom_rings> rings;    // null for the other laws
+  carom_rolling rolling = {0.0, 0.0, 0.0};
+
+  bool rolls() const { return rolling.friction > 0.0; }
+};
+
+// Heat by cause.
+struct HeatSums {
+  double friction = 0.0, damping = 0.0, rolling = 0.0;
+
+  double all() const { return friction + damping + rolling; }
 };
 
 // An unpacked contact, of one of the two types.

@@ -20,6 +20,13 @@ class Touches {
   static constexpr int WITH_TWIST = NUMBERS + CAROM_TWIST_NUMBERS;
   static constexpr int OF_RINGS = CAROM_RING_TOUCH_NUMBERS;
   static constexpr int MOST = OF_RINGS > WITH_TWIST ? OF_RINGS : WITH_TWIST;
+  // Behind the numbers of a contact: its rolling resistance, if there is one.
+  static constexpr int ROLL = CAROM_ROLL_NUMBERS;
+  static carom_roll *roll_at(double *place) { return reinterpret_cast<carom_roll *>(place); }
+  // The heat that a contact of grains made in the last step, and since it began: at the end of its slot.
+  static constexpr int HEATS = 2;
+  // What a wall may keep of a contact behind its numbers: rolling resistance, and the curvature of the wall.
+  static constexpr int AT_WALL = ROLL + 1;
   static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
   // The unpacked contact of a slot; new if there is none. Null if the numbers are not a contact: `why` says
@@ -39,7 +46,11 @@ class Touches {
   // Whether a restart file may contain this number of values for the contacts of a grain.
   static bool is_count(double count)
   {
-    return count == 0.0 || count == NUMBERS || count == WITH_TWIST || count == OF_RINGS;
+    return count == 0.0 || is_count_of_touch(count) || is_count_of_touch(count - AT_WALL);
+  }
+  static bool is_count_of_touch(double count)
+  {
+    return count == NUMBERS || count == WITH_TWIST || count == OF_RINGS;
   }
   // Index of the values of one fix among those that a restart file has for a grain. The first value of each
   // part is its length, the second the size of a contact. -1 if the values are not valid.

@@ -44,6 +44,11 @@ PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
         (f"{PAIRS}pair_coeff 1 2 friction 0.4 yield 1e9", ["yield requires young or shear"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1 yield 1e9", ["fix w wall/carom", "yield requires young or shear"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 {GLASS} yield -2e8", ["yield = -2e+08", "finite and > 0"]),
+        (f"{PAIRS}pair_coeff 1 2 friction 0.4 rolling 0 0 0.1", ["pair_coeff 1 2", "rolling: stiffness = 0", "finite and > 0"]),
+        (f"{PAIRS}pair_coeff 1 2 friction 0.4 rolling 1 -1 0.1", ["rolling: damping = -1", "finite and >= 0"]),
+        (f"{PAIRS}pair_coeff 1 2 friction 0.4 rolling 1 0 -0.1", ["rolling: friction = -0.1", "finite and >= 0"]),
+        (f"{PAIRS}pair_coeff 1 2 friction 0.4 rolling 1 0", ["rolling requires three values"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1 rolling -1 0 0.1", ["fix w wall/carom", "rolling: stiffness = -1"]),
         (f"pair_style carom law mindlin", ["neither coulomb, fixed-direction nor rings", "mindlin"]),
         (f"pair_style carom tolerance 1", ["tolerance = 1", "<= 0.1"]),
         (f"pair_style carom loudness 3", ["does not know 'loudness'"]),
@@ -58,6 +63,9 @@ PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 1 0 0 rigid friction 1\nrun 1", ["periodic"]),
         (f"{VEL}pair_style zero 0.2\npair_coeff * *\nfix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1\nrun 1", ["requires pair_style carom"]),
         (f"{PAIRS}{VEL}compute e all carom/energy\nrun 1", ["energy yes"]),
+        (f"{PAIRS}{VEL}compute e all carom/heat/atom\nrun 1", ["carom/heat/atom", "energy yes"]),
+        (f"{PAIRS}{VEL}compute e all carom/heat/atom wall 1.5", ["wall = 1.5", "[0, 1]"]),
+        (f"{PAIRS}{VEL}compute e all carom/heat/atom floor 1", ["does not know 'floor'", "only wall"]),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path, commands, words):

@@ -11,6 +11,8 @@ mod losses;
 mod mechanics;
 mod programs;
 mod ring_grains;
+mod rolling;
+mod surfaces;
 mod told;
 mod validity;
 mod wrong_bodies;

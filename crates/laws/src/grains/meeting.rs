@@ -6,7 +6,7 @@ use carom_halfspace::MaterialPair;
 use carom_special::RangeError;
 
 use super::number::{LANES, Lanes, Number, lanes};
-use super::vector::{Vector, dot, minus, plus, times};
+use super::vector::{Vector, cross, dot, minus, plus, times};
 
 /// A sphere with its motion, as a particle code stores it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,6 +36,24 @@ pub struct Wall {
     pub velocity: [f64; 3],
 }
 
+/// The place where a wall of any shape, at rest or moving, is nearest to a grain: its tangent plane there and its
+/// motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct Surface {
+    /// The nearest point of the wall, m.
+    pub place: [f64; 3],
+    /// Unit normal at that point, pointing towards the grain.
+    pub normal: [f64; 3],
+    /// The velocity of the wall at that point, m/s.
+    pub velocity: [f64; 3],
+    /// The angular velocity of the wall, rad/s.
+    pub spin: [f64; 3],
+    /// The direction of the axis x of the contact, a unit vector across the normal, for an ellipse whose axes are
+    /// given by the wall. Zero for a circle, whose axes turn with the mean of the two spins.
+    pub axis: [f64; 3],
+}
+
 /// Relative position and motion of two bodies at one instant: the input of their contact. The
 /// normal points into body 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +76,8 @@ pub struct Meeting<T = f64> {
     pub twisting: [T; 3],
     /// The masses of both bodies, kg; infinite for a wall.
     pub masses: [T; 2],
+    /// The axis x of the contact, if the bodies determine it ([`Surface::axis`]).
+    pub axis: Option<[T; 3]>,
 }
 
 /// The fraction of the approach by which each body is compressed: its (1 - nu)/G divided by the sum
@@ -133,7 +153,8 @@ impl<T: Number> Moving<T> {
         let turning = times(plus(one.spin, two.spin), T::of(0.5));
         let twisting = minus(two.spin, one.spin);
         let masses = [one.mass, two.mass];
-        Meeting { normal, zeta, arms, velocity, rolling, turning, twisting, masses }
+        let axis = None;
+        Meeting { normal, zeta, arms, velocity, rolling, turning, twisting, masses, axis }
     }
 }
 
@@ -165,6 +186,7 @@ impl Meeting<Lanes> {
             turning: vector(&self.turning),
             twisting: vector(&self.twisting),
             masses: self.masses.map(|lane| lane.to_array()[i]),
+            axis: self.axis.as_ref().map(vector),
         }
     }
 }
@@ -199,8 +221,25 @@ impl Meeting {
         let velocity = minus(wall.velocity, one.velocity);
         let (rolling, turning) = (times(one.spin, arm), times(one.spin, 0.5));
         let (normal, arms, twisting) = (wall.normal, [arm, 0.0], times(one.spin, -1.0));
-        let masses = [one.mass, f64::INFINITY];
-        Self { normal, zeta, arms, velocity, rolling, turning, twisting, masses }
+        let (masses, axis) = ([one.mass, f64::INFINITY], None);
+        Self { normal, zeta, arms, velocity, rolling, turning, twisting, masses, axis }
+    }
+
+    /// A sphere (body 1) on a wall of any shape (body 2), which may turn; the sphere is compressed by its fraction
+    /// of the approach.
+    #[must_use]
+    pub fn on_surface(one: &Grain, wall: &Surface, share: f64) -> Self {
+        let Surface { place, normal, velocity, spin, axis } = *wall;
+        let flat = Self::on_wall(one, &Wall { place, normal, velocity }, share);
+        // The contact lies below the surface of the wall by what the wall is compressed.
+        let below = times(normal, (share - 1.0) * flat.zeta);
+        Self {
+            velocity: plus(flat.velocity, cross(spin, below)),
+            turning: times(plus(one.spin, spin), 0.5),
+            twisting: minus(spin, one.spin),
+            axis: (axis != [0.0; 3]).then_some(axis),
+            ..flat
+        }
     }
 
     /// Checks that the masses are > 0 and not both infinite, as damping by a restitution needs them.

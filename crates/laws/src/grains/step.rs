@@ -58,9 +58,12 @@ impl<T: Number> Before<T> {
         Step { tangent, zeta: meeting.zeta, shift, velocity, lead }
     }
 
-    /// The tangent, rotated with the normal and by an angle about it.
+    /// The tangent, rotated with the normal and by an angle about it, unless the bodies determine it.
     #[inline(always)]
     fn carried(&self, meeting: &Meeting<T>, angle: T) -> Vector<T> {
+        if let Some(axis) = meeting.axis {
+            return axis;
+        }
         let (old, new) = (self.normal, meeting.normal);
         let tilt = dot(self.tangent, new) * over_lean(T::of(1.0) - dot(old, new));
         let tangent = minus(self.tangent, times(plus(old, new), tilt));
@@ -91,7 +94,7 @@ pub(super) fn one_step_before(meeting: &Meeting, dt: f64) -> Shift {
 }
 
 pub(super) fn first_step(meeting: &Meeting, dt: f64) -> Step {
-    let tangent = across(meeting.normal);
+    let tangent = meeting.axis.unwrap_or_else(|| across(meeting.normal));
     let slip = plus(meeting.velocity, cross(meeting.rolling, meeting.normal));
     let velocity = [dot(slip, tangent), dot(slip, cross(meeting.normal, tangent))];
     let (zeta, shift, lead) = (meeting.zeta, velocity.map(|v| v * dt), [0.0; 2]);

@@ -371,6 +371,7 @@ fn the_heat_of_two_grains_that_twist_is_that_of_their_law() {
         turning: [0.0, 0.0, 0.5 * spin],
         twisting: [0.0, 0.0, spin],
         masses: [1.0, f64::INFINITY],
+        axis: None,
     };
     // They touch in the middle of the first step and twist in adhesion; they separate in the last.
     let steps = [(1e-4, 0.2, 4.0), (1e-4, 0.0, 300.0), (8e-5, -0.02, -100.0), (-1e-5, -0.09, 20.0)];

@@ -27,7 +27,9 @@ const GROUPS: &[Group] = &[
     Group {
         title: "Contacts of particles: grains and walls",
         about: "carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make\n\
-                one step of a contact: positions, velocities and spins in, force and torques out.\n\
+                one step of a contact: positions, velocities and spins in, force and torques out;\n\
+                carom_touch_surface does so at walls that are curved or turn, with the constants of\n\
+                carom_grains_on_curved_wall.\n\
                 carom_grains_impact_time tells how long an impact lasts, for the choice of the time step.",
         modules: &["grains", "meeting.rs", "contact.rs", "touch", "encounters"],
     },
@@ -54,6 +56,12 @@ const GROUPS: &[Group] = &[
         about: "The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains\n\
                 and carom_touch_twist_wall for particles.",
         modules: &["twist", "touch_twist"],
+    },
+    Group {
+        title: "Rolling resistance of particles",
+        about: "carom_touch_roll_grains and carom_touch_roll_surface add the torque of a spring, a dashpot and a\n\
+                slider to the load of a touch.",
+        modules: &["touch_roll"],
     },
     Group {
         title: "Rings: particles of dissimilar materials",

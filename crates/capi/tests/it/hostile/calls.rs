@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 52] = [
+pub(crate) const NAMES: [&str; 61] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -62,6 +62,15 @@ pub(crate) const NAMES: [&str; 52] = [
     "carom_grains_impact_validity",
     "carom_encounters_validity",
     "carom_validity_text",
+    "carom_touch_surface",
+    "carom_touch_surface_load",
+    "carom_touch_twist_surface",
+    "carom_ring_touch_surface",
+    "carom_ring_touch_surface_load",
+    "carom_touch_roll_surface",
+    "carom_touch_roll_grains",
+    "carom_touch_roll_energy",
+    "carom_grains_on_curved_wall",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -77,6 +86,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         5..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
+        61..=90 => 52 + world.pick(9),
         k if k % 2 == 0 => world.pick(16),
         _ => 20 + world.pick(9),
     };
@@ -86,6 +96,9 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         16..=19 => twist(world, which),
         20..=28 => touch(world, which),
         29..=31 => touch_twist(world, which),
+        52..=56 => surface(world, which),
+        57..=59 => roll(world, which),
+        60 => curved(world),
         32..=35 => constants(world, which),
         36..=37 => restitution(world, which),
         44 => dissimilar(world),
@@ -377,6 +390,95 @@ fn touch_twist(world: &mut World, which: usize) -> CaromStatus {
             ),
             _ => carom_touch_twist_energy(grains, twist, radius_1, radius_2, &mut number, error),
         }
+    }
+}
+
+/// A wall of any shape below a grain, which is moved onto it.
+fn wall_below(world: &mut World, grain: &mut CaromGrain) -> CaromSurface {
+    grain.place[2] -= 1e-3;
+    let axis = [[0.0; 3], [1.0, 0.0, 0.0], world.vector(1.0)][world.pick(20).min(2)];
+    let [velocity, spin] = [0.1, 10.0].map(|size| world.vector(size));
+    CaromSurface { place: world.vector(1e-9), normal: [0.0, 0.0, 1.0], velocity, spin, axis }
+}
+
+fn surface(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, error) = (world.pick(4), world.pick(3), world.error());
+    let ([mut one, _], dt) = (world.meeting(), world.number(1e-9, 2e-8));
+    let mut wall = wall_below(world, &mut one);
+    let (mut load, mut heats) = (CaromGrainLoad::default(), CaromHeats::default());
+    let grains = if which > 54 { &raw mut world.ring_grains } else { &raw mut world.grains[of] };
+    let (touch, rings) = (&raw mut world.touches[at], world.point(world.rings));
+    let (ring_touch, twist) = (&raw mut world.ring_touches[at], &raw mut world.twists[at]);
+    let (grains, touch) = (world.point(grains), world.point(touch));
+    let (ring_touch, twist) = (world.point(ring_touch), world.point(twist));
+    let (one, wall) = (world.point(&raw mut one), world.point(&raw mut wall));
+    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let load = world.point(&raw mut load);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            52 => carom_touch_surface(grains, touch, one, wall, dt, load, heats, error),
+            53 => carom_touch_surface_load(grains, touch, one, wall, load, error),
+            54 => carom_touch_twist_surface(grains, twist, one, wall, dt, load, heats, error),
+            55 => carom_ring_touch_surface(
+                grains, rings, ring_touch, one, wall, dt, load, heats, error,
+            ),
+            _ => carom_ring_touch_surface_load(grains, rings, ring_touch, one, wall, load, error),
+        }
+    }
+}
+
+fn roll(world: &mut World, which: usize) -> CaromStatus {
+    let (of, error) = (world.pick(3), world.error());
+    let ([mut one, mut two], dt) = (world.meeting(), world.number(1e-9, 2e-8));
+    let mut wall = wall_below(world, &mut one.clone());
+    let mut rolling = CaromRolling {
+        stiffness: world.number(0.0, 1e4),
+        damping: world.number(0.0, 1.0),
+        friction: world.number(0.0, 0.1),
+    };
+    let normal = [[0.0; 3], [0.0, 0.0, 1.0], world.vector(1.0)][world.pick(20).min(2)];
+    let mut roll = CaromRoll { shift: world.vector(1e-8), normal, force: world.vector(1.0) };
+    let mut load = CaromGrainLoad { force: world.vector(1.0), ..CaromGrainLoad::default() };
+    let (mut heat, mut energy) = (0.0, 0.0);
+    let grains = &raw mut world.grains[of];
+    let (grains, rolling) = (world.point(grains), world.point(&raw mut rolling));
+    let (roll, load) = (world.point(&raw mut roll), world.point(&raw mut load));
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    let (wall, heat) = (world.point(&raw mut wall), world.point(&raw mut heat));
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            57 => carom_touch_roll_surface(grains, rolling, roll, one, wall, dt, load, heat, error),
+            58 => carom_touch_roll_grains(grains, rolling, roll, one, two, dt, load, heat, error),
+            _ => carom_touch_roll_energy(rolling, roll, &mut energy, error),
+        }
+    }
+}
+
+fn curved(world: &mut World) -> CaromStatus {
+    let error = world.error();
+    let (mut one, mut two) = (GLASS, GLASS);
+    let [radius, x, y] = [(1e-3, 1.0), (-1.0, 1.0), (-1.0, 1.0)].map(|(a, b)| world.number(a, b));
+    let (friction, law) = (world.number(0.0, 1.0), world.pick(4) as u32);
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    // SAFETY: all zero are constants that nothing accepts.
+    let mut grains = unsafe { zeroed() };
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        carom_grains_on_curved_wall(
+            one,
+            two,
+            radius,
+            x,
+            y,
+            friction,
+            law,
+            0.0,
+            1e-5,
+            &mut grains,
+            error,
+        )
     }
 }
 
