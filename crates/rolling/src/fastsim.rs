@@ -1,6 +1,7 @@
 //! FASTSIM, the common approximation of rolling with independent springs.
 
 use carom_special::RangeError;
+use carom_table::Column;
 
 use super::{CreepCoefficients, Creepage};
 
@@ -51,12 +52,25 @@ pub struct FastsimForces {
     pub f_y: f64,
 }
 
+impl FastsimForces {
+    /// The columns of results.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("F_x", "N", "on body 1 along x, the direction of rolling", |forces| {
+            forces.f_x.into()
+        }),
+        Column::new("F_y", "N", "on body 1 along y", |forces| forces.f_y.into()),
+    ];
+}
+
+/// The greatest number of strips, and of elements in each.
+const MOST: usize = 1000;
+
 impl Fastsim {
     /// The tangential forces for a given creepage.
     ///
     /// # Errors
-    /// [`RangeError`] unless lengths, modulus, force, friction and mesh are positive and the creepage
-    /// is finite.
+    /// [`RangeError`] unless lengths, modulus, force and friction are positive, there are 1 to 1000
+    /// strips and elements, and the creepage is finite.
     pub fn forces(&self, creepage: Creepage) -> Result<FastsimForces, RangeError> {
         let ([a, b], g) = (self.semi_axes, self.shear_modulus);
         for (field, value) in [("a", a), ("b", b), ("shear_modulus", g), ("force", self.force)] {
@@ -64,8 +78,10 @@ impl Fastsim {
         }
         RangeError::positive("friction", self.friction)?;
         let [strips, elements] = self.mesh;
-        let mesh = strips.min(elements);
-        RangeError::check("mesh", mesh as f64, mesh > 0, "at least one strip and element")?;
+        for count in self.mesh {
+            let fits = (1..=MOST).contains(&count);
+            RangeError::check("mesh", count as f64, fits, "from 1 to 1000 strips and elements")?;
+        }
         creepage.check()?;
         let CreepCoefficients { c11, c22, c23, .. } = self.coefficients;
         let along = creepage.along * 3.0 * g * c11 / (8.0 * a);

@@ -1,6 +1,7 @@
 //! Tests of `carom-capi` through its public interface: one executable with a module for each subject.
 
 mod border;
+mod creep;
 mod dissimilar;
 mod garbled;
 mod grains;

@@ -42,6 +42,12 @@ const GROUPS: &[Group] = &[
         modules: &["restitution"],
     },
     Group {
+        title: "Creep coefficients of a rolling contact",
+        about: "carom_creep_coefficients gives the forces of a wheel on a rail, or of any rolling bodies, at small\n\
+                creepage.",
+        modules: &["creep"],
+    },
+    Group {
         title: "Limits of the theory",
         about: "Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.\n\
                 carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's\n\

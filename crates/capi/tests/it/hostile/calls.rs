@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 52] = [
+pub(crate) const NAMES: [&str; 53] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -62,6 +62,7 @@ pub(crate) const NAMES: [&str; 52] = [
     "carom_grains_impact_validity",
     "carom_encounters_validity",
     "carom_validity_text",
+    "carom_creep_coefficients",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -73,7 +74,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     let which = match world.pick(400) {
         0 => 38 + world.pick(2),
         1 => 36 + world.pick(2),
-        2..=4 => 40 + world.pick(12),
+        2..=4 => 40 + world.pick(13),
         5..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
@@ -94,6 +95,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         46 => validity(world),
         47 => impact_time(world),
         48..=51 => grains_validity(world, which),
+        52 => creep(world),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -439,6 +441,14 @@ fn dissimilar(world: &mut World) -> CaromStatus {
             kappa, gamma, friction, lambda, ratio, to, estimate, method, error,
         )
     }
+}
+
+fn creep(world: &mut World) -> CaromStatus {
+    let (ratio, poisson) = (world.number(0.05, 20.0), world.number(0.0, 0.5));
+    let (error, mut place) = (world.error(), MaybeUninit::<CaromCreep>::uninit());
+    let to = world.point(place.as_mut_ptr());
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe { carom_creep_coefficients(ratio, poisson, to, error) }
 }
 
 fn body(world: &mut World) -> CaromBody {
