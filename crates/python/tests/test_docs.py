@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact", "carom._solver", "carom.cases", "carom.plot"]
+MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._creep", "carom._impact", "carom._roll", "carom._solver", "carom.cases", "carom.plot"]
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -1,10 +1,10 @@
-//! Makes the stored table of creep coefficients anew, in some minutes, from extrapolated meshes.
+//! Makes the stored table of creep coefficients anew, in ten minutes.
 
 use std::fmt::Write as _;
 use std::io::{Error, Write as _, stderr};
 
 use carom_laws::creep::nodes::{axis_ratios, poissons};
-use carom_rolling::creep_coefficients;
+use carom_rolling::creep_table_entry;
 
 const HEAD: &str = "\
 //! The entries of the table, made by `cargo run --release -p carom-rolling --example creep_table`.
@@ -24,10 +24,8 @@ fn main() -> std::io::Result<()> {
         let _ = write!(stderr(), "\ra/b = {ratio:.4} ");
         text.push_str("    [\n");
         for poisson in poissons() {
-            let c = creep_coefficients(ratio, poisson).map_err(Error::other)?;
-            // The two couplings are one in the continuum.
-            let entry = [c.c11, c.c22, 0.5 * (c.c23 + c.c32), c.c33];
-            let entry = entry.map(|value| format!("{value:.7e}")).join(", ");
+            let entry = creep_table_entry(ratio, poisson).map_err(Error::other)?;
+            let entry = entry.map(|value| format!("{value:.7}")).join(", ");
             writeln!(text, "        [{entry}],").map_err(Error::other)?;
         }
         text.push_str("    ],\n");

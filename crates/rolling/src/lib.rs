@@ -23,7 +23,7 @@ use carom_halfspace::operator::OperatorError;
 use carom_special::RangeError;
 
 pub use carom_laws::creep::CreepCoefficients;
-pub use creep::{creep_coefficients, creep_coefficients_on};
+pub use creep::{creep_coefficients, creep_coefficients_on, creep_table_entry};
 pub use drive::RollingDrive;
 pub use fastsim::{Fastsim, FastsimForces};
 pub use method::SteadyMethod;

@@ -56,11 +56,16 @@ impl CreepCoefficients {
     /// dissimilar bodies take the combined values of `MaterialPair`: `poisson`, and twice
     /// `shear_modulus` for G; their coupling of pressure and shift is then left out.
     ///
-    /// ACCURACY
+    /// The entries are extrapolated from meshes, with an error of some 0.03 % (C33 0.1 %, beyond
+    /// a/b = 5 a few times as much); a circle at nu = 0 has its closed forms within 2e-5. Between
+    /// entries the table differs from a mesh by at most 2e-5 (C33 1e-4) for a/b below 1, and 3e-4
+    /// (C33 1e-3) above. Kalker's table in three digits is met within 1.5 %.
     ///
-    /// An exchange of a and b is another problem, since rolling has a direction: no coefficient at
+    /// Rolling has a direction: an exchange of a and b is another problem, and no coefficient at
     /// b/a follows from those at a/b. At nu = 0 a traction displaces surfaces along itself only, so
-    /// that C11 = C22. For a/b -> 0 each strip rolls like a plane contact: C11 and C33 b/a... 
+    /// that C11 = C22. For a/b -> 0 strips roll like cylinders, C11 = pi^2/(4 (1 - nu)), C22 =
+    /// pi^2/4, C33 = pi^2/(16 (1 - nu)) b/a; for a/b -> infinity C11 and C22 grow as a/b over its
+    /// logarithm.
     ///
     /// ```
     /// use carom_laws::creep::CreepCoefficients;

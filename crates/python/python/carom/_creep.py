@@ -33,14 +33,15 @@ def creep_coefficients(axis_ratio: ArrayLike, poisson: ArrayLike) -> LinearCreep
         M_z = G (a b)^1.5 C32 creepage_across + G (a b)^2 C33 spin
 
     All are positive and C32 = C23; Kalker, who counts spin the other way round, writes C32 = -C23. The coefficients of b/a
-    do not follow from those of a/b. ACCURACY
+    do not follow from those of a/b. They come from a table, in a microsecond, with errors of some 0.05 %, of C33 0.2 %, for
+    a/b from 20 down to 10 a few times as much.
 
     >>> import carom
     >>> circle = carom.creep_coefficients(1.0, 0.25)
     >>> round(circle.C11, 2), round(circle.C22, 2), round(circle.C23, 2)  # Kalker's table: 4.12, 3.67, 1.47
     (4.11, 3.67, 1.47)
     >>> carom.creep_coefficients([[0.5], [1.0], [2.0]], [0.25, 0.3]).C11.round(2)
-    array([[3.63, 3.81],
+    array([[3.63, 3.82],
            [4.11, 4.29],
            [5.1 , 5.27]])
     """
@@ -85,7 +86,9 @@ def fastsim(
     """Creep forces by FASTSIM, Kalker's simplified theory: a tenth of a millisecond for what `roll` solves in seconds.
 
     Each particle has springs of its own, as stiff as Kalker's creep coefficients ask, and the friction limit is a parabola.
-    So forces are right for small creepage and in full sliding. In between, compared with the exact theory: ACCURACY
+    So forces are right for small creepage and in full sliding. In between they differ from the exact theory, which `roll`
+    computes. Measured for nu = 0.25 and a/b from 0.29 to 3.5, over f F_z: up to 0.05 without spin; with spin F_y is off by up
+    to 0.11, and in contacts with a < b by up to 0.17 where spin and lateral creepage have the same sign.
 
     The Hertz contact rolls along x, under the normal force `F_z`. `creepage`, `creepage_across` and `spin` (rad/m) are those
     of `roll`, of body 2 against body 1; forces are on body 1. Numbers or arrays, which are broadcast. `mesh` is the number of
@@ -111,6 +114,8 @@ def fastsim(
     values = (friction, F_z, creepage, creepage_across, spin)
     given = (numbers(name, value) for name, value in zip(names, values, strict=True))
     arrays = np.broadcast_arrays(*given)
-    strips, elements = (counted("mesh", count) for count in mesh)
-    columns = _carom.fastsim(contact, [line(array) for array in arrays], [strips, elements])
+    counts = [counted("mesh", count) for count in mesh]
+    if len(counts) != 2:
+        raise ValueError(f"mesh: must be two numbers, not {str(mesh):.60}")
+    columns = _carom.fastsim(contact, [line(array) for array in arrays], counts)
     return FastsimForces._either(columns, arrays[0].shape)  # type: ignore[no-any-return]

@@ -1,6 +1,7 @@
 //! Kalker's creep coefficients: steady rolling with vanishing creepage and complete adhesion.
 
 mod adhesion;
+mod entry;
 mod strips;
 
 use carom_halfspace::{Material, MaterialPair};
@@ -9,6 +10,7 @@ use carom_special::RangeError;
 
 use super::RollingError;
 use adhesion::{Adhesion, Motion};
+pub use entry::creep_table_entry;
 use strips::Strips;
 
 /// Approximate number of elements of the finest mesh for the extrapolation.
