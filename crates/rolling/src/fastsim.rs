@@ -8,8 +8,9 @@ use super::{CreepCoefficients, Creepage};
 /// Kalker's simplified theory: each particle has springs of its own, with three flexibilities from
 /// the creep coefficients and a parabolic friction limit. For two equal bodies.
 ///
-/// Compared with the solver on a circle at nu = 0.25, forces without spin are off by up to 0.05 f
-/// F_z; with spin the lateral force is too large by up to 0.1 f F_z.
+/// Compared with the solver at nu = 0.25, for a/b from 0.29 to 3.5, forces without spin are off by up
+/// to 0.05 f F_z. With spin the lateral force is off by up to 0.11 f F_z, and in contacts with a < b
+/// by up to 0.17 f F_z where spin and lateral creepage have the same sign.
 ///
 /// ```
 /// use carom_rolling::{Creepage, Fastsim, creep_coefficients_on};

@@ -90,7 +90,8 @@ def fastsim(
     computes. Measured for nu = 0.25 and a/b from 0.29 to 3.5, over f F_z: up to 0.05 without spin; with spin F_y is off by up
     to 0.11, and in contacts with a < b by up to 0.17 where spin and lateral creepage have the same sign.
 
-    The Hertz contact rolls along x, under the normal force `F_z`. `creepage`, `creepage_across` and `spin` (rad/m) are those
+    The Hertz contact rolls along x, under the normal force `F_z`. Make it by its gap, `Hertz(materials, A, B)` with A along x:
+    `Hertz.of_radii` takes the direction of the greatest curvature for x. `creepage`, `creepage_across` and `spin` (rad/m) are those
     of `roll`, of body 2 against body 1; forces are on body 1. Numbers or arrays, which are broadcast. `mesh` is the number of
     strips along x and of elements in each. a/b must be from 0.05 to 20. Materials enter by their combined G and Poisson's
     ratio; the coupling of dissimilar ones is left out.
