@@ -24,9 +24,10 @@
  *   4. Contacts of particles: grains and walls
  *   5. Impacts
  *   6. R_x of spheres
- *   7. Limits of the theory
- *   8. Twist about the normal
- *   9. Rings: particles of dissimilar materials */
+ *   7. Creep coefficients of a rolling contact
+ *   8. Limits of the theory
+ *   9. Twist about the normal
+ *   10. Rings: particles of dissimilar materials */
 
 #ifndef CAROM_H
 #define CAROM_H
@@ -815,7 +816,36 @@ carom_status carom_restitution_dissimilar(double kappa,
                                           uint32_t *method,
                                           struct carom_error *error);
 
-/* ---- 7. Limits of the theory --------------------------------------------------
+/* ---- 7. Creep coefficients of a rolling contact -------------------------------
+ *
+ * carom_creep_coefficients gives the forces of a wheel on a rail, or of any rolling bodies, at small
+ * creepage. */
+
+/* Creep coefficients of two equal bodies of shear modulus G, on an elliptical contact with semi-axes a along
+ * the direction of rolling and b across it: forces on body 1 at creepages xi, eta (sliding velocity of body 2
+ * against body 1 over the rolling speed) and phi (spin, rad per length rolled) that are small. */
+typedef struct carom_creep {
+  /* F_x = G a b c11 xi. */
+  double c11;
+  /* F_y = G a b c22 eta. */
+  double c22;
+  /* F_y = -G (ab)^1.5 c23 phi, and M_z = G (ab)^1.5 c23 eta. Kalker's C23, and his -C32. */
+  double c23;
+  /* M_z = G (ab)^2 c33 phi. */
+  double c33;
+} carom_creep;
+
+/* Kalker's creep coefficients, from a table, in less than a microsecond.
+ *
+ * `axis_ratio` is a/b, from 0.05 to 20, with a along the direction of rolling; `poisson` that of both bodies,
+ * from 0 to 0.5. Neither they nor the coefficients have units. An exchange of a and b is another contact: no
+ * coefficient follows from those of b/a. */
+carom_status carom_creep_coefficients(double axis_ratio,
+                                      double poisson,
+                                      struct carom_creep *coefficients,
+                                      struct carom_error *error);
+
+/* ---- 8. Limits of the theory --------------------------------------------------
  *
  * Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.
  * carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's
@@ -931,7 +961,7 @@ carom_status carom_validity_text(const struct carom_validity *validity,
                                  size_t size,
                                  struct carom_error *error);
 
-/* ---- 8. Twist about the normal ------------------------------------------------
+/* ---- 9. Twist about the normal ------------------------------------------------
  *
  * The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains
  * and carom_touch_twist_wall for particles. */
@@ -1017,7 +1047,7 @@ carom_status carom_touch_twist_energy(const struct carom_grains *grains,
                                       double *energy,
                                       struct carom_error *error);
 
-/* ---- 9. Rings: particles of dissimilar materials ------------------------------
+/* ---- 10. Rings: particles of dissimilar materials ------------------------------
  *
  * Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the
  * matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step. */
