@@ -1047,7 +1047,7 @@ carom_status carom_touch_twist_energy(const struct carom_grains *grains,
                                       double *energy,
                                       struct carom_error *error);
 
-/* ---- 10. Rings: particles of dissimilar materials ------------------------------
+/* ---- 10. Rings: particles of dissimilar materials -----------------------------
  *
  * Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the
  * matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step. */

@@ -23,8 +23,7 @@ pub(crate) fn creep_coefficients<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let (ratio, poisson) = (axis_ratio.as_slice()?, poisson.as_slice()?);
     same_length("poisson", poisson.len(), ratio.len())?;
-    let found =
-        map(py, ratio.len(), |i| Ok(CreepCoefficients::by_table(ratio[i], poisson[i])?))?;
+    let found = map(py, ratio.len(), |i| Ok(CreepCoefficients::by_table(ratio[i], poisson[i])?))?;
     arrays(py, CreepCoefficients::COLUMNS, &found)
 }
 

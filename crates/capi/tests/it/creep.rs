@@ -11,8 +11,7 @@ fn creep(axis_ratio: f64, poisson: f64) -> (CaromStatus, CaromCreep, CaromError)
     // SAFETY: plain numbers.
     let (mut creep, mut error) = (NOTHING, unsafe { zeroed() });
     // SAFETY: all pointers are references.
-    let status =
-        unsafe { carom_creep_coefficients(axis_ratio, poisson, &mut creep, &mut error) };
+    let status = unsafe { carom_creep_coefficients(axis_ratio, poisson, &mut creep, &mut error) };
     (status, creep, error)
 }
 

@@ -19,7 +19,8 @@ fn kalker() -> Vec<[f64; 10]> {
         .join("../../verification/data/rolling/kalker_coefficients.csv");
     let text = std::fs::read_to_string(path).unwrap();
     let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
-    let numbers = |line: &str| -> Vec<f64> { line.split(',').map(|n| n.parse().unwrap()).collect() };
+    let numbers =
+        |line: &str| -> Vec<f64> { line.split(',').map(|n| n.parse().unwrap()).collect() };
     lines.map(|line| numbers(line).try_into().unwrap()).collect()
 }
 
@@ -103,7 +104,8 @@ fn long_contacts_tend_to_a_line() {
     for poisson in [0.0, 0.1, 0.25, 0.4, 0.5] {
         let next = |ratio: f64| -> [f64; 3] {
             let lambda = (16.0 * ratio * ratio).ln();
-            let [along, across] = [lambda - 2.0 * poisson, (1.0 - poisson) * lambda + 2.0 * poisson];
+            let [along, across] =
+                [lambda - 2.0 * poisson, (1.0 - poisson) * lambda + 2.0 * poisson];
             let turned = (1.0 - poisson) * lambda - 2.0 + 4.0 * poisson;
             let [c11, c22, c23, _] = at(ratio, poisson);
             let line = 2.0 * PI * ratio;

@@ -24,9 +24,8 @@ const MOST_ELEMENTS: usize = 5000;
 
 /// The sum of coefficients times weights.
 fn combine(all: &[CreepCoefficients], weights: &[f64]) -> CreepCoefficients {
-    let sum = |of: fn(&CreepCoefficients) -> f64| {
-        all.iter().zip(weights).map(|(c, w)| w * of(c)).sum()
-    };
+    let sum =
+        |of: fn(&CreepCoefficients) -> f64| all.iter().zip(weights).map(|(c, w)| w * of(c)).sum();
     CreepCoefficients {
         c11: sum(|c| c.c11),
         c22: sum(|c| c.c22),

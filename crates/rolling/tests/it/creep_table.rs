@@ -33,7 +33,10 @@ fn between_entries_the_table_is_within_what_its_documentation_says() {
         let made = creep_table_entry(ratio, poisson).unwrap();
         for (which, (stored, made)) in by_table(ratio, poisson).into_iter().zip(made).enumerate() {
             let off = (stored / made - 1.0).abs();
-            assert!(off < allowed[which], "{which} at {ratio} {poisson}: {stored} {made} {off:.1e}");
+            assert!(
+                off < allowed[which],
+                "{which} at {ratio} {poisson}: {stored} {made} {off:.1e}"
+            );
         }
     }
 }
@@ -44,7 +47,8 @@ fn coarser_meshes_come_close() {
     for (ratio, poisson) in [(0.06, 0.3), (0.3, 0.3), (1.7, 0.28), (6.0, 0.4), (17.0, 0.3)] {
         let c = creep_coefficients(ratio, poisson).unwrap();
         let meshes = [c.c11, c.c22, 0.5 * (c.c23 + c.c32), c.c33];
-        for (which, (stored, made)) in by_table(ratio, poisson).into_iter().zip(meshes).enumerate() {
+        for (which, (stored, made)) in by_table(ratio, poisson).into_iter().zip(meshes).enumerate()
+        {
             let off = (stored / made - 1.0).abs();
             let allowed = [1e-3, 1e-3, 2e-3, 5e-3][which];
             assert!(off < allowed, "{which} at {ratio} {poisson}: {stored} {made} {off:.1e}");

@@ -138,7 +138,8 @@ impl Modules {
 fn banner(i: usize, group: &Group) -> String {
     let about: String = group.about.lines().map(|line| format!("\n// {line}")).collect();
     let about = if about.is_empty() { about } else { format!("\n//{about}") };
-    format!("\n// ---- {}. {} {}{about}\n", i + 1, group.title, "-".repeat(70 - group.title.len()))
+    let title = format!("{}. {}", i + 1, group.title);
+    format!("\n// ---- {title} {}{about}\n", "-".repeat(73 - title.len()))
 }
 
 /// The name of the item that a line of Rust declares.
