@@ -67,9 +67,10 @@ assert_type(carom.creep_coefficients(grid, 0.3), carom.LinearCreeps)
 assert_type(carom.creep_coefficients(1.0, [0.2, 0.3]).C33, Array)
 assert_type(carom.fastsim(hertz, 0.3, F_z=10.0, creepage=1e-3), carom.FastsimForce)
 assert_type(carom.fastsim(hertz, 0.3, F_z=10.0, creepage=1e-3).F_x, float)
-braked = carom.fastsim(hertz, 0.3, F_z=10.0, creepage=-1e-3 * grid)
-assert isinstance(braked, carom.FastsimForces)
-assert_type(braked.F_x, Array)
+assert_type(carom.fastsim(hertz, 0.3, F_z=10.0, creepage=-1e-3 * grid).F_x, Array)
+assert_type(carom.fastsim(hertz, grid, F_z=10.0), carom.FastsimForces)
+assert_type(carom.fastsim(hertz, 0.3, F_z=grid, spin=1.0), carom.FastsimForces)
+assert_type(carom.fastsim(hertz, 0.3, F_z=1, spin=[0.0, 1.0]), carom.FastsimForces)
 
 # Contacts with memory, and a contact on a grid.
 contact = carom.Contact(hertz, friction=0.3)

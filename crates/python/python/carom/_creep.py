@@ -65,6 +65,61 @@ def fastsim(
 @overload
 def fastsim(
     contact: Hertz,
+    friction: Several,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+    mesh: tuple[int, int] = (100, 100),
+) -> FastsimForces: ...
+@overload
+def fastsim(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: Several,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+    mesh: tuple[int, int] = (100, 100),
+) -> FastsimForces: ...
+@overload
+def fastsim(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: Several,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+    mesh: tuple[int, int] = (100, 100),
+) -> FastsimForces: ...
+@overload
+def fastsim(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: Several,
+    spin: ArrayLike = 0.0,
+    mesh: tuple[int, int] = (100, 100),
+) -> FastsimForces: ...
+@overload
+def fastsim(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: Several,
+    mesh: tuple[int, int] = (100, 100),
+) -> FastsimForces: ...
+@overload
+def fastsim(
+    contact: Hertz,
     friction: ArrayLike,
     *,
     F_z: ArrayLike,
