@@ -56,10 +56,10 @@ impl CreepCoefficients {
     /// dissimilar bodies take the combined values of `MaterialPair`: `poisson`, and twice
     /// `shear_modulus` for G; their coupling of pressure and shift is then left out.
     ///
-    /// The entries are extrapolated from meshes, with an error of some 0.03 % (C33 0.1 %, for a/b
-    /// above 3 up to 0.3 %; above 10 a few times as much); a circle at nu = 0 has its closed forms
-    /// within 2e-5. Between entries the table differs from meshes by at most 2e-5 (C33 1e-4) for
-    /// a/b below 1, and 3e-4 (C33 1e-3) above. Kalker's table in three digits is met within 1.5 %.
+    /// The entries are extrapolated from meshes, with an error of some 0.03 %, for a/b above 5 0.1 %
+    /// (C33 0.1 %, above 3 0.3 %, above 10 up to 1 %); a circle at nu = 0 has its closed forms within
+    /// 2e-5. Between entries the table differs from meshes by at most 2e-5 (C33 1e-4) for a/b below
+    /// 1, and 3e-4 (C33 1e-3) above. Kalker's table in three digits is met within 1.5 %.
     ///
     /// Rolling has a direction: an exchange of a and b is another problem, and no coefficient at
     /// b/a follows from those at a/b. At nu = 0 a traction displaces surfaces along itself only, so

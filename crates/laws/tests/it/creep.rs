@@ -43,7 +43,8 @@ fn the_table_is_that_of_an_independent_calculation() {
     for [ratio, poisson, _, _, _, _, calculated @ ..] in kalker() {
         let allowed = match ratio {
             0.1 => [1e-3, 1e-3, 5e-3, 3e-3],
-            10.0 => [1e-3, 1e-3, 1e-3, 2e-2],
+            // A thousandth of the calculation, and one of the table.
+            10.0 => [2e-3, 2e-3, 2e-3, 2e-2],
             0.2..2.6 => [3e-4, 3e-4, 5e-4, 1e-3],
             _ => [3e-4, 3e-4, 5e-4, 3e-3],
         };

@@ -33,8 +33,8 @@ def creep_coefficients(axis_ratio: ArrayLike, poisson: ArrayLike) -> LinearCreep
         M_z = G (a b)^1.5 C32 creepage_across + G (a b)^2 C33 spin
 
     All are positive and C32 = C23; Kalker, who counts spin the other way round, writes C32 = -C23. The coefficients of b/a
-    do not follow from those of a/b. They come from a table, in a microsecond, with errors of some 0.05 %, of C33
-    0.2 %; for a/b above 3 C33 is off by up to 0.4 %, above 10 all are by a few times as much.
+    do not follow from those of a/b. They come from a table, in a microsecond, with errors of some 0.05 %, for
+    a/b above 5 0.1 %; C33 0.2 %, for a/b above 3 0.4 %, above 10 up to 1 %.
 
     >>> import carom
     >>> circle = carom.creep_coefficients(1.0, 0.25)
