@@ -29,6 +29,7 @@
 mod batch;
 mod collide_options;
 mod contact;
+mod creep;
 mod encounters;
 mod error;
 mod grains;
@@ -63,6 +64,7 @@ pub use contact::{
     carom_contact_heat, carom_contact_load, carom_contact_pack, carom_contact_report,
     carom_contact_turn_frame, carom_contact_unpack,
 };
+pub use creep::{CaromCreep, carom_creep_coefficients};
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{

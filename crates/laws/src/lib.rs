@@ -9,6 +9,7 @@
 //!   [`turning_law`] is the choice between them. [`sliders`] is an alternative with springs and
 //!   sliders, and [`profile`] contains other indenters.
 //! - Twist: [`torsion`].
+//! - Rolling: [`creep`], the forces of vanishing creepage.
 //! - Limits of the theory: [`validity`].
 //! - Dissimilar bodies: [`rings`], a law for approach, shift and twist with their coupling.
 //! - [`law::ContactLaw`] is the interface for the higher layers: [`shift_law::ShiftLaw`],
@@ -38,6 +39,7 @@ pub mod accounted;
 mod bounds;
 pub mod coulomb;
 pub mod coupling;
+pub mod creep;
 pub mod damping;
 pub mod ellipse;
 pub mod field;

@@ -7,6 +7,7 @@ mod cases;
 mod collide;
 mod contact;
 mod contacts;
+mod creep;
 mod error;
 mod hertz;
 mod influence;
@@ -43,6 +44,8 @@ mod _carom {
     use super::contact::Contact;
     #[pymodule_export]
     use super::contacts::Contacts;
+    #[pymodule_export]
+    use super::creep::{creep_coefficients, fastsim};
     #[pymodule_export]
     use super::error::{CaromError, RangeError};
     #[pymodule_export]

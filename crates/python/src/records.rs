@@ -3,7 +3,9 @@
 use carom::impact::restitution::DissimilarRestitution;
 use carom::impact::scene::{Bounce, PathPoint};
 use carom::impact::{HistoryPoint, Outcome};
+use carom::laws::creep::CreepCoefficients;
 use carom::laws::hertz::HertzState;
+use carom::rolling::FastsimForces;
 use carom::table::{Column, Quantity, Value};
 use carom_cases::history::all_columns as history_columns;
 use carom_cases::roll;
@@ -49,10 +51,12 @@ pub(crate) fn columns(
         "BellowsState" => Ok(about(BellowsRow::COLUMNS)),
         "CreepCoefficients" => Ok(about(roll::CREEP)),
         "DissimilarRestitution" => Ok(about(DissimilarRestitution::COLUMNS)),
+        "FastsimForce" => Ok(about(FastsimForces::COLUMNS)),
         "FlangeSummary" => Ok(about(FlangeSummary::COLUMNS)),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),
+        "LinearCreep" => Ok(about(CreepCoefficients::COLUMNS)),
         "PathPoint" => Ok(about(PathPoint::COLUMNS)),
         "Rebound" => Ok(about(Outcome::COLUMNS)),
         "RingPlace" => Ok(about(RingPlace::COLUMNS)),

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact", "carom._solver", "carom.cases", "carom.plot"]
+MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._creep", "carom._impact", "carom._roll", "carom._solver", "carom.cases", "carom.plot"]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -26,13 +26,13 @@ def test_examples_of_the_readme_run():
     assert results.failed == 0
 
 
-def test_examples_of_the_book_run(monkeypatch):
+@pytest.mark.parametrize(("page", "least"), [("start/python.md", 10), ("tasks/rail.md", 4)])
+def test_examples_of_the_book_run(monkeypatch, page, least):
     pytest.importorskip("matplotlib").use("Agg")
     root = pathlib.Path(__file__).parents[3]
     monkeypatch.chdir(root)
-    page = root / "docs/book/src/start/python.md"
-    results = doctest.testfile(str(page), module_relative=False)
-    assert results.attempted > 10
+    results = doctest.testfile(str(root / "docs/book/src" / page), module_relative=False)
+    assert results.attempted > least
     assert results.failed == 0
 
 

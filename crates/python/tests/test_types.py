@@ -10,7 +10,7 @@ import pytest
 
 HERE = pathlib.Path(__file__).parent
 PROJECT = HERE.parent
-BOOK = HERE.parents[2] / "docs/book/src/start/python.md"
+BOOK = [HERE.parents[2] / "docs/book/src" / page for page in ("start/python.md", "tasks/rail.md")]
 
 
 def run(folder, *command):
@@ -44,7 +44,7 @@ def code_of(page):
     return "\n".join(example.source for example in doctest.DocTestParser().get_examples(text))
 
 
-PAGES = [HERE / "typed.py", PROJECT / "README.md", BOOK, *sorted((PROJECT / "examples").glob("*.ipynb"))]
+PAGES = [HERE / "typed.py", PROJECT / "README.md", *BOOK, *sorted((PROJECT / "examples").glob("*.ipynb"))]
 
 
 @pytest.fixture(scope="module")

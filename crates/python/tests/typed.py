@@ -60,6 +60,18 @@ assert_type(carom.special.hyp2f1(1, 1, 2, 0.9 * grid), Array)
 equivalent: Array = carom.von_mises(carom.stress((1e-3, 1e-3), steel, 1.0, 0.0, 0.0, grid))
 at_one_point: float = carom.von_mises(carom.stress((1e-3, 1e-3), steel, 1.0, 0.0, 0.0, 1e-3))
 
+# Creep coefficients, and forces with them.
+assert_type(carom.creep_coefficients(1.0, 0.3), carom.LinearCreep)
+assert_type(carom.creep_coefficients(1.0, 0.3).C11, float)
+assert_type(carom.creep_coefficients(grid, 0.3), carom.LinearCreeps)
+assert_type(carom.creep_coefficients(1.0, [0.2, 0.3]).C33, Array)
+assert_type(carom.fastsim(hertz, 0.3, F_z=10.0, creepage=1e-3), carom.FastsimForce)
+assert_type(carom.fastsim(hertz, 0.3, F_z=10.0, creepage=1e-3).F_x, float)
+assert_type(carom.fastsim(hertz, 0.3, F_z=10.0, creepage=-1e-3 * grid).F_x, Array)
+assert_type(carom.fastsim(hertz, grid, F_z=10.0), carom.FastsimForces)
+assert_type(carom.fastsim(hertz, 0.3, F_z=grid, spin=1.0), carom.FastsimForces)
+assert_type(carom.fastsim(hertz, 0.3, F_z=1, spin=[0.0, 1.0]), carom.FastsimForces)
+
 # Contacts with memory, and a contact on a grid.
 contact = carom.Contact(hertz, friction=0.3)
 f_x, f_y, f_z = contact.advance(1e-6, xi=1e-8)

@@ -22,7 +22,8 @@ use carom_halfspace::Offset;
 use carom_halfspace::operator::OperatorError;
 use carom_special::RangeError;
 
-pub use creep::{CreepCoefficients, creep_coefficients, creep_coefficients_on};
+pub use carom_laws::creep::CreepCoefficients;
+pub use creep::{creep_coefficients, creep_coefficients_on, creep_table_entry};
 pub use drive::RollingDrive;
 pub use fastsim::{Fastsim, FastsimForces};
 pub use method::SteadyMethod;

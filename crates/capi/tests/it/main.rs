@@ -1,6 +1,7 @@
 //! Tests of `carom-capi` through its public interface: one executable with a module for each subject.
 
 mod border;
+mod creep;
 mod dissimilar;
 mod garbled;
 mod grains;
@@ -10,6 +11,7 @@ mod hostile;
 mod losses;
 mod mechanics;
 mod programs;
+mod rebound;
 mod ring_grains;
 mod rolling;
 mod surfaces;

@@ -8,6 +8,7 @@ mod coulomb_errors;
 mod coulomb_estimate;
 mod coulomb_known;
 mod coulomb_slip;
+mod creep;
 mod energy_balance;
 mod energy_known;
 mod field;

@@ -215,6 +215,29 @@ class CreepCoefficients(Record):
     _axis = 'contact'
 
 
+class FastsimForce(Record):
+    """Forces of FASTSIM on body 1, which rolls along x.
+
+    F_x  on body 1 along x, the direction of rolling, N
+    F_y  on body 1 along y, N
+    """
+
+    F_x: float
+    F_y: float
+
+    units = {'F_x': 'N', 'F_y': 'N'}
+    meanings = {'F_x': 'on body 1 along x, the direction of rolling', 'F_y': 'on body 1 along y'}
+    _vectors = frozenset([])
+    _axis = 'row'
+
+
+class FastsimForces(Records[FastsimForce], one=FastsimForce):
+    """Many results `FastsimForce`: arrays of numbers, lists of texts."""
+
+    F_x: Array
+    F_y: Array
+
+
 class FlangeSummary(Record):
     """Greatest absolute values of a flange around, and what tells of their accuracy.
 
@@ -531,6 +554,38 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     p_max_error: Array
     contact_area_error: Array
     stick_area_error: Array
+
+
+class LinearCreep(Record):
+    """Kalker's creep coefficients of two equal bodies, by a table.
+
+    C11  F_x = G a b C11 creepage
+    C22  F_y = G a b C22 creepage_across
+    C23  F_y = -G (ab)^1.5 C23 spin
+    C32  M_z = G (ab)^1.5 C32 creepage_across, equal to C23
+    C33  M_z = G (ab)^2 C33 spin
+    """
+
+    C11: float
+    C22: float
+    C23: float
+    C32: float
+    C33: float
+
+    units = {'C11': '', 'C22': '', 'C23': '', 'C32': '', 'C33': ''}
+    meanings = {'C11': 'F_x = G a b C11 creepage', 'C22': 'F_y = G a b C22 creepage_across', 'C23': 'F_y = -G (ab)^1.5 C23 spin', 'C32': 'M_z = G (ab)^1.5 C32 creepage_across, equal to C23', 'C33': 'M_z = G (ab)^2 C33 spin'}
+    _vectors = frozenset([])
+    _axis = 'contact'
+
+
+class LinearCreeps(Records[LinearCreep], one=LinearCreep):
+    """Many results `LinearCreep`: arrays of numbers, lists of texts."""
+
+    C11: Array
+    C22: Array
+    C23: Array
+    C32: Array
+    C33: Array
 
 
 class PathPoint(Record):

@@ -1,13 +1,16 @@
 //! Kalker's creep coefficients: steady rolling with vanishing creepage and complete adhesion.
 
 mod adhesion;
+mod entry;
 mod strips;
 
 use carom_halfspace::{Material, MaterialPair};
+use carom_laws::creep::CreepCoefficients;
 use carom_special::RangeError;
 
 use super::RollingError;
 use adhesion::{Adhesion, Motion};
+pub use entry::creep_table_entry;
 use strips::Strips;
 
 /// Approximate number of elements of the finest mesh for the extrapolation.
@@ -19,34 +22,16 @@ const PARTS: [f64; 4] = [0.35, 0.5, 0.7, 1.0];
 /// Greatest number of elements; four matrices with half this number of rows are solved.
 const MOST_ELEMENTS: usize = 5000;
 
-/// Creep coefficients: forces for vanishing creepage of two equal bodies of shear modulus G each,
-/// on a contact with semi-axes a along the direction of rolling and b across it. F_x = G a b C11
-/// xi, F_y = G a b (C22 eta - sqrt(ab) C23 phi), M_z = G (ab)^(3/2) (C32 eta + sqrt(ab) C33 phi)
-/// with C32 = C23, in this crate's signs.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CreepCoefficients {
-    /// Longitudinal force due to longitudinal creepage.
-    pub c11: f64,
-    /// Lateral force due to lateral creepage.
-    pub c22: f64,
-    /// Lateral force due to spin.
-    pub c23: f64,
-    /// Torque due to lateral creepage; equal to C23 in the continuum.
-    pub c32: f64,
-    /// Torque due to spin.
-    pub c33: f64,
-}
-
-impl CreepCoefficients {
-    fn combine(all: &[Self], weights: &[f64]) -> Self {
-        let sum = |of: fn(&Self) -> f64| all.iter().zip(weights).map(|(c, w)| w * of(c)).sum();
-        Self {
-            c11: sum(|c| c.c11),
-            c22: sum(|c| c.c22),
-            c23: sum(|c| c.c23),
-            c32: sum(|c| c.c32),
-            c33: sum(|c| c.c33),
-        }
+/// The sum of coefficients times weights.
+fn combine(all: &[CreepCoefficients], weights: &[f64]) -> CreepCoefficients {
+    let sum =
+        |of: fn(&CreepCoefficients) -> f64| all.iter().zip(weights).map(|(c, w)| w * of(c)).sum();
+    CreepCoefficients {
+        c11: sum(|c| c.c11),
+        c22: sum(|c| c.c22),
+        c23: sum(|c| c.c23),
+        c32: sum(|c| c.c32),
+        c33: sum(|c| c.c33),
     }
 }
 
@@ -77,7 +62,7 @@ pub fn creep_coefficients(ratio: f64, poisson: f64) -> Result<CreepCoefficients,
         others.map(|k| widths[k] / (widths[k] - widths[i])).product()
     };
     let weights: Vec<f64> = (0..widths.len()).map(weight).collect();
-    Ok(CreepCoefficients::combine(&all?, &weights))
+    Ok(combine(&all?, &weights))
 }
 
 fn check_ratio(ratio: f64) -> Result<(), RangeError> {

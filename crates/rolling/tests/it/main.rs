@@ -1,6 +1,7 @@
 //! The integration tests of `carom-rolling`: one executable.
 
 mod contact_cases;
+mod creep_table;
 mod drawn;
 mod nested;
 mod oracle;

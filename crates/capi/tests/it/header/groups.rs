@@ -44,6 +44,12 @@ const GROUPS: &[Group] = &[
         modules: &["restitution"],
     },
     Group {
+        title: "Creep coefficients of a rolling contact",
+        about: "carom_creep_coefficients gives the forces of a wheel on a rail, or of any rolling bodies, at small\n\
+                creepage.",
+        modules: &["creep"],
+    },
+    Group {
         title: "Limits of the theory",
         about: "Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.\n\
                 carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's\n\
@@ -140,7 +146,8 @@ impl Modules {
 fn banner(i: usize, group: &Group) -> String {
     let about: String = group.about.lines().map(|line| format!("\n// {line}")).collect();
     let about = if about.is_empty() { about } else { format!("\n//{about}") };
-    format!("\n// ---- {}. {} {}{about}\n", i + 1, group.title, "-".repeat(70 - group.title.len()))
+    let title = format!("{}. {}", i + 1, group.title);
+    format!("\n// ---- {title} {}{about}\n", "-".repeat(73 - title.len()))
 }
 
 /// The name of the item that a line of Rust declares.

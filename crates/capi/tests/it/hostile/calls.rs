@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 61] = [
+pub(crate) const NAMES: [&str; 63] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -71,6 +71,8 @@ pub(crate) const NAMES: [&str; 61] = [
     "carom_touch_roll_grains",
     "carom_touch_roll_energy",
     "carom_grains_on_curved_wall",
+    "carom_creep_coefficients",
+    "carom_grains_restitution",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -86,7 +88,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         5..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
-        61..=90 => 52 + world.pick(9),
+        61..=90 => 52 + world.pick(11),
         k if k % 2 == 0 => world.pick(16),
         _ => 20 + world.pick(9),
     };
@@ -107,6 +109,8 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         46 => validity(world),
         47 => impact_time(world),
         48..=51 => grains_validity(world, which),
+        61 => creep(world),
+        62 => rebound(world),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -541,6 +545,22 @@ fn dissimilar(world: &mut World) -> CaromStatus {
             kappa, gamma, friction, lambda, ratio, to, estimate, method, error,
         )
     }
+}
+
+fn rebound(world: &mut World) -> CaromStatus {
+    let (at, restitution, error) = (world.pick(3), world.number(0.01, 1.0), world.error());
+    let grains = &raw mut world.grains[at];
+    let grains = world.point(grains);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe { carom_grains_restitution(grains, restitution, error) }
+}
+
+fn creep(world: &mut World) -> CaromStatus {
+    let (ratio, poisson) = (world.number(0.05, 20.0), world.number(0.0, 0.5));
+    let (error, mut place) = (world.error(), MaybeUninit::<CaromCreep>::uninit());
+    let to = world.point(place.as_mut_ptr());
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe { carom_creep_coefficients(ratio, poisson, to, error) }
 }
 
 fn body(world: &mut World) -> CaromBody {

@@ -1,0 +1,67 @@
+//! Creep coefficients and the forces of FASTSIM over arrays.
+
+use carom::laws::creep::CreepCoefficients;
+use carom::rolling::{Creepage, Fastsim, FastsimForces};
+use carom::special::RangeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{Numbers, map, map_by, same_length};
+use crate::error::Fault;
+use crate::hertz::Hertz;
+use crate::records::arrays;
+
+/// Entries that a thread takes at least: the springs of a contact take a tenth of a millisecond.
+const SHARE: usize = 4;
+
+/// Kalker's creep coefficients by the table.
+#[pyfunction]
+pub(crate) fn creep_coefficients<'py>(
+    py: Python<'py>,
+    axis_ratio: Numbers<'py>,
+    poisson: Numbers<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (ratio, poisson) = (axis_ratio.as_slice()?, poisson.as_slice()?);
+    same_length("poisson", poisson.len(), ratio.len())?;
+    let found = map(py, ratio.len(), |i| Ok(CreepCoefficients::by_table(ratio[i], poisson[i])?))?;
+    arrays(py, CreepCoefficients::COLUMNS, &found)
+}
+
+/// The forces of FASTSIM in a Hertz contact: for friction, normal force, and creepage along, across and by spin.
+#[pyfunction]
+pub(crate) fn fastsim<'py>(
+    py: Python<'py>,
+    contact: Hertz,
+    numbers: [Numbers<'py>; 5],
+    mesh: [usize; 2],
+) -> PyResult<Bound<'py, PyDict>> {
+    let [friction, force, along, across, spin] = &numbers;
+    let [friction, force, along, across, spin] = [
+        friction.as_slice()?,
+        force.as_slice()?,
+        along.as_slice()?,
+        across.as_slice()?,
+        spin.as_slice()?,
+    ];
+    for other in [force, along, across, spin] {
+        same_length("an argument", other.len(), friction.len())?;
+    }
+    let hertz = contact.0;
+    let materials = hertz.materials();
+    let coefficients = CreepCoefficients::by_table(hertz.axis_ratio().get(), materials.poisson())
+        .map_err(Fault::from)?;
+    let found = map_by(SHARE, py, friction.len(), |i| {
+        let ellipse = hertz.at_force(RangeError::positive("F_z", force[i])?)?.ellipse;
+        let springs = Fastsim {
+            semi_axes: [ellipse.semi_axis_a(), ellipse.semi_axis_b()],
+            shear_modulus: 2.0 * materials.shear_modulus(),
+            coefficients,
+            force: force[i],
+            friction: friction[i],
+            mesh,
+        };
+        let creepage = Creepage { along: along[i], across: across[i], spin: spin[i] };
+        Ok(springs.forces(creepage)?)
+    })?;
+    arrays(py, FastsimForces::COLUMNS, &found)
+}
