@@ -679,6 +679,10 @@ carom_status carom_touch_many(struct carom_encounter *encounters,
  * ignored. */
 #define CAROM_LOSS_BY_WAVES 2
 
+/* The material is viscoelastic: the normal restitution falls as the speed grows, by `relaxation` (Kuwabara and
+ * Kono); `normal_restitution` is ignored. */
+#define CAROM_LOSS_VISCOELASTIC 3
+
 /* Options of an impact. Zero in any field but `size` selects the default. */
 typedef struct carom_collide_options {
   /* `sizeof(carom_collide_options)`. Later versions add fields at the end; a smaller `size` leaves these
@@ -697,6 +701,8 @@ typedef struct carom_collide_options {
   /* How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
    * it. */
   uint32_t torsion;
+  /* The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s. */
+  double relaxation;
 } carom_collide_options;
 
 /* A sphere: `sizes[0]` is its radius. */

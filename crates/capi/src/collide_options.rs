@@ -34,6 +34,9 @@ pub const CAROM_LOSS_GIVEN: u32 = 1;
 /// The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
 /// ignored.
 pub const CAROM_LOSS_BY_WAVES: u32 = 2;
+/// The material is viscoelastic: the normal restitution falls as the speed grows, by `relaxation` (Kuwabara and
+/// Kono); `normal_restitution` is ignored.
+pub const CAROM_LOSS_VISCOELASTIC: u32 = 3;
 
 /// Options of an impact. Zero in any field but `size` selects the default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -55,6 +58,8 @@ pub struct CaromCollideOptions {
     /// How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
     /// it.
     pub torsion: u32,
+    /// The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s.
+    pub relaxation: f64,
 }
 
 impl CaromCollideOptions {
@@ -127,7 +132,8 @@ impl CaromCollideOptions {
             CAROM_LOSS_GIVEN => NormalRestitution::new(self.normal_restitution)
                 .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
             CAROM_LOSS_BY_WAVES => Ok(NormalRestitution::by_waves()),
-            loss => Err(out_of_range("loss", loss, "a CAROM_LOSS, 0 to 2")),
+            CAROM_LOSS_VISCOELASTIC => Ok(NormalRestitution::viscoelastic(self.relaxation)?),
+            loss => Err(out_of_range("loss", loss, "a CAROM_LOSS, 0 to 3")),
         }
     }
 }

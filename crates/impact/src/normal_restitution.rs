@@ -9,6 +9,8 @@
 //! impact, and the material `s (1 - s) J.D.J/2`, D the mobility: `(1 - e^2) v^2/(2 D_zz)` for a
 //! normal impact at v. Neither is negative.
 
+use crate::normal::NormalImpact;
+use carom_laws::damping::viscoelastic_restitution;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
@@ -39,6 +41,8 @@ pub struct NormalRestitution(Cause);
 enum Cause {
     Given(f64),
     Waves,
+    /// The relaxation time, s.
+    Viscoelastic(f64),
 }
 
 impl NormalRestitution {
@@ -63,18 +67,66 @@ impl NormalRestitution {
         Self(Cause::Waves)
     }
 
+    /// The coefficient of viscoelastic bodies, which falls as the speed grows (Kuwabara and Kono): Hertz's force
+    /// K zeta^(3/2) has a companion `K (3/2) A sqrt(zeta) dzeta/dt`, A the relaxation time of both bodies together, s.
+    ///
+    /// See [`viscoelastic_restitution`]. For slow impacts `1 - e` grows as v^(1/5).
+    ///
+    /// ```
+    /// use carom_halfspace::Material;
+    /// use carom_impact::{Body, Collision, Motion, NormalRestitution};
+    /// use carom_laws::friction::Friction;
+    /// let ice = Material::from_young(7e9, 0.3)?;
+    /// let floor = Body::plane(ice);
+    /// let at = |speed: f64| -> Result<f64, Box<dyn std::error::Error>> {
+    ///     let ball = Body::sphere(0.01, ice, 0.004)?.moving(Motion::new([0.0, 0.0, -speed], [0.0; 3])?);
+    ///     let outcome = Collision::new(ball, floor, Friction::NONE)?
+    ///         .with_normal_restitution(NormalRestitution::viscoelastic(1e-6)?)
+    ///         .solve()?;
+    ///     Ok(outcome.motions()[0].velocity.z / speed)
+    /// };
+    /// assert!(at(1e-3)? > at(1.0)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the time is finite and >= 0.
+    pub fn viscoelastic(relaxation: f64) -> Result<Self, RangeError> {
+        RangeError::non_negative("relaxation", relaxation)?;
+        match relaxation == 0.0 {
+            true => Ok(Self::ELASTIC),
+            false => Ok(Self(Cause::Viscoelastic(relaxation))),
+        }
+    }
+
     /// Whether no energy is lost.
     pub(crate) fn is_elastic(self) -> bool {
         self == Self::ELASTIC
     }
 
-    /// The reduction of an impact with these elastic normal velocities, before and after.
-    pub(crate) fn damped(self, wave_share: f64, [before, after]: [f64; 2]) -> Damped {
+    /// The reduction of an impact with these elastic normal velocities, before and after; `pulse` is its normal
+    /// motion without friction.
+    ///
+    /// # Errors
+    /// [`RangeError`] if the relaxation takes longer than the impact by far.
+    pub(crate) fn damped(
+        self,
+        wave_share: f64,
+        pulse: &NormalImpact,
+        [before, after]: [f64; 2],
+    ) -> Result<Damped, RangeError> {
         let e = match self.0 {
             Cause::Given(e) => e,
             Cause::Waves => (1.0 - wave_share).max(0.0).sqrt(),
+            Cause::Viscoelastic(relaxation) => {
+                // zeta_max/v is (5/4)^(2/5) times the unit of time.
+                let unit = pulse.time_unit() / libm::pow(1.25, 0.4);
+                let allowed = "at most 66 times the time of the impact, (m/K)^(2/5) v^(-1/5)";
+                viscoelastic_restitution(1.5 * relaxation / unit)
+                    .map_err(|_| RangeError::new("relaxation", relaxation, allowed))?
+            }
         };
-        Damped { part: (before - e * after) / (before - after) }
+        Ok(Damped { part: (before - e * after) / (before - after) })
     }
 }
 

@@ -43,12 +43,13 @@ impl Way {
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 
-    /// Adds the loss in the material: a given coefficient of normal restitution, or, with None, the loss by
-    /// waves.
-    fn losing(self, normal_restitution: Option<f64>) -> Result<Self, Fault> {
-        let loss = match normal_restitution {
-            Some(left) => NormalRestitution::new(left)?,
-            None => NormalRestitution::by_waves(),
+    /// Adds the loss in the material: by waves, by a relaxation time, or by a given coefficient of normal
+    /// restitution.
+    fn losing(self, (cause, value): (&str, f64)) -> Result<Self, Fault> {
+        let loss = match cause {
+            "waves" => NormalRestitution::by_waves(),
+            "relaxation" => NormalRestitution::viscoelastic(value)?,
+            _ => NormalRestitution::new(value)?,
         };
         Ok(Self { loss, ..self })
     }
@@ -79,9 +80,9 @@ pub(crate) fn collide<'py>(
     torsion: Option<bool>,
     law: &str,
     tolerance: Option<f64>,
-    normal_restitution: Option<f64>,
+    loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
-    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
+    let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve =
         || -> Result<Outcome, Fault> { Ok(way.law.solve(&way.collision(one, two, friction)?)?) };
@@ -101,9 +102,9 @@ pub(crate) fn collide_many<'py>(
     torsion: Option<bool>,
     law: &str,
     tolerance: Option<f64>,
-    normal_restitution: Option<f64>,
+    loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
-    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
+    let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
     let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];

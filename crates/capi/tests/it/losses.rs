@@ -28,11 +28,12 @@ fn usual() -> CaromCollideOptions {
     CaromCollideOptions::default()
 }
 
-/// The exact impact, with a loss.
+/// The exact impact, with a loss: its coefficient, or the relaxation time.
 fn options(loss: u32, normal_restitution: f64) -> CaromCollideOptions {
     let size = size_of::<CaromCollideOptions>();
     let (law, torsion) = (CAROM_IMPACT_COULOMB, CAROM_TORSION_LEFT_OUT);
-    CaromCollideOptions { size, law, loss, normal_restitution, torsion, ..usual() }
+    let relaxation = if loss == CAROM_LOSS_VISCOELASTIC { normal_restitution } else { f64::NAN };
+    CaromCollideOptions { size, law, loss, normal_restitution, torsion, relaxation, ..usual() }
 }
 
 fn collide(loss: u32, e: f64) -> (CaromStatus, CaromRebound, CaromError) {
@@ -66,6 +67,7 @@ fn losses_are_those_of_the_library_to_the_bit() {
         (CAROM_LOSS_GIVEN, 0.6, NormalRestitution::new(0.6).unwrap()),
         (CAROM_LOSS_GIVEN, 0.0, NormalRestitution::new(0.0).unwrap()),
         (CAROM_LOSS_BY_WAVES, f64::NAN, NormalRestitution::by_waves()),
+        (CAROM_LOSS_VISCOELASTIC, 1e-4, NormalRestitution::viscoelastic(1e-4).unwrap()),
     ];
     for (loss, e, restitution) in cases {
         let (status, told, _) = collide(loss, e);
@@ -137,13 +139,13 @@ fn wrong_losses_are_named_and_nothing_is_written() {
         assert_eq!(error.value.to_bits(), e.to_bits());
         assert_eq!(rebound.duration, 7.0);
     }
-    let (status, _, error) = collide(3, 0.5);
+    let (status, _, error) = collide(4, 0.5);
     assert_eq!((status, field(&error).as_str()), (CaromStatus::OutOfRange, "loss"));
     let [ball, _] = bodies();
     // SAFETY: all pointers are null or references.
     let status = unsafe {
         let (nothing, error) = (std::ptr::null_mut(), std::ptr::null_mut());
-        carom_collide(&ball, null(), 0.3, null(), &options(1, 0.5), nothing, error)
+        carom_collide(&ball, null(), 0.4, null(), &options(1, 0.5), nothing, error)
     };
     assert_eq!(status, CaromStatus::NullPointer);
 }
@@ -162,7 +164,7 @@ fn options_may_be_shorter_and_not_longer() {
     let (mut whole, size) = (CaromRebound::default(), size_of::<CaromCollideOptions>());
     assert_eq!(by(&CaromCollideOptions { size, ..usual() }, &mut whole), CaromStatus::Ok);
     assert_eq!(
-        by(&CaromCollideOptions { size: 8, ..options(3, f64::NAN) }, &mut told),
+        by(&CaromCollideOptions { size: 8, ..options(4, f64::NAN) }, &mut told),
         CaromStatus::Ok
     );
     assert_eq!(told, whole);

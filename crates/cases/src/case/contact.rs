@@ -69,8 +69,26 @@ pub(super) const WAVE_LOSS: Field = Field::new(
 )
 .default(Default::False);
 
+pub(super) const RELAXATION: Field = Field::number(
+    "relaxation",
+    Range::NonNegative.of(Dimension::Time),
+    "viscous relaxation time of both bodies together: the normal restitution then falls as the speed grows (Kuwabara \
+     and Kono)",
+)
+.default(Default::Number(0.0));
+
 /// Reads the coefficient of normal restitution of an impact or a wall.
 pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitution, CaseError> {
+    if section.has(&RELAXATION) {
+        for other in [&NORMAL_RESTITUTION, &WAVE_LOSS] {
+            if section.has(other) {
+                let reason = "the relaxation of the materials determines the loss";
+                return Err(section.conflict(other, &RELAXATION, reason));
+            }
+        }
+        let relaxation = section.number(&RELAXATION)?;
+        return NormalRestitution::viscoelastic(relaxation).map_err(|error| section.refused(error));
+    }
     if !section.switch(&WAVE_LOSS)? {
         let coefficient = section.number(&NORMAL_RESTITUTION)?;
         return NormalRestitution::new(coefficient).map_err(|error| section.refused(error));

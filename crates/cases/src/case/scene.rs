@@ -2,7 +2,7 @@
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
-    FRICTION, LAW_OF_SCENE, NORMAL_RESTITUTION, TORSION, WAVE_LOSS, normal_restitution,
+    FRICTION, LAW_OF_SCENE, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS, normal_restitution,
     torsion_mode,
 };
 use super::error::CaseError;
@@ -58,6 +58,7 @@ const WALL: Field = Field::new(
         FRICTION,
         NORMAL_RESTITUTION,
         WAVE_LOSS,
+        RELAXATION,
     ]),
     "a fixed wall, plane or rectangular",
 );

@@ -1,7 +1,7 @@
 //! Where the two bodies of an impact touch.
 
 use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
-use super::contact::{FRICTION, LAW, NORMAL_RESTITUTION, TORSION, WAVE_LOSS};
+use super::contact::{FRICTION, LAW, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS};
 use super::error::CaseError;
 use super::field::{AXES, Default, Field, Form};
 use super::range::Range;
@@ -38,6 +38,7 @@ pub(super) const CONTACT: Field = Field::new(
         TORSION,
         NORMAL_RESTITUTION,
         WAVE_LOSS,
+        RELAXATION,
         POINT,
         POINT_1,
         POINT_2,

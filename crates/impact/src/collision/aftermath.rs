@@ -56,8 +56,9 @@ impl Collision {
         known: Known,
     ) -> Result<Rebound, CollisionError> {
         let (before, elastic, whole) = (self.velocity(), outcome.velocity, outcome.impulse);
-        let share = self.wave_share(before.z)?;
-        let damped = self.normal_restitution.damped(share, [before.z, elastic.z]);
+        let pulse = self.pulse(before.z)?;
+        let share = self.wave_share(&pulse);
+        let damped = self.normal_restitution.damped(share, &pulse, [before.z, elastic.z])?;
         let [impulse, after] = damped.motion(whole, [&before, &elastic]);
         let mut motions = [0, 1].map(|i| {
             let push = if i == 0 { impulse } else { -impulse };
@@ -172,14 +173,18 @@ impl Collision {
     }
 
     // The largest share of the normal energy that waves carry away.
-    fn wave_share(&self, velocity: f64) -> Result<f64, RangeError> {
-        let d_zz = self.mobility.matrix().m33;
-        let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;
+    fn wave_share(&self, pulse: &NormalImpact) -> f64 {
         let share = self.bodies.iter().filter_map(|body| {
             let density = body.inertia().mass() / body.placed().surface().volume()?;
-            wave_share(body.material(), density, &pulse)
+            wave_share(body.material(), density, pulse)
         });
-        Ok(share.fold(0.0, f64::max))
+        share.fold(0.0, f64::max)
+    }
+
+    // The elastic impact without friction.
+    fn pulse(&self, velocity: f64) -> Result<NormalImpact, RangeError> {
+        let d_zz = self.mobility.matrix().m33;
+        NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)
     }
 
     fn validity(

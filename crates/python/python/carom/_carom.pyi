@@ -287,7 +287,7 @@ def collide(
     torsion: bool | None,
     law: str,
     tolerance: float | None,
-    normal_restitution: float | None,
+    loss: tuple[str, float],
 ) -> tuple[_Columns, _Told]: ...
 def collide_many(
     body_1: Body,
@@ -298,7 +298,7 @@ def collide_many(
     torsion: bool | None,
     law: str,
     tolerance: float | None,
-    normal_restitution: float | None,
+    loss: tuple[str, float],
 ) -> tuple[_Columns, _Told]: ...
 def history(
     body_1: Body,

@@ -42,13 +42,17 @@ def _along(body_1: Body, body_2: Body, normal: Vector | None) -> Vector | None:
     return normal
 
 
-def _left(normal_restitution: float, wave_loss: bool) -> float | None:
-    """The coefficient of normal restitution; None stands for the loss by waves."""
+def _loss(normal_restitution: float, wave_loss: bool, relaxation: float) -> tuple[str, float]:
+    """The cause of the loss in the material, and its coefficient or relaxation time."""
     if normal_restitution is None:
         raise TypeError("normal_restitution: must be a number; for the loss by waves pass wave_loss=True")
-    if wave_loss and normal_restitution != 1.0:
-        raise ValueError("normal_restitution and wave_loss=True are mutually exclusive")
-    return None if wave_loss else normal_restitution
+    given = [("normal_restitution", normal_restitution != 1.0), ("wave_loss=True", wave_loss), ("relaxation", relaxation != 0.0)]
+    causes = [name for name, is_given in given if is_given]
+    if len(causes) > 1:
+        raise ValueError(f"{causes[0]} and {causes[1]} are mutually exclusive")
+    if wave_loss:
+        return "waves", 0.0
+    return ("relaxation", float(relaxation)) if relaxation != 0.0 else ("given", float(normal_restitution))
 
 
 def collide(
@@ -62,6 +66,7 @@ def collide(
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
+    relaxation: float = 0.0,
 ) -> Rebound:
     """Computes the impact of two bodies. Body 1 is first placed on body 2 with the given common normal.
 
@@ -78,8 +83,9 @@ def collide(
     the laws 'auto' and 'rings'; True always does so, False never.
 
     A `normal_restitution` below 1 dissipates energy in the material, beyond the elastic theory;
-    `wave_loss=True` dissipates what elastic waves carry away. Duration and maximum force are those of the
-    elastic impact.
+    `wave_loss=True` dissipates what elastic waves carry away. With a `relaxation` time (s) of both bodies together the
+    material is viscoelastic, and the restitution falls as the speed grows (Kuwabara and Kono). Duration and maximum
+    force are those of the elastic impact.
 
     A fixed body that moves, like a racket, does work on the other: then the energies do not balance.
 
@@ -93,8 +99,8 @@ def collide(
     >>> bool(abs(lost - rebound.energy_dissipated) < 1e-9 * rebound.energy_before)
     True
     """
-    along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
-    columns, exceeded = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, left)
+    along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
+    columns, exceeded = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, loss)
     warn(exceeded)
     return Rebound._of(columns)
 
@@ -114,6 +120,7 @@ def collide_many(
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
+    relaxation: float = 0.0,
 ) -> Rebounds:
     """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, (n,).
 
@@ -139,9 +146,9 @@ def collide_many(
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", friction, (count,)))
-    along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
+    along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
     columns, exceeded = _carom.collide_many(
-        body_1, body_2, frictions, motions, along, torsion, law, tolerance, left
+        body_1, body_2, frictions, motions, along, torsion, law, tolerance, loss
     )
     warn(exceeded)
     return Rebounds._shaped(columns, (count,))

@@ -593,10 +593,11 @@ fn collide(world: &mut World) -> CaromStatus {
     let options = CaromCollideOptions {
         size,
         law: [0, 0, 0, 1, 2, 4][world.pick(6)],
-        loss: world.pick(4) as u32,
+        loss: world.pick(5) as u32,
         normal_restitution: world.number(0.0, 1.0),
         tolerance: if world.chance(0.8) { 0.0 } else { world.number(1e-4, 1e-2) },
         torsion: [0, 0, 1, 2, 3][world.pick(5)],
+        relaxation: world.number(0.0, 1e-5),
     };
     let options = if world.chance(0.5) { null() } else { &raw const options };
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
