@@ -82,3 +82,50 @@ fn cylinders_of_dissimilar_materials() {
         assert_eq!(counts(&rolled), printed_counts(row), "{row}");
     }
 }
+
+/// A wheel in a groove of the rail by its parabola ("conformal", case 1): creepages along and across, and spin, taken at a
+/// sixth of the step, in N and mm. Here the spin has the sign of that of body 1, and the torque the opposite one.
+#[test]
+fn a_wheel_that_slides_across_and_spins() {
+    let grid = Grid::new(51, 39, 0.4, 0.4).unwrap();
+    let gap = Gap::from_function(grid, |x, y| 0.000_768_59 * x * x + 0.000_980_39 * y * y).unwrap();
+    let body = Material::from_shear(82_000.0, 0.28).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3).unwrap()).unwrap();
+    let way = Way::new(0.4).unwrap().with_spin_at(1.0 / 6.0).unwrap();
+    let mut contact = SteadyContact::new(&problem, way).unwrap();
+    let creepage = Creepage { along: 0.004, across: 0.009_899_5, spin: -0.001_537_2 };
+    let drive = RollingDrive::by_creepage(Driven::Shift(0.090_89), creepage);
+    let rolled = contact.roll(&drive, &mut ()).unwrap();
+    let load = rolled.state.load();
+    let highest = rolled.state.pressure.values().iter().copied().fold(0.0, f64::max);
+    for (got, printed) in
+        [(load.f_x, 9144.0), (load.f_y, 25_920.0), (-load.m_z, 38_600.0), (highest, 912.8)]
+    {
+        assert!(agrees(got, printed), "{got} {printed}");
+    }
+}
+
+/// Polymer cylinders driven at 0.6 of the friction limit, two moduli ("visc_cylindr", cases 5 and 6).
+#[test]
+fn polymer_cylinders_by_force() {
+    // The middle of the contact lies between two cells.
+    let grid = Grid::new(99, 1, 0.16, 1000.0).unwrap();
+    for (modulus, creepage, pressure) in [(571.5, 1.378e-2, 60.32), (1143.0, 9.792e-3, 85.29)] {
+        let gap = Gap::from_function(grid, |x, _| 0.01 * (x - 0.08).powi(2)).unwrap();
+        let body = Material::from_shear(modulus, 0.4).unwrap();
+        let pair = MaterialPair::new(body, body).unwrap();
+        let friction = Friction::new(0.3).unwrap();
+        let problem = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+        let mut contact = SteadyContact::new(&problem, Way::new(0.16).unwrap()).unwrap();
+        let drive = RollingDrive {
+            along: Driven::Load(-0.6 * 0.3 * 6e5),
+            ..RollingDrive::by_creepage(Driven::Load(6e5), Creepage::default())
+        };
+        let rolled = contact.roll(&drive, &mut ()).unwrap();
+        let highest = rolled.state.pressure.values().iter().copied().fold(0.0, f64::max);
+        for (got, printed) in [(-rolled.creepage.along, creepage), (highest, pressure)] {
+            assert!(agrees(got, printed), "{modulus}: {got} {printed}");
+        }
+    }
+}
