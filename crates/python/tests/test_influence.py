@@ -53,13 +53,13 @@ def test_half_spaces_by_their_numbers(blocks):
     own = carom.Solver(gap(), SIZE, STEEL, 0.3)
     table = carom.Solver(gap(), SIZE, STEEL, 0.3, influence=blocks)
     for solver in (own, table):
-        solver.step(F_z=10.0)
-        solver.step(F_x=1.5, eta=2e-8, omega=1e-4)
+        solver.step(F_z=2.0)
+        solver.step(F_x=0.3, eta=2e-8, omega=1e-4)
     for name in ("F_x", "F_y", "F_z", "M_z", "zeta", "xi"):
         want = getattr(own.summary(), name)
         assert getattr(table.summary(), name) == pytest.approx(want, rel=1e-6, abs=1e-12)
     assert np.array_equal(own.cells, table.cells)
-    drives = dict(F_z=10.0, creepage=[1e-4, 1e-3], spin=2.0)
+    drives = dict(F_z=2.0, creepage=[1e-4, 1e-3], spin=2.0)
     rows = [carom.roll(gap(), SIZE, STEEL, 0.3, **drives, influence=of).rows for of in (None, blocks)]
     assert rows[1].F_x == pytest.approx(rows[0].F_x, rel=1e-6)
     assert rows[1].M_z == pytest.approx(rows[0].M_z, rel=1e-6)
@@ -68,10 +68,10 @@ def test_half_spaces_by_their_numbers(blocks):
 def test_copies_keep_the_numbers():
     blocks = {"zz": half_space()["zz"]}
     solver = carom.Solver(gap(), SIZE, STEEL, 0.0, influence=blocks)
-    solver.step(F_z=10.0)
+    solver.step(F_z=2.0)
     other = copy.deepcopy(solver)
     assert np.array_equal(other.influence["zz"], blocks["zz"]) and "zz" in repr(other)
-    assert other.step(F_z=12.0) == solver.step(F_z=12.0)
+    assert other.step(F_z=2.5) == solver.step(F_z=12.0)
     with pytest.raises(ValueError, match="unknown beside influence numbers"):
         solver.stress(0.0, 0.0, 1e-5)
 

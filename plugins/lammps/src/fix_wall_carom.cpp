@@ -17,11 +17,15 @@
 
 using namespace LAMMPS_NS;
 
-// Number of values of the whole wall in a restart file: position, sums, force.
-static constexpr int KEPT = 10;
+// Number of values of the whole wall in a restart file: position; heats and work, force and torque.
+static constexpr int SUMS = 10;
+static constexpr int KEPT = carom::WallShape::NUMBERS + SUMS;
+
+// Constants of curved walls beyond this number are computed again: grains of as many radii.
+static constexpr std::size_t MOST_CURVED = 100000;
 
 // Values of compute_vector(), from f_ID[1] on.
-enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, ROLLING, OUTPUTS };
+enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, ROLLING, TORQUE_X, TORQUE_Y, TORQUE_Z, OUTPUTS };
 
 FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
@@ -34,35 +38,17 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
       has_tolerance = has_tolerance || (words > 0 && word == "tolerance");
       has_torsion = has_torsion || (words > 0 && word == "torsion");
     }
-    if (words == 0 && word == "plane" && k + 6 < narg) {
-      for (int axis = 0; axis < 3; axis++) {
-        wall.place[axis] = utils::numeric(FLERR, arg[k + 1 + axis], false, lmp);
-        wall.normal[axis] = utils::numeric(FLERR, arg[k + 4 + axis], false, lmp);
-      }
-      has_plane = true;
-      words = 7;
-    }
-    if (words == 0 && word == "velocity" && k + 3 < narg) {
-      for (int axis = 0; axis < 3; axis++)
-        wall.velocity[axis] = utils::numeric(FLERR, arg[k + 1 + axis], false, lmp);
-      words = 4;
-    }
+    if (words == 0) words = wall.take(lmp, who(), narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
-                            "': only plane and velocity (with all their values), young, shear, poisson, "
-                            "rigid, yield, friction, damping, rolling, law, tolerance and torsion");
+                            "': only plane, cylinder, cone, sphere, between, velocity, omega and center (with all their "
+                            "values), young, shear, poisson, rigid, yield, friction, damping, restitution, rolling, law, tolerance and torsion");
     k += words;
   }
   material.check(lmp, who());
-  if (!has_plane) error->all(FLERR, who() + ": plane x y z nx ny nz is missing");
+  wall.check(lmp, who());
   if (!material.has_body) error->all(FLERR, who() + ": young (or shear) and poisson, or rigid, are missing");
   if (material.friction < 0.0) error->all(FLERR, who() + ": friction is missing");
-  double *n = wall.normal;
-  const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  if (!(length > 0.0 && length < INFINITY))
-    error->all(FLERR, who() + ": the normal of the plane is zero");
-  for (int axis = 0; axis < 3; axis++) n[axis] /= length;
-
   restart_global = restart_peratom = 1;
   create_attribute = 1;
   maxexchange = 1 + SLOT;
@@ -101,12 +87,13 @@ void FixWallCarom::init()
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, who() + " requires atom_style sphere");
   for (int axis = 0; axis < 3; axis++)
-    if (domain->periodicity[axis] && wall.normal[axis] != 0.0)
+    if (domain->periodicity[axis] && !wall.extends_along(axis))
       error->all(FLERR, who() + ": the box is periodic across the wall");
   const auto pairs = carom::find_pairs(force);
   if (pairs.empty()) error->all(FLERR, who() + " requires pair_style carom: grains get their material there");
   account = false;
-  constants.assign(atom->ntypes + 1, {});
+  flat.assign(atom->ntypes + 1, {});
+  curved.clear();
   known.assign(atom->ntypes + 1, 0);
   pair = pairs.front();
   twists = law_with(pair->law()).torsion;
@@ -117,59 +104,87 @@ void FixWallCarom::init()
       if (known[type] || !style->material(type).has_body) continue;
       known[type] = 1;
       const carom::Law its = law_with(style->law());
-      constants[type] = carom::constants_of(lmp, who(), style->material(type).body(), material.body(), material, its);
-      if (!has_told) carom::tell_of_coupling(lmp, who() + ": grains of type " + std::to_string(type), constants[type]);
+      if (its.by_rings() && !wall.is_round())
+        error->all(FLERR, who() + ": law rings needs a plane or a sphere; other walls need law coulomb or fixed-direction");
+      flat[type] = carom::constants_of(lmp, who(), style->material(type).body(), material.body(), material, its);
+      if (!has_told) carom::tell_of_coupling(lmp, who() + ": grains of type " + std::to_string(type), flat[type]);
     }
   }
   has_told = true;
+}
+
+// The constants of the contact of a grain: those of the curvature where it began.
+const carom::Constants &FixWallCarom::constants_of(int i)
+{
+  const int type = atom->type[i];
+  if (!wall.is_curved()) return flat[type];
+  const double radius = atom->radius[i], curvature = curvature_of(slots[i].get());
+  const auto found = curved.find({type, {radius, curvature}});
+  return found != curved.end() ? found->second : make_curved(type, radius, curvature);
+}
+
+const carom::Constants &FixWallCarom::make_curved(int type, double radius, double curvature)
+{
+  if (std::isnan(curvature)) damaged("a curvature is not a number");
+  const PairCarom *of_type = nullptr;
+  for (const PairCarom *style : carom::find_pairs(force))
+    if (!of_type && style->material(type).has_body) of_type = style;
+  return curved[{type, {radius, curvature}}] = carom::constants_at_curved_wall(
+             lmp, who(), of_type->material(type).body(), material.body(), flat[type], radius, curvature, wall.is_round());
 }
 
 carom::Touch FixWallCarom::touch_of(int i)
 {
   double *slot = slots[i].get();
   carom_error why;
-  const carom::Touch touch = touches.at(slot, constants[atom->type[i]], atom->radius[i], INFINITY, &why);
+  const carom::Touch touch = touches.at(slot, constants_of(i), atom->radius[i], INFINITY, &why);
   if (!touch) carom::fail(lmp, who(), why);
   return touch;
 }
 
 // One step of a grain on the wall, with its heat. A step of duration zero only reads, except for a new
 // contact.
-carom_grain_load FixWallCarom::step(int i, double duration)
+carom_grain_load FixWallCarom::step(int i, const carom::WallShape::Near &near, double duration)
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
-  const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
-  const carom::Constants &its = constants[atom->type[i]];
+  const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i],
+                             atom->rmass[i]};
+  carom_surface surface;
+  memcpy(surface.place, near.place, sizeof surface.place);
+  memcpy(surface.normal, near.normal, sizeof surface.normal);
+  memcpy(surface.axis, near.axis, sizeof surface.axis);
+  memcpy(surface.spin, wall.omega(), sizeof surface.spin);
+  wall.velocity_at(near.place, v, duration, surface.velocity);
   const bool is_new = slots[i][0] == 0.0;
-  if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, atom->rmass[i], wall, update->dt);
+  if (is_new) curvature_of(slots[i].get()) = near.curvature;
+  const carom::Constants &its = constants_of(i);
+  if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, atom->rmass[i], surface, update->dt);
   const carom::Touch touch = touch_of(i);
   carom_grain_load load;
   carom_error why;
   carom_status status;
   if (duration > 0.0 || is_new) {
     carom_heats made = {0.0, 0.0};
-    status = touch.step(its, grain, wall, duration, &load, account ? &made : nullptr, &why);
+    status = touch.step(its, grain, surface, duration, &load, account ? &made : nullptr, &why);
     book(i, {made.friction, made.damping, 0.0});
   } else {
-    status = touch.load(its, grain, wall, &load, &why);
+    status = touch.load(its, grain, surface, &load, &why);
   }
   if (twists && !its.rings && status == CAROM_STATUS_OK) {
     carom_heats made = {0.0, 0.0};
-    status = carom_touch_twist_wall(&its.grains, Touches::twist_of(slots[i].get()), &grain, &wall, duration, &load,
-                                    account ? &made : nullptr, &why);
+    status = carom_touch_twist_surface(&its.grains, Touches::twist_of(slots[i].get()), &grain, &surface, duration, &load,
+                                       account ? &made : nullptr, &why);
     book(i, {made.friction, made.damping, 0.0});
   }
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
-  if (its.rolls()) roll(i, grain, duration, load);
+  if (its.rolls()) roll(i, grain, surface, duration, load);
   return load;
 }
 
-void FixWallCarom::roll(int i, const carom_grain &grain, double duration, carom_grain_load &load)
+void FixWallCarom::roll(int i, const carom_grain &grain, const carom_surface &surface, double duration,
+                        carom_grain_load &load)
 {
-  const carom::Constants &its = constants[atom->type[i]];
-  carom_surface surface = {};
-  memcpy(surface.place, wall.place, sizeof surface.place);
-  memcpy(surface.normal, wall.normal, sizeof surface.normal);
+  const carom::Constants &its = constants_of(i);
   carom::HeatSums made;
   carom_error why;
   if (carom_touch_roll_surface(&its.grains, &its.rolling, roll_of(slots[i].get()), &grain, &surface, duration, &load,
@@ -190,15 +205,19 @@ void FixWallCarom::post_force(int)
 {
   grain_heat.begin(pair->heat_readers, atom->nlocal);
   const double duration = update->setupflag ? 0.0 : update->dt;
-  for (int axis = 0; axis < 3; axis++) wall.place[axis] += duration * wall.velocity[axis];
-  const double *n = wall.normal, *p = wall.place;
+  wall.move(duration);
+  if (curved.size() > MOST_CURVED) curved.clear();
   const bool looks = duration > 0.0 && carom::Limits::looks(update->ntimestep);
-  double sum[3] = {0.0, 0.0, 0.0};
+  double sum[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0};
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double *x = atom->x[i];
-    const double height = (x[0] - p[0]) * n[0] + (x[1] - p[1]) * n[1] + (x[2] - p[2]) * n[2];
-    const bool apart = height >= atom->radius[i];
+    const double radius = atom->radius[i];
+    carom::WallShape::Near near;
+    if (!wall.near(atom->x[i], radius, near)) {
+      if (touches_wall(i)) let_go(i);
+      continue;
+    }
+    const bool apart = near.height >= radius;
     if (apart && !touches_wall(i)) continue;
     if (apart && duration == 0.0) {
       drop(i);
@@ -208,36 +227,50 @@ void FixWallCarom::post_force(int)
       error->one(FLERR, who() + ": pair_coeff of pair carom sets no material for grains of type " +
                             std::to_string(atom->type[i]));
     slot_of(i);
-    if (looks) limits.look(constants[atom->type[i]].grains, atom->radius[i], atom->radius[i] - height);
-    const carom_grain_load load = step(i, duration);
+    const carom_grain_load load = step(i, near, duration);
+    if (looks) limits.look(constants_of(i).grains, radius, radius - near.height);
+    const double *f = load.force, *center = wall.center(), *x = atom->x[i];
+    const double arm[3] = {x[0] - center[0], x[1] - center[1], x[2] - center[2]};
     for (int axis = 0; axis < 3; axis++) {
-      atom->f[i][axis] += load.force[axis];
+      const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+      atom->f[i][axis] += f[axis];
       atom->torque[i][axis] += load.torque_1[axis];
-      sum[axis] -= load.force[axis];
+      sum[axis] -= f[axis];
+      turn[axis] -= arm[next] * f[last] - arm[last] * f[next] + load.torque_1[axis];
     }
     if (apart) drop(i);
   }
   for (int axis = 0; axis < 3; axis++) {
-    sums_.work -= 0.5 * (force_on_wall[axis] + sum[axis]) * wall.velocity[axis] * duration;
+    sums_.work -= 0.5 * (force_on_wall[axis] + sum[axis]) * wall.velocity()[axis] * duration;
+    sums_.work -= 0.5 * (torque_on_wall[axis] + turn[axis]) * wall.omega()[axis] * duration;
     force_on_wall[axis] = sum[axis];
+    torque_on_wall[axis] = turn[axis];
   }
+}
+
+// A contact whose grain has come to the other side of the wall: what it stored is heat.
+void FixWallCarom::let_go(int i)
+{
+  if (account) book(i, {energy_of(i), 0.0, 0.0});
+  drop(i);
+}
+
+double FixWallCarom::energy_of(int i)
+{
+  const carom::Constants &its = constants_of(i);
+  double *slot = slots[i].get();
+  double rolled = 0.0, twisted = 0.0;
+  if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
+  if (twists && !its.rings)
+    carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), atom->radius[i], INFINITY, &twisted, nullptr);
+  return touch_of(i).energy(its, atom->radius[i], INFINITY) + rolled + twisted;
 }
 
 double FixWallCarom::stored_energy()
 {
   double sum = 0.0;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!touches_wall(i)) continue;
-    const carom::Constants &its = constants[atom->type[i]];
-    sum += touch_of(i).energy(its, atom->radius[i], INFINITY);
-    double energy = 0.0;
-    if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slots[i].get()), &energy, nullptr);
-    sum += energy;
-    if (!twists || its.rings) continue;
-    carom_touch_twist_energy(&its.grains, Touches::twist_of(slots[i].get()), atom->radius[i],
-                             INFINITY, &energy, nullptr);
-    sum += energy;
-  }
+  for (int i = 0; i < atom->nlocal; i++)
+    if (touches_wall(i)) sum += energy_of(i);
   return sum;
 }
 
@@ -250,6 +283,7 @@ double FixWallCarom::compute_vector(int n)
     case DAMPING: mine = sums_.damping; break;
     case WORK: mine = sums_.work; break;
     case ROLLING: mine = sums_.rolling; break;
+    case TORQUE_X: case TORQUE_Y: case TORQUE_Z: mine = torque_on_wall[n - TORQUE_X]; break;
     default: mine = force_on_wall[n];
   }
   double all;
@@ -260,11 +294,12 @@ double FixWallCarom::compute_vector(int n)
 // The position of the wall, and the sums of all ranks.
 void FixWallCarom::write_restart(FILE *fp)
 {
-  const double mine[7] = {sums_.friction,   sums_.damping,    sums_.work,    force_on_wall[0],
-                          force_on_wall[1], force_on_wall[2], sums_.rolling};
+  double mine[SUMS] = {sums_.friction, sums_.damping, sums_.work, sums_.rolling};
+  memcpy(mine + 4, force_on_wall, sizeof force_on_wall);
+  memcpy(mine + 7, torque_on_wall, sizeof torque_on_wall);
   double all[KEPT];
-  memcpy(all, wall.place, 3 * sizeof(double));
-  MPI_Reduce(mine, all + 3, 7, MPI_DOUBLE, MPI_SUM, 0, world);
+  wall.write(all + SUMS);
+  MPI_Reduce(mine, all, SUMS, MPI_DOUBLE, MPI_SUM, 0, world);
   if (comm->me != 0) return;
   const int size = sizeof all;
   fwrite(&size, sizeof size, 1, fp);
@@ -274,13 +309,12 @@ void FixWallCarom::write_restart(FILE *fp)
 void FixWallCarom::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
-  if (!std::all_of(all, all + KEPT, [](double number) { return std::isfinite(number); }))
+  if (!std::all_of(all, all + SUMS, [](double number) { return std::isfinite(number); }) || !wall.read(all + SUMS))
     damaged("the position or a sum of the wall is not a finite number");
-  memcpy(wall.place, all, 3 * sizeof(double));
   if (comm->me != 0) return;
-  sums_ = {all[3], all[4], all[5]};
-  sums_.rolling = all[9];
-  memcpy(force_on_wall, all + 6, 3 * sizeof(double));
+  sums_ = {all[0], all[1], all[2], all[3]};
+  memcpy(force_on_wall, all + 4, sizeof force_on_wall);
+  memcpy(torque_on_wall, all + 7, sizeof torque_on_wall);
 }
 
 void FixWallCarom::grow_arrays(int nmax)

@@ -1,4 +1,4 @@
-// fix wall/carom: a flat wall, at rest or moving, with the law of pair carom.
+// fix wall/carom: a wall of one of a few shapes, at rest, moving or turning, with the law of pair carom.
 #ifndef CAROM_FIX_WALL_H
 #define CAROM_FIX_WALL_H
 
@@ -9,9 +9,12 @@
 #include "limits.h"
 #include "material.h"
 #include "touches.h"
+#include "wall_shape.h"
 
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -60,14 +63,17 @@ class FixWallCarom : public Fix {
  private:
   carom::Material material;
   carom::Law law;                       // those of its values that were given
-  bool has_law = false, has_tolerance = false, has_torsion = false, has_plane = false;
+  bool has_law = false, has_tolerance = false, has_torsion = false;
   bool has_told = false;    // of coupling, in the log
-  carom_wall wall = {};
-  std::vector<carom::Constants> constants;    // by type of grain
+  carom::WallShape wall;
+  std::vector<carom::Constants> flat;    // the constants by type of grain, without curvature
+  // Those of a curved wall, by type, radius of the grain and curvature.
+  std::map<std::pair<int, std::pair<double, double>>, carom::Constants> curved;
   std::vector<char> known;                // whether there are any
   bool account = false, twists = false;    // of the laws but rings
   Sums sums_ = {0.0, 0.0, 0.0};
-  double force_on_wall[3] = {0.0, 0.0, 0.0};
+  // On the wall after the last step; the torque about its centre.
+  double force_on_wall[3] = {0.0, 0.0, 0.0}, torque_on_wall[3] = {0.0, 0.0, 0.0};
   Touches touches;
   std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
 
@@ -77,8 +83,12 @@ class FixWallCarom : public Fix {
   carom::Law law_with(carom::Law its) const;
   [[noreturn]] void damaged(const std::string &what) const;
   carom::Touch touch_of(int i);
-  carom_grain_load step(int i, double duration);
-  void roll(int i, const carom_grain &grain, double duration, carom_grain_load &load);
+  carom_grain_load step(int i, const carom::WallShape::Near &near, double duration);
+  void roll(int i, const carom_grain &grain, const carom_surface &surface, double duration, carom_grain_load &load);
+  const carom::Constants &constants_of(int i);
+  const carom::Constants &make_curved(int type, double radius, double curvature);
+  double energy_of(int i);
+  void let_go(int i);
   void book(int i, const carom::HeatSums &made);
   void pack(int i);
   void drop(int i);
@@ -86,7 +96,8 @@ class FixWallCarom : public Fix {
   // A slot: the numbers of a contact of any law, then what only walls keep.
   static constexpr int SLOT = Touches::MOST + Touches::AT_WALL;
   static carom_roll *roll_of(double *slot) { return Touches::roll_at(slot + Touches::MOST); }
-  bool keeps_more() const { return material.rolls(); }
+  static double &curvature_of(double *slot) { return slot[Touches::MOST + Touches::ROLL]; }
+  bool keeps_more() const { return material.rolls() || wall.is_curved(); }
   int count_of(int i) const;
   bool touches_wall(int i) const { return slots[i] && slots[i][0] != 0.0; }
 };

@@ -52,7 +52,7 @@ void Limits::begins(const carom_grains &grains, const carom_grain &one, double m
   if (square > 0.0) impact(grains, one.radius, two.radius, mass_1, mass_2, along / std::sqrt(square), dt);
 }
 
-void Limits::begins(const carom_grains &grains, const carom_grain &one, double mass, const carom_wall &wall,
+void Limits::begins(const carom_grains &grains, const carom_grain &one, double mass, const carom_surface &wall,
                     double dt)
 {
   const double infinite = std::numeric_limits<double>::infinity();

@@ -28,7 +28,7 @@ class Limits {
   void begins(const carom_grains &grains, const carom_grain &one, double mass_1, const carom_grain &two,
               double mass_2, double dt);
   // A contact of a grain and a wall begins.
-  void begins(const carom_grains &grains, const carom_grain &one, double mass, const carom_wall &wall, double dt);
+  void begins(const carom_grains &grains, const carom_grain &one, double mass, const carom_surface &wall, double dt);
   // Looks at contacts of grains, and at one with a wall.
   void look(const carom_encounter *contacts, int count);
   void look(const carom_grains &grains, double radius, double overlap);

@@ -77,11 +77,17 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     damping = number(lmp, who, narg, arg);
     if (!(damping >= 0.0 && damping < INFINITY))
       out_of_range(lmp, who, "damping", damping, "finite and >= 0 (a time)");
+  } else if (word == "restitution") {
+    restitution = number(lmp, who, narg, arg);
+    if (!(restitution >= 0.01 && restitution <= 1.0))
+      out_of_range(lmp, who, "restitution", restitution, "from 0.01 to 1");
   } else {
     return 0;
   }
   is_set = 1;
   if (has_young && has_shear) lmp->error->all(FLERR, who + ": young and shear are both given");
+  if (damping > 0.0 && restitution < 1.0)
+    lmp->error->all(FLERR, who + ": damping and restitution are both given: give one of them");
   if (has_shear && has_poisson) {
     if (!(shear > 0.0 && shear < INFINITY))
       out_of_range(lmp, who, "shear", shear, "finite and > 0");
@@ -99,10 +105,12 @@ bool Material::come_from_file()
   const bool none = !is_set && !has_body;
   const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
   const bool strength = yield >= 0.0 && yield < INFINITY;
+  const bool rebounds = restitution >= 0.01 && restitution <= 1.0;
   const bool resists = std::isfinite(rolling.stiffness + rolling.damping + rolling.friction) &&
       rolling.stiffness >= 0.0 && rolling.damping >= 0.0 && rolling.friction >= 0.0;
   return is_flag(is_set) && is_flag(has_body) &&
-      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength && resists));
+      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength && rebounds &&
+                resists));
 }
 
 void Material::check(LAMMPS *lmp, const std::string &who) const
@@ -154,12 +162,31 @@ Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material
   carom_error error;
   carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance, pair.damping,
                                         &made.grains, &error);
+  if (status == CAROM_STATUS_OK && pair.restitution < 1.0)
+    status = carom_grains_restitution(&made.grains, pair.restitution, &error);
   if (status == CAROM_STATUS_OK && law.by_rings()) {
     carom_rings *rings = nullptr;
     status = carom_rings_of(&made.grains.unit, &rings, &error);
     made.rings.reset(rings, carom_rings_free);
   }
   if (status != CAROM_STATUS_OK) lmp->error->all(FLERR, who + ": " + error.text);
+  return made;
+}
+
+Constants constants_at_curved_wall(LAMMPS *lmp, const std::string &who, const carom_material &grain,
+                                   const carom_material &wall, const Constants &flat, double radius, double curvature,
+                                   bool is_round)
+{
+  Constants made = flat;
+  const carom_pair &unit = flat.grains.unit;
+  carom_error error;
+  if (carom_grains_on_curved_wall(&grain, &wall, radius, curvature, is_round ? curvature : 0.0, unit.friction, unit.law,
+                                  unit.tolerance, flat.grains.relaxation, &made.grains, &error) != CAROM_STATUS_OK) {
+    char text[80];
+    snprintf(text, sizeof text, ": a grain of radius %g does not fit a wall of this curvature: ", radius);
+    lmp->error->one(FLERR, who + text + error.text);
+  }
+  made.grains.restitution_ratio = flat.grains.restitution_ratio;
   return made;
 }
 

@@ -15,13 +15,14 @@ namespace carom {
 
 // young E poisson NU
 // shear G poisson NU
-// rigid, yield Y, friction F, damping A, rolling K C F; plain data, written to restart files unchanged.
+// rigid, yield Y, friction F, damping A, restitution E, rolling K C F; plain data, written to restart files unchanged.
 struct Material {
   int is_set = 0;      // whether any keyword was given
   int has_body = 0;    // whether there are moduli, or rigid
   double young = 0.0, poisson = 0.0;
   double friction = -1.0;    // not given
   double damping = 0.0;
+  double restitution = 1.0;    // elastic
   double yield = 0.0;        // not known
   carom_rolling rolling = {0.0, 0.0, 0.0};    // none
 
@@ -58,6 +59,12 @@ struct Law {
 // The constants of a pair of bodies; an error of the host says what is out of range.
 Constants constants_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
                        const carom_material &two, const Material &pair, const Law &law);
+
+// Those of grains of one radius at a curved wall, from those at a flat one of the same material: along the axis of
+// the contact the wall has this curvature, across it as well if it is round.
+Constants constants_at_curved_wall(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &grain,
+                                   const carom_material &wall, const Constants &flat, double radius, double curvature,
+                                   bool is_round);
 
 // Logs how much the coupling of dissimilar materials may matter where the law neglects it.
 void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const Constants &constants);

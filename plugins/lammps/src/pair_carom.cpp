@@ -124,7 +124,7 @@ void PairCarom::coeff(int narg, char **arg)
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
-                            "': only young, shear, poisson, rigid, yield, friction, damping and rolling");
+                            "': only young, shear, poisson, rigid, yield, friction, damping, restitution and rolling");
     k += words;
   }
   material.check(lmp, who);
@@ -146,6 +146,8 @@ void PairCarom::init_style()
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "pair carom requires atom_style sphere");
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
+  frozen = 0;
+  for (const Fix *fix : modify->get_fix_by_style("^freeze$")) frozen |= fix->groupbit;
   limits.start();
   set_rolls();
   heat_readers.clear();
@@ -213,7 +215,8 @@ double PairCarom::init_one(int i, int j)
 PairCarom::Bodies PairCarom::bodies() const
 {
   return {atom->x[0],  atom->v[0],      atom->omega[0], atom->radius,
-          atom->f[0],  atom->torque[0], atom->type,     atom->ntypes + 1,
+          atom->rmass, atom->mask,      frozen,         atom->f[0],
+          atom->torque[0], atom->type,  atom->ntypes + 1,
           static_cast<std::size_t>(atom->nlocal + (force->newton_pair ? atom->nghost : 0))};
 }
 
@@ -223,6 +226,7 @@ inline void PairCarom::Bodies::set(carom_grain &grain, std::size_t i) const
   memcpy(grain.velocity, v + 3 * i, sizeof grain.velocity);
   memcpy(grain.spin, w + 3 * i, sizeof grain.spin);
   grain.radius = radius[i];
+  grain.mass = mask[i] & frozen ? HEAVY * mass[i] : mass[i];
 }
 
 // A grain of another rank gets its forces there, unless newton is on.

@@ -89,7 +89,9 @@ class PairCarom : public Pair {
   void set_rolls();
   // The host's arrays of grains, in the layout of the library.
   struct Bodies {
-    const double *x, *v, *w, *radius;
+    const double *x, *v, *w, *radius, *mass;
+    const int *mask;
+    int frozen;
     double *f, *torque;
     const int *type;
     int types;    // and one more
@@ -98,6 +100,9 @@ class PairCarom : public Pair {
     void add(std::size_t i, const double *force_i, const double *torque_i) const;
   };
   Bodies bodies() const;
+  int frozen = 0;    // the groups of fix freeze
+  // A grain that does not move, as one of a great mass, so that two of them have a reduced mass.
+  static constexpr double HEAVY = 1e12;
   carom::Touch touch_of(double *slot, int body_1, int body_2);
   const carom::Constants &constants_of(int body_1, int body_2) const;
 

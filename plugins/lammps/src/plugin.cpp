@@ -82,7 +82,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   add(&plugin, lmp);
 
   plugin.name = "wall/carom";
-  plugin.info = "fix wall/carom: flat walls with the law of pair carom";
+  plugin.info = "fix wall/carom: walls with the law of pair carom";
   plugin.creator.of_arguments = &of_arguments<FixWallCarom, Fix>;
   add(&plugin, lmp);
 

@@ -11,13 +11,13 @@ carom_status Touch::step(const Constants &constants, const carom_grain &one, con
   return carom_touch_grains(grains, plain, &one, &two, dt, load, heats, why);
 }
 
-carom_status Touch::step(const Constants &constants, const carom_grain &one, const carom_wall &wall, double dt,
+carom_status Touch::step(const Constants &constants, const carom_grain &one, const carom_surface &wall, double dt,
                          carom_grain_load *load, carom_heats *heats, carom_error *why) const
 {
   const carom_grains *grains = &constants.grains;
   if (rings)
-    return carom_ring_touch_wall(grains, constants.rings.get(), rings, &one, &wall, dt, load, heats, why);
-  return carom_touch_wall(grains, plain, &one, &wall, dt, load, heats, why);
+    return carom_ring_touch_surface(grains, constants.rings.get(), rings, &one, &wall, dt, load, heats, why);
+  return carom_touch_surface(grains, plain, &one, &wall, dt, load, heats, why);
 }
 
 carom_status Touch::load(const Constants &constants, const carom_grain &one, const carom_grain &two,
@@ -28,12 +28,12 @@ carom_status Touch::load(const Constants &constants, const carom_grain &one, con
   return carom_touch_grains_load(grains, plain, &one, &two, load, why);
 }
 
-carom_status Touch::load(const Constants &constants, const carom_grain &one, const carom_wall &wall,
+carom_status Touch::load(const Constants &constants, const carom_grain &one, const carom_surface &wall,
                          carom_grain_load *load, carom_error *why) const
 {
   const carom_grains *grains = &constants.grains;
-  if (rings) return carom_ring_touch_wall_load(grains, constants.rings.get(), rings, &one, &wall, load, why);
-  return carom_touch_wall_load(grains, plain, &one, &wall, load, why);
+  if (rings) return carom_ring_touch_surface_load(grains, constants.rings.get(), rings, &one, &wall, load, why);
+  return carom_touch_surface_load(grains, plain, &one, &wall, load, why);
 }
 
 double Touch::energy(const Constants &constants, double radius_1, double radius_2) const

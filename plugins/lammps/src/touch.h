@@ -32,15 +32,15 @@ struct Touch {
 
   explicit operator bool() const { return plain || rings; }
 
-  // A step of two grains, or of a grain and a wall.
+  // A step of two grains, or of a grain and a wall of any shape.
   carom_status step(const Constants &constants, const carom_grain &one, const carom_grain &two, double dt,
                     carom_grain_load *load, carom_heats *heats, carom_error *why) const;
-  carom_status step(const Constants &constants, const carom_grain &one, const carom_wall &wall, double dt,
+  carom_status step(const Constants &constants, const carom_grain &one, const carom_surface &wall, double dt,
                     carom_grain_load *load, carom_heats *heats, carom_error *why) const;
   // The load after the last step.
   carom_status load(const Constants &constants, const carom_grain &one, const carom_grain &two,
                     carom_grain_load *load, carom_error *why) const;
-  carom_status load(const Constants &constants, const carom_grain &one, const carom_wall &wall,
+  carom_status load(const Constants &constants, const carom_grain &one, const carom_surface &wall,
                     carom_grain_load *load, carom_error *why) const;
   // The elastic energy, without the separate twist of laws other than rings.
   double energy(const Constants &constants, double radius_1, double radius_2) const;

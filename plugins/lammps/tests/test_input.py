@@ -6,6 +6,7 @@ import pathlib
 import re
 import subprocess
 
+import numpy as np
 import pytest
 from conftest import PLUGIN, VENV, Failed, dump, lmp, thermo
 
@@ -120,6 +121,20 @@ def test_shear_example_runs(tmp_path):
     rows = dump(tmp_path / "sheared.dump")
     assert len(rows) == 400
     assert rows[:, 4].min() > 0.002
+
+
+@pytest.mark.parametrize("name, first, then", [("drum", "settle", "turn"), ("hopper", "settle", "flow")])
+def test_drum_and_hopper_run_on_one_rank_and_two(tmp_path, name, first, then):
+    """A few grains and steps of them; all stay within."""
+    script = (ROOT / f"plugins/lammps/examples/{name}.in").read_text()
+    for ranks in (1, 2):
+        lmp(script, tmp_path, ranks=ranks, grains=150, **{first: 4000, then: 1500})
+        rows = dump(tmp_path / f"{name}.dump")
+        assert len(rows) == 150 and len(set(rows[:, 1])) >= 2
+        if name == "drum":
+            assert np.hypot(rows[:, 2], rows[:, 4]).max() < 0.0578 and np.abs(rows[:, 3]).max() < 0.0173
+        else:
+            assert np.hypot(rows[:, 2], rows[:, 3]).max() < 0.0478 and rows[:, 4].min() > -0.0578
 
 
 def test_an_unknown_kind_of_processor_is_refused(tmp_path):

@@ -71,15 +71,15 @@ fn before_it_slips_it_is_a_spring_and_a_dashpot() {
         load = step(&mut roll, &ROLLING, spins, DT, &mut heat);
     }
     let square = RELATIVE * RELATIVE;
-    for k in 0..2 {
-        let rate = spins[0][k] - spins[1][k];
+    let [one, two] = spins;
+    for (k, rate) in [one[0] - two[0], one[1] - two[1]].into_iter().enumerate() {
         let expected = -square * rate * (ROLLING.stiffness * 10.0 * DT + ROLLING.damping);
         assert!((load.torque_1[k] - expected).abs() < 1e-12, "{load:?} {expected}");
         assert!((load.torque_2[k] + expected).abs() < 1e-12);
     }
     assert!(load.torque_1[2].abs() < 1e-15, "none about the normal");
     // Of the heat the dashpot has its power times the time, but for half of the first step, whose force begins at 0.
-    let way = (0..2).map(|k| (spins[0][k] - spins[1][k]).powi(2)).sum::<f64>() * square;
+    let way = ((one[0] - two[0]).powi(2) + (one[1] - two[1]).powi(2)) * square;
     let expected = ROLLING.damping * way * 9.5 * DT;
     assert!((heat - expected).abs() < 1e-9 * expected, "{heat} {expected}");
 }

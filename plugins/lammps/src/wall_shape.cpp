@@ -1,0 +1,286 @@
+#include "wall_shape.h"
+
+#include "error.h"
+#include "lammps.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace LAMMPS_NS;
+
+namespace carom {
+
+static double dot(const double *a, const double *b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double *a, const double *b, double *to)
+{
+  to[0] = a[1] * b[2] - a[2] * b[1];
+  to[1] = a[2] * b[0] - a[0] * b[2];
+  to[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+// A unit vector across another one.
+static void across(const double *direction, double *to)
+{
+  const double any[3] = {std::fabs(direction[0]) < 0.6 ? 1.0 : 0.0, std::fabs(direction[0]) < 0.6 ? 0.0 : 1.0, 0.0};
+  const double along = dot(any, direction);
+  for (int k = 0; k < 3; k++) to[k] = any[k] - along * direction[k];
+  const double length = std::sqrt(dot(to, to));
+  for (int k = 0; k < 3; k++) to[k] /= length;
+}
+
+static bool is_unit(const double *vector)
+{
+  return std::fabs(dot(vector, vector) - 1.0) < 1e-9;
+}
+
+int WallShape::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  const std::string word = arg[0];
+  const auto numbers = [&](int first, int count, double *to) {
+    for (int k = 0; k < count; k++) to[k] = utils::numeric(FLERR, arg[first + k], false, lmp);
+  };
+  if (word == "plane" && narg > 6) {
+    set(lmp, who, PLANE);
+    numbers(1, 3, point);
+    numbers(4, 3, direction);
+    return 7;
+  }
+  if ((word == "cylinder" || word == "cone") && narg > 8) {
+    set(lmp, who, word == "cone" ? CONE : CYLINDER);
+    numbers(1, 3, point);
+    numbers(4, 3, direction);
+    numbers(7, 1, &size);
+    take_side(lmp, who, arg[8]);
+    return 9;
+  }
+  if (word == "sphere" && narg > 5) {
+    set(lmp, who, SPHERE);
+    numbers(1, 3, point);
+    numbers(4, 1, &size);
+    take_side(lmp, who, arg[5]);
+    return 6;
+  }
+  if (word == "between" && narg > 2) {
+    numbers(1, 1, &from);
+    numbers(2, 1, &to);
+    is_bounded = true;
+    return 3;
+  }
+  if (word == "velocity" && narg > 3) {
+    numbers(1, 3, speed);
+    return 4;
+  }
+  if (word == "omega" && narg > 3) {
+    numbers(1, 3, spin);
+    return 4;
+  }
+  if (word == "center" && narg > 3) {
+    numbers(1, 3, middle);
+    has_center = true;
+    return 4;
+  }
+  return 0;
+}
+
+void WallShape::set(LAMMPS *lmp, const std::string &who, Kind shape)
+{
+  if (kind != NONE) lmp->error->all(FLERR, who + ": has more than one of plane, cylinder, cone and sphere");
+  kind = shape;
+}
+
+void WallShape::take_side(LAMMPS *lmp, const std::string &who, const std::string &word)
+{
+  if (word == "inside") side = INSIDE;
+  else if (word == "outside") side = OUTSIDE;
+  else if (word == "both") side = BOTH;
+  else lmp->error->all(FLERR, who + ": grains are neither inside, outside nor on both sides: '" + word + "'");
+}
+
+static std::string told(const char *field, double value, const char *allowed)
+{
+  char text[160];
+  snprintf(text, sizeof text, ": %s = %g is out of range: must be %s", field, value, allowed);
+  return text;
+}
+
+void WallShape::check(LAMMPS *lmp, const std::string &who)
+{
+  if (kind == NONE) lmp->error->all(FLERR, who + ": plane, cylinder, cone or sphere is missing");
+  if (kind != SPHERE) {
+    const double length = std::sqrt(dot(direction, direction));
+    if (!(length > 0.0 && length < INFINITY))
+      lmp->error->all(FLERR, who + (kind == PLANE ? ": the normal of the plane is zero" : ": the direction of the axis is zero"));
+    for (double &number : direction) number /= length;
+  }
+  if ((kind == CYLINDER || kind == SPHERE) && !(size > 0.0 && size < INFINITY))
+    lmp->error->all(FLERR, who + told(kind == SPHERE ? "radius of the sphere" : "radius of the cylinder", size, "finite and > 0"));
+  if (kind == CONE) {
+    if (!(size > 0.0 && size < 90.0))
+      lmp->error->all(FLERR, who + told("angle of the cone", size, "in (0, 90) degrees"));
+    const double radians = size * (3.14159265358979323846 / 180.0);
+    sine = std::sin(radians);
+    cosine = std::cos(radians);
+  }
+  if (is_bounded) {
+    if (kind != CYLINDER && kind != CONE) lmp->error->all(FLERR, who + ": between is for cylinder and cone only");
+    if (!(from < to)) lmp->error->all(FLERR, who + told("second value of between", to, "above the first"));
+    if (kind == CONE && !(from >= 0.0))
+      lmp->error->all(FLERR, who + told("first value of between", from, "0 or more, from the apex of the cone"));
+  } else {
+    from = kind == CONE ? 0.0 : -std::numeric_limits<double>::infinity();
+    to = std::numeric_limits<double>::infinity();
+  }
+  if (!has_center) std::copy_n(point, 3, middle);
+}
+
+bool WallShape::near(const double *x, double radius, Near &near) const
+{
+  if (kind == PLANE) return near_plane(x, near);
+  return kind == SPHERE ? near_sphere(x, near) : near_axis(x, radius, near);
+}
+
+bool WallShape::near_plane(const double *x, Near &near) const
+{
+  near.height = (x[0] - point[0]) * direction[0] + (x[1] - point[1]) * direction[1] + (x[2] - point[2]) * direction[2];
+  const bool turns = dot(spin, spin) > 0.0;
+  for (int k = 0; k < 3; k++) {
+    // Of a plane that does not turn any point will do.
+    near.place[k] = turns ? x[k] - near.height * direction[k] : point[k];
+    near.normal[k] = direction[k];
+    near.axis[k] = 0.0;
+  }
+  near.curvature = 0.0;
+  return true;
+}
+
+bool WallShape::near_sphere(const double *x, Near &near) const
+{
+  double out[3] = {x[0] - point[0], x[1] - point[1], x[2] - point[2]};
+  const double distance = std::sqrt(dot(out, out));
+  for (int k = 0; k < 3; k++) out[k] = distance > 0.0 ? out[k] / distance : (k == 2 ? 1.0 : 0.0);
+  const bool is_inside = side == INSIDE || (side == BOTH && distance < size);
+  const double sign = is_inside ? -1.0 : 1.0;
+  near.height = sign * (distance - size);
+  for (int k = 0; k < 3; k++) {
+    near.place[k] = point[k] + size * out[k];
+    near.normal[k] = sign * out[k];
+    near.axis[k] = 0.0;
+  }
+  near.curvature = sign / size;
+  return true;
+}
+
+// Cylinder and cone, in the plane of axis and grain: `along` and `away` are the place of the grain there. A
+// generator runs by (cosine, sine) from a point of the axis (cone) or at a distance from it (cylinder).
+bool WallShape::near_axis(const double *x, double radius, Near &near) const
+{
+  double out[3] = {x[0] - point[0], x[1] - point[1], x[2] - point[2]};
+  const double along = dot(out, direction);
+  for (int k = 0; k < 3; k++) out[k] -= along * direction[k];
+  const double away = std::sqrt(dot(out, out));
+  if (away > 0.0)
+    for (double &number : out) number /= away;
+  else
+    across(direction, out);
+  const double base = kind == CYLINDER ? size : 0.0;
+  const double outward = cosine * (away - base) - sine * along;
+  const double foot = cosine * along + sine * (away - base);
+  const double held = std::min(std::max(foot, from / cosine), to / cosine);
+  const bool is_inside = side == INSIDE || (side == BOTH && outward < 0.0);
+  const double sign = is_inside ? -1.0 : 1.0;
+  const double at = cosine * held, distance = base + sine * held;
+  double normal_along, normal_away;
+  if (held == foot) {
+    // Beyond its rims a grain can come to the other side of the wall.
+    near.height = sign * outward;
+    if (is_bounded && near.height < 0.0) return false;
+    normal_along = -sign * sine;
+    normal_away = sign * cosine;
+  } else {
+    normal_along = along - at;
+    normal_away = away - distance;
+    near.height = std::sqrt(normal_along * normal_along + normal_away * normal_away);
+    if (near.height == 0.0) return false;
+    normal_along /= near.height;
+    normal_away /= near.height;
+  }
+  cross(direction, out, near.axis);
+  for (int k = 0; k < 3; k++) {
+    near.place[k] = point[k] + at * direction[k] + distance * out[k];
+    near.normal[k] = normal_along * direction[k] + normal_away * out[k];
+  }
+  near.curvature = sign * cosine / distance;
+  // Of a cone in steps, so that contacts share their constants.
+  constexpr double STEPS = 4096.0;
+  if (kind == CONE) near.curvature = std::round(STEPS * near.curvature * radius) / (STEPS * radius);
+  return true;
+}
+
+bool WallShape::extends_along(int axis) const
+{
+  for (int k = 0; k < 3; k++)
+    if (k != axis && spin[k] != 0.0) return false;
+  if (kind == PLANE) return direction[axis] == 0.0;
+  return kind == CYLINDER && !is_bounded && std::fabs(direction[axis]) == 1.0;
+}
+
+// A vector rotated by an angle about a unit vector.
+static void rotate(const double *about, double angle, double *vector)
+{
+  double side[3];
+  cross(about, vector, side);
+  const double sine = std::sin(angle), half = std::sin(0.5 * angle), versine = 2.0 * half * half;
+  const double along = dot(about, vector);
+  for (int k = 0; k < 3; k++) vector[k] += sine * side[k] + versine * (along * about[k] - vector[k]);
+}
+
+void WallShape::move(double duration)
+{
+  for (int k = 0; k < 3; k++) {
+    point[k] += duration * speed[k];
+    middle[k] += duration * speed[k];
+  }
+  const double rate = std::sqrt(dot(spin, spin));
+  if (rate == 0.0 || duration == 0.0) return;
+  const double about[3] = {spin[0] / rate, spin[1] / rate, spin[2] / rate};
+  double arm[3] = {point[0] - middle[0], point[1] - middle[1], point[2] - middle[2]};
+  rotate(about, rate * duration, arm);
+  for (int k = 0; k < 3; k++) point[k] = middle[k] + arm[k];
+  if (kind == SPHERE) return;
+  rotate(about, rate * duration, direction);
+  const double length = std::sqrt(dot(direction, direction));
+  for (double &number : direction) number /= length;
+}
+
+void WallShape::velocity_at(const double *place, const double *of_grain, double duration, double *its) const
+{
+  double arm[3], whirl[3];
+  for (int k = 0; k < 3; k++) arm[k] = place[k] - middle[k] - 0.5 * duration * (of_grain[k] - speed[k]);
+  cross(spin, arm, whirl);
+  for (int k = 0; k < 3; k++) its[k] = speed[k] + whirl[k];
+}
+
+void WallShape::write(double *numbers) const
+{
+  std::copy_n(point, 3, numbers);
+  std::copy_n(direction, 3, numbers + 3);
+  std::copy_n(middle, 3, numbers + 6);
+}
+
+bool WallShape::read(const double *numbers)
+{
+  if (!std::all_of(numbers, numbers + NUMBERS, [](double number) { return std::isfinite(number); })) return false;
+  if (kind != SPHERE && !is_unit(numbers + 3)) return false;
+  std::copy_n(numbers, 3, point);
+  std::copy_n(numbers + 3, 3, direction);
+  std::copy_n(numbers + 6, 3, middle);
+  return true;
+}
+
+}    // namespace carom
