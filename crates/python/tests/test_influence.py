@@ -71,7 +71,7 @@ def test_copies_keep_the_numbers():
     solver.step(F_z=2.0)
     other = copy.deepcopy(solver)
     assert np.array_equal(other.influence["zz"], blocks["zz"]) and "zz" in repr(other)
-    assert other.step(F_z=2.5) == solver.step(F_z=12.0)
+    assert other.step(F_z=1.9) == solver.step(F_z=1.9)
     with pytest.raises(ValueError, match="unknown beside influence numbers"):
         solver.stress(0.0, 0.0, 1e-5)
 
@@ -93,7 +93,7 @@ def test_a_softer_table_is_softer():
         ({"zz": half_space()["zz"]}, "displacement u of a cell under its own traction is 0"),
         ({**half_space(), "xz": np.full(CELLS, 1e-17)}, "xz is 0.00000000000000001 at 0 columns"),
         ({**half_space(), "yx": -half_space()["yx"]}, "equals the converse"),
-        ({**half_space(), "zz": half_space()["zz"] - 0.5 * half_space()["zz"][0, 0] * (np.indices(CELLS).sum(0) == 0)}, "positive definite"),
+        ({**half_space(), "zz": half_space()["zz"] - 0.7 * half_space()["zz"][0, 0] * (np.indices(CELLS).sum(0) == 0)}, "positive definite"),
     ],
 )
 def test_wrong_numbers_are_refused(blocks, told):
