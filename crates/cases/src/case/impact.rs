@@ -90,7 +90,8 @@ impl<'a> ImpactFile<'a> {
                 field: other.field.to_owned(),
                 line: other.line,
                 other: one.field.to_owned(),
-                reason: "sweep over one field at a time",
+                reason: "sweep over one field at a time; for each value of the other run a case of its own, in a \
+                         loop of the shell, or use `carom.collide_many` in Python",
             });
         }
         let uncertainty = Uncertainty::read(&case, &inputs)?;
