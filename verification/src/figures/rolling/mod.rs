@@ -7,6 +7,7 @@ mod coefficients;
 mod curves;
 mod growth;
 mod printed;
+mod shipped;
 mod tractcurv;
 
 /// The pages.
@@ -18,5 +19,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(tractcurv::draw),
     Entry::check("rolling.bentall", "CONTACT's shipped cases: dissimilar cylinders")
         .by(bentall::draw),
+    Entry::check("rolling.shipped", "CONTACT's shipped cases: spin, and polymer cylinders")
+        .by(shipped::draw),
     Entry::check("rolling.growth", "Products as elements become smaller").slowly_by(growth::draw),
 ];

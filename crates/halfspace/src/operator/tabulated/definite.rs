@@ -96,7 +96,8 @@ impl<'a> Search<'a> {
                 first = work / product;
             }
             // The work of a traction over that of the fitted half-space, against the first one's.
-            if !(work > ROUND_OFF * first.abs() * product) {
+            let is_positive = work > ROUND_OFF * first.abs() * product;
+            if !is_positive {
                 let cells = self.operator.grid().cells();
                 return Err(OperatorError::Indefinite { work: work / product, cells });
             }

@@ -138,7 +138,8 @@ fn head(
     let (line, [mx, my, dx, dy]) = lines.numbers("cells and their widths")?;
     for (name, own, given) in [("dx", grid.dx(), dx), ("dy", grid.dy(), dy)] {
         let given = given * units.length;
-        if !((given - own).abs() <= ROUNDING * own) {
+        let is_same = (given - own).abs() <= ROUNDING * own;
+        if !is_same {
             let reason = format!("{name} is {given} m in the file and {own} m in the grid");
             return Err(table_error(line, reason));
         }
