@@ -59,9 +59,12 @@ fn rebound(mut step: impl FnMut(&[CaromGrain; 2]) -> CaromGrainLoad, dt: f64) ->
     let mut force = [0.0; 3];
     for _ in 0..2000 {
         for (body, sign) in bodies.iter_mut().zip([1.0, -1.0]) {
-            for k in 0..3 {
-                body.velocity[k] += sign * force[k] * dt / body.mass;
-                body.place[k] += body.velocity[k] * dt;
+            let mass = body.mass;
+            for ((place, velocity), force) in
+                body.place.iter_mut().zip(&mut body.velocity).zip(force)
+            {
+                *velocity += sign * force * dt / mass;
+                *place += *velocity * dt;
             }
         }
         let closing = bodies[1].velocity[2] - bodies[0].velocity[2];

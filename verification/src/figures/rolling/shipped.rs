@@ -72,7 +72,7 @@ fn places(rolled: &SteadyRolling) -> Panel {
     let states = [("slips", CellState::Slip, 1), ("sticks", CellState::Stick, 0)];
     for (label, state, colour) in states {
         let of_state = grid.centres().zip(cells).filter(|(_, cell)| **cell == state);
-        let points = of_state.map(|(place, _)| place).collect();
+        let points: Vec<(f64, f64)> = of_state.map(|(place, _)| place).collect();
         panel.add(Series::markers(label, Marker::Dot, points).sized(0.6).coloured(colour));
     }
     panel
@@ -83,7 +83,7 @@ fn curves(rolled: &SteadyRolling, title: &str) -> Panel {
     let state = &rolled.state;
     let (grid, limit) = (state.pressure.grid(), highest(rolled));
     let mut panel = Panel::new("x in mm", "t_x/(f p_max)").titled(title);
-    let along = |value: &dyn Fn(usize) -> f64| {
+    let along = |value: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
         (0..grid.nx()).map(|cell| (grid.centred_x(cell) - 0.08, value(cell))).collect()
     };
     let pressure = state.pressure.values();
