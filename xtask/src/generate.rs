@@ -36,10 +36,12 @@ pub(crate) fn run(mode: Mode) -> anyhow::Result<Outcome> {
     Ok(outcome)
 }
 
-/// The table of R_x of dissimilar spheres, which takes a quarter of an hour; in [`Mode::Check`] some entries of it.
+/// The table of R_x of dissimilar spheres, which takes a quarter of an hour, and then the tables in `reference/`, which
+/// read it; in [`Mode::Check`] some entries of the former and all of the latter.
 pub(crate) fn tables(mode: Mode) -> anyhow::Result<()> {
     let arguments: &[&str] = if mode == Mode::Check { &["--check"] } else { &[] };
-    cargo::run_built("--example", "dissimilar_table", arguments)
+    cargo::run_built("--example", "dissimilar_table", arguments)?;
+    cargo::run_built("--example", "reference_tables", arguments)
 }
 
 /// Runs the test that compares the file with what the sources give; with `CAROM_GENERATE` set it writes the file first.

@@ -7,6 +7,7 @@
 //! `psi = c_x |xi'| / (f c_z zeta')`. For spheres chi = 7/(2 kappa) and psi = lambda/kappa.
 
 mod adhesion;
+mod extremes;
 mod groups;
 mod impact;
 mod limit;

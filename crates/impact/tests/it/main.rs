@@ -17,6 +17,7 @@ mod normal_spin;
 mod oblique;
 #[path = "../../../geometry/tests/it/random/mod.rs"]
 mod random;
+mod reference_tables;
 mod reference_values;
 mod restitution;
 mod restitution_dissimilar;
