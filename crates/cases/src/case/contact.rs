@@ -4,6 +4,7 @@ use super::error::CaseError;
 use super::field::{Default, Field, Form, Usual, Word};
 use super::range::Range;
 use super::section::Section;
+use super::unit::Dimension;
 use carom_impact::coupled::TurningLaw;
 use carom_impact::{NormalRestitution, TorsionMode};
 use carom_numerical::CollisionLaw;
