@@ -139,7 +139,7 @@ fn value(field: &Field, begun: Option<&str>) -> String {
 }
 
 /// Meaning, unit, range, shapes and default of a field.
-fn described(field: &Field) -> String {
+pub(super) fn described(field: &Field) -> String {
     let mut parts = vec![field.meaning.to_owned()];
     let unit = field.measure().map_or("", |measure| measure.dimension.unit());
     let range = field.measure().map(|measure| match (unit, measure.range.allowed()) {
@@ -174,7 +174,7 @@ fn told(words: &[Word]) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
-fn capital(text: &str) -> String {
+pub(super) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

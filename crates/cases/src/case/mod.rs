@@ -15,6 +15,7 @@ mod pair;
 mod range;
 mod roll;
 mod scene;
+mod schema;
 mod section;
 mod shell;
 mod solve;

@@ -158,6 +158,11 @@ impl Dimension {
         }
     }
 
+    /// The names of all units, the base unit first.
+    pub(super) fn unit_names(self) -> impl Iterator<Item = &'static str> {
+        self.units().iter().map(|(name, _)| *name)
+    }
+
     /// The number in the base unit; none if the text is not a number with a unit of this dimension.
     #[must_use]
     pub fn read(self, text: &str) -> Option<f64> {
@@ -173,7 +178,7 @@ impl Dimension {
     #[must_use]
     pub fn allowed(self, range: Range) -> String {
         let range = range.allowed();
-        let units: Vec<&str> = self.units().iter().map(|(name, _)| *name).collect();
+        let units: Vec<&str> = self.unit_names().collect();
         match units.as_slice() {
             [] => format!("a number, {range}"),
             [plain, ..] => format!(

@@ -2,8 +2,10 @@
 
 use crate::command::kind;
 use crate::error::CliError;
-use crate::output::Answer;
+use crate::output::{Answer, Format};
+use crate::outputs::Outputs;
 use carom_cases::case::CaseKind;
+use std::path::{Path, PathBuf};
 
 /// Print a commented case of a kind, with all its fields; it runs without changes.
 #[derive(Debug, clap::Args)]
@@ -14,10 +16,25 @@ pub(super) struct Arguments {
     /// Only the necessary fields, without comments.
     #[arg(long)]
     short: bool,
+    /// Write the JSON Schema of the kind into this file as well [default: KIND.schema.json], and name
+    /// it in the first line of the case, which belongs beside it; editors then complete and check the
+    /// case.
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    schema: Option<Option<PathBuf>>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let Arguments { kind, short } = arguments;
+    let Arguments { kind, short, schema } = arguments;
     let text = if *short { kind.begin_short() } else { kind.begin() };
-    Ok(Answer { text, ..Answer::default() })
+    let Some(given) = schema else { return Ok(Answer { text, ..Answer::default() }) };
+    let path = given.clone().unwrap_or_else(|| format!("{}.schema.json", kind.name()).into());
+    let place = Outputs::of_command(Format::Csv)?.file("schema", &path)?;
+    let text = directive(&path) + &text;
+    Ok(Answer { text, file: Some((place, kind.json_schema().into_bytes())), ..Answer::default() })
+}
+
+/// The line by which editors find the schema, in the folder of the case.
+fn directive(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    format!("#:schema ./{}\n", name.to_string_lossy())
 }

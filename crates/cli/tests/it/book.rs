@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
 }
 
@@ -20,7 +20,7 @@ fn is_update() -> bool {
 }
 
 /// The file is this, or is written so when asked for.
-fn agrees(path: &Path, text: &[u8]) {
+pub(crate) fn agrees(path: &Path, text: &[u8]) {
     if is_update() {
         std::fs::write(path, text).unwrap();
     }

@@ -31,6 +31,7 @@ mod rolling_drives;
 mod rolling_power;
 mod room;
 mod scene;
+mod schema;
 mod shell;
 mod solve;
 mod solve_places;

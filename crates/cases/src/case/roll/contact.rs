@@ -52,10 +52,14 @@ const ELEMENTS: Field = Field::number(
     "cells across an elliptical contact, along both axes",
 )
 .default(Default::Number(ELEMENTS_ACROSS));
-/// The field `grid` of a case.
-pub(super) const GRID: Field =
-    Field::new("grid", Form::Table(&[ELEMENTS, CELLS, SIZE, CUT, ACCURACY]), "the grid")
-        .may("its defaults; a `gap` needs `cells` and `size`, or `accuracy`");
+const OF_GAP: &str = "`accuracy`, or an elliptical contact";
+/// The field `grid` of a case. An elliptical contact needs neither cells nor size.
+pub(super) const GRID: Field = Field::new(
+    "grid",
+    Form::Table(&[ELEMENTS, CELLS.may(OF_GAP), SIZE.may(OF_GAP), CUT, ACCURACY]),
+    "the grid",
+)
+.may("its defaults; a `gap` needs `cells` and `size`, or `accuracy`");
 
 /// Free cells on each side of an elliptical contact, at least.
 const BORDER: usize = 2;

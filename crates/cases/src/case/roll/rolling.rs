@@ -24,14 +24,14 @@ const DIRECTION: Field = Field::number(
 .such_as("180");
 const ZETA: Field =
     Field::new("zeta", Form::Numbers(Range::Finite.of(Dimension::Length)), "approach of a gap")
-        .or("`F_z`, or that of an elliptical contact")
+        .or("`F_z`, or `contact.F_z` of an elliptical contact")
         .such_as("2e-5");
 const F_Z: Field = Field::new(
     "F_z",
     Form::Numbers(Range::Positive.of(Dimension::Force)),
     "normal force of a gap, instead of `zeta`",
 )
-.or("`zeta`, or that of an elliptical contact")
+.or("`zeta`, or `contact.F_z` of an elliptical contact")
 .such_as("8e4");
 const ALONG: Field = motion(
     "creepage",
