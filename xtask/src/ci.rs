@@ -23,8 +23,11 @@ const STEPS: &[(&str, Step)] = &[
     ("documentation", documentation),
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
-    ("the Python module, in an environment of its own", python::run),
+    ("the Python module, in an environment of its own", python::install),
 ];
+
+/// The step that every change must pass beside those of [`WHERE_CHANGED`]: it builds nothing and keeps one core busy.
+const BESIDE: &[(&str, Step)] = &[("the tests of the Python module", python::test)];
 
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
@@ -80,14 +83,12 @@ const LONG: &[(&str, Step)] = &[
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];
 
-/// The steps of this run.
-fn steps(is_long: bool) -> anyhow::Result<Vec<(&'static str, Step)>> {
-    let mut steps = STEPS.to_vec();
+/// The steps of this run that follow those of every run.
+fn further(is_long: bool) -> anyhow::Result<Vec<(&'static str, Step)>> {
     if is_long {
-        steps.extend(LONG);
-        return Ok(steps);
+        return Ok(LONG.to_vec());
     }
-    let paths = changes::paths()?;
+    let (paths, mut steps) = (changes::paths()?, Vec::new());
     for &(decisive, name, step) in WHERE_CHANGED {
         if paths.iter().any(|path| is_among(path, decisive)) {
             steps.push((name, step));
@@ -110,23 +111,40 @@ fn is_among(path: &str, decisive: &[&str]) -> bool {
 /// that must not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
-    let steps = steps(is_long)?;
+    let further = further(is_long)?;
+    let mut skipped = all(STEPS)?;
+    if is_long {
+        skipped += all(BESIDE)? + all(&further)?;
+    } else {
+        let (own, others) = std::thread::scope(|scope| {
+            let others = scope.spawn(|| all(&further));
+            (all(BESIDE), others.join())
+        });
+        let others = others.map_err(|_| anyhow::anyhow!("a step panicked"))?;
+        skipped += own? + others?;
+    }
+    let (count, seconds) = (STEPS.len() + BESIDE.len() + further.len(), start.elapsed());
+    println!("== all {count} steps in {:.0} s, {skipped} parts skipped", seconds.as_secs_f64());
+    Ok(())
+}
+
+/// Runs steps one after the other, and counts the parts that they skip.
+fn all(steps: &[(&str, Step)]) -> anyhow::Result<usize> {
     let mut skipped = 0;
-    for (i, (name, step)) in steps.iter().enumerate() {
-        println!("== {}/{} {name}", i + 1, steps.len());
-        let step_start = Instant::now();
+    for (name, step) in steps {
+        println!("== {name}");
+        let start = Instant::now();
         let outcome = step().and_then(Outcome::accept).with_context(|| format!("step `{name}`"));
-        if outcome.is_err() {
+        if let Err(error) = &outcome {
+            println!("== {name}: FAILED: {error:#}");
             print_new_regressions();
         }
         let count = outcome?;
         let end = if count == 0 { "passed".to_owned() } else { format!("{count} parts SKIPPED") };
-        println!("== {name}: {end} in {:.0} s", step_start.elapsed().as_secs_f64());
+        println!("== {name}: {end} in {:.0} s", start.elapsed().as_secs_f64());
         skipped += count;
     }
-    let seconds = start.elapsed().as_secs_f64();
-    println!("== all {} steps in {seconds:.0} s, {skipped} parts skipped", steps.len());
-    Ok(())
+    Ok(skipped)
 }
 
 fn passed(result: anyhow::Result<()>) -> anyhow::Result<Outcome> {

@@ -63,15 +63,29 @@ impl Place {
 /// Builds the wheel and tests it in an environment below target/; skipped without Python 3.10 or
 /// later.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
+    Ok(install()?.and(test()?))
+}
+
+/// Builds the wheel and installs it, with the packages of its tests, in an environment below target/.
+pub(crate) fn install() -> anyhow::Result<Outcome> {
     let Some(place) = place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
     let outcome = place.install_optional();
     place.install()?;
+    Ok(outcome)
+}
+
+/// Tests the module in the environment of [`install`]. Builds nothing.
+pub(crate) fn test() -> anyhow::Result<Outcome> {
+    let place = Place { folder: root().join("target/python") };
+    if !place.python().exists() {
+        return Ok(Outcome::skipped(Part::Python, NONE));
+    }
     // In another folder, so that the installed module is tested and not its sources.
     let project = project();
     let mut pytest = Command::new(place.python());
     pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
     pytest.arg(&project).arg(project.join("tests"));
-    Ok(outcome.and(self::pytest(&mut pytest, &place.folder)?))
+    self::pytest(&mut pytest, &place.folder)
 }
 
 /// Runs pytest in `folder`. Tests that skip themselves count as a skipped part.
