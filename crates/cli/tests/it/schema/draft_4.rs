@@ -36,7 +36,7 @@ impl Checked<'_> {
             let is_right = match keyword.as_str() {
                 "$schema" | "title" | "description" | "default" | "definitions" => true,
                 "exclusiveMinimum" | "exclusiveMaximum" => {
-                    given.is_boolean() && schema.get(&keyword.replace("exclusiveM", "m")).is_some()
+                    given.is_boolean() && schema.get(keyword.replace("exclusiveM", "m")).is_some()
                 }
                 "items" | "properties" | "dependencies" | "allOf" => {
                     self.check_parts(keyword, given, value, found);
