@@ -340,7 +340,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
     if (law_.twists_apart()) twist(pair, met, dt);
-    if (constants_of(one, two).rolls()) roll(pair, met, dt);
+    if (rolls && constants_of(one, two).rolls()) roll(pair, met, dt);
     const double *force_1 = met.load.force;
     const double force_2[3] = {-force_1[0], -force_1[1], -force_1[2]};
     all.add(one, force_1, met.load.torque_1);
@@ -411,7 +411,7 @@ double PairCarom::energy_of(double *slot, const carom::Touch &touch, int body_1,
   double twisted = 0.0, rolled = 0.0;
   if (law_.twists_apart())
     carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), radius_1, radius_2, &twisted, nullptr);
-  if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
+  if (rolls && its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
   return touch.energy(its, radius_1, radius_2) + twisted + rolled;
 }
 
