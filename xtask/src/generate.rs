@@ -19,6 +19,7 @@ type Generator = (&'static str, fn(Mode) -> anyhow::Result<Outcome>);
 
 const GENERATORS: &[Generator] = &[
     ("the C header crates/capi/include/carom.h", |mode| by_test("carom-capi", "header::", mode)),
+    ("the schemas of cases, docs/schema", |mode| by_test("carom-cli", "schema::", mode)),
     ("pictures and case reference of the book", |mode| by_test("carom-cli", "book::", mode)),
     ("the result classes of Python, crates/python/python/carom/_records.py", records),
 ];

@@ -12,6 +12,7 @@ const REQUIRED_PACKAGES: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=
 const OPTIONAL_PACKAGES: &[&str] = &[
     "distributed",
     "ipykernel",
+    "jsonschema",
     "matplotlib",
     "mypy",
     "nbclient",
