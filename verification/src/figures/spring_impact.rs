@@ -147,6 +147,28 @@ pub(super) fn course(chi: f64, psi: f64) -> Stepped {
     }
 }
 
+/// R_x of a tangential spring that slips as a whole: stiffness c_x sqrt(zeta) times its whole stretch, cut at f F_z.
+/// The units are those of [`course`].
+pub(super) fn of_whole_spring(chi: f64, psi: f64) -> f64 {
+    let dt = carom_impact::normal::DURATION / STEPS as f64;
+    let (mut zeta, mut stretch, mut w, mut u) = (0.0, 0.0, 1.0, psi);
+    loop {
+        zeta += 0.5 * dt * w;
+        stretch += 0.5 * dt * u;
+        let depth = f64::max(zeta, 0.0);
+        let force = 2.0 / 3.0 * depth * depth.sqrt();
+        let limit = force / depth.sqrt().max(f64::MIN_POSITIVE);
+        stretch = stretch.clamp(-limit, limit);
+        w -= 1.875 * dt * force;
+        u -= 1.875 * chi * dt * depth.sqrt() * stretch;
+        zeta += 0.5 * dt * w;
+        stretch += 0.5 * dt * u;
+        if zeta <= 0.0 {
+            return -u / psi;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::restitution;

@@ -2,7 +2,7 @@
 
 use carom_impact::closed_form::{AdhesiveCompression, restitution_without_slip};
 use carom_impact::normal;
-use carom_impact::oblique::{Groups, ObliqueImpact};
+use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::restitution::{DissimilarGroups, DissimilarTable, of_dissimilar};
 use carom_laws::friction::Friction;
 use carom_special::hypergeometric::UnitArgument;
@@ -186,5 +186,60 @@ fn no_instant_has_a_larger_force() {
                 assert!(extreme == 0.0 || (near - time).abs() < 1e-3, "{near} in {row:?}");
             }
         }
+    }
+}
+
+/// The test cases for LAMMPS, by name.
+const CASES: [(&str, &str); 4] = [
+    ("sticking", include_str!("../../../../reference/lammps/dem04-exact-sticking-3d-si.yaml")),
+    ("microslip", include_str!("../../../../reference/lammps/dem04-exact-microslip-3d-si.yaml")),
+    ("returning", include_str!("../../../../reference/lammps/dem04-exact-returning-3d-si.yaml")),
+    ("sliding", include_str!("../../../../reference/lammps/dem04-exact-sliding-3d-si.yaml")),
+];
+
+/// The number after a word at the beginning of a line.
+fn variable(case: &str, name: &str) -> f64 {
+    let lines = case.lines().map(str::trim_start);
+    let mut values = lines.filter_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
+    values.next().unwrap().trim().parse().unwrap()
+}
+
+/// The three numbers of the last line of a block, after segment and atom.
+fn block(case: &str, name: &str) -> [f64; 3] {
+    let (_, rest) = case.split_once(&format!("{name}: |2\n")).unwrap();
+    let cells = rest.lines().next().unwrap().split_whitespace().skip(2);
+    let cells: Vec<f64> = cells.map(|cell| cell.parse().unwrap()).collect();
+    cells.try_into().unwrap()
+}
+
+#[test]
+fn cases_for_lammps_expect_the_exact_rebound() {
+    for (name, case) in CASES {
+        let of = |variable_name: &str| variable(case, variable_name);
+        let (radius, tangential, normal) = (of("radius"), of("vx_in"), of("vz_in"));
+        assert_eq!([of("diam"), of("en")], [2.0 * radius, 1.0]);
+        let kappa = (2.0 - of("poisson")) / (2.0 * (1.0 - of("poisson")));
+        let lambda = tangential / (of("xmu") * normal);
+        let impact = ObliqueImpact::new(Groups::of_spheres(kappa, lambda).unwrap()).unwrap();
+        let change = (1.0 + impact.restitution()) * tangential / 3.5;
+        let ([v_x, v_y, v_z], [w_x, w_y, w_z]) = (block(case, "run_vel"), block(case, "run_omega"));
+        println!(
+            "{name}: v_x {:.16e}, omega_y {:.16e}",
+            tangential - change,
+            2.5 * change / radius
+        );
+        close(v_x, tangential - change, 1e-10, &[lambda]);
+        close(w_y * radius, 2.5 * change, 1e-10, &[lambda]);
+        assert_eq!([v_y, v_z, w_x, w_z], [0.0, normal, 0.0, 0.0], "{name}");
+        // What the names say.
+        let regimes: Vec<_> = impact.regimes().collect();
+        match name {
+            "sticking" => assert_eq!(regimes[0], Regime::Adhesion),
+            "microslip" => {
+                assert!(regimes[0] == Regime::SlideForward && regimes.len() > 2, "{regimes:?}")
+            }
+            _ => assert_eq!(regimes, [Regime::SlideForward]),
+        }
+        assert_eq!(impact.restitution() > 0.0, ["microslip", "returning"].contains(&name));
     }
 }

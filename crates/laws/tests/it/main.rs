@@ -1,6 +1,7 @@
 //! The integration tests of `carom-laws`: one executable with a module for each subject.
 
 mod bad_input;
+mod book_loop;
 mod common;
 mod coulomb;
 mod coulomb_capacity;

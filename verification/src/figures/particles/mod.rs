@@ -11,6 +11,7 @@ use crate::catalogue::Entry;
 mod alumina;
 mod dem;
 mod normal;
+mod pinned;
 mod shear;
 mod spin;
 
@@ -23,6 +24,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("particles.shear", "Particle test 5: one normal velocity, all slips")
         .by(shear::draw),
     Entry::check("particles.spin", "Particle tests 6 and 7: impacts with spin").by(spin::draw),
+    Entry::check("particles.pinned", "What tests of particle codes pin for oblique impacts")
+        .by(pinned::draw),
 ];
 
 /// Says where the published points come from.
