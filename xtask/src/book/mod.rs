@@ -86,6 +86,8 @@ fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
         "ARCHITECTURE.md",
         "CONTRIBUTING.md",
         "CHANGELOG.md",
+        "RELEASE.md",
+        "paper/paper.md",
         "benches/README.md",
         "plugins/lammps/README.md",
     ]

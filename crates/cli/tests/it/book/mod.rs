@@ -1,6 +1,8 @@
 //! The book: its commands run and draw its pictures, and its case reference agrees with the tables of fields.
 //! `cargo xtask generate` writes both.
 
+mod gallery;
+
 use crate::common::{folder, stdout};
 use carom_cases::case::{CaseKind, Entry, Need};
 use std::fmt::Write as _;
