@@ -80,7 +80,7 @@ impl NormalRestitution {
     /// let floor = Body::plane(ice);
     /// let at = |speed: f64| -> Result<f64, Box<dyn std::error::Error>> {
     ///     let ball = Body::sphere(0.01, ice, 0.004)?.moving(Motion::new([0.0, 0.0, -speed], [0.0; 3])?);
-    ///     let outcome = Collision::new(ball, floor, Friction::NONE)?
+    ///     let outcome = Collision::new(ball, floor.clone(), Friction::NONE)?
     ///         .with_normal_restitution(NormalRestitution::viscoelastic(1e-6)?)
     ///         .solve()?;
     ///     Ok(outcome.motions()[0].velocity.z / speed)

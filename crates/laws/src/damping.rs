@@ -23,7 +23,7 @@ use carom_special::roots::{ALL_DIGITS, bisect};
 /// ```
 /// use carom_laws::damping::HertzDamping;
 /// let damping = HertzDamping::of_restitution(0.5)?;
-/// assert!((damping.ratio() - 0.5408).abs() < 1e-4);
+/// assert!((damping.ratio() - 0.5708).abs() < 1e-4);
 /// assert_eq!(HertzDamping::of_restitution(1.0)?.ratio(), 0.0);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
