@@ -92,7 +92,13 @@ fn drawn() -> BTreeMap<String, (String, String)> {
 fn computed(example: &Example, picture: Option<&Path>) -> Value {
     let case = root().join(format!("examples/{}.toml", example.name));
     let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    command.arg(example.kind.name()).arg(case).args(["--quiet", "--format", "json"]);
+    command.arg(example.kind.name()).arg(case).args([
+        "--quiet",
+        "--threads",
+        "1",
+        "--format",
+        "json",
+    ]);
     if let Some(picture) = picture {
         command.arg("--plot").arg(picture);
     }
