@@ -90,7 +90,7 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         ("along = [1, 0, 0]", "along = [0, 0, 2]", "`wall[1].along`"),
         ("width = 0.17", "", "`wall[1].width` is missing"),
         ("normal = [0, 0, 1]", "normal = [0, 0, 0]", "`wall[0].normal` = 0 is out of range"),
-        ("length = 0.24", "length = 0", "line 25: `wall[1].length` = 0 is out of range"),
+        ("length = 0.24", "length = 0", "line 27: `wall[1].length` = 0 is out of range"),
         ("time = 0.28", "time = inf", "`scene.time` = inf is out of range"),
         ("bounces = 10", "bounces = 0.5", "a whole number from 1"),
         ("young_modulus = 20e6, poisson = 0.5", "rigid = true", "wall 0: shear_modulus = inf"),

@@ -126,7 +126,7 @@ fn bad_uncertainty_ends_with_code_2_and_writes_nothing() {
         ("mean = 0.092", "mean = -0.092", "`contact.friction` = -0.092 is out of range"),
         ("low = 1.1", "low = 1.3", "`approach.speed.triangular.mode` = 1.2 is out of range"),
         ("low = 25", "low = nan", "`approach.angle.uniform.low` = NaN is out of range"),
-        ("samples = 10000", "samples = 1", "line 24: `uncertainty.samples` = 1 is out of range"),
+        ("samples = 10000", "samples = 1", "line 27: `uncertainty.samples` = 1 is out of range"),
         ("samples = 10000", "", "`uncertainty.samples` is missing"),
         ("seed = 1", "seed = 0.5", "`uncertainty.seed` = 0.5 is out of range"),
         ("0.975]", "1.5]", "`uncertainty.quantiles` = 1.5 is out of range"),
