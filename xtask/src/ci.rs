@@ -26,17 +26,25 @@ const STEPS: &[(&str, Step)] = &[
     ("the Python module, in an environment of its own", python::install),
 ];
 
-/// The step that every change must pass beside those of [`WHERE_CHANGED`]: it builds nothing and keeps one core busy.
+/// The step that every change must pass beside those of [`WHERE_CHANGED`]: it builds nothing and
+/// keeps one core busy.
 const BESIDE: &[(&str, Step)] = &[("the tests of the Python module", python::test)];
 
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
 
-/// Steps that run if one of their paths changed, and in every long run.
-const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
+/// A step that runs if one of these paths changed, and in every long run.
+type Changed = (&'static [&'static str], &'static str, Step);
+
+/// Those that use no program of this workspace: beside the tests of the Python module.
+const BESIDE_WHERE_CHANGED: &[Changed] = &[
     (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
     (MANIFESTS, "packages", || passed(release::pack_quickly())),
     (&["docs"], "the book", book::run),
+];
+
+/// Those that build it in other ways.
+const WHERE_CHANGED: &[Changed] = &[
     (
         &["doors/carom-rebound", "crates/impact/src/restitution/table"],
         "the JavaScript module of the rebound",
@@ -83,20 +91,17 @@ const LONG: &[(&str, Step)] = &[
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];
 
-/// The steps of this run that follow those of every run.
-fn further(is_long: bool) -> anyhow::Result<Vec<(&'static str, Step)>> {
-    if is_long {
-        return Ok(LONG.to_vec());
-    }
-    let (paths, mut steps) = (changes::paths()?, Vec::new());
-    for &(decisive, name, step) in WHERE_CHANGED {
+/// Those of which a path changed.
+fn changed(all: &[Changed], paths: &[String]) -> Vec<(&'static str, Step)> {
+    let mut steps = Vec::new();
+    for &(decisive, name, step) in all {
         if paths.iter().any(|path| is_among(path, decisive)) {
             steps.push((name, step));
         } else {
             println!("== skipped, since none of its paths changed: {name}");
         }
     }
-    Ok(steps)
+    steps
 }
 
 /// Whether the path is one of these or lies below one; `*` matches any name.
@@ -111,20 +116,26 @@ fn is_among(path: &str, decisive: &[&str]) -> bool {
 /// that must not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
-    let further = further(is_long)?;
-    let mut skipped = all(STEPS)?;
-    if is_long {
-        skipped += all(BESIDE)? + all(&further)?;
-    } else {
-        let (own, others) = std::thread::scope(|scope| {
-            let others = scope.spawn(|| all(&further));
-            (all(BESIDE), others.join())
-        });
-        let others = others.map_err(|_| anyhow::anyhow!("a step panicked"))?;
-        skipped += own? + others?;
+    let (mut beside, mut building) = (BESIDE.to_vec(), Vec::new());
+    if !is_long {
+        let paths = changes::paths()?;
+        beside.extend(changed(BESIDE_WHERE_CHANGED, &paths));
+        building = changed(WHERE_CHANGED, &paths);
     }
-    let (count, seconds) = (STEPS.len() + BESIDE.len() + further.len(), start.elapsed());
-    println!("== all {count} steps in {:.0} s, {skipped} parts skipped", seconds.as_secs_f64());
+    let mut skipped = all(STEPS)?;
+    let (ours, others) = std::thread::scope(|scope| {
+        let others = scope.spawn(|| all(&building));
+        (all(&beside), others.join())
+    });
+    let others = others.map_err(|_| anyhow::anyhow!("a step panicked"))?;
+    skipped += ours? + others?;
+    let mut count = STEPS.len() + beside.len() + building.len();
+    if is_long {
+        skipped += all(LONG)?;
+        count += LONG.len();
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    println!("== all {count} steps in {seconds:.0} s, {skipped} parts skipped");
     Ok(())
 }
 

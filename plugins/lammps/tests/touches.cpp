@@ -44,8 +44,8 @@ static void fill(const carom::Constants &constants, double *slot)
   carom::Touch touch;
   if (constants.rings) touch.rings = &rings;
   else touch.plain = &plain;
-  carom_grain one = {{0.0, 0.0, 2e-3 - 1e-8}, {0.1, 0.0, -0.2}, {0.0, 0.0, 0.0}, 1e-3};
-  const carom_grain two = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
+  carom_grain one = {{0.0, 0.0, 2e-3 - 1e-8}, {0.1, 0.0, -0.2}, {0.0, 0.0, 0.0}, 1e-3, 1e-5};
+  const carom_grain two = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3, 1e-5};
   carom_grain_load load;
   for (int step = 0; step < 20; step++) {
     one.place[0] += 1e-9;
