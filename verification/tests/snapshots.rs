@@ -1,5 +1,7 @@
-//! Every computed figure has a snapshot, and every snapshot a figure; the README counts them.
+//! The catalogue is complete: numbers, titles, texts and snapshots belong together; the README counts its entries.
 
+use carom_verification::catalogue::Kind;
+use carom_verification::report::{contents, texts};
 use carom_verification::{Entry, State, catalogue};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -40,4 +42,56 @@ fn the_readme_counts_as_the_catalogue_does() {
     };
     let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
     assert!(std::fs::read_to_string(readme).unwrap().contains(&words), "{words}");
+}
+
+#[test]
+fn the_catalogue_is_complete_and_named_once() {
+    let entries = catalogue();
+    let ids: BTreeSet<_> = entries.iter().map(|entry| entry.id).collect();
+    assert_eq!(ids.len(), entries.len());
+    let count = |kind| entries.iter().filter(|entry| entry.kind == kind).count();
+    assert_eq!((count(Kind::Figure), count(Kind::Table)), (101, 2));
+}
+
+#[test]
+fn figures_are_numbered_without_gaps() {
+    let entries = catalogue();
+    let figures = entries.iter().filter(|entry| entry.kind == Kind::Figure);
+    let mut last = ("", 0);
+    for entry in figures {
+        let (chapter, number) = entry.id.split_once('.').unwrap();
+        let expected = if chapter == last.0 { last.1 + 1 } else { 1 };
+        assert_eq!(number.parse::<u32>().unwrap(), expected, "{}", entry.id);
+        last = (chapter, expected);
+    }
+}
+
+#[test]
+fn partial_entries_say_what_is_missing() {
+    for entry in catalogue() {
+        assert!(entry.lacks.is_none_or(|lacks| !lacks.trim().is_empty()), "{}", entry.id);
+        assert!(entry.lacks.is_none() || entry.is_computed(), "{}", entry.id);
+    }
+}
+
+#[test]
+fn every_page_has_a_text_and_every_text_a_page() {
+    let ids: Vec<_> = catalogue().iter().map(|entry| entry.id).collect();
+    let without: Vec<_> = ids.iter().filter(|id| texts::text(id).is_none()).collect();
+    assert!(without.is_empty(), "no text in report/texts.md: {without:?}");
+    let strange: Vec<_> = texts::pages().filter(|id| !ids.contains(id)).collect();
+    assert!(strange.is_empty(), "no page: {strange:?}");
+}
+
+#[test]
+fn titles_begin_with_a_capital_and_do_not_repeat_their_group() {
+    for entry in catalogue() {
+        let (_, group) = contents::group(&entry);
+        for text in [entry.title, &group] {
+            assert!(!text.starts_with(char::is_lowercase), "{}: {text}", entry.id);
+        }
+        let before_colon = entry.title.split_once(": ").map_or("", |(before, _)| before);
+        let name = entry.chapter().to_lowercase();
+        assert_ne!(before_colon.to_lowercase(), name, "{}", entry.id);
+    }
 }

@@ -1,7 +1,6 @@
 //! The figures, chapter by chapter; each file lists its own in `ENTRIES`.
 
 use crate::catalogue::Entry;
-pub(crate) use spheres::kappa;
 
 mod accuracy;
 mod ch03;
@@ -28,8 +27,6 @@ mod propositions;
 mod rebound;
 mod rolling;
 mod sphere_traction;
-mod spheres;
-mod spring_impact;
 mod structure;
 
 /// The chapters in order.

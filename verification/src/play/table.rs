@@ -5,7 +5,7 @@ use carom_impact::restitution::of_spheres;
 use std::f64::consts::PI;
 
 use crate::Failure;
-use crate::figures::kappa;
+use crate::spheres::kappa;
 
 /// Number of Poisson's ratios, from 0 to 1/2.
 pub(super) const POISSONS: usize = 11;

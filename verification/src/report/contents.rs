@@ -36,7 +36,8 @@ const GROUPS: &[(&str, &str)] = &[
 ];
 
 /// The group of a page, and its title.
-pub(super) fn group(entry: &Entry) -> (&'static str, String) {
+#[must_use]
+pub fn group(entry: &Entry) -> (&'static str, String) {
     let chapter = entry.chapter();
     if let Some((number, title)) = CHAPTERS.iter().find(|(of, _)| *of == chapter) {
         return (number, format!("{number} · {title}"));

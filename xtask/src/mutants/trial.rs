@@ -10,6 +10,11 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 const PAGES_PACKAGE: &str = "carom-mutant-pages";
+/// The package of the pages themselves.
+const PAGES: &str = "carom-verification";
+
+/// Packages that compute little themselves: they are built without optimisation.
+const COMPUTES_LITTLE: [&str; 5] = ["carom-cases", "carom-capi", "carom-cli", "carom-plot", PAGES];
 
 /// The seed of the property tests, so that a detection is reproducible.
 const PROPERTY_SEED: &str = "7";
@@ -149,8 +154,9 @@ pub(super) fn build(root: &Path, tree: &Path, selection: &Selection) -> anyhow::
     command.arg("--message-format=json-render-diagnostics").args(selection.arguments());
     command.arg("--target-dir").arg(root.join("target"));
     // Each test runs once, so that less optimisation takes less time in all.
-    for package in CRATES.map(package_of) {
-        let profile = format!("profile.release.package.{package}.opt-level=1");
+    for package in CRATES.map(package_of).into_iter().chain([PAGES.to_owned()]) {
+        let level = u8::from(!COMPUTES_LITTLE.contains(&package.as_str()));
+        let profile = format!("profile.release.package.{package}.opt-level={level}");
         command.arg("--config").arg(profile);
     }
     let mut child =

@@ -1,6 +1,6 @@
 //! Errors of the point load and of the coefficients of a rectangle.
 
-use super::error_table::{ErrorTable, Errors, Reference};
+use crate::error_table::{ErrorTable, Errors, Reference};
 use crate::{Failure, Figure, FigureResult};
 use carom_halfspace::{
     Force, LoadedRectangle, Material, MaterialPair, Offset, Point, PointLoad, Rectangle,

@@ -2,7 +2,6 @@
 
 use crate::catalogue::Entry;
 
-mod error_table;
 mod half_space;
 mod special;
 mod turning;

@@ -1,6 +1,6 @@
 //! Errors of the special functions.
 
-use super::error_table::{ErrorTable, Errors, Reference};
+use crate::error_table::{ErrorTable, Errors, Reference};
 use crate::{Failure, Figure, FigureResult};
 use carom_special::elliptic::{Amplitude, complete, incomplete};
 use carom_special::gamma::{gamma, ln_gamma};

@@ -11,8 +11,8 @@ use carom_laws::torsion::law::TorsionLaw;
 use carom_laws::validity::Limit;
 
 use super::super::outline::ellipse;
-use super::super::spheres::kappa;
-use super::super::spring_impact;
+use crate::spheres::kappa;
+use crate::spring_impact;
 use crate::{
     Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Relative, Series, linspace,
 };

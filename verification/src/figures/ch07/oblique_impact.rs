@@ -6,7 +6,7 @@ use carom_impact::oblique::{Event, Groups, ObliqueImpact, TracePoint};
 
 use carom_special::hypergeometric::UnitArgument;
 
-use super::super::spring_impact;
+use crate::spring_impact;
 use crate::{Absolute, Failure, Figure, FigureResult, Panel, Series, linspace};
 
 pub(super) fn draw() -> FigureResult {

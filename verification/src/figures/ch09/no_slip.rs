@@ -24,7 +24,7 @@ pub(super) fn draw() -> FigureResult {
     let spheres: Vec<(f64, f64)> = linspace(0.0, 0.5, 6)
         .into_iter()
         .map(|nu| {
-            let chi = super::super::spheres::chi(nu);
+            let chi = crate::spheres::chi(nu);
             let phi = (1.0 + 120.0 * chi).sqrt();
             (phi, by_phi(phi))
         })

@@ -11,7 +11,7 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::AxisRatio;
 use rayon::prelude::*;
 
-use super::super::spring_impact;
+use crate::spring_impact;
 use crate::{
     Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Relative, Series, linspace,
     logspace,

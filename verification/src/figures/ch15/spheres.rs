@@ -4,9 +4,9 @@ use carom_impact::closed_form::restitution_without_slip;
 use carom_impact::restitution::{RestitutionError, of_spheres};
 use rayon::prelude::*;
 
-use super::super::spheres::kappa;
 use super::numerical::Spheres;
 use crate::reference::rows;
+use crate::spheres::kappa;
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 /// κ and λ of the row that ends early.

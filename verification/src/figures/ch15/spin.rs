@@ -48,7 +48,7 @@ pub(super) fn draw() -> FigureResult {
     let run = |&(spin, lambda): &(f64, f64)| Ok(rebound(&spheres, lambda, spin)?[0]);
     let found: Vec<f64> = jobs.par_iter().map(run).collect::<Result<_, Failure>>()?;
     let curves: Vec<&[f64]> = found.chunks(LAMBDAS.len()).collect();
-    let kappa = super::super::spheres::kappa(POISSON);
+    let kappa = crate::spheres::kappa(POISSON);
     let mut panel = Panel::new("λ", "R_x").titled("steel spheres");
     let lambdas = crate::linspace(0.05, 8.0, 160);
     let exact: Result<Vec<_>, _> =

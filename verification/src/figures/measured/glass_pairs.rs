@@ -1,8 +1,8 @@
 //! Foerster, Louge, Chang and Allia's impacts of two glass spheres, one by one.
 
-use super::super::spheres::kappa;
 use super::models::{Spring, bars, constant, elastic, rms, spring};
 use crate::reference::rows;
+use crate::spheres::kappa;
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 const NU: f64 = 0.22;

@@ -59,7 +59,7 @@ fn exact(angle: f64) -> Result<After, Failure> {
 fn inelastic(angle: f64) -> Result<After, Failure> {
     let [tangential, normal] = speeds(angle);
     let groups = Groups::of_spheres(
-        super::super::spheres::kappa(ALUMINA.poisson),
+        crate::spheres::kappa(ALUMINA.poisson),
         tangential / (FRICTION * normal),
     )?;
     let restitution = with_normal_restitution(groups, MEASURED_RESTITUTION)?;

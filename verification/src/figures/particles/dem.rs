@@ -1,7 +1,7 @@
 //! Two balls, or a ball and a plane, integrated in time like a particle code, with textbook constants and a
 //! bed of springs for the contact: independent of carom's laws and impacts.
 
-use super::super::spring_impact::SpringBed;
+use crate::spring_impact::SpringBed;
 
 const SPRINGS: usize = 400;
 const STEPS: usize = 1600;

@@ -12,9 +12,9 @@ use carom_laws::memory::Growing;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 
-use super::super::spheres::{chi, kappa};
-use super::super::spring_impact;
 use super::dem::{self, Ball, Contact, Substance};
+use crate::spheres::{chi, kappa};
+use crate::spring_impact;
 use crate::{
     Absolute, Axis, Cell, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, Table,
     linspace,

@@ -27,7 +27,7 @@ struct After {
 
 /// The exact walk in the groups kappa and lambda = V_t/(f V_n).
 fn exact(poisson: f64, slip: f64) -> Result<After, Failure> {
-    let restitution = of_spheres(super::super::spheres::kappa(poisson), slip)?;
+    let restitution = of_spheres(crate::spheres::kappa(poisson), slip)?;
     // The rim takes 5/7 of the change of slip.
     Ok(After { rebound: -restitution * slip, rim: -5.0 / 7.0 * (1.0 + restitution) * slip })
 }

@@ -20,7 +20,7 @@ const FRICTION: f64 = 0.4;
 const RESTITUTION: f64 = 0.5;
 
 fn kappa() -> f64 {
-    super::super::spheres::kappa(ALUMINIUM.poisson)
+    crate::spheres::kappa(ALUMINIUM.poisson)
 }
 
 /// Velocity along the surface and spin of a ball.

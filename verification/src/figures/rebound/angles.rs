@@ -10,8 +10,8 @@ use carom_laws::friction::Friction;
 use carom_special::roots::try_bisect;
 use rayon::prelude::*;
 
-use super::super::spheres::{chi, kappa};
-use super::super::spring_impact;
+use crate::spheres::{chi, kappa};
+use crate::spring_impact;
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 const RATIOS: [f64; 4] = [0.0, 0.25, 0.3, 0.5];

@@ -8,8 +8,8 @@ use carom_impact::oblique::{Event, Groups, ObliqueImpact, Regime};
 use carom_special::roots::try_bisect;
 use rayon::prelude::*;
 
-use super::super::spheres::chi;
-use super::super::spring_impact;
+use crate::spheres::chi;
+use crate::spring_impact;
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series};
 use crate::{linspace, logspace};
 

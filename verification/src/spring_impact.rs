@@ -8,7 +8,7 @@
 //! Hess) they follow any path exactly.
 
 /// A bed of springs with sliders.
-pub(super) struct SpringBed {
+pub(crate) struct SpringBed {
     spacing: f64,
     /// Stiffness of a unit of x along the normal and along the surface.
     stiffness: [f64; 2],
@@ -27,17 +27,17 @@ struct Spring {
 
 /// The load of the bed.
 #[derive(Clone, Copy)]
-pub(super) struct Load {
-    pub(super) normal: f64,
-    pub(super) tangential: f64,
+pub(crate) struct Load {
+    pub(crate) normal: f64,
+    pub(crate) tangential: f64,
     /// Whether a spring slid.
-    pub(super) slides: bool,
+    pub(crate) slides: bool,
 }
 
 impl SpringBed {
     /// `count` springs for approaches up to `deepest` on a sphere of radius `radius`; `stiffness`
     /// per unit of x on one side.
-    pub(super) fn new(
+    pub(crate) fn new(
         count: usize,
         deepest: f64,
         radius: f64,
@@ -54,7 +54,7 @@ impl SpringBed {
     }
 
     /// The load after a step to this approach and shift.
-    pub(super) fn advance(&mut self, approach: f64, shift: f64) -> Load {
+    pub(crate) fn advance(&mut self, approach: f64, shift: f64) -> Load {
         let [normal, tangential] = self.stiffness;
         let grip = self.friction * normal / tangential;
         let (mut sums, mut slides) = ([0.0; 2], false);
@@ -91,22 +91,22 @@ const STEPS: usize = 1600;
 
 /// The result of an impact integrated in time, in the units of [`course`].
 #[derive(Clone, Copy, Default)]
-pub(super) struct Stepped {
+pub(crate) struct Stepped {
     /// R_x, to about 2e-6.
-    pub(super) restitution: f64,
+    pub(crate) restitution: f64,
     /// The tangential force shortly before separation.
-    pub(super) last_force: f64,
+    pub(crate) last_force: f64,
     /// The time at which the shift is largest.
-    pub(super) peak: f64,
+    pub(crate) peak: f64,
     /// The smallest shift, and the shift at separation.
-    pub(super) least: f64,
-    pub(super) last: f64,
+    pub(crate) least: f64,
+    pub(crate) last: f64,
     /// The time at which the first spring slid.
-    pub(super) slips_at: f64,
+    pub(crate) slips_at: f64,
 }
 
 /// R_x of the impact of groups chi and psi, to about 2e-6.
-pub(super) fn restitution(chi: f64, psi: f64) -> f64 {
+pub(crate) fn restitution(chi: f64, psi: f64) -> f64 {
     course(chi, psi).restitution
 }
 
@@ -114,7 +114,7 @@ pub(super) fn restitution(chi: f64, psi: f64) -> f64 {
 ///
 /// Units: zeta_max, zeta_max/zeta'_A, and f c_z zeta_max/c_x for the shift; then
 /// F_z = (2/3) zeta^(3/2), zeta'' = -(15/8) F_z and e'' = -(15/8) chi F_t.
-pub(super) fn course(chi: f64, psi: f64) -> Stepped {
+pub(crate) fn course(chi: f64, psi: f64) -> Stepped {
     let mut bed = SpringBed::new(SPRINGS, 1.001, 1.0, [1.0; 2], 1.0);
     let dt = carom_impact::normal::DURATION / STEPS as f64;
     let (mut zeta, mut e) = (0.0, 0.0);
@@ -149,7 +149,7 @@ pub(super) fn course(chi: f64, psi: f64) -> Stepped {
 
 /// R_x of a tangential spring that slips as a whole: stiffness c_x sqrt(zeta) times its whole stretch, cut at f F_z.
 /// The units are those of [`course`].
-pub(super) fn of_whole_spring(chi: f64, psi: f64) -> f64 {
+pub(crate) fn of_whole_spring(chi: f64, psi: f64) -> f64 {
     let dt = carom_impact::normal::DURATION / STEPS as f64;
     let (mut zeta, mut stretch, mut w, mut u) = (0.0, 0.0, 1.0, psi);
     loop {

@@ -3,7 +3,7 @@
 use crate::{Cell, Claim, Failure, Figure, Table};
 
 /// Columns of numbers with their names, from comma-separated text.
-pub(super) struct Reference {
+pub(crate) struct Reference {
     names: Vec<String>,
     rows: Vec<Vec<f64>>,
 }
@@ -13,7 +13,7 @@ impl Reference {
     ///
     /// # Errors
     /// If the text is not a table of numbers below a line of names.
-    pub(super) fn parse(text: &str) -> Result<Self, Failure> {
+    pub(crate) fn parse(text: &str) -> Result<Self, Failure> {
         let mut reader = crate::reference::reader(text);
         let names = reader.headers()?.iter().map(str::to_owned).collect();
         let mut rows = Vec::new();
@@ -24,7 +24,7 @@ impl Reference {
     }
 
     /// The rows, with the columns in the order of the text.
-    pub(super) fn rows(&self) -> &[Vec<f64>] {
+    pub(crate) fn rows(&self) -> &[Vec<f64>] {
         &self.rows
     }
 
@@ -32,14 +32,14 @@ impl Reference {
     ///
     /// # Errors
     /// If there is none of this name.
-    pub(super) fn column(&self, name: &str) -> Result<usize, String> {
+    pub(crate) fn column(&self, name: &str) -> Result<usize, String> {
         let found = self.names.iter().position(|n| n == name);
         found.ok_or_else(|| format!("no column {name}"))
     }
 }
 
 /// The errors of one function, in eps.
-pub(super) struct Errors {
+pub(crate) struct Errors {
     function: String,
     /// Below this size of the reference the error counts as absolute.
     floor: f64,
@@ -53,12 +53,12 @@ struct Error {
 
 impl Errors {
     /// No errors yet of `function`, relative where the reference is above `floor`, else of `floor`.
-    pub(super) fn of(function: impl Into<String>, floor: f64) -> Self {
+    pub(crate) fn of(function: impl Into<String>, floor: f64) -> Self {
         Self { function: function.into(), floor, found: Vec::new() }
     }
 
     /// Counts a value; one that is not a number is an infinite error.
-    pub(super) fn add(&mut self, value: f64, reference: f64, place: impl Into<String>) {
+    pub(crate) fn add(&mut self, value: f64, reference: f64, place: impl Into<String>) {
         let grain = reference.abs().max(self.floor).max(f64::MIN_POSITIVE) * f64::EPSILON;
         let eps = if value == reference { 0.0 } else { (value - reference).abs() / grain };
         let eps = if eps.is_nan() { f64::INFINITY } else { eps };
@@ -67,14 +67,14 @@ impl Errors {
 }
 
 /// The errors of several functions, each with its target.
-pub(super) struct ErrorTable {
+pub(crate) struct ErrorTable {
     table: Table,
     claims: Vec<Claim>,
 }
 
 impl ErrorTable {
     /// An empty table.
-    pub(super) fn new(title: &str) -> Self {
+    pub(crate) fn new(title: &str) -> Self {
         let columns = ["function", "values", "99 % / eps", "max / eps", "target / eps", "worst at"];
         Self { table: Table::new(title, columns), claims: Vec::new() }
     }
@@ -82,7 +82,7 @@ impl ErrorTable {
     /// Adds a function whose errors must stay below `target` eps.
     ///
     /// The snapshot omits the errors: last bits may differ between machines, the claims hold on all.
-    pub(super) fn add(&mut self, mut errors: Errors, target: f64) {
+    pub(crate) fn add(&mut self, mut errors: Errors, target: f64) {
         errors.found.sort_by(|x, y| x.eps.total_cmp(&y.eps));
         let count = errors.found.len();
         let Some(worst) = errors.found.last() else { return };
@@ -102,7 +102,7 @@ impl ErrorTable {
     }
 
     /// Hands table and claims to a figure.
-    pub(super) fn finish(self, figure: &mut Figure) {
+    pub(crate) fn finish(self, figure: &mut Figure) {
         figure.table(self.table);
         self.claims.into_iter().for_each(|claim| figure.claim(claim));
     }

@@ -6,6 +6,6 @@ pub(crate) fn kappa(nu: f64) -> f64 {
 }
 
 /// chi = 7/(2 kappa).
-pub(super) fn chi(nu: f64) -> f64 {
+pub(crate) fn chi(nu: f64) -> f64 {
     7.0 * (1.0 - nu) / (2.0 - nu)
 }
