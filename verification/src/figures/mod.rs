@@ -17,6 +17,7 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod contact;
 mod convergence;
 mod errata;
 mod measured;
@@ -24,6 +25,7 @@ mod mesh;
 mod outline;
 mod paraboloid;
 mod particles;
+mod printed;
 mod propositions;
 mod rebound;
 mod rolling;
@@ -54,5 +56,6 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     particles::ENTRIES,
     convergence::ENTRIES,
     rolling::ENTRIES,
+    contact::ENTRIES,
     accuracy::ENTRIES,
 ];
