@@ -21,6 +21,9 @@ const ACROSS: [f64; 21] = [
 const DEPTHS: [f64; 15] =
     [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1.667, 2.5, 5.0];
 
+/// Depth to which the stresses are drawn.
+const SHOWN: f64 = 1.7;
+
 /// One of the two cases.
 struct Square(Subsurface);
 
@@ -129,49 +132,45 @@ fn table(extremes: &[Extreme]) -> Table {
     table
 }
 
-/// A point below the middle: u, w, mean, von Mises, s_xx, s_zx, s_yy, s_zz.
+/// What is printed of a point below the middle, in this order.
+const NAMES: [&str; 8] = ["u", "w", "mean stress", "von Mises", "σ_xx", "σ_zx", "σ_yy", "σ_zz"];
+
 struct Depth {
     z: f64,
     printed: [f64; 8],
     own: [f64; 8],
 }
 
-const NAMES: [&str; 8] = ["u", "w", "mean stress", "von Mises", "σ_xx", "σ_zx", "σ_yy", "σ_zz"];
+impl Square {
+    fn below_the_middle(&self, z: f64) -> Result<[f64; 8], Failure> {
+        let at = [AXIS, AXIS, z];
+        let (stress, moved) = (self.stress(at)?, self.displacement(at)?);
+        let Stress { xx, yy, zz, zx, .. } = stress;
+        Ok([moved.u, moved.w, stress.mean(), stress.von_mises(), xx, zx, yy, zz])
+    }
+}
 
 fn depths(square: &Square) -> Result<Vec<Depth>, Failure> {
     let table: Vec<[f64; 12]> = rows(include_str!("../../../data/solver/square_depths.csv"))?;
     let compute = |row: [f64; 12]| -> Result<Depth, Failure> {
         let [z, u, _, w, mean, von_mises, xx, _, zx, yy, _, zz] = row;
-        let at = [AXIS, AXIS, z];
-        let (stress, moved) = (square.stress(at)?, square.displacement(at)?);
-        Ok(Depth {
-            z,
-            printed: [u, w, mean, von_mises, xx, zx, yy, zz],
-            own: [
-                moved.u,
-                moved.w,
-                stress.mean(),
-                stress.von_mises(),
-                stress.xx,
-                stress.zx,
-                stress.yy,
-                stress.zz,
-            ],
-        })
+        let printed = [u, w, mean, von_mises, xx, zx, yy, zz];
+        Ok(Depth { z, printed, own: square.below_the_middle(z)? })
     };
     table.into_iter().map(compute).collect()
 }
 
 fn panels(cases: &[Square; 2], depths: &[Depth]) -> Result<[Panel; 2], Failure> {
     let mut profile = Panel::new("z", "stress").titled("Below the middle, with traction");
+    let near = linspace(0.0, SHOWN, 61);
+    let own: Result<Vec<_>, _> = near.iter().map(|z| cases[1].below_the_middle(*z)).collect();
+    let own = own?;
     for (colour, which) in [3, 4, 5, 7].into_iter().enumerate() {
-        let points = |of: &dyn Fn(&Depth) -> f64| -> Vec<(f64, f64)> {
-            let near = depths.iter().filter(|depth| depth.z < 2.0);
-            near.map(|depth| (depth.z, of(depth))).collect()
-        };
-        profile.add(Series::line(NAMES[which], points(&|depth| depth.own[which])).coloured(colour));
+        let curve = near.iter().zip(&own).map(|(z, own)| (*z, own[which]));
+        profile.add(Series::line(NAMES[which], curve).coloured(colour));
         let label = if colour == 0 { "CONTACT" } else { "" };
-        let printed = points(&|depth| depth.printed[which]);
+        let printed = depths.iter().filter(|depth| depth.z <= SHOWN);
+        let printed = printed.map(|depth| (depth.z, depth.printed[which]));
         profile.add(Series::markers(label, Marker::Circle, printed).coloured(4));
     }
     // No point lies on the surface at an edge, where the stress is infinite.
