@@ -5,6 +5,7 @@ use std::sync::Arc;
 use carom_halfspace::Field;
 use carom_halfspace::operator::{DisplacementField, RolledOperator, Threads, TractionField};
 use carom_laws::law::Shift;
+use carom_special::RangeError;
 
 use super::{Creepage, RollingDrive, RollingError, Way, check_friction, check_room};
 use carom_solver::{
@@ -65,6 +66,8 @@ pub struct SteadyContact {
     scratch: FrictionalScratch,
     last: ContactState,
     heat: f64,
+    /// Creepages along and across of each cell, beyond those of a drive.
+    local: Option<[Field; 2]>,
 }
 
 impl SteadyContact {
@@ -83,7 +86,7 @@ impl SteadyContact {
         let method = Frictional::default();
         let scratch = method.scratch(&rolled)?;
         let (problem, last) = (problem.clone(), ContactState::apart(problem.grid()));
-        Ok(Self { problem, rolled, way, method, scratch, last, heat: 0.0 })
+        Ok(Self { problem, rolled, way, method, scratch, last, heat: 0.0, local: None })
     }
 
     /// The same with this tolerance: violations of the normal conditions relative to the greatest
@@ -93,6 +96,52 @@ impl SteadyContact {
     /// [`RollingError::Range`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RollingError> {
         Ok(Self { method: self.method.within(tolerance)?, ..self })
+    }
+
+    /// The same with creepages along and across that vary over the surface, in addition to those of
+    /// a drive. Where a contact is not flat, as that of a flange root and a gauge corner, each part
+    /// of it slips at its own radius and spins about its own normal.
+    ///
+    /// ```
+    /// use carom_halfspace::{Field, Grid, Material, MaterialPair};
+    /// use carom_laws::friction::Friction;
+    /// use carom_rolling::{Creepage, RollingDrive, SteadyContact, Way};
+    /// use carom_solver::{ContactProblem, Driven, Gap};
+    /// let grid = Grid::new(14, 12, 0.2, 0.2)?;
+    /// let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
+    /// let body = Material::from_shear(1.0, 0.3)?;
+    /// let pair = MaterialPair::new(body, body)?;
+    /// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3)?)?;
+    /// let contact = SteadyContact::new(&problem, Way::new(grid.dx())?)?;
+    /// let drive = |spin| {
+    ///     let creepage = Creepage { spin, ..Creepage::default() };
+    ///     RollingDrive::by_creepage(Driven::Load(2.0), creepage)
+    /// };
+    /// // Spin, given cell by cell.
+    /// let [along, across] = [|_, y| 0.1 * y, |x, _| -0.1 * x];
+    /// let [along, across] = [Field::from_function(grid, along), Field::from_function(grid, across)];
+    /// let varied = contact.clone().with_local_creepage(along, across)?.roll(&drive(0.0), &mut ())?;
+    /// let spun = contact.clone().roll(&drive(0.1), &mut ())?;
+    /// assert!((varied.state.load().f_y - spun.state.load().f_y).abs() < 1e-8);
+    /// assert!((varied.heat / spun.heat - 1.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RollingError::Range`] unless both fields are on the grid of the problem and finite.
+    pub fn with_local_creepage(self, along: Field, across: Field) -> Result<Self, RollingError> {
+        for (name, field) in [("creepage", &along), ("creepage_across", &across)] {
+            let (own, grid) = (field.grid(), self.problem.grid());
+            let allowed = "on the grid of the problem";
+            RangeError::check(name, own.cells() as f64, own == grid, allowed)?;
+            field
+                .values()
+                .iter()
+                .try_for_each(|value| RangeError::finite(name, *value).map(drop))?;
+        }
+        let mut contact = Self { local: Some([along, across]), ..self };
+        contact.bring();
+        Ok(contact)
     }
 
     /// Solves for steady rolling, starting from the last solution.
@@ -148,17 +197,34 @@ impl SteadyContact {
             traction.values().iter().zip(change.values()).map(|(t, u)| t * u).sum()
         };
         let elastic = work(&state.traction_x, &along) + work(&state.traction_y, &across);
-        Ok((rigid - grid.cell_area() * elastic) / self.way.length())
+        let local = self.local.as_ref().map_or(0.0, |[along, across]| {
+            work(&state.traction_x, along) + work(&state.traction_y, across)
+        });
+        let area = grid.cell_area();
+        Ok((rigid - area * elastic) / self.way.length() + area * local)
     }
 
-    /// Keeps a solution as the start of the next one. What the particles bring is part of the
-    /// influence, so that nothing is displaced before the step.
+    /// Keeps a solution as the start of the next one.
     fn remember(&mut self, state: &ContactState) {
         self.last.clone_from(state);
-        self.last.displacement_x.values_mut().fill(0.0);
-        self.last.displacement_y.values_mut().fill(0.0);
+        self.bring();
         let zeta = state.shift.zeta;
         self.last.shift = Shift { zeta, ..Shift::default() };
+    }
+
+    /// What the particles bring is part of the influence, so that nothing is displaced before a step
+    /// but by what a cell creeps beyond the drive.
+    fn bring(&mut self) {
+        let before = [&mut self.last.displacement_x, &mut self.last.displacement_y];
+        for (axis, before) in before.into_iter().enumerate() {
+            match &self.local {
+                None => before.values_mut().fill(0.0),
+                Some(local) => {
+                    let steps = local[axis].values().iter().map(|own| self.way.length() * own);
+                    before.values_mut().iter_mut().zip(steps).for_each(|(to, step)| *to = step);
+                }
+            }
+        }
     }
 
     /// Writes the displacements of the bodies.

@@ -16,6 +16,7 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod contact;
 mod convergence;
 mod errata;
 mod measured;
@@ -23,6 +24,7 @@ mod mesh;
 mod outline;
 mod paraboloid;
 mod particles;
+mod printed;
 mod propositions;
 mod rebound;
 mod rolling;
@@ -51,5 +53,6 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     particles::ENTRIES,
     convergence::ENTRIES,
     rolling::ENTRIES,
+    contact::ENTRIES,
     accuracy::ENTRIES,
 ];

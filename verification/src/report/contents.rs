@@ -32,6 +32,7 @@ const GROUPS: &[(&str, &str)] = &[
     ("convergence", "Rates of convergence"),
     ("accuracy", "Accuracy"),
     ("rolling", "Rolling contact"),
+    ("contact", "Cases of the program CONTACT"),
     ("proposition", "Propositions"),
 ];
 

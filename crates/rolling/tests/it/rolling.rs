@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use carom_halfspace::operator::{KernelOperator, TabulatedKernel, Threads};
-use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
+use carom_halfspace::{Coefficients, Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_rolling::{
-    CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError, Way,
-    creep_coefficients, creep_coefficients_on, roll_steadily,
+    CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError,
+    SteadyContact, Way, creep_coefficients, creep_coefficients_on, roll_steadily,
 };
 use carom_solver::{
     CellState, ContactProblem, ContactState, Drive, Driven, Frictionless, Gap, Method as _,
@@ -375,5 +375,40 @@ fn random_rolling_on_tends_to_steady_rolling() {
         let (a, b) = (roll_on(&problem, way, creepage, 140).load(), steady.state.load());
         let off = (a.f_x - b.f_x).hypot(a.f_y - b.f_y) / (FRICTION * b.f_z);
         assert!(off < 1e-8, "{creepage:?}: {off:.1e}");
+    }
+}
+
+/// Both halves slide far, against each other: there is no force, and the heat of both.
+#[test]
+fn where_creepages_vary_each_part_slides_its_own_way() {
+    let problem = sphere(16, [0.3, 0.3]);
+    let grid = problem.grid();
+    let along = Field::from_function(grid, |_, y: f64| 10.0 * y.signum());
+    let contact = SteadyContact::new(&problem, Way::new(grid.dx()).unwrap()).unwrap();
+    let across = Field::uniform(grid, 0.0);
+    let mut contact = contact.with_local_creepage(along, across).unwrap();
+    let drive = RollingDrive::by_creepage(Driven::Shift(1.0), Creepage::default());
+    for _ in 0..2 {
+        let rolled = contact.roll(&drive, &mut ()).unwrap();
+        let load = rolled.state.load();
+        assert!(rolled.slides && load.f_x.abs() < 1e-9 * load.f_z, "{load:?}");
+        assert!(load.m_z > 0.0);
+        let heat = rolled.heat / (10.0 * FRICTION * load.f_z);
+        assert!((heat - 1.0).abs() < 1e-3, "{heat}");
+    }
+}
+
+#[test]
+fn creepages_that_vary_are_finite_and_on_the_grid() {
+    let problem = sphere(8, [0.3, 0.3]);
+    let grid = problem.grid();
+    let contact = SteadyContact::new(&problem, Way::new(grid.dx()).unwrap()).unwrap();
+    let fine = || Field::uniform(grid, 0.01);
+    let other = Field::uniform(Grid::new(3, 3, 0.1, 0.1).unwrap(), 0.01);
+    for (along, across, name) in
+        [(other, fine(), "creepage"), (fine(), Field::uniform(grid, f64::NAN), "creepage_across")]
+    {
+        let error = contact.clone().with_local_creepage(along, across).err().unwrap();
+        assert!(matches!(error, RollingError::Range(range) if range.field == name), "{name}");
     }
 }

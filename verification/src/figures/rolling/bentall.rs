@@ -5,7 +5,8 @@ use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, SteadyContact, SteadyRolling, Way};
 use carom_solver::{CellState, ContactProblem, Driven, Gap};
 
-use super::printed::{SOURCE, all_digits, counts, number, off_cell, own_counts, rows};
+use super::super::printed::{SOURCE, all_digits, off_cell};
+use super::printed::{counts, highest, number, own_counts, rows};
 use crate::{Absolute, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table};
 
 /// Shear modulus and Poisson's ratio of bodies 1 and 2.
@@ -55,11 +56,10 @@ fn compute() -> Result<Vec<Row>, Failure> {
     let printed = rows("bentall")?;
     let compute = |(row, friction): (&serde_json::Value, f64)| -> Result<Row, Failure> {
         let rolled = roll(friction, number(row, "F_x")?)?;
-        let highest = rolled.state.pressure.values().iter().copied().fold(0.0, f64::max);
         Ok(Row {
             printed: [number(row, "creepage")?, number(row, "p_max")?],
             // Here creepages are of body 2 against body 1.
-            own: [-rolled.creepage.along, highest],
+            own: [-rolled.creepage.along, highest(&rolled)],
             printed_cells: counts(row)?,
             own_cells: own_counts(&rolled),
             friction,

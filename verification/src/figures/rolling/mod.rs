@@ -4,6 +4,7 @@ use crate::catalogue::Entry;
 
 mod bentall;
 mod coefficients;
+mod conformal;
 mod curves;
 mod growth;
 mod printed;
@@ -21,5 +22,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(bentall::draw),
     Entry::check("rolling.shipped", "CONTACT's shipped cases: spin, and polymer cylinders")
         .by(shipped::draw),
+    Entry::check("rolling.conformal", "CONTACT's shipped cases: a conformal contact")
+        .by(conformal::draw),
     Entry::check("rolling.growth", "Products as elements become smaller").slowly_by(growth::draw),
 ];

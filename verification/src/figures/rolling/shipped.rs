@@ -5,21 +5,11 @@ use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, SteadyContact, SteadyRolling, Way};
 use carom_solver::{CellState, ContactProblem, Driven, Gap};
 
-use super::printed::{SOURCE, all_digits, number, off_cell, rows};
-use crate::{Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table};
+use super::super::printed::{Compared, SOURCE, all_digits, beside};
+use super::printed::{highest, number, rows};
+use crate::{Failure, Figure, FigureResult, Marker, Panel, Series};
 
 const FRICTION: f64 = 0.3;
-
-/// A number of the examples: its name, printed, computed.
-struct Compared {
-    name: String,
-    printed: f64,
-    own: f64,
-}
-
-fn highest(rolled: &SteadyRolling) -> f64 {
-    rolled.state.pressure.values().iter().copied().fold(0.0, f64::max)
-}
 
 fn problem(
     grid: Grid,
@@ -53,16 +43,6 @@ fn cylinders(modulus: f64) -> Result<SteadyRolling, Failure> {
         ..RollingDrive::by_creepage(Driven::Load(6e5), Creepage::default())
     };
     Ok(SteadyContact::new(&problem, Way::new(0.16)?)?.roll(&drive, &mut ())?)
-}
-
-fn table(compared: &[Compared]) -> Table {
-    let heads = ["", "of CONTACT", "of carom", "off, units of the 4th digit"];
-    let mut table = Table::new("Number beside number", heads);
-    for one in compared {
-        let off = off_cell(one.own, one.printed);
-        table.row(vec![Cell::from(one.name.as_str()), one.printed.into(), one.own.into(), off]);
-    }
-    table
 }
 
 /// The cells of the wheel that stick and that slip.
@@ -131,7 +111,7 @@ pub(super) fn draw() -> FigureResult {
         }
         figure.panel(curves(&rolled, &title));
     }
-    figure.table(table(&compared));
+    figure.table(beside(&compared));
     let pairs = compared.iter().map(|one| (one.own, one.printed));
     all_digits(&mut figure, "all numbers", pairs).source(SOURCE);
     Ok(figure)

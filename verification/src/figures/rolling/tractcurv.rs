@@ -5,7 +5,8 @@ use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, SteadyContact, SteadyRolling, Way};
 use carom_solver::{ContactProblem, Driven, Gap};
 
-use super::printed::{SOURCE, all_digits, counts, number, off_cell, own_counts, rows};
+use super::super::printed::{SOURCE, all_digits, off_cell};
+use super::printed::{counts, number, own_counts, rows};
 use crate::{
     Absolute, Axis, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table, linspace,
 };

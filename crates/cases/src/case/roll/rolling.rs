@@ -79,7 +79,7 @@ const SPIN_OFFSET: Field = Field::number(
     "spin_offset",
     Range::SignedPart.pure(),
     "where in a step the rigid shift of a spin is taken: 0 at the end of the step, 1 at its start; \
-     CONTACT takes 0.5",
+     CONTACT takes 1/6 by default",
 )
 .default(Default::Number(0.0));
 /// The field `rolling` of a case.
