@@ -43,10 +43,12 @@ pub enum CaseError {
         valid: String,
     },
     /// A necessary field is missing.
-    #[error("`{field}` is missing: must be {allowed}")]
+    #[error("{}`{field}` is missing: must be {allowed}", of_line(*line))]
     Missing {
         /// The field with its path.
         field: String,
+        /// Line of the table that lacks it, from 1; 0 for the whole file.
+        line: usize,
         /// What it must be.
         allowed: String,
     },
@@ -114,6 +116,11 @@ pub enum CaseError {
     },
 }
 
+/// The line in words; nothing for 0.
+fn of_line(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
 /// What to do with a line contact, which is not elliptical.
 const fn line_contact(error: &CurvatureError) -> &'static str {
     match error {
@@ -149,15 +156,13 @@ impl CaseError {
         match self {
             Self::Syntax { line, .. }
             | Self::Unknown { line, .. }
+            | Self::Missing { line, .. }
             | Self::Kind { line, .. }
             | Self::Range { line, .. }
             | Self::Conflict { line, .. }
             | Self::Collision { line, .. }
             | Self::Torsion { line, .. } => *line,
-            Self::Several(_)
-            | Self::OtherKind { .. }
-            | Self::Missing { .. }
-            | Self::Curvature { .. } => 0,
+            Self::Several(_) | Self::OtherKind { .. } | Self::Curvature { .. } => 0,
         }
     }
 
