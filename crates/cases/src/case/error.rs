@@ -89,8 +89,14 @@ pub enum CaseError {
         reason: &'static str,
     },
     /// The surfaces have no elliptical contact.
-    #[error("`body_1.radii`, `body_2.radii`: {source}{}", line_contact(source))]
+    #[error("{}`{field}`{others}: {source}{}", of_line(*line), line_contact(source))]
     Curvature {
+        /// The field of the first radii, with its path.
+        field: String,
+        /// Further fields of radii, after a comma.
+        others: &'static str,
+        /// Line, from 1.
+        line: usize,
         /// Why.
         source: CurvatureError,
     },
@@ -141,12 +147,10 @@ impl CaseError {
             | Self::Kind { field, .. }
             | Self::Range { field, .. }
             | Self::Conflict { field, .. }
+            | Self::Curvature { field, .. }
             | Self::Collision { field, .. } => field,
             Self::Torsion { .. } => "contact.torsion",
-            Self::Syntax { .. }
-            | Self::Several(_)
-            | Self::OtherKind { .. }
-            | Self::Curvature { .. } => "",
+            Self::Syntax { .. } | Self::Several(_) | Self::OtherKind { .. } => "",
         }
     }
 
@@ -160,9 +164,10 @@ impl CaseError {
             | Self::Kind { line, .. }
             | Self::Range { line, .. }
             | Self::Conflict { line, .. }
+            | Self::Curvature { line, .. }
             | Self::Collision { line, .. }
             | Self::Torsion { line, .. } => *line,
-            Self::Several(_) | Self::OtherKind { .. } | Self::Curvature { .. } => 0,
+            Self::Several(_) | Self::OtherKind { .. } => 0,
         }
     }
 
