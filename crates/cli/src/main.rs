@@ -3,10 +3,12 @@
 
 use carom_cli::command::{Carom, run};
 use carom_cli::error::CliError;
-use carom_cli::manner::asked_colour;
+use carom_cli::manner::{asked_colour, is_coloured};
 use carom_cli::output::{Results, is_open};
-use clap::{CommandFactory as _, FromArgMatches as _};
-use std::io::ErrorKind;
+use carom_cli::page::{hang, width};
+use clap::{ColorChoice, CommandFactory as _, FromArgMatches as _};
+use console::Term;
+use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -14,7 +16,7 @@ fn main() -> ExitCode {
     let matches = Carom::command().color(colour).try_get_matches();
     let arguments = match matches.and_then(|matches| Carom::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
-        Err(message) => return print_message(&message),
+        Err(message) => return print_message(&message, colour),
     };
     let mut results = Results::default();
     let messages = arguments.messages();
@@ -29,14 +31,25 @@ fn main() -> ExitCode {
 }
 
 /// Prints help and version to standard output, or errors in the options to standard error.
-fn print_message(message: &clap::Error) -> ExitCode {
+fn print_message(message: &clap::Error, colour: ColorChoice) -> ExitCode {
     if !message.use_stderr() && is_open().is_err() {
         return ExitCode::FAILURE;
     }
-    match message.print() {
+    match print_fitted(message, colour) {
         Err(error) if !message.use_stderr() && error.kind() != ErrorKind::BrokenPipe => {
             ExitCode::FAILURE
         }
         _ => ExitCode::from(u8::try_from(message.exit_code()).unwrap_or(2)),
     }
+}
+
+/// Prints it in lines as long as those of the terminal.
+fn print_fitted(message: &clap::Error, colour: ColorChoice) -> std::io::Result<()> {
+    let mut terminal = if message.use_stderr() { Term::stderr() } else { Term::stdout() };
+    let Some(width) = width(&terminal) else { return message.print() };
+    let text = match is_coloured(colour, true) {
+        true => message.render().ansi().to_string(),
+        false => message.render().to_string(),
+    };
+    terminal.write_all(hang(&text, width).as_bytes())
 }

@@ -17,7 +17,7 @@ pub struct Manner {
     color: ColorChoice,
     /// Number of threads; by default the number of cores. Results do not depend on it.
     #[arg(long, value_name = "COUNT", global = true)]
-    #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 
@@ -25,7 +25,10 @@ impl Manner {
     /// The message writer for these options.
     #[must_use]
     pub fn messages(&self) -> Messages {
-        Messages { is_quiet: self.quiet, is_coloured: is_coloured(self.color) }
+        Messages {
+            is_quiet: self.quiet,
+            is_coloured: is_coloured(self.color, std::io::stderr().is_terminal()),
+        }
     }
 
     /// The number of threads; `None` for the number of cores.
@@ -53,14 +56,16 @@ pub fn asked_colour(arguments: impl IntoIterator<Item = OsString>) -> ColorChoic
     choice
 }
 
-fn is_coloured(choice: ColorChoice) -> bool {
+/// Whether letters are coloured, on a terminal or elsewhere.
+#[must_use]
+pub fn is_coloured(choice: ColorChoice, is_terminal: bool) -> bool {
     let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     match choice {
         ColorChoice::Always => true,
         ColorChoice::Never => false,
         ColorChoice::Auto => {
             let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-            std::io::stderr().is_terminal() && !is_set("NO_COLOR") && !is_dumb
+            is_terminal && !is_set("NO_COLOR") && !is_dumb
         }
     }
 }

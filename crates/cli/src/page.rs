@@ -219,6 +219,36 @@ pub fn fold(text: &str, width: Option<usize>) -> String {
     folded.replace(TIED, " ")
 }
 
+/// A text of which a line that is too long goes on below its own beginning: below the words of a
+/// paragraph, or below the meaning beside a name, two spaces or more from it. Letters may be coloured.
+#[must_use]
+pub fn hang(text: &str, width: usize) -> String {
+    let mut hung = String::new();
+    for line in text.split_inclusive('\n') {
+        let indent = " ".repeat(beginning(&console::strip_ansi_codes(line), width));
+        let mut filled = 0;
+        for word in line.split_inclusive(' ') {
+            let is_begun = filled > indent.len();
+            if is_begun && filled + console::measure_text_width(word.trim_end()) > width {
+                hung.truncate(hung.trim_end_matches(' ').len());
+                hung += &format!("\n{indent}");
+                filled = indent.len();
+            }
+            hung.push_str(word);
+            filled += console::measure_text_width(word);
+        }
+    }
+    hung
+}
+
+/// Where the words of a line begin, beside a name if there is one on the left.
+fn beginning(line: &str, width: usize) -> usize {
+    let lead = line.len() - line.trim_start().len();
+    let Some((name, words)) = line[lead..].split_once("  ") else { return lead };
+    let beside = lead + name.chars().count() + 2 + (words.len() - words.trim_start().len());
+    if 2 * beside < width { beside } else { lead }
+}
+
 fn is_numeric(cell: &str) -> bool {
     matches!(cell, "" | "-") || cell.parse::<f64>().is_ok()
 }
@@ -316,6 +346,21 @@ mod tests {
             assert!(longest <= Some(width), "{width}: {longest:?}\n{text}");
             assert!(rows.iter().flatten().all(|cell| text.contains(cell.as_str())), "{text}");
         }
+    }
+
+    #[test]
+    fn a_meaning_goes_on_below_itself() {
+        assert_eq!(hang("  -q  print errors only\n", 18), "  -q  print errors\n      only\n");
+        assert_eq!(hang("    print errors only", 18), "    print errors\n    only");
+        assert_eq!(hang("print errors only", 18), "print errors only");
+        assert_eq!(
+            hang("--a-long-name-of-one  word and word", 24),
+            "--a-long-name-of-one\nword and word"
+        );
+        assert_eq!(
+            hang("\u{1b}[1mprint\u{1b}[0m errors only", 17),
+            "\u{1b}[1mprint\u{1b}[0m errors only"
+        );
     }
 
     #[test]

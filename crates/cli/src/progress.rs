@@ -1,6 +1,7 @@
 //! Progress of a computation that takes longer than two seconds: a bar on a terminal, lines in a log.
 
 use crate::manner::Messages;
+use crate::page::width;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -11,6 +12,8 @@ use std::time::{Duration, Instant};
 
 /// Refreshes of a bar per second.
 const REFRESHES_PER_SECOND: u8 = 5;
+/// Characters of the longest bar.
+const MOST: usize = 40;
 /// Nothing is told of what takes less.
 const SILENCE: Duration = Duration::from_secs(2);
 /// The longest time between two lines; it grows twofold up to this.
@@ -111,6 +114,11 @@ impl Log {
     }
 }
 
+/// Characters of the bar: a third of the line.
+fn bar_width() -> usize {
+    width(&console::Term::stderr()).map_or(MOST, |width| (width / 3).min(MOST))
+}
+
 impl Known {
     fn bar(&self) -> ProgressBar {
         let target = ProgressDrawTarget::stderr_with_hz(REFRESHES_PER_SECOND);
@@ -118,7 +126,10 @@ impl Known {
         let (bar, form) = match self.count {
             0 => (ProgressBar::with_draw_target(None, target), format!("{what}, {{elapsed}}")),
             count => {
-                let form = format!("{{bar:40}} {{pos}}/{{len}} {what} {{msg}}, {{eta}} left");
+                let form = format!(
+                    "{{bar:{}}} {{pos}}/{{len}} {what}, {{eta}} left {{wide_msg}}",
+                    bar_width()
+                );
                 (ProgressBar::with_draw_target(Some(count as u64), target), form)
             }
         };

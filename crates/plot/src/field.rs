@@ -45,7 +45,7 @@ impl Field {
         Ok(Self { label, x, y, values, kinds: Vec::new() })
     }
 
-    /// A map of cells, each of one of the named kinds or of none, with a legend of the kinds
+    /// A map of cells, each of one of the named kinds or of none, with a legend of the kinds that occur
     /// instead of a colour bar. `x` and `y` are the centres of the cells; rows as in
     /// [`Field::new`].
     ///
@@ -71,13 +71,22 @@ impl Field {
             return Err(PlotError::Kind { kind, count });
         }
         let values = kinds.into_iter().map(|kind| kind.map_or(0.0, |kind| kind as f64 + 1.0));
-        let field = Self::new(names.join(", "), x, y, values.collect())?;
-        Ok(Self { kinds: names, ..field })
+        let mut field = Self::new(names.join(", "), x, y, values.collect())?;
+        field.kinds = names;
+        field.label = field.present().map(|(_, name)| name).collect::<Vec<_>>().join(", ");
+        Ok(field)
     }
 
     /// The names of the kinds; none for a field of values.
     pub(crate) fn kinds(&self) -> &[String] {
         &self.kinds
+    }
+
+    /// The kinds of which there are cells, with their numbers from 1.
+    pub(crate) fn present(&self) -> impl Iterator<Item = (usize, &str)> {
+        let is_there = |number: &usize| self.values.iter().any(|value| *value as usize == *number);
+        let kinds = self.kinds.iter().enumerate().map(|(i, name)| (i + 1, name.as_str()));
+        kinds.filter(move |(number, _)| is_there(number))
     }
 
     /// The ends of an axis over these nodes: the first and the last node, or beyond the cells of a

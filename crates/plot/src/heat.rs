@@ -6,6 +6,7 @@ use crate::draw::thinned;
 use crate::error::PlotError;
 use crate::field::Field;
 use crate::panel::Axis;
+use crate::plot::between;
 use crate::raster::indexed_png;
 use crate::span::{Span, with_power};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
@@ -30,6 +31,8 @@ const MAX_PIXELS: usize = 4096;
 const BAR_WIDTH: f64 = 14.0;
 /// Space for the bar beside the axes.
 pub(crate) const BAR_SPACE: f64 = 106.0;
+/// Height of a kind in the legend.
+const KIND_HEIGHT: f64 = 22.0;
 /// Distance of bar and legend from the axes.
 const GAP: f64 = 14.0;
 /// Clear where there is no kind, then a colour for each: colour-blind readers distinguish the first
@@ -63,9 +66,21 @@ impl<'a> Heat<'a> {
 
     /// Space beside the axes for the bar or the legend of the kinds.
     pub(crate) fn aside(&self) -> f64 {
-        let widths = self.field.kinds().iter().map(|name| text_width(name, Type::LEGEND.size));
-        let widest = widths.reduce(f64::max);
-        widest.map_or(BAR_SPACE, |width| width + GAP + BAR_WIDTH + 14.0)
+        if self.field.kinds().is_empty() {
+            return BAR_SPACE;
+        }
+        let widths = self.field.present().map(|(_, name)| text_width(name, Type::LEGEND.size));
+        widths.reduce(f64::max).map_or(0.0, |width| width + GAP + BAR_WIDTH + 14.0)
+    }
+
+    /// The place of a legend beside the axes: below the kinds, or beyond the bar.
+    pub(crate) fn clear_of_aside(&self, legend: Frame) -> Frame {
+        match self.field.kinds().is_empty() {
+            true => Frame { x: legend.x + BAR_SPACE, ..legend },
+            false => {
+                Frame { y: legend.y + KIND_HEIGHT * self.field.present().count() as f64, ..legend }
+            }
+        }
     }
 
     /// The colours of the image.
@@ -167,9 +182,9 @@ impl<'a> Heat<'a> {
     }
 
     fn draw_kinds(&self, svg: &mut Svg, bar: Frame) {
-        for (i, name) in self.field.kinds().iter().enumerate() {
-            let y = bar.y + 22.0 * i as f64;
-            let [red, green, blue] = kind_colour(i + 1);
+        for (i, (kind, name)) in self.field.present().enumerate() {
+            let y = bar.y + KIND_HEIGHT * i as f64;
+            let [red, green, blue] = kind_colour(kind);
             let look = format!("fill=\"#{red:02x}{green:02x}{blue:02x}\" stroke=\"#444\"");
             svg.rect(Frame { y, height: BAR_WIDTH, ..bar }, &look);
             let at = Pixel { x: bar.x + BAR_WIDTH + 7.0, y: y + 0.5 * BAR_WIDTH + 4.5 };
@@ -224,7 +239,9 @@ fn number_place(
     let (_, line) =
         long.filter(|(length, _)| *length > SHORTEST).max_by(|a, b| a.0.total_cmp(&b.0))?;
     let inner = frame.grown(-0.5 * APART[0]);
-    let free = line.iter().copied().filter(|at| inner.holds(*at) && !is_taken(*at));
+    let sides = line.windows(2).flat_map(|ends| between(ends[0], ends[1]));
+    let all = line.iter().copied().chain(sides);
+    let free = all.filter(|at| inner.holds(*at) && !is_taken(*at));
     free.min_by(|a, b| a.x.total_cmp(&b.x))
 }
 
@@ -339,6 +356,23 @@ mod tests {
         let colours: Vec<&[u8]> = pixels.chunks(4).map(|pixel| &pixel[..3]).collect();
         assert_eq!(colours[..3], [KINDS[1], KINDS[1], KINDS[2]]);
         assert_eq!((kind_colour(1), kind_colour(6)), (KINDS[1], KINDS[1]));
+    }
+
+    #[test]
+    fn a_kind_without_cells_is_not_in_the_legend() {
+        let nodes = vec![0.0, 1.0];
+        let slips = vec![Some(1); 4];
+        let field = Field::of_kinds(["stick", "slip"], nodes.clone(), nodes, slips).unwrap();
+        assert_eq!(field.present().collect::<Vec<_>>(), [(2, "slip")]);
+        assert_eq!(field.label, "slip");
+        let mut svg = Svg::default();
+        let frame = Frame { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        Heat::new(&field).unwrap().draw_aside(&mut svg, frame);
+        let text = svg.finish(1.0, 1.0, "");
+        let [red, green, blue] = kind_colour(2);
+        assert!(
+            text.contains(&format!("#{red:02x}{green:02x}{blue:02x}")) && !text.contains("stick")
+        );
     }
 
     #[test]

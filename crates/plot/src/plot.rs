@@ -108,9 +108,10 @@ impl<'a> Plot<'a> {
     fn place_of_legend(&self, frame: Frame) -> Option<Frame> {
         self.legend.free_corner(frame, &self.inked(frame)).or_else(|| match self.outside {
             Outside::Below => self.legend.below(frame, self.axes.height()),
-            // The space beside the axes is used by the colour bar.
-            Outside::Beside if self.heat.is_some() => None,
-            Outside::Beside => self.legend.beside(frame),
+            Outside::Beside => {
+                let place = self.legend.beside(frame)?;
+                Some(self.heat.as_ref().map_or(place, |heat| heat.clear_of_aside(place)))
+            }
         })
     }
 
@@ -132,12 +133,11 @@ impl<'a> Plot<'a> {
 
     /// Space needed for a colour bar or legend beside the axes.
     fn aside(&self) -> Option<f64> {
-        if let Some(heat) = &self.heat {
-            return Some(heat.aside());
-        }
         let frame = self.axes.frame_at(Pixel { x: 0.0, y: 0.0 });
         let end = self.place_of_legend(frame).map(|place| place.x + place.width);
-        end.map(|end| end - frame.x - frame.width).filter(|beyond| *beyond > 0.0)
+        let legend = end.map(|end| end - frame.x - frame.width).filter(|beyond| *beyond > 0.0);
+        let bar = self.heat.as_ref().map(Heat::aside);
+        bar.into_iter().chain(legend).reduce(f64::max)
     }
 
     pub(crate) fn draw(&self, svg: &mut Svg, corner: Pixel, clip: &str) -> Result<(), PlotError> {
@@ -206,7 +206,7 @@ fn check_finite(panel: &Panel) -> Result<(), PlotError> {
 }
 
 /// Pixels on the line from one to the other.
-fn between(from: Pixel, to: Pixel) -> impl Iterator<Item = Pixel> {
+pub(crate) fn between(from: Pixel, to: Pixel) -> impl Iterator<Item = Pixel> {
     let steps = (libm::hypot(to.x - from.x, to.y - from.y) / 8.0).min(200.0) as usize;
     (1..=steps).map(move |i| {
         let part = i as f64 / (steps + 1) as f64;
@@ -217,6 +217,7 @@ fn between(from: Pixel, to: Pixel) -> impl Iterator<Item = Pixel> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::Field;
 
     fn panel() -> Panel {
         Panel::new(Axis::linear("x"), Axis::linear("y"))
@@ -237,6 +238,31 @@ mod tests {
             ));
         }
         assert!(Plot::new(&dense).unwrap().aside().is_some());
+    }
+
+    /// Beside the axes, clear of the bar or of the kinds.
+    #[test]
+    fn a_line_over_a_field_keeps_its_name() {
+        let nodes = vec![0.0, 1.0];
+        let bar = Field::new("p", nodes.clone(), nodes.clone(), vec![0.0, 1.0, 2.0, 3.0]).unwrap();
+        let kinds = vec![Some(0), Some(1), None, Some(1)];
+        let kinds = Field::of_kinds(["stick", "slip"], nodes.clone(), nodes, kinds).unwrap();
+        for (field, is_bar) in [(bar, true), (kinds, false)] {
+            let mut dense = panel().over(field);
+            for i in 0..48 {
+                let height = f64::from(i) / 24.0 - 0.5;
+                let line = [(-0.5, height), (1.5, height)];
+                dense.add(Series::line(if i == 0 { "leading edge" } else { "" }, line));
+            }
+            let plot = Plot::new(&dense).unwrap();
+            let frame = plot.axes.frame_at(Pixel { x: 0.0, y: 0.0 });
+            let place = plot.place_of_legend(frame).unwrap();
+            let aside = plot.heat.as_ref().unwrap().aside();
+            let end = frame.x + frame.width;
+            assert!(place.x > end && (place.x >= end + aside || place.y >= frame.y + 44.0));
+            assert_eq!(place.x >= end + aside, is_bar);
+            assert!(plot.aside().unwrap() >= place.x + place.width - end);
+        }
     }
 
     #[test]

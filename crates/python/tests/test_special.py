@@ -88,5 +88,5 @@ def test_errors_name_field_value_and_place():
         special.inc_f(1.0, 2.0)
     with pytest.raises(carom.CaromError, match="infinite at 1"):
         special.hyp2f1(1, 1, 2, 1.0)
-    with pytest.raises(ValueError, match="argument 1: must be real numbers"):
+    with pytest.raises(ValueError, match="axis_ratio: must be real numbers"):
         special.k("round")

@@ -44,8 +44,8 @@ CALLS = {
     "force": lambda x: carom.hertz(HERTZ, force=x),
     "stress": carom.von_mises,
     "y": lambda x: carom.stress((1.0, 1.0), RUBBER, 1.0, 0.0, x, 1.0),
-    "argument 2": lambda x: carom.restitution(1.2, x),
-    "argument 1": carom.special.k,
+    "lam": lambda x: carom.restitution(1.2, x),
+    "axis_ratio": carom.special.k,
     "path": lambda x: carom.Contact(HERTZ, 0.3).follow([1e-6], x),
 }
 
@@ -184,3 +184,12 @@ def test_other_words():
     for parts in ([1.0] * 5, 1.0):
         with pytest.raises(ValueError, match="^stress has the shape"):
             carom.von_mises(parts)
+
+
+@pytest.mark.parametrize("wrong", [None, 3, "ball"])
+def test_what_is_no_body_is_named(wrong):
+    for call in (carom.collide, carom.collide_many, carom.history):
+        with pytest.raises(TypeError, match="^body_2: must be a Body"):
+            call(BALL, wrong, 0.5)
+        with pytest.raises(TypeError, match="^body_1: must be a Body"):
+            call(wrong, FLOOR, 0.5)

@@ -43,10 +43,12 @@ pub enum CaseError {
         valid: String,
     },
     /// A necessary field is missing.
-    #[error("`{field}` is missing: must be {allowed}")]
+    #[error("{}`{field}` is missing: must be {allowed}", of_line(*line))]
     Missing {
         /// The field with its path.
         field: String,
+        /// Line of the table that lacks it, from 1; 0 for the whole file.
+        line: usize,
         /// What it must be.
         allowed: String,
     },
@@ -87,8 +89,14 @@ pub enum CaseError {
         reason: &'static str,
     },
     /// The surfaces have no elliptical contact.
-    #[error("`body_1.radii`, `body_2.radii`: {source}{}", line_contact(source))]
+    #[error("{}`{field}`{others}: {source}{}", of_line(*line), line_contact(source))]
     Curvature {
+        /// The field of the first radii, with its path.
+        field: String,
+        /// Further fields of radii, after a comma.
+        others: &'static str,
+        /// Line, from 1.
+        line: usize,
         /// Why.
         source: CurvatureError,
     },
@@ -114,6 +122,11 @@ pub enum CaseError {
     },
 }
 
+/// The line in words; nothing for 0.
+fn of_line(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
 /// What to do with a line contact, which is not elliptical.
 const fn line_contact(error: &CurvatureError) -> &'static str {
     match error {
@@ -134,12 +147,10 @@ impl CaseError {
             | Self::Kind { field, .. }
             | Self::Range { field, .. }
             | Self::Conflict { field, .. }
+            | Self::Curvature { field, .. }
             | Self::Collision { field, .. } => field,
             Self::Torsion { .. } => "contact.torsion",
-            Self::Syntax { .. }
-            | Self::Several(_)
-            | Self::OtherKind { .. }
-            | Self::Curvature { .. } => "",
+            Self::Syntax { .. } | Self::Several(_) | Self::OtherKind { .. } => "",
         }
     }
 
@@ -149,15 +160,14 @@ impl CaseError {
         match self {
             Self::Syntax { line, .. }
             | Self::Unknown { line, .. }
+            | Self::Missing { line, .. }
             | Self::Kind { line, .. }
             | Self::Range { line, .. }
             | Self::Conflict { line, .. }
+            | Self::Curvature { line, .. }
             | Self::Collision { line, .. }
             | Self::Torsion { line, .. } => *line,
-            Self::Several(_)
-            | Self::OtherKind { .. }
-            | Self::Missing { .. }
-            | Self::Curvature { .. } => 0,
+            Self::Several(_) | Self::OtherKind { .. } => 0,
         }
     }
 

@@ -39,8 +39,15 @@ pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<
     let angle = contact.map_or(Ok(0.0), |contact| contact.number(&ANGLE))?;
     let materials = MaterialPair::new(material_1, material_2)
         .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
-    let curvature = RelativeCurvature::new(radii_1, radii_2, angle.to_radians())
-        .map_err(|source| CaseError::Curvature { source })?;
+    let curvature =
+        RelativeCurvature::new(radii_1, radii_2, angle.to_radians()).map_err(|source| {
+            CaseError::Curvature {
+                field: case.path(&[&BODY_1, &RADII]),
+                others: ", `body_2.radii`",
+                line: case.line([&BODY_1, &RADII]),
+                source,
+            }
+        })?;
     let hertz = Hertz::new(curvature, materials)
         .map_err(|error| case.out_of_range([&BODY_1, &RADII], error.value, error.allowed))?;
     let curvatures = [radii_1, radii_2].map(|radii| radii.curvatures()).concat();

@@ -51,7 +51,14 @@ impl Uncertainty {
                 let reason = "no field is uncertain; give one as a distribution";
                 return Err(case.conflict(&UNCERTAINTY, [&CONTACT, &FRICTION], reason));
             }
-            (true, _) => {}
+            (true, false) => {
+                let uncertain = inputs.iter().find(|input| input.distribution().is_some());
+                let name = uncertain.map_or("", |input| input.field);
+                let table = "a table, headed [uncertainty], with `samples` and `seed`";
+                let why = format!("{table}, since `{name}` is a distribution");
+                return Err(case.missing_as(&UNCERTAINTY, why));
+            }
+            (true, true) => {}
         }
         let settings = case.section(&UNCERTAINTY)?;
         let (samples, seed) = (settings.count(&SAMPLES)?, settings.number(&SEED)? as u64);

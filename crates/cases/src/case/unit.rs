@@ -189,6 +189,21 @@ impl Dimension {
     }
 }
 
+impl Dimension {
+    /// What may be meant by a text that is not read: a unit in other letters, or a percentage.
+    pub(super) fn meant(self, text: &str) -> String {
+        let Some((number, unit)) = split(text) else { return String::new() };
+        if let ("%", Self::None, Ok(percent)) = (unit.as_str(), self, number.parse::<f64>()) {
+            return format!("; {number} % is {}", percent / 100.0);
+        }
+        let mut alike = self.unit_names().filter(|name| name.eq_ignore_ascii_case(&unit));
+        match (alike.next(), alike.next()) {
+            (Some(name), None) => format!("; did you mean \"{number} {name}\"?"),
+            _ => String::new(),
+        }
+    }
+}
+
 impl Scale {
     fn apply(self, number: &str) -> Option<f64> {
         let value: f64 = number.parse().ok()?;
@@ -244,6 +259,16 @@ impl Range {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_unit_in_other_letters_and_a_percentage_are_understood() {
+        assert_eq!(Dimension::Pressure.meant("208 Gpa"), "; did you mean \"208 GPa\"?");
+        // Milli or mega?
+        assert_eq!(Dimension::Force.meant("3 Mn"), "");
+        assert_eq!(Dimension::None.meant("20 %"), "; 20 % is 0.2");
+        assert_eq!(Dimension::Length.meant("20 %"), "");
+        assert_eq!(Dimension::Length.meant("ten mm"), "");
+    }
 
     #[test]
     fn texts_with_units_are_the_numbers_they_stand_for() {

@@ -161,7 +161,7 @@ fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError>
     let kinds = section.given([&NORMAL, &LOG_NORMAL, &UNIFORM, &TRIANGULAR]);
     match (sweep.as_slice(), kinds.as_slice()) {
         ([], [kind]) => read_distribution(section, kind, measure).map(Variation::Uncertain),
-        ([], []) => Err(section.missing_as(&NORMAL, KINDS)),
+        ([], []) => Err(section.empty(KINDS)),
         (_, []) => spaced(section, measure).map(Variation::Sweep),
         ([], several) => Err(section.several(several, "give one of them")),
         ([one, ..], [other, ..]) => {

@@ -4,6 +4,7 @@ use crate::command::kind;
 use crate::error::CliError;
 use crate::output::{Answer, Format};
 use crate::outputs::Outputs;
+use crate::page::{fold, width};
 use carom_cases::case::CaseKind;
 use std::path::{Path, PathBuf};
 
@@ -26,11 +27,24 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let Arguments { kind, short, schema } = arguments;
     let text = if *short { kind.begin_short() } else { kind.begin() };
+    let text =
+        width(&console::Term::stdout()).map_or_else(|| text.clone(), |width| fitted(&text, width));
     let Some(given) = schema else { return Ok(Answer { text, ..Answer::default() }) };
     let path = given.clone().unwrap_or_else(|| format!("{}.schema.json", kind.name()).into());
     let place = Outputs::of_command(Format::Csv)?.file("schema", &path)?;
     let text = directive(&path) + &text;
     Ok(Answer { text, file: Some((place, kind.json_schema().into_bytes())), ..Answer::default() })
+}
+
+/// The case with comments that fit the lines of a terminal.
+fn fitted(text: &str, width: usize) -> String {
+    let line = |line: &str| match line.strip_prefix("# ") {
+        Some(words) => {
+            fold(words, Some(width - 2)).lines().map(|line| format!("# {line}\n")).collect()
+        }
+        None => format!("{line}\n"),
+    };
+    text.lines().map(line).collect()
 }
 
 /// The line by which editors find the schema, in the folder of the case.

@@ -34,7 +34,8 @@ impl<T> Course<'_, T> {
     }
 
     /// A panel with paths of one quantity over another. Paths that are zero beside the others are left
-    /// out and named in the title; one that lies on an earlier one is dashed, so that both are seen.
+    /// out and named in the title, and paths that stay at one place; one that lies on an earlier one is
+    /// dashed, so that both are seen.
     pub(super) fn paths(
         &self,
         title: &str,
@@ -48,14 +49,26 @@ impl<T> Course<'_, T> {
         let most = paths.iter().map(|(.., value)| greatest(*value)).fold(0.0, f64::max);
         let is_there =
             |path: &&(&str, Value<T>, Value<T>)| most == 0.0 || greatest(path.2) > VANISHES * most;
-        let absent = paths.iter().filter(|path| !is_there(path));
-        let absent: String = absent.map(|(name, ..)| format!(", {name} = 0")).collect();
-        let mut panel =
-            Panel::new(Axis::linear(x), Axis::linear(y)).titled(format!("{title}{absent}"));
+        let absent = paths.iter().filter(|path| !is_there(path)).map(|(name, ..)| *name);
+        let mut panel = Panel::new(Axis::linear(x), Axis::linear(y)).titled(without(title, absent));
+        let widest = |of: &dyn Fn(usize) -> Value<T>| {
+            (0..paths.len()).map(|i| self.spread(of(i))).fold(0.0, f64::max)
+        };
+        let (wide, high) = (widest(&|i| paths[i].1), widest(&|i| paths[i].2));
+        let is_point =
+            |along, value| self.spread(along) < POINT * wide && self.spread(value) < POINT * high;
         for (name, along, value) in paths.iter().filter(is_there) {
-            self.draw(&mut panel, name, *along, *value);
+            if !is_point(*along, *value) {
+                self.draw(&mut panel, name, *along, *value);
+            }
         }
         panel
+    }
+
+    /// The difference of the greatest and the smallest value.
+    fn spread(&self, value: Value<T>) -> f64 {
+        let values = || self.records.iter().chain(self.marked).map(value);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     }
 
     fn draw(&self, panel: &mut Panel, name: &str, x: Value<T>, y: Value<T>) {
@@ -67,8 +80,17 @@ impl<T> Course<'_, T> {
     }
 }
 
+/// The title of a panel without these quantities, which are zero.
+pub(super) fn without<'a>(title: &str, absent: impl Iterator<Item = &'a str>) -> String {
+    let quantity = |name: &'a str| name.split(" against ").next().unwrap_or(name);
+    let zeros: String = absent.map(|name| format!(", {} = 0", quantity(name))).collect();
+    format!("{title}{zeros}").trim_start_matches(", ").to_owned()
+}
+
 /// A quantity below this part of the greatest one beside it is zero but for what the solution is solved to.
-const VANISHES: f64 = 1e-6;
+pub(super) const VANISHES: f64 = 1e-6;
+/// A path within this part of the others, both along and across, is a point.
+const POINT: f64 = 0.01;
 /// Lines closer than this part of their greatest value lie on each other.
 const ALIKE: f64 = 1e-3;
 

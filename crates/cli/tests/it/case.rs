@@ -83,7 +83,10 @@ fn every_missing_field_is_named() {
         ("[contact]\nfriction = 0.092", "contact"),
     ] {
         let message = error(&changed(line, ""));
-        assert!(message.starts_with(&format!("`{field}` is missing: must be ")), "{message}");
+        let said = format!("`{field}` is missing: must be ");
+        assert!(message.contains(&said), "{message}");
+        // In a table of the file, with its line.
+        assert_eq!(message.starts_with("line "), field.contains('.'), "{message}");
     }
 }
 
@@ -102,7 +105,7 @@ fn a_motion_that_is_not_given_is_zero_but_one_body_moves() {
     let message = ImpactFile::parse(&still).unwrap_err().to_string();
     let expected =
         "`body_1.velocity` is missing: must be three numbers [x, y, z] (or `[approach]`)";
-    assert_eq!(message, expected);
+    assert!(message.contains(expected), "{message}");
 }
 
 #[test]
@@ -164,9 +167,9 @@ fn values_of_the_wrong_kind_are_named() {
     insta::assert_snapshot!(error(&changed("rigid = true", "rigid = 1")), @"line 11: `body_2.material.rigid` = 1 is out of range: must be true or false");
     insta::assert_snapshot!(error("contact = 3"), @r"
     3 errors
-    line 1: `contact` = 3 is out of range: must be a table
-    `body_1` is missing: must be a table
-    `body_2` is missing: must be a table
+    line 1: `contact` = 3 is out of range: must be a table, headed [contact]
+    `body_1` is missing: must be a table, headed [body_1]; the body on the side to which z points
+    `body_2` is missing: must be a table, headed [body_2]; the other body
     ");
 }
 

@@ -85,7 +85,7 @@ fn bad_contacts_end_with_code_2() {
         (
             "hertz",
             SPHERE.replace("0.01", "[0.01, inf]") + "[load]\nforce = 1\n",
-            "touch along a line",
+            "line 2: `body_1.radii`, `body_2.radii`: the surfaces touch along a line",
         ),
         (
             "history",

@@ -41,7 +41,12 @@ impl Groups {
     pub fn of_spheres(kappa: f64, lambda: f64) -> Result<Self, RangeError> {
         // Computed from nu, 3/2 may come out above itself by round-off.
         let holds = kappa > 0.75 && kappa <= 1.5 * (1.0 + 4.0 * f64::EPSILON);
-        RangeError::check("kappa", kappa, holds, "in (0.75, 1.5]")?;
+        RangeError::check(
+            "kappa",
+            kappa,
+            holds,
+            "in (0.75, 1.5], for Poisson's ratios from -1 to 1/2",
+        )?;
         RangeError::check("lambda", lambda, lambda >= 0.0, ">= 0")?;
         Self::new(3.5 / kappa, lambda / kappa)
     }

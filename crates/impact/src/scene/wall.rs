@@ -266,7 +266,7 @@ fn unit(field: &'static str, vector: [f64; 3]) -> Result<Vector3<f64>, RangeErro
     }
     let vector = Vector3::from(vector);
     let largest = vector.amax();
-    RangeError::check(field, largest, largest > 0.0, "not the zero vector")?;
+    RangeError::check(field, largest, largest > 0.0, "a vector other than zero")?;
     // Scaled first: no overflow.
     let scaled = vector / largest;
     Ok(scaled / scaled.norm())

@@ -81,9 +81,9 @@ def counted(name: str, x: object, each: int = 1) -> int:
     raise error
 
 
-def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:
+def over(function: Callable[..., Array], /, **arguments: ArrayLike) -> Numbers:
     """Applies a native function to broadcast arguments; numbers in give a number."""
-    arrays = np.broadcast_arrays(*(numbers(f"argument {i}", x) for i, x in enumerate(arguments, 1)))
+    arrays = np.broadcast_arrays(*(numbers(name, x) for name, x in arguments.items()))
     values = function(*(line(x) for x in arrays)).reshape(arrays[0].shape)
     return values if values.ndim else float(values)
 

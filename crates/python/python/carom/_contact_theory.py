@@ -148,7 +148,7 @@ def restitution(
         return restitution_of_dissimilar(kappa, lam, gamma, friction, mobility_ratio=ratio, exact=exact).R_x
     if not (gamma is None and friction is None and mobility_ratio is None):
         raise TypeError("restitution() takes gamma and friction together, and mobility_ratio with them")
-    return over(partial(_carom.restitution, exact=exact), kappa, lam)
+    return over(partial(_carom.restitution, exact=exact), kappa=kappa, lam=lam)
 
 
 @overload
@@ -231,7 +231,7 @@ def restitution_of_groups(chi: ArrayLike, psi: ArrayLike, *, exact: bool = False
     >>> round(restitution_of_groups(3.5 / 1.2, 2.0 / 1.2) - restitution(1.2, 2.0), 7)
     0.0
     """
-    return over(partial(_carom.restitution_of_groups, exact=exact), chi, psi)
+    return over(partial(_carom.restitution_of_groups, exact=exact), chi=chi, psi=psi)
 
 
 @of_one
@@ -241,13 +241,13 @@ def lubkin_torque(twist: ArrayLike) -> Numbers:
     `twist` is G a^2 Omega/(f F_z), from 0 to 160, with `MaterialPair.shear_modulus`. The torque is 16/3 of
     a small twist, and 3 pi/16 for complete sliding.
     """
-    return over(partial(_carom.lubkin, "torque"), twist)
+    return over(partial(_carom.lubkin, "torque"), twist=twist)
 
 
 @of_one
 def lubkin_stick_radius(twist: ArrayLike) -> Numbers:
     """The stick radius over the contact radius of a circular contact twisted as in `lubkin_torque`."""
-    return over(partial(_carom.lubkin, "stick_radius"), twist)
+    return over(partial(_carom.lubkin, "stick_radius"), twist=twist)
 
 
 def stress(

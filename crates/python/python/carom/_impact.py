@@ -35,8 +35,16 @@ def plane(material: Material) -> Body:
     return Body("plane", [], material)
 
 
+def _bodies(*bodies: object) -> None:
+    """Checks that these are bodies."""
+    for number, body in enumerate(bodies, 1):
+        if not isinstance(body, Body):
+            raise TypeError(f"body_{number}: must be a Body, such as carom.sphere(...), not {type(body).__name__}")
+
+
 def _along(body_1: Body, body_2: Body, normal: Vector | None) -> Vector | None:
     """The common normal. Bodies with a given position are moved only if `normal` is passed explicitly."""
+    _bodies(body_1, body_2)
     if normal is UP and (any(body_1.centre) or any(body_2.centre)):
         raise ValueError("normal: must be given if a body has a centre; None if the bodies touch at their given positions")
     return normal
@@ -134,6 +142,7 @@ def collide_many(
     >>> rebound.body_1_velocity.shape, rebound.R_x.shape
     ((7, 3), (7,))
     """
+    _bodies(body_1, body_2)
     default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
     names = ("body_1_velocity", "body_1_spin", "body_2_velocity", "body_2_spin")
     told = zip(names, (body_1_velocity, body_1_spin, body_2_velocity, body_2_spin), default, strict=True)

@@ -28,19 +28,19 @@ __all__ = ["b", "c", "d", "e", "gamma", "hyp2f1", "hyp3f2", "inc_d", "inc_e", "i
 @of_one
 def k(axis_ratio: ArrayLike) -> Numbers:
     """K, the complete elliptic integral of the first kind, of the axis ratio a/b > 0."""
-    return over(partial(_carom.complete, "k"), axis_ratio)
+    return over(partial(_carom.complete, "k"), axis_ratio=axis_ratio)
 
 
 @of_one
 def e(axis_ratio: ArrayLike) -> Numbers:
     """E, the complete elliptic integral of the second kind, of the axis ratio a/b > 0."""
-    return over(partial(_carom.complete, "e"), axis_ratio)
+    return over(partial(_carom.complete, "e"), axis_ratio=axis_ratio)
 
 
 @of_one
 def d(axis_ratio: ArrayLike) -> Numbers:
     """D = (K - E)/k^2, of the axis ratio a/b > 0."""
-    return over(partial(_carom.complete, "d"), axis_ratio)
+    return over(partial(_carom.complete, "d"), axis_ratio=axis_ratio)
 
 
 @of_one
@@ -50,31 +50,31 @@ def b(axis_ratio: ArrayLike) -> Numbers:
     >>> b(1e-9) + d(1e-9) == k(1e-9)
     True
     """
-    return over(partial(_carom.complete, "b"), axis_ratio)
+    return over(partial(_carom.complete, "b"), axis_ratio=axis_ratio)
 
 
 @of_one
 def c(axis_ratio: ArrayLike) -> Numbers:
     """C = (D - B)/k^2, of the axis ratio a/b > 0."""
-    return over(partial(_carom.complete, "c"), axis_ratio)
+    return over(partial(_carom.complete, "c"), axis_ratio=axis_ratio)
 
 
 @of_two
 def inc_f(axis_ratio: ArrayLike, phi: ArrayLike) -> Numbers:
     """F, the incomplete elliptic integral of the first kind, phi from 0 to pi/2."""
-    return over(partial(_carom.incomplete, "f"), axis_ratio, phi)
+    return over(partial(_carom.incomplete, "f"), axis_ratio=axis_ratio, phi=phi)
 
 
 @of_two
 def inc_e(axis_ratio: ArrayLike, phi: ArrayLike) -> Numbers:
     """E, the incomplete elliptic integral of the second kind, phi from 0 to pi/2."""
-    return over(partial(_carom.incomplete, "e"), axis_ratio, phi)
+    return over(partial(_carom.incomplete, "e"), axis_ratio=axis_ratio, phi=phi)
 
 
 @of_two
 def inc_d(axis_ratio: ArrayLike, phi: ArrayLike) -> Numbers:
     """D = (F - E)/k^2, incomplete, phi from 0 to pi/2."""
-    return over(partial(_carom.incomplete, "d"), axis_ratio, phi)
+    return over(partial(_carom.incomplete, "d"), axis_ratio=axis_ratio, phi=phi)
 
 
 @of_one
@@ -84,13 +84,13 @@ def gamma(x: ArrayLike) -> Numbers:
     >>> gamma(5.0)
     24.0
     """
-    return over(_carom.gamma, x)
+    return over(_carom.gamma, x=x)
 
 
 @of_one
 def ln_gamma(x: ArrayLike) -> Numbers:
     """The logarithm of the gamma function."""
-    return over(_carom.ln_gamma, x)
+    return over(_carom.ln_gamma, x=x)
 
 
 @overload
@@ -101,7 +101,7 @@ def hyp2f1(a: float, b: float, c: float, x: Several) -> Array: ...
 def hyp2f1(a: float, b: float, c: float, x: ArrayLike) -> Numbers: ...
 def hyp2f1(a: float, b: float, c: float, x: ArrayLike) -> Numbers:
     """Gauss's hypergeometric function 2F1(a, b; c; x), x from 0 to 1; a, b and c from -5 to 5, c no pole."""
-    return over(partial(_carom.hyp2f1, a, b, c), x)
+    return over(partial(_carom.hyp2f1, a, b, c), x=x)
 
 
 @overload
@@ -112,4 +112,4 @@ def hyp3f2(s: float, a: float, b: float, c: float, x: Several) -> Array: ...
 def hyp3f2(s: float, a: float, b: float, c: float, x: ArrayLike) -> Numbers: ...
 def hyp3f2(s: float, a: float, b: float, c: float, x: ArrayLike) -> Numbers:
     """3F2(s, a, b; s + 1, c; x), x from 0 to 1."""
-    return over(partial(_carom.hyp3f2, s, a, b, c), x)
+    return over(partial(_carom.hyp3f2, s, a, b, c), x=x)

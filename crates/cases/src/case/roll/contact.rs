@@ -125,7 +125,12 @@ pub(super) fn read(
         RelativeCurvature::from_coefficients(0.5 / x, 0.5 / y)
             .and_then(|curvature| Ok(Hertz::new(curvature, materials)?))
     };
-    let hertz = made.map_err(|source| CaseError::Curvature { source })?;
+    let hertz = made.map_err(|source| CaseError::Curvature {
+        field: contact.path(&field),
+        others: "",
+        line: contact.line(field),
+        source,
+    })?;
     let loaded = hertz
         .at_force(force)
         .map_err(|error| contact.out_of_range(&FORCE, error.value, error.allowed))?;

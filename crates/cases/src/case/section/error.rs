@@ -3,7 +3,7 @@
 use super::spelling::{line_at, shortened};
 use super::{Place, Section};
 use crate::case::error::CaseError;
-use crate::case::field::{Field, Need};
+use crate::case::field::{Field, Form, Need};
 use crate::case::unit::Measure;
 use carom_special::RangeError;
 use carom_special::nearest;
@@ -32,6 +32,15 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("angular_velocity", "spin"),
     ("F", "force"),
     ("nx", "cells"),
+    ("g", "gravity"),
+    ("elongation", "dilatation"),
+    ("from", "start"),
+    ("to", "stop"),
+    ("n", "count"),
+    ("gauss", "normal"),
+    ("gaussian", "normal"),
+    ("std", "sd"),
+    ("sigma", "sd"),
 ];
 
 /// The field that the name of another program stands for, if the table has it.
@@ -49,6 +58,10 @@ impl Section<'_> {
         shape: Option<&str>,
         valid: &[&'static str],
     ) -> CaseError {
+        // Rather a field that is missing than one that is there.
+        let is_absent =
+            |name: &&&'static str| !self.table.iter().any(|(key, _)| key.get_ref() == **name);
+        let absent: Vec<&'static str> = valid.iter().filter(is_absent).copied().collect();
         let table = match self.path.as_str() {
             "" => "a case".to_owned(),
             path => format!("`{path}`"),
@@ -60,7 +73,9 @@ impl Section<'_> {
                 Some(shape) => format!("{table} of shape {shape:?}"),
                 None => table,
             },
-            nearest: meant(name, valid).or_else(|| nearest(name, valid)),
+            nearest: meant(name, valid)
+                .or_else(|| nearest(name, &absent))
+                .or_else(|| nearest(name, valid)),
             valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
         }
     }
@@ -74,10 +89,28 @@ impl Section<'_> {
     /// The error of a missing field.
     #[must_use]
     pub(in crate::case) fn missing(&self, field: &Field) -> CaseError {
-        let allowed = field.allowed();
-        match field.need {
-            Need::Or(others) => self.missing_as(field, format!("{allowed} (or {others})")),
-            _ => self.missing_as(field, allowed),
+        let allowed = self.told(field);
+        let meaning = field.meaning.split(';').next().unwrap_or_default();
+        let unit = field.measure().map_or("", |measure| measure.dimension.unit());
+        let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
+        let others = match field.need {
+            Need::Or(others) => format!(" (or {others})"),
+            _ => String::new(),
+        };
+        self.missing_as(field, format!("{allowed}{others}; {meaning}{unit}"))
+    }
+
+    /// What is allowed for a field; of a table, how it is headed.
+    fn told(&self, field: &Field) -> String {
+        let name: String = self
+            .full(field.name)
+            .split(']')
+            .map(|part| part.split('[').next().unwrap_or(part))
+            .collect();
+        match field.form {
+            Form::Table(_) => format!("{}, headed [{name}]", field.allowed()),
+            Form::Tables(_) => format!("{}: [[{name}]]", field.allowed()),
+            _ => field.allowed(),
         }
     }
 
@@ -88,7 +121,8 @@ impl Section<'_> {
         place: impl Place,
         allowed: impl Into<String>,
     ) -> CaseError {
-        CaseError::Missing { field: self.path(&place), allowed: allowed.into() }
+        let (field, allowed) = (self.path(&place), allowed.into());
+        CaseError::Missing { field, line: self.line, allowed }
     }
 
     /// The error of a value that a later check rejects, reported at its field.
@@ -126,7 +160,7 @@ impl Section<'_> {
     #[must_use]
     pub(in crate::case) fn unfit(&self, place: impl Place, allowed: String) -> CaseError {
         let field = self.path(&place);
-        let Some(value) = self.find(&place) else { return CaseError::Missing { field, allowed } };
+        let Some(value) = self.find(&place) else { return self.missing_as(place, allowed) };
         let line = line_at(self.source, value.span().start);
         let found = shortened(self.source.get(value.span()).unwrap_or("?").trim());
         CaseError::Kind { field, line, found, allowed }
@@ -161,13 +195,28 @@ impl Section<'_> {
         match given {
             [one, other, ..] => self.conflict(*other, *one, reason),
             [one] => self.missing(one),
-            [] => CaseError::Missing { field: self.path.clone(), allowed: reason.to_owned() },
+            [] => CaseError::Missing {
+                field: self.path.clone(),
+                line: self.line,
+                allowed: reason.to_owned(),
+            },
         }
     }
 
     /// The error of a value of the wrong kind.
     pub(super) fn wrong(&self, field: &Field, value: &Spanned<DeValue<'_>>) -> CaseError {
-        self.kind(field.name, value, &field.allowed())
+        self.kind(field.name, value, &self.told(field))
+    }
+
+    /// The error of a table in the place of a number that has nothing in it.
+    #[must_use]
+    pub(in crate::case) fn empty(&self, allowed: &str) -> CaseError {
+        CaseError::Kind {
+            field: self.path.clone(),
+            line: self.line,
+            found: "{}".to_owned(),
+            allowed: allowed.to_owned(),
+        }
     }
 
     pub(super) fn kind(

@@ -19,6 +19,8 @@ use toml::de::{DeTable, DeValue};
 pub(super) struct Section<'a> {
     source: &'a str,
     path: String,
+    /// Its line; 0 for the top table.
+    line: usize,
     table: &'a DeTable<'a>,
     fields: &'static [Field],
     /// Collects numbers that vary, where the case allows them.
@@ -53,7 +55,7 @@ impl<'a> Section<'a> {
         table: &'a DeTable<'a>,
         fields: &'static [Field],
     ) -> Result<Self, CaseError> {
-        let section = Self { source, path: String::new(), table, fields, varied: None };
+        let section = Self { source, path: String::new(), line: 0, table, fields, varied: None };
         section.check(None).map(|()| section)
     }
 
@@ -86,7 +88,8 @@ impl<'a> Section<'a> {
         match value.get_ref() {
             DeValue::Table(table) => {
                 let path = self.full(name);
-                let section = Self { source: self.source, path, table, fields, varied: None };
+                let line = self.line_of(value);
+                let section = Self { source: self.source, path, line, table, fields, varied: None };
                 section.check(None).map(|()| section)
             }
             _ => Err(self.kind(name, value, "a table")),
@@ -149,6 +152,7 @@ impl<'a> Section<'a> {
         match value.get_ref() {
             DeValue::Table(table) => Ok(Self {
                 path: self.full(field.name),
+                line: self.line_of(value),
                 table,
                 fields: field.fields(),
                 ..self.clone()
@@ -363,7 +367,11 @@ impl<'a> Section<'a> {
             }),
             // The error shows the value as written.
             Some(_) => Err(self.kind(name, value, range.allowed())),
-            None => Err(self.kind(name, value, &dimension.allowed(range))),
+            None => {
+                let meant =
+                    value.get_ref().as_str().map_or_else(String::new, |t| dimension.meant(t));
+                Err(self.kind(name, value, &(dimension.allowed(range) + &meant)))
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ use toml::de::DeValue;
 pub(in crate::case) fn all(kind: CaseKind, source: &str, first: CaseError) -> CaseError {
     if let CaseError::Syntax { line, column, message } = first {
         let wrong = source.lines().nth(line.saturating_sub(1)).unwrap_or("");
-        let message = message + number_meant(wrong) + &advice(kind, source);
+        let message = twice(message, wrong, column) + &number_meant(wrong) + &advice(kind, source);
         return CaseError::Syntax { line, column, message };
     }
     let mut errors = survey(kind, source);
@@ -46,8 +46,20 @@ fn advice(kind: CaseKind, source: &str) -> String {
     }
 }
 
-/// What may be meant by a line that is not TOML: numbers as other languages write them.
-fn number_meant(line: &str) -> &'static str {
+/// The parser's message with the name of a field or table that stands in the file twice.
+fn twice(message: String, line: &str, column: usize) -> String {
+    let is_name = |letter: &char| letter.is_alphanumeric() || "_-.".contains(*letter);
+    match message == "duplicate key" {
+        true => {
+            let name: String = line.chars().skip(column).take_while(is_name).collect();
+            format!("`{name}` is given a second time; leave one of the two out")
+        }
+        false => message,
+    }
+}
+
+/// What may be meant by a line that is not TOML: numbers as other languages write them, or a text.
+fn number_meant(line: &str) -> String {
     let value = line.split('#').next().and_then(|line| line.split_once('=')).map_or("", |(_, v)| v);
     let has_decimal_comma = !value.contains(['[', '{', '"'])
         && value.split_once(',').is_some_and(|(whole, part)| {
@@ -55,10 +67,21 @@ fn number_meant(line: &str) -> &'static str {
             is_digit(whole.chars().next_back()) && is_digit(part.chars().next())
         });
     match () {
-        () if value.contains('\u{2212}') => "; the minus sign of a number is a hyphen, -",
-        () if has_decimal_comma => "; a number has a decimal point, as 0.3",
-        () => "",
+        () if value.contains('\u{2212}') => {
+            "; the minus sign of a number is a hyphen, -".to_owned()
+        }
+        () if has_decimal_comma => "; a number has a decimal point, as 0.3".to_owned(),
+        () if is_bare_text(value) => format!("; write \"{}\"", value.trim()),
+        () => String::new(),
     }
+}
+
+/// Whether these are words, or a number with a unit, without quotes.
+fn is_bare_text(value: &str) -> bool {
+    let is_plain = |letter: char| letter.is_alphanumeric() || " ._-+/^%".contains(letter);
+    let is_word =
+        |word: &str| word.starts_with(char::is_alphabetic) && word.parse::<f64>().is_err();
+    value.chars().all(is_plain) && value.split_whitespace().any(is_word)
 }
 
 /// The kind of case of which this text has at most half as many errors.
@@ -77,7 +100,8 @@ fn other_kind(kind: CaseKind, source: &str, count: usize) -> Option<CaseKind> {
 fn survey(kind: CaseKind, source: &str) -> Vec<CaseError> {
     let Ok(table) = parse(source) else { return Vec::new() };
     let fields = kind.fields();
-    let top = Section { source, path: String::new(), table: table.get_ref(), fields, varied: None };
+    let path = String::new();
+    let top = Section { source, path, line: 0, table: table.get_ref(), fields, varied: None };
     let mut found = Found { may_vary: !kind.varied().is_empty(), ..Found::default() };
     found.table(&top);
     found.wrong.sort_by_key(|error| error.line());
@@ -118,8 +142,8 @@ impl Found {
     fn value<'a>(&mut self, section: &Section<'a>, field: &Field, value: &'a Spanned<DeValue<'a>>) {
         let error = match (field.form, value.get_ref()) {
             (Form::Table(fields), DeValue::Table(table)) => {
-                let path = section.full(field.name);
-                self.table(&Section { path, table, fields, ..section.clone() });
+                let (path, line) = (section.full(field.name), section.line_of(value));
+                self.table(&Section { path, line, table, fields, ..section.clone() });
                 return;
             }
             (Form::Tables(fields), DeValue::Array(items)) => {
@@ -127,7 +151,8 @@ impl Found {
                     match item.get_ref() {
                         DeValue::Table(table) => {
                             let path = section.full(&format!("{}[{i}]", field.name));
-                            self.table(&Section { path, table, fields, ..section.clone() });
+                            let line = section.line_of(item);
+                            self.table(&Section { path, line, table, fields, ..section.clone() });
                         }
                         _ => self.wrong.push(section.wrong(field, value)),
                     }
@@ -246,7 +271,9 @@ frition = 0.2
         line 12: unknown field `contact.frition`, did you mean `friction`? `contact` takes `friction`, `law`, `torsion`, `normal_restitution`, `wave_loss`, `relaxation`, `point`, `point_1`, `point_2`, `search`
           12 | frition = 0.2
              | ^^^^^^^
-        `body_2.material` is missing: must be a table
+        line 7: `body_2.material` is missing: must be a table, headed [body_2.material]; material: two elastic constants, or rigid, and the yield stress if it is known
+          7 | [body_2]
+            |  ^^^^^^
         "#);
     }
 
@@ -270,7 +297,12 @@ frition = 0.2
         let minus = said("friction = \u{2212}0.3");
         assert!(minus.contains("is a hyphen, -"), "{minus}");
         let twice = said("friction = 0.1\nfriction = 0.2");
+        assert!(twice.contains("`friction` is given a second time"), "{twice}");
         assert!(twice.ends_with("\n  3 | friction = 0.2\n    | ^"), "{twice}");
+        let bare = said("radius = 10 mm");
+        assert!(bare.contains("; write \"10 mm\""), "{bare}");
+        let word = said("law = coulomb # the default");
+        assert!(word.contains("; write \"coulomb\""), "{word}");
     }
 
     #[test]

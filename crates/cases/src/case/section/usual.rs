@@ -16,7 +16,7 @@ impl CaseKind {
         let Ok(table) = parse(source) else { return Vec::new() };
         let (fields, path) = (self.fields(), String::new());
         let mut found = Vec::new();
-        let top = Section { source, path, table: table.get_ref(), fields, varied: None };
+        let top = Section { source, path, line: 0, table: table.get_ref(), fields, varied: None };
         look(&top, &mut found);
         found
     }

@@ -30,7 +30,7 @@ pub(super) struct Arguments {
     pub(super) given: CaseArguments,
     /// Also give the tangential traction after each step, at this number of radii from the centre
     /// to the edge.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     tractions: Option<u32>,
 }
 

@@ -2,6 +2,7 @@
 
 mod movie;
 mod plot;
+mod sweep;
 mod table;
 mod uncertain;
 mod view;
@@ -38,7 +39,7 @@ pub(super) struct Arguments {
     pub(super) given: CaseArguments,
     /// Also give the history of the impact at this many instants; not for a sweep. For bodies other than
     /// spheres and planes, values are interpolated linearly between computed steps.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     history: Option<u32>,
     /// Draw the moving bodies, the contact and the forces into this SVG file, which a browser shows; instead
     /// of --plot, and not for a sweep. A .png or .pdf shows one frame.
@@ -149,7 +150,7 @@ fn sweep(
     check_count(format, values.len())?;
     let swept = Parameter::of(input, 0.0).name;
     let mut rows = Rows::new(format).showing([&[swept][..], &table::OF_SWEEP].concat());
-    let mut drawn = plot.is_some().then(|| plot::Sweep::new(values));
+    let mut drawn = plot.is_some().then(|| sweep::Sweep::new(values));
     let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
     let mut what = "impacts";
     for block in values.chunks(BLOCK) {
@@ -179,7 +180,7 @@ fn sweep(
             drawn.add_between(&records(path, file, block)?);
         }
         match drawn.draw(input) {
-            Some(drawn) => picture = Some((to, drawn)),
+            Some(drawn) => picture = Some(arguments.given.drawn(to, drawn)),
             None => warnings.push(NOTHING_TO_DRAW.to_owned()),
         }
     }

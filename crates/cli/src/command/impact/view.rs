@@ -56,11 +56,6 @@ impl Record {
         &self.case.collision
     }
 
-    /// R_x, if there is one.
-    pub(super) fn restitution(&self) -> Option<f64> {
-        self.rebound()?.r_x
-    }
-
     /// The motions before and after, of body 1 and body 2.
     pub(super) fn motions(&self) -> [[Motion; 2]; 2] {
         [self.case.collision.bodies().each_ref().map(Body::motion), self.outcome.motions()]

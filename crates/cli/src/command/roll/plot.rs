@@ -1,7 +1,7 @@
 //! The picture of a rolling contact.
 
 use super::contact::{contact, line};
-use crate::command::plot::{Value, add_curve};
+use crate::command::plot::{VANISHES, Value, add_curve, without};
 use crate::command::solve::plot::pressures;
 use crate::error::CliError;
 use crate::output::Picture;
@@ -13,6 +13,9 @@ use carom_solver::Driven;
 
 /// Marks where rows make no curve.
 const MARKS: [Marker; 2] = [Marker::Circle, Marker::Square];
+
+/// A torque below this part of the friction limit times the width of the contact is round-off.
+const ROUND_OFF: f64 = 1e-9;
 
 /// What varies between rows.
 enum Varying {
@@ -51,6 +54,27 @@ fn varying(case: &RollCase) -> Varying {
     }
 }
 
+/// A quantity of a row that is drawn.
+struct Drawn {
+    title: &'static str,
+    axis: &'static str,
+    of: Value<Row>,
+}
+
+/// The torque, or the spin of a body that turns freely.
+fn twist(rows: &[Row]) -> Drawn {
+    let is_torque =
+        |row: &Row| row.load.m_z.abs() > ROUND_OFF * row.limit * libm::sqrt(row.contact_area);
+    match rows.iter().any(is_torque) || rows.iter().all(|row| row.creepage.spin == 0.0) {
+        true => Drawn { title: "torque on body 1", axis: "M_z / N m", of: |row| row.load.m_z },
+        false => Drawn {
+            title: "spin without a torque",
+            axis: "spin / (rad/m)",
+            of: |row| row.creepage.spin,
+        },
+    }
+}
+
 pub(super) fn draw(case: &RollCase, rolled: &Rolled) -> Result<Picture, CliError> {
     let (rows, state, middle) = (rolled.rows.as_slice(), &rolled.state, rolled.window.middle());
     let (mut panels, mut rest) = (Vec::new(), Vec::new());
@@ -79,22 +103,30 @@ pub(super) fn draw(case: &RollCase, rolled: &Rolled) -> Result<Picture, CliError
         let panel = |title: &str, axis: &str| {
             Panel::new(Axis::linear(label), Axis::linear(axis)).titled(title)
         };
-        let mut forces = panel("forces on body 1", "force/(f F_z)");
         let axes: [(&str, Value<Row>); 2] =
             [("F_x", |row| row.load.f_x), ("F_y", |row| row.load.f_y)];
+        let is_there =
+            |force: Value<Row>| rows.iter().any(|row| force(row).abs() > VANISHES * row.limit);
+        let absent = axes.iter().filter(|(_, force)| !is_there(*force)).map(|(name, _)| *name);
+        let mut forces = panel(&without("forces on body 1", absent), "force/(f F_z)");
         for (i, (name, force)) in axes.into_iter().enumerate() {
+            if !is_there(force) {
+                continue;
+            }
+            let colour = forces.series.iter().filter(|series| !series.label.is_empty()).count();
             let line = points(&|row| force(row) / row.limit);
             add(&mut forces, name, line);
             if is_curve && sorted.iter().all(|(_, row)| row.springs.is_some()) {
                 let springs = points(&|row| {
                     row.springs.map_or(0.0, |both| [both.f_x, both.f_y][i]) / row.limit
                 });
-                forces.add(Series::dashed(format!("{name}, FASTSIM"), springs).coloured(i));
+                forces.add(Series::dashed(format!("{name}, FASTSIM"), springs).coloured(colour));
             }
         }
         panels.push(forces);
-        let mut torque = panel("torque on body 1", "M_z / N m");
-        let line = points(&|row| row.load.m_z);
+        let twist = twist(rows);
+        let mut torque = panel(twist.title, twist.axis);
+        let line = points(&twist.of);
         add(&mut torque, "", line);
         let turns = |drive: &RollingDrive| drive.spin != Driven::Shift(0.0);
         if case.drives.iter().any(turns) {

@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     pub(super) given: CaseArguments,
     /// Also give the ball at this many instants of every flight; as CSV, these replace the bounces.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     points: Option<u32>,
 }
 

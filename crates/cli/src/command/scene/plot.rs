@@ -13,8 +13,12 @@ use std::f64::consts::TAU;
 const INSTANTS: usize = 41;
 /// Largest number of balls drawn; more would hide the path.
 const MOST_BALLS: usize = 12;
-/// Largest number of bounces with their numbers; more would hide each other.
-const MOST_NUMBERED: usize = 20;
+/// The size of a number beside a bounce, as a part of the picture's width and height.
+const NUMBER: [f64; 2] = [0.032, 0.045];
+/// The palette's dark grey.
+const DARK: usize = 6;
+/// Width over height of the axes.
+const ASPECT: f64 = 1.42;
 const AXES: [&str; 3] = ["x / m", "y / m", "z / m"];
 
 /// The two axes of the picture and its limits.
@@ -22,6 +26,26 @@ struct View {
     axes: [usize; 2],
     low: [f64; 2],
     high: [f64; 2],
+}
+
+impl View {
+    /// The bounces that have their numbers, from 1: those far enough from the ones before.
+    fn numbered(&self, places: &[(f64, f64)]) -> Vec<(usize, (f64, f64))> {
+        let size = [0, 1].map(|axis| self.high[axis] - self.low[axis]);
+        // Both axes have the same unit.
+        let unit = size[0].max(size[1] * ASPECT);
+        let room = [NUMBER[0] * unit, NUMBER[1] * unit / ASPECT];
+        let mut numbered: Vec<(usize, (f64, f64))> = Vec::new();
+        for (i, place) in places.iter().enumerate() {
+            let is_clear = |(_, other): &(usize, (f64, f64))| {
+                (place.0 - other.0).abs() > room[0] || (place.1 - other.1).abs() > room[1]
+            };
+            if numbered.iter().all(is_clear) {
+                numbered.push((i + 1, *place));
+            }
+        }
+        numbered
+    }
 }
 
 /// The drawn parts of a path, collected leg by leg.
@@ -74,10 +98,9 @@ impl<'a> Course<'a> {
             panel.add(Series::area("", circle(flat(centre), radius)).coloured(0));
         }
         panel.add(Series::line("centre of the ball", centres.into_iter().map(flat)).coloured(0));
-        if contacts.len() <= MOST_NUMBERED {
-            for (i, contact) in contacts.iter().enumerate() {
-                panel.add(Series::note((i + 1).to_string(), flat(*contact)));
-            }
+        let places: Vec<_> = contacts.iter().map(|contact| flat(*contact)).collect();
+        for (number, place) in view.numbered(&places) {
+            panel.add(Series::note(number.to_string(), place).coloured(DARK));
         }
         if !contacts.is_empty() {
             let contacts = contacts.into_iter().map(flat);

@@ -49,7 +49,7 @@ pub(super) struct Arguments {
     resume: bool,
     /// Also give the stress in both bodies after the last step, at this number of depths below the
     /// maximum pressure.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     depths: Option<u32>,
 }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::limits::limits;
-use crate::command::plot::Course;
+use crate::command::plot::{Course, Value};
 use crate::error::CliError;
 use crate::output::Picture;
 use carom_cases::case::SolveCase;
@@ -13,6 +13,8 @@ use carom_solver::{CellState, ContactState, Contour, StepSummary};
 
 /// Approaches that differ by less than this part are the same, solved to a tolerance.
 const SAME: f64 = 1e-6;
+/// Loads below this part of the normal force are round-off.
+const ROUND_OFF: f64 = 1e-10;
 /// Largest number of arrows along an axis.
 const MAX_ARROWS: usize = 40;
 
@@ -34,31 +36,43 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
     if state.pressure.values().iter().any(|p| *p > 0.0) {
         let middle = followed.window.middle();
         panels.push(pressures(state, middle)?);
-        // The smoothed outline of single cells in a row is empty.
-        let outlines = stick_and_slip(state, middle);
-        panels.extend((!outlines.series.is_empty()).then_some(outlines));
         let tractions = [&state.traction_x, &state.traction_y];
-        if tractions.iter().any(|t| t.values().iter().any(|t| *t != 0.0)) {
-            rest.push(sizes(state, f));
-            rest.push(angles(state));
+        let is_sheared = tractions.iter().any(|t| t.values().iter().any(|t| *t != 0.0));
+        // The smoothed outline of single cells in a row is empty.
+        let outlines = Some(stick_and_slip(state, middle));
+        let outlines = outlines.filter(|panel| !panel.series.is_empty());
+        if is_sheared {
+            panels.extend(outlines);
+            rest.extend([sizes(state, f), angles(state)]);
+        } else {
+            rest.extend(outlines.map(|panel| panel.titled("contact, outline smoothed")));
         }
     }
     Ok(Picture::new("Contact on a grid", panels).with(rest))
 }
 
-/// Loads over the motions that change.
+/// Loads over the motions that change; over the steps the motions that need no load.
 fn curves(course: &Course<'_, StepSummary>) -> Vec<Panel> {
     let steps = course.records;
     let mut panels = Vec::new();
+    let greatest =
+        |of: Value<StepSummary>| steps.iter().map(|step| of(step).abs()).fold(0.0, f64::max);
+    let force = greatest(|s| s.load.f_z);
+    let shears = greatest(|s| s.load.f_x).max(greatest(|s| s.load.f_y)) > ROUND_OFF * force;
     if steps.iter().any(|step| step.shift.xi != 0.0 || step.shift.eta != 0.0) {
-        panels.push(course.paths(
-            "load curves",
-            ["shift / m", "force / N"],
-            &[
-                ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
-                ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
-            ],
-        ));
+        let free: [(&str, Value<StepSummary>); 2] = [("ξ", |s| s.shift.xi), ("η", |s| s.shift.eta)];
+        panels.push(if !shears {
+            course.panel("shift without a force", "shift / m", &free)
+        } else {
+            course.paths(
+                "load curves",
+                ["shift / m", "force / N"],
+                &[
+                    ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
+                    ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
+                ],
+            )
+        });
     }
     let first = steps[0].shift.zeta;
     if steps.iter().any(|step| (step.shift.zeta - first).abs() > SAME * first.abs()) {
@@ -68,12 +82,16 @@ fn curves(course: &Course<'_, StepSummary>) -> Vec<Panel> {
             &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
         ));
     }
+    let torque = ROUND_OFF * force * libm::sqrt(greatest(|s| s.contact_area));
     if steps.iter().any(|step| step.shift.omega != 0.0) {
-        panels.push(course.paths(
-            "torque",
-            ["ω / rad", "torque / N m"],
-            &[("M_z against ω", |s| s.shift.omega, |s| s.load.m_z)],
-        ));
+        panels.push(match greatest(|s| s.load.m_z) > torque {
+            true => course.paths(
+                "torque",
+                ["ω / rad", "torque / N m"],
+                &[("M_z against ω", |s| s.shift.omega, |s| s.load.m_z)],
+            ),
+            false => course.panel("twist without a torque", "ω / rad", &[("", |s| s.shift.omega)]),
+        });
     }
     panels
 }

@@ -3,14 +3,15 @@
 mod field;
 
 use crate::columns::{self, Record};
+use crate::command::plot::{Course, Value};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::stress::{self, Solved, StressPoint};
 use carom_cases::theory::Heed;
 use carom_laws::hertz::HertzState;
-use carom_plot::{Axis, Field, Marker, Panel, PlotError, Series};
-use carom_table::{Value, row};
+use carom_plot::{Field, Marker, Panel, PlotError, Series};
+use carom_table::row;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -83,6 +84,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(answer.cautioned(caution, format))
 }
 
+/// The stresses along a line.
+const STRESSES: [(&str, Value<StressPoint>); 7] = [
+    ("s_xx", |point| point.stress.xx),
+    ("s_yy", |point| point.stress.yy),
+    ("s_zz", |point| point.stress.zz),
+    ("s_xy", |point| point.stress.xy),
+    ("s_yz", |point| point.stress.yz),
+    ("s_zx", |point| point.stress.zx),
+    ("von Mises", |point| point.stress.von_mises()),
+];
+
 /// The equivalent stress over the plane of the points, or the stresses along their line.
 fn draw(solved: &Solved) -> Result<Picture, PlotError> {
     let Solved { case, points, greatest, .. } = solved;
@@ -109,14 +121,12 @@ fn draw(solved: &Solved) -> Result<Picture, PlotError> {
         panel.add(Series::markers("greatest", Marker::Cross, [most]));
         return Ok(Picture::new(&title, [panel]));
     }
-    let along = many.first().copied().unwrap_or(2);
-    let mut panel = Panel::new(Axis::linear(NAMES[along]), Axis::linear("stress / Pa"));
-    for column in &StressPoint::COLUMNS[3..10] {
-        let line = points.iter().filter_map(|point| match column.value(point) {
-            Value::Number(stress) => Some((place(along, point.at[along]), stress)),
-            _ => None,
-        });
-        panel.add(Series::line(column.name().replace("von_mises", "von Mises"), line));
-    }
-    Ok(Picture::new(&title, [panel]))
+    let (label, at): (&str, Value<StressPoint>) = match (many.first(), case.is_in_body_1) {
+        (Some(0), _) => (NAMES[0], |point| point.at[0]),
+        (Some(1), _) => (NAMES[1], |point| point.at[1]),
+        (_, true) => (NAMES[2], |point| point.at[2]),
+        (_, false) => (NAMES[2], |point| -point.at[2]),
+    };
+    let course = Course { records: points, marked: &[], label, at };
+    Ok(Picture::new(&title, [course.panel("", "stress / Pa", &STRESSES)]))
 }

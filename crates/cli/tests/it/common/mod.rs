@@ -141,8 +141,8 @@ pub(crate) fn examples(kind: CaseKind) -> Vec<(String, String)> {
     found
 }
 
-/// What was told without lines of progress, which come on a slow machine.
+/// What was told without lines of progress, which come on a slow machine, with colours or without.
 pub(crate) fn without_progress(told: &str) -> String {
-    let is_progress = |line: &&str| line.starts_with("progress: ");
+    let is_progress = |line: &&str| console::strip_ansi_codes(line).starts_with("progress: ");
     told.split_inclusive('\n').filter(|line| !is_progress(line)).collect()
 }

@@ -126,9 +126,26 @@ elements = 8
 #[test]
 fn rows_without_order_are_points() {
     let (rows, drawn) = both(&["roll", &example("roll_spinning.toml")], "picture_spinning.svg");
-    let forces = drawn.iter().find(|panel| panel.title == "forces on body 1").unwrap();
+    let forces = drawn.iter().find(|panel| panel.title.starts_with("forces")).unwrap();
     assert_eq!(forces.x.label, "number of the row");
     assert!(forces.lines.is_empty() && forces.marks.len() >= rows.as_array().unwrap().len());
+}
+
+/// What slips everywhere has no name for cells that stick; a force or torque that is zero is no curve.
+#[test]
+fn the_picture_of_rolling_leaves_out_what_is_not_there() {
+    let drawn = |name: &str| {
+        let picture = fresh("picture_left_out.svg");
+        stdout(&["roll", &example(name), "--plot", picture.to_str().unwrap()]);
+        std::fs::read_to_string(&picture).unwrap()
+    };
+    let slides = drawn("roll_wet_rail.toml");
+    assert!(slides.contains(">slip<") && !slides.contains(">stick<"));
+    let turns = panels(&drawn("roll_free_to_turn.toml"));
+    let titles: Vec<_> = turns.iter().map(|panel| panel.title.as_str()).collect();
+    assert!(titles.contains(&"forces on body 1, F_x = 0"), "{titles:?}");
+    assert!(titles.contains(&"spin without a torque"), "{titles:?}");
+    assert!(turns.iter().any(|panel| panel.legend.contains_key("leading edge")));
 }
 
 /// A punch beside the origin is drawn where it is: outlines and arrows.

@@ -54,7 +54,7 @@ friction = 0.15
             ),
             (
                 "contact",
-                ["time / s", "radius, semi-axis / m"],
+                ["time / s", "radius / m"],
                 over(&[["contact", "semi_axis_a"], ["stick", "stick_radius"]]),
             ),
         ],
@@ -73,7 +73,7 @@ fn the_picture_of_an_elliptic_impact_shows_both_axes() {
     let rows: Vec<Value> =
         rows.iter().filter(|row| number(row, "semi_axis_b") > 0.5 * largest).cloned().collect();
     assert!(rows.len() > 3);
-    shows(&drawn, &rows, &[("contact", ["time / s", "radius, semi-axis / m"], curves)]);
+    shows(&drawn, &rows, &[("contact", ["time / s", "semi-axis / m"], curves)]);
 }
 
 #[test]
@@ -109,6 +109,25 @@ angle = [10, 25, 40, 60, 80]
             ("", [label, "spin_y of body 1 afterwards / rad/s"], named("body_1_spin.1")),
         ],
     );
+}
+
+/// Of a head-on impact, in which nothing moves across, the velocity along the normal and the energy.
+#[test]
+fn the_picture_of_a_sweep_shows_what_varies() {
+    let picture = common::fresh("picture_head_on.svg");
+    let plot = ["impact", &example("ice_balls.toml"), "--plot", picture.to_str().unwrap()];
+    let panels = |more: &[&str]| -> Vec<String> {
+        common::stdout(&[&plot[..], more].concat());
+        let drawn = common::picture::panels(&std::fs::read_to_string(&picture).unwrap());
+        drawn.into_iter().map(|panel| panel.y.label).collect()
+    };
+    let main = panels(&[]);
+    let expected =
+        ["normal restitution", "v_z of body 1 afterwards / m/s", "energy lost in the material / J"];
+    let without_prefix = |label: &String| label.replace("/ mJ", "/ J").replace("mm/s", "m/s");
+    assert_eq!(main.iter().map(without_prefix).collect::<Vec<_>>(), expected);
+    let all = panels(&["--panels", "all"]);
+    assert!(all.len() == 12 && all[..3] == main[..] && all.contains(&"R_x".to_owned()), "{all:?}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use carom_plot::{Axis, Panel, Series};
 use carom_shells::bellows::WallPoint;
 use std::f64::consts::PI;
 
-/// The meridian at rest and after the last load, force over elongation (or over pressure), and the
+/// The meridian at rest and after the last load, force over dilatation (or over pressure), and the
 /// stresses along the meridian.
 pub(in super::super) fn draw(solved: &FollowedBellows) -> Picture {
     let mut panels: Vec<Panel> = Vec::new();
@@ -77,7 +77,7 @@ fn forces(solved: &FollowedBellows) -> Option<Panel> {
         let course = Course { records: &rows, marked: &rows, label: "pressure / Pa", at };
         let value: (&str, &str, Value<State>) = match varies(2) {
             true => ("thrust over pressure", "thrust on the anchors / N", |state| -state[2]),
-            false => ("elongation over pressure", "dilatation / m", |state| state[0]),
+            false => ("dilatation over pressure", "dilatation / m", |state| state[0]),
         };
         return Some(course.panel(value.0, value.1, &[("", value.2)]));
     }
@@ -92,7 +92,7 @@ fn forces(solved: &FollowedBellows) -> Option<Panel> {
     course.sort_by(|one, other| one[0].total_cmp(&other[0]));
     let mut panel =
         Course { records: &course, marked: &rows, label: "dilatation / m", at: |s| s[0] }.panel(
-            "force over elongation",
+            "force over dilatation",
             "force / N",
             &[("computed", |state| state[2])],
         );
