@@ -1,5 +1,8 @@
 //! Discretisation errors, estimated from the same solution on three nested grids.
 
+use carom_laws::law::{ContactLoad, Shift};
+
+use super::border::{Border, NORMAL, ROUND_OFF, TANGENTIAL, TORSIONAL};
 use super::contour::Contour;
 use crate::state::{CellState, ContactState};
 
@@ -8,12 +11,22 @@ const DIFFERENCE_RATIOS: [f64; 2] = [1.5, 4.0];
 
 /// The least part of the error of one component in that of the other.
 const LEAST_PART: f64 = 0.25;
-/// Values that differ by less than this part are given, and met by the solution to its tolerance.
-const ROUND_OFF: f64 = 1e-7;
 
 /// A traction has an edge at the border of the grid if it is greatest there and exceeds the value
 /// in the next cell by this factor.
 const EDGE_RATIO: f64 = 1.01;
+
+/// How much more a contact gives way along the surface than along the normal: 1 to 1.5 times where it sticks, twice that
+/// near sliding.
+const TANGENTIAL_COMPLIANCE: f64 = 2.0;
+/// The same of a twist at the radius of the contact.
+const TORSIONAL_COMPLIANCE: f64 = 3.0;
+
+/// The error of the greatest pressure, which lies between cells, often near an edge: this part of what it exceeds its four
+/// neighbours by.
+const PART_OF_EXCESS: f64 = 0.3;
+/// Its bounds, over the differences between grids.
+const PARTS_OF_DIFFERENCE: [f64; 2] = [0.45, 2.0];
 
 /// The smallest contact spot that a grid may miss, in cells: two by two.
 const CELLS_OF_A_MISSED_SPOT: f64 = 4.0;
@@ -76,19 +89,63 @@ impl Estimated {
     }
 }
 
-/// Both components of a force or a shift. In first order a component whose values on three grids agree by
+/// Both components of a force or a shift in first order. A component whose values on three grids agree by
 /// chance still has a part of the error of the other one.
-fn both(components: [Estimated; 2], order: MeshOrder) -> [Estimated; 2] {
-    let least = match order {
-        MeshOrder::First => LEAST_PART * components[0].error.max(components[1].error),
-        MeshOrder::Second => 0.0,
-    };
+fn both_of_first_order(components: [[f64; 3]; 2]) -> [Estimated; 2] {
+    let components = components.map(Estimated::of_first_order);
+    let least = LEAST_PART * components[0].error.max(components[1].error);
     // A given value has no error.
     let raised = |own: Estimated| Estimated { error: own.error.max(least), ..own };
     components.map(|own| if own.error > ROUND_OFF * own.value.abs() { raised(own) } else { own })
 }
 
+/// How tangential values converge.
+#[derive(Debug, Clone, Copy)]
+struct Along {
+    order: MeshOrder,
+    /// Whether tractions are greatest at an edge.
+    at_edge: bool,
+}
+
+impl Along {
+    /// Both components of a force or a shift.
+    fn both(self, components: [[f64; 3]; 2], at_border: f64) -> [Estimated; 2] {
+        match self.order {
+            MeshOrder::First => both_of_first_order(components),
+            MeshOrder::Second if self.at_edge => components.map(Estimated::of_edge),
+            MeshOrder::Second => TANGENTIAL.of_both(components, at_border),
+        }
+    }
+
+    /// A torque or a twist.
+    fn turned(
+        self,
+        values: [f64; 3],
+        beside: [[f64; 3]; 2],
+        radius: f64,
+        at_border: f64,
+    ) -> Estimated {
+        match self.order {
+            MeshOrder::First => Estimated::of_first_order(values),
+            MeshOrder::Second if self.at_edge => Estimated::of_edge(values),
+            MeshOrder::Second => TORSIONAL.of_turned(values, beside, radius, at_border),
+        }
+    }
+}
+
 impl ContactState {
+    /// The radius of a circle of the size of the contact; that of a cell without contact.
+    fn radius(&self) -> f64 {
+        let touching = self.pressure.values().iter().filter(|p| **p > 0.0).count().max(1);
+        (touching as f64 * self.pressure.grid().cell_area() / std::f64::consts::PI).sqrt()
+    }
+
+    /// The approach over the force; 0 without a force.
+    fn compliance(&self) -> f64 {
+        let force = self.load().f_z;
+        if force > 0.0 { self.shift.zeta.abs() / force } else { 0.0 }
+    }
+
     /// Whether a traction is greatest in a cell at the border of the contact, as under a punch. At
     /// the border of the grid it must also decrease inwards: a periodic traction has no edge.
     fn peaks_at_the_edge(&self, traction: impl Fn(usize) -> f64) -> bool {
@@ -110,6 +167,34 @@ impl ContactState {
             (None, None) => false,
         };
         most > 0.0 && (0..2).any(|axis| ends(axis, 1) || ends(axis, -1))
+    }
+
+    /// The greatest pressure with its error, from that on three grids.
+    fn estimated_peak(&self, values: [f64; 3], at_edge: bool, border: Border) -> Estimated {
+        if at_edge {
+            return Estimated::of_edge(values);
+        }
+        if border.normal == 0.0 {
+            return Estimated::of(values);
+        }
+        let difference = (values[0] - values[1]).abs() + 0.5 * (values[1] - values[2]).abs();
+        let [least, most] = PARTS_OF_DIFFERENCE.map(|part| part * difference);
+        let error = (PART_OF_EXCESS * self.excess_of_the_peak()).clamp(least, most);
+        Estimated { value: values[0], error }
+    }
+
+    /// By how much the highest cell exceeds the means of its neighbours along both axes, together.
+    fn excess_of_the_peak(&self) -> f64 {
+        let (grid, p) = (self.pressure.grid(), self.pressure.values());
+        let Some((top, peak)) = p.iter().enumerate().max_by(|one, other| one.1.total_cmp(other.1))
+        else {
+            return 0.0;
+        };
+        let excess = |at: usize, count: usize, step: usize| {
+            let inside = at > 0 && at + 1 < count;
+            if inside { 2.0 * peak - p[top - step] - p[top + step] } else { 0.0 }
+        };
+        excess(top % grid.nx(), grid.nx(), 1) + excess(top / grid.nx(), grid.ny(), grid.nx())
     }
 
     /// The greatest pressure, from parabolas through the highest cell and its neighbours along both
@@ -172,14 +257,20 @@ impl Estimates {
         let [p, x, y] = [&state.pressure, &state.traction_x, &state.traction_y].map(|f| f.values());
         let normal_edge = state.peaks_at_the_edge(|i| p[i]);
         let tangential_edge = normal_edge || state.peaks_at_the_edge(|i| x[i].hypot(y[i]));
-        let by = |edge: bool, value: &dyn Fn(&ContactState) -> f64| {
+        let of = |value: &dyn Fn(&ContactState) -> f64| {
             let values = states.map(value);
-            if edge { Estimated::of_edge(values) } else { Estimated::of(values) }
+            if normal_edge { Estimated::of_edge(values) } else { Estimated::of(values) }
         };
-        let of = |value: &dyn Fn(&ContactState) -> f64| by(normal_edge, value);
-        let along = |value: &dyn Fn(&ContactState) -> f64| match order {
-            MeshOrder::First => Estimated::of_first_order(states.map(value)),
-            MeshOrder::Second => by(tangential_edge, value),
+        let along = Along { order, at_edge: tangential_edge };
+        let border = Border::of(state);
+        let (radius, compliance) = (state.radius(), state.compliance());
+        let pressed = |value: &dyn Fn(&ContactState) -> f64, at_border: f64| {
+            let values = states.map(value);
+            if normal_edge {
+                Estimated::of_edge(values)
+            } else {
+                NORMAL.estimated(values, at_border)
+            }
         };
         let area = |outlines: &dyn Fn(&ContactState) -> Vec<Contour>, touching: bool| {
             let estimated = of(&|state| outlines(state).iter().map(Contour::area).sum());
@@ -193,20 +284,29 @@ impl Estimates {
         // Without tangential tractions and without stick there is no friction.
         let pulled = x.iter().chain(y).any(|t| *t != 0.0);
         let may_stick = pulled || state.count(CellState::Stick) > 0;
-        let [f_x, f_y] =
-            both([along(&|state| state.load().f_x), along(&|state| state.load().f_y)], order);
-        let [xi, eta] =
-            both([along(&|state| state.shift.xi), along(&|state| state.shift.eta)], order);
+        let tangential = border.tangential;
+        let load = |value: fn(ContactLoad) -> f64| states.map(|state| value(state.load()));
+        let shift = |value: fn(Shift) -> f64| states.map(|state| value(state.shift));
+        let forces = [load(|all| all.f_x), load(|all| all.f_y)];
+        let shifts = [shift(|all| all.xi), shift(|all| all.eta)];
+        let shifted = tangential * compliance * TANGENTIAL_COMPLIANCE;
+        let twisted = tangential * compliance * TORSIONAL_COMPLIANCE / radius;
+        let [f_x, f_y] = along.both(forces, tangential);
+        let [xi, eta] = along.both(shifts, shifted);
         Self {
             f_x,
             f_y,
-            f_z: of(&|state| state.load().f_z),
-            m_z: along(&|state| state.load().m_z),
-            zeta: of(&|state| state.shift.zeta),
+            f_z: pressed(&|state| state.load().f_z, border.normal),
+            m_z: along.turned(load(|all| all.m_z), forces, radius, tangential * radius),
+            zeta: pressed(&|state| state.shift.zeta, border.normal * compliance),
             xi,
             eta,
-            omega: along(&|state| state.shift.omega),
-            peak: of(&ContactState::peak_pressure),
+            omega: along.turned(shift(|all| all.omega), shifts, 1.0 / radius, twisted),
+            peak: state.estimated_peak(
+                states.map(ContactState::peak_pressure),
+                normal_edge,
+                border,
+            ),
             contact_area: area(&ContactState::contact_outlines, touches),
             stick_area: area(&ContactState::stick_outlines, may_stick),
         }

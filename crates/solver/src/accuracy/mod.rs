@@ -1,5 +1,6 @@
 //! The discretisation error of a solution, and the grid that a required accuracy needs.
 
+mod border;
 mod contour;
 mod estimate;
 mod fit;
