@@ -1,5 +1,8 @@
 #![forbid(unsafe_code)]
-#![cfg_attr(test, allow(dead_code, unused_imports, reason = "only the figures, which are left out, use it"))]
+#![cfg_attr(
+    test,
+    allow(dead_code, unused_imports, reason = "only the figures, which are left out, use it")
+)]
 //! All tables and figures of the thesis, computed by carom, with claims that can fail.
 //!
 //! How to add a page is in `docs/book/src/extend/figure.md`: a function that fills a [`Figure`], its
