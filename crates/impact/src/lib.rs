@@ -32,6 +32,7 @@
 
 mod body;
 mod collision;
+mod impact_friction;
 mod mobility;
 mod motion;
 mod normal_restitution;
@@ -55,6 +56,7 @@ pub use body::Body;
 pub use collision::{
     AnalyticOrRings, Collision, CollisionError, CollisionSolver, NeededLaw, TwistBound,
 };
+pub use impact_friction::ImpactFriction;
 pub use mobility::{Lever, Mobility};
 pub use motion::Motion;
 pub use normal_restitution::NormalRestitution;

@@ -1,6 +1,7 @@
 //! The outcome of an impact: motions, impulse, maxima, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
+use carom_laws::friction::Friction;
 use carom_laws::validity::Validity;
 use carom_table::Column;
 use nalgebra::Vector3;
@@ -72,6 +73,8 @@ pub struct Rebound {
     pub energy: EnergyBudget,
     /// The torsional impact; `None` if the spin about the normal was not changed.
     pub torsion: Option<Torsion>,
+    /// The friction that was used; if it depends on the slip speed, that at the first touch.
+    pub friction: Friction,
     /// The method of solution.
     pub method: ImpactMethod,
     /// Number of compressions: 2 or more if the bodies were compressed again before separation.

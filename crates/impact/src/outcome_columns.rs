@@ -115,6 +115,12 @@ impl<E: Ended + 'static> Columns<E> {
                 of(ended, name)
             },
         ),
+        Column::new(
+            "friction",
+            "",
+            "coefficient that was used; none if the bodies do not slip",
+            |ended| of(ended, |rebound| rebound.friction.coefficient()),
+        ),
         Column::new("method", "", "solution method", |e| of(e, |r| r.method.name())),
         Column::new("compressions", "", "number of compression phases", |ended| {
             of(ended, |rebound| u64::from(rebound.compressions))

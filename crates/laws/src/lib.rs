@@ -8,6 +8,7 @@
 //!   grows or has a fixed capacity; [`coulomb`] is the law for shifts whose direction changes;
 //!   [`turning_law`] is the choice between them. [`sliders`] is an alternative with springs and
 //!   sliders, and [`profile`] contains other indenters.
+//! - Friction: [`friction`] is the coefficient, [`slip_speed`] one that depends on the slip speed.
 //! - Twist: [`torsion`].
 //! - Rolling: [`creep`], the forces of vanishing creepage.
 //! - Limits of the theory: [`validity`].
@@ -54,6 +55,7 @@ pub mod rings;
 pub mod shift;
 pub mod shift_law;
 pub mod sliders;
+pub mod slip_speed;
 pub mod stiffness;
 pub mod torsion;
 pub mod turning_law;

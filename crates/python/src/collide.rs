@@ -1,10 +1,10 @@
 //! Collisions, one or many.
 
 use carom::impact::{
-    Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome, TorsionMode,
+    Body as Colliding, Collision, HistoryPoint, ImpactFriction, NormalRestitution, Outcome,
+    TorsionMode,
 };
 use carom::numerical::CollisionLaw;
-use carom::prelude::Friction;
 use carom::special::WordError;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -13,6 +13,7 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
 use crate::error::Fault;
+use crate::friction::checked;
 use crate::records::{self, arrays};
 use crate::room;
 use crate::told::{Told, of_impacts};
@@ -54,8 +55,12 @@ impl Way {
         Ok(Self { loss, ..self })
     }
 
-    fn collision(&self, one: Colliding, two: Colliding, friction: f64) -> Result<Collision, Fault> {
-        let friction = Friction::new(friction)?;
+    fn collision(
+        &self,
+        one: Colliding,
+        two: Colliding,
+        friction: ImpactFriction,
+    ) -> Result<Collision, Fault> {
         let mut collision = match self.normal {
             Some(normal) => Collision::along(one, two, normal, friction)?,
             None => Collision::touching(one, two, friction)?,
@@ -76,6 +81,7 @@ pub(crate) fn collide<'py>(
     body_1: Body,
     body_2: Body,
     friction: f64,
+    by_speed: Option<[f64; 3]>,
     normal: Option<[f64; 3]>,
     torsion: Option<bool>,
     law: &str,
@@ -84,12 +90,14 @@ pub(crate) fn collide<'py>(
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let solve =
-        || -> Result<Outcome, Fault> { Ok(way.law.solve(&way.collision(one, two, friction)?)?) };
+    let solve = || -> Result<Outcome, Fault> {
+        Ok(way.law.solve(&way.collision(one, two, checked(friction, by_speed)?)?)?)
+    };
     told(py, &[py.detach(solve)?])
 }
 
-/// Computes the collisions of two bodies for many motions; also gives their warnings.
+/// Computes the collisions of two bodies for many motions; also gives their warnings. Friction `by_speed` replaces
+/// the coefficients.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn collide_many<'py>(
@@ -97,6 +105,7 @@ pub(crate) fn collide_many<'py>(
     body_1: Body,
     body_2: Body,
     friction: Numbers<'py>,
+    by_speed: Option<[f64; 3]>,
     motions: [Rows<'py>; 4],
     normal: Option<[f64; 3]>,
     torsion: Option<bool>,
@@ -116,7 +125,7 @@ pub(crate) fn collide_many<'py>(
     let outcomes = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
-        Ok(way.law.solve(&way.collision(one, two, friction[i])?)?)
+        Ok(way.law.solve(&way.collision(one, two, checked(friction[i], by_speed)?)?)?)
     })?;
     told(py, &outcomes)
 }
@@ -134,6 +143,7 @@ pub(crate) fn history<'py>(
     body_1: Body,
     body_2: Body,
     friction: f64,
+    by_speed: Option<[f64; 3]>,
     points: usize,
     normal: Option<[f64; 3]>,
     law: &str,
@@ -143,7 +153,7 @@ pub(crate) fn history<'py>(
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let trace = || -> Result<Vec<HistoryPoint>, Fault> {
-        Ok(way.law.history(&way.collision(one, two, friction)?, points)?)
+        Ok(way.law.history(&way.collision(one, two, checked(friction, by_speed)?)?, points)?)
     };
     arrays(py, HistoryPoint::COLUMNS, &py.detach(trace)?)
 }

@@ -9,6 +9,7 @@ mod contact;
 mod contacts;
 mod creep;
 mod error;
+mod friction;
 mod hertz;
 mod influence;
 mod materials;
@@ -48,6 +49,8 @@ mod _carom {
     use super::creep::{creep_coefficients, fastsim};
     #[pymodule_export]
     use super::error::{CaromError, RangeError};
+    #[pymodule_export]
+    use super::friction::slip_speed_friction;
     #[pymodule_export]
     use super::hertz::Hertz;
     #[pymodule_export]

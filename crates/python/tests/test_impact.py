@@ -21,6 +21,30 @@ PLATE = carom.plane(STEEL)
 KAPPA = carom.MaterialPair(STEEL).kappa
 
 
+def test_friction_by_the_slip_speed_is_that_at_the_first_touch():
+    friction = carom.SlipSpeedFriction(0.05, 0.1, 0.25)
+    speeds = np.array([0.0, 0.7, 3.0])
+    expected = 0.05 + 0.1 * np.exp(-0.25 * speeds)
+    np.testing.assert_allclose(friction.at(speeds), expected, rtol=1e-15)
+    assert type(friction.at(0.7)) is float and pickle.loads(pickle.dumps(friction)) == friction
+    velocities = np.stack([speeds, 0 * speeds, np.full(3, -0.1)], axis=1)
+    ball = carom.sphere(0.01, STEEL, 0.033)
+    many = carom.collide_many(ball, PLATE, friction, body_1_velocity=velocities)
+    np.testing.assert_allclose(many.friction, expected, rtol=1e-15)
+    # It slides throughout at the two higher speeds: v_x' = v_x - 2 f v_z.
+    after = speeds - 2 * expected * 0.1
+    np.testing.assert_allclose(many.body_1_velocity[1:, 0], after[1:], rtol=1e-13)
+    for speed, r_x in zip(speeds, many.R_x, strict=True):
+        one = carom.sphere(0.01, STEEL, 0.033, velocity=(speed, 0, -0.1))
+        assert carom.collide(one, PLATE, friction).R_x == r_x
+        force = carom.history(one, PLATE, friction, 11).F
+        limit = friction.at(speed) * force[:, 2]
+        assert (np.abs(force[:, 0]) <= limit * (1 + 1e-12)).all()
+    for wrong in [(-0.1, 0.3, 1), (0.1, -0.2, 1), (0.1, 0.2, -1), (0.1, math.nan, 1)]:
+        with pytest.raises(carom.RangeError):
+            carom.SlipSpeedFriction(*wrong)
+
+
 def test_restitution_of_the_table_is_exact_to_1e_8():
     lam = np.linspace(0.01, 9, 200)
     kappa = np.array([[1.0], [1.2], [1.5]])

@@ -6,7 +6,9 @@ use super::range::Range;
 use super::section::Section;
 use super::unit::Dimension;
 use carom_impact::coupled::TurningLaw;
-use carom_impact::{NormalRestitution, TorsionMode};
+use carom_impact::{ImpactFriction, NormalRestitution, TorsionMode};
+use carom_laws::friction::Friction;
+use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_numerical::CollisionLaw;
 
 pub(super) const COULOMB: &str = TurningLaw::Coulomb.name();
@@ -21,6 +23,29 @@ pub(super) const FRICTION: Field =
     Field::number("friction", Range::Friction.pure(), "coefficient of friction f; inf: no slip")
         .such_as("0.2")
         .usually(Usual::FRICTION);
+const A: Field =
+    Field::number("a", Range::NonNegative.pure(), "coefficient of friction at high slip speeds")
+        .such_as("0.1");
+const B: Field = Field::number(
+    "b",
+    Range::Finite.pure(),
+    "how much friction at rest exceeds that at high slip speeds; a + b >= 0",
+)
+.such_as("0.2");
+const C: Field = Field::number(
+    "c",
+    Range::NonNegative.of(Dimension::PerSpeed),
+    "how fast friction changes with the slip speed",
+)
+.such_as("2");
+/// The table in place of the number `friction`.
+pub(super) const FRICTION_BY_SPEED: Field = Field::new(
+    "friction",
+    Form::Table(&[A, B, C]),
+    "friction by the slip speed v, f = a + b exp(-c v), instead of a number; v is the tangential speed of the contact \
+     point at the first touch, and f is constant during the impact",
+)
+.may("`friction` is a number");
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[
@@ -101,6 +126,20 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
     Ok(NormalRestitution::by_waves())
 }
 
+/// Reads the friction of an impact or a wall: a number, or a table for friction by the slip speed.
+pub(super) fn impact_friction(section: &Section<'_>) -> Result<ImpactFriction, CaseError> {
+    if section.means(&FRICTION_BY_SPEED) {
+        let table = section.section(&FRICTION_BY_SPEED)?;
+        let [a, b, c] = [table.number(&A)?, table.number(&B)?, table.number(&C)?];
+        return SlipSpeedFriction::new(a, b, c)
+            .map(ImpactFriction::from)
+            .map_err(|error| table.refused(error));
+    }
+    Friction::new(section.number(&FRICTION)?)
+        .map(ImpactFriction::from)
+        .map_err(|error| section.refused(error))
+}
+
 /// Whether friction acts on the spin about the normal.
 pub(super) fn torsion_mode(section: &Section<'_>) -> Result<TorsionMode, CaseError> {
     let told = section.has(&TORSION).then(|| section.switch(&TORSION)).transpose()?;
@@ -115,8 +154,8 @@ pub(super) fn turning_law(word: &str) -> TurningLaw {
 /// Friction, law and torsion of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
-    /// Coefficient of friction; infinite for no slip.
-    pub friction: f64,
+    /// The friction, constant or by the slip speed.
+    pub friction: ImpactFriction,
     /// The contact law.
     pub law: CollisionLaw,
     /// Whether friction acts on the spin about the normal.
@@ -130,7 +169,7 @@ pub struct Contact {
 impl Contact {
     /// Reads the fields.
     pub(super) fn read(contact: &Section<'_>) -> Result<Self, CaseError> {
-        let friction = contact.number(&FRICTION)?;
+        let friction = impact_friction(contact)?;
         let word = contact.word(&LAW)?;
         let law: CollisionLaw = word.parse().unwrap_or_default();
         let is_numerical = law == CollisionLaw::Numerical;
@@ -141,7 +180,7 @@ impl Contact {
         }
         if is_numerical && friction.is_infinite() {
             let allowed = "finite with law = \"numerical\"";
-            return Err(contact.out_of_range(&FRICTION, friction, allowed));
+            return Err(contact.out_of_range(&FRICTION, f64::INFINITY, allowed));
         }
         let normal_restitution = normal_restitution(contact)?;
         Ok(Self { friction, law, torsion, torsion_line, normal_restitution })

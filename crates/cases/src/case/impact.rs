@@ -18,7 +18,6 @@ use super::unit::Dimension;
 use super::varied::{Input, Varied};
 use carom_halfspace::MaterialPair;
 use carom_impact::{Body, Collision, CollisionError, Motion};
-use carom_laws::friction::Friction;
 use nalgebra::Vector3;
 use toml::Spanned;
 use toml::de::DeTable;
@@ -150,10 +149,7 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
     let contact = Contact::read(&table)?;
     let touch = Touch::read(case, &table, &bodies)?;
     let [one, two] = bodies.map(|body| body.body);
-    let meet = |one: Body| {
-        let friction = Friction::new(contact.friction)?;
-        touch.collision(one, two.clone(), friction)
-    };
+    let meet = |one: Body| touch.collision(one, two.clone(), contact.friction);
     let at_fault = |source| touch.at_fault(case, source);
     let collision = match &approach {
         None => meet(one),

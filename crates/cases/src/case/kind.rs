@@ -2,7 +2,7 @@
 
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
-use super::section::{Section, parse};
+use super::section::{Section, is_meant, parse};
 use super::{
     HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, ShellCase, SolveCase, StressCase,
 };
@@ -241,7 +241,9 @@ fn tell(
         table.iter().find(|(name, _)| name.get_ref() == field.name).map(|(_, value)| value)
     };
     let shape = value_of(&super::body::SHAPE).and_then(|value| value.get_ref().as_str());
-    for field in fields.iter().filter(|field| field.is_of(shape)) {
+    // Of a plain field and a table of one name, that for which the value is meant.
+    let meant = |field: &&Field| field.is_of(shape) && is_meant(fields, field, value_of(field));
+    for field in fields.iter().filter(meant) {
         let path = format!("{prefix}{}", field.name);
         let unit = field.measure().map_or("", |measure| measure.dimension.unit());
         let mut told = |value: String, unit, is_given| {

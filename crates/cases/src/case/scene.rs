@@ -2,8 +2,8 @@
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
-    FRICTION, LAW_OF_SCENE, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS, normal_restitution,
-    torsion_mode,
+    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS,
+    impact_friction, normal_restitution, torsion_mode,
 };
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
@@ -13,7 +13,6 @@ use super::range::Range;
 use super::section::{Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
-use carom_laws::friction::Friction;
 use carom_numerical::CollisionLaw;
 use carom_special::RangeError;
 
@@ -56,6 +55,7 @@ const WALL: Field = Field::new(
         WIDTH,
         MATERIAL,
         FRICTION,
+        FRICTION_BY_SPEED,
         NORMAL_RESTITUTION,
         WAVE_LOSS,
         RELAXATION,
@@ -183,8 +183,7 @@ fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseErro
 
 fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
     let (point, normal) = (wall.vector(&POINT)?, wall.vector(&NORMAL)?);
-    let friction = Friction::new(wall.number(&FRICTION)?).map_err(at(wall))?;
-    let plane = Wall::new(point, normal, material::read(wall)?, friction)
+    let plane = Wall::new(point, normal, material::read(wall)?, impact_friction(wall)?)
         .map_err(at(wall))?
         .with_normal_restitution(normal_restitution(wall)?);
     if wall.given([&ALONG, &LENGTH, &WIDTH]).is_empty() {

@@ -1,15 +1,16 @@
 //! Where the two bodies of an impact touch.
 
 use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
-use super::contact::{FRICTION, LAW, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS};
+use super::contact::{
+    FRICTION, FRICTION_BY_SPEED, LAW, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS,
+};
 use super::error::CaseError;
 use super::field::{AXES, Default, Field, Form};
 use super::range::Range;
 use super::section::Section;
 use super::unit::{Dimension, Measure};
 use carom_geometry::{FrameError, SearchError, SurfaceError};
-use carom_impact::{Body, Collision, CollisionError};
-use carom_laws::friction::Friction;
+use carom_impact::{Body, Collision, CollisionError, ImpactFriction};
 use nalgebra::Vector3;
 
 const TOUCH: &str = "touch";
@@ -34,6 +35,7 @@ pub(super) const CONTACT: Field = Field::new(
     "contact",
     Form::Table(&[
         FRICTION,
+        FRICTION_BY_SPEED,
         LAW,
         TORSION,
         NORMAL_RESTITUTION,
@@ -128,7 +130,7 @@ impl Touch {
         &self,
         one: Body,
         two: Body,
-        friction: Friction,
+        friction: ImpactFriction,
     ) -> Result<Collision, CollisionError> {
         match *self {
             Self::Found => Collision::touching(one, two, friction),

@@ -24,6 +24,8 @@ pub enum Dimension {
     Rigidity,
     /// A velocity.
     Speed,
+    /// The inverse of a velocity.
+    PerSpeed,
     /// An angular velocity.
     Spin,
     /// An acceleration.
@@ -111,6 +113,7 @@ impl Dimension {
                 ("um/s", Ten(-6)),
                 ("km/h", Times(1.0 / 3.6)),
             ],
+            Self::PerSpeed => &[("s/m", Ten(0)), ("ms/m", Ten(-3)), ("s/mm", Ten(3))],
             Self::Spin => &[
                 ("rad/s", Ten(0)),
                 ("deg/s", Times(DEGREE)),
@@ -293,6 +296,7 @@ mod tests {
             (Dimension::Degrees, "30°", 30.0),
             (Dimension::Radians, "90 deg", std::f64::consts::FRAC_PI_2),
             (Dimension::Speed, "36 km/h", 10.0),
+            (Dimension::PerSpeed, "2 s/mm", 2000.0),
             (Dimension::Inertia, "12 g·cm²", 12e-7),
             (Dimension::Acceleration, "9.81 m/s^2", 9.81),
             (Dimension::Torque, "3 N·mm", 0.003),

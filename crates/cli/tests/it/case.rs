@@ -1,6 +1,7 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
 use carom_cases::case::{CaseError, HistoryCase, ImpactFile};
+use carom_laws::friction::Friction;
 use carom_laws::turning_law::TurningLaw;
 
 const CASE: &str = "\
@@ -34,6 +35,39 @@ fn error(source: &str) -> String {
 }
 
 #[test]
+fn friction_by_the_slip_speed_is_read_and_its_errors_are_named() {
+    let with = |table: &str| changed("friction = 0.092", &format!("friction = {table}"));
+    let file = with("{ a = 0.05, b = 0.1, c = [1, \"0.5 ms/m\"] }");
+    let file = ImpactFile::parse(&file).unwrap();
+    // Spin 10 rad/s about y moves the contact point 2.5 mm below the centre by -25 mm/s.
+    let slip: f64 = 1.0 - 0.025;
+    let (input, values) = file.sweep().unwrap();
+    assert_eq!((input.field, input.unit, values), ("contact.friction.c", "s/m", &[1.0, 5e-4][..]));
+    for c in values {
+        let f = file.case(&[*c]).unwrap().collision.friction().get();
+        assert!((f - (0.05 + 0.1 * (-c * slip).exp())).abs() < 1e-15, "{c}: {f}");
+    }
+    for (table, said) in [
+        ("{ a = 0.05, b = 0.1 }", "`contact.friction.c` is missing"),
+        ("{ a = -1, b = 0.1, c = 1 }", "`contact.friction.a` = -1 is out of range: must be finite"),
+        (
+            "{ a = 0.05, b = -0.1, c = 1 }",
+            "`contact.friction.b` = -0.1 is out of range: must be finite, with a + b",
+        ),
+        (
+            "{ a = 0.05, b = 0.1, c = -1 }",
+            "`contact.friction.c` = -1 is out of range: must be finite",
+        ),
+        ("{ a = 0.05, b = 0.1, c = 1, d = 2 }", "unknown field `contact.friction.d`"),
+        ("{ a = 0.05, b = 0.1, c = \"1 m/s\" }", "plain in s/m"),
+        ("{ k = 1 }", "unknown field `contact.friction.k`"),
+    ] {
+        let error = error(&with(table));
+        assert!(error.contains(said), "{table}: {error}");
+    }
+}
+
+#[test]
 fn a_good_case_is_read() {
     let file = ImpactFile::parse(CASE).unwrap();
     let case = file.nominal();
@@ -45,7 +79,8 @@ fn a_good_case_is_read() {
     assert_eq!(<[f64; 3]>::from(one.motion().spin), [0.0, 10.0, 0.0]);
     assert!(two.material().is_rigid());
     assert_eq!(two.inertia().mass(), 2.5);
-    assert_eq!((case.contact.friction, case.angle), (0.092, None));
+    assert_eq!(case.contact.friction, Friction::new(0.092).unwrap().into());
+    assert_eq!(case.angle, None);
     assert!(file.sweep().is_none() && file.uncertainty().is_none());
 }
 

@@ -31,6 +31,10 @@ fn paths(prefix: &str, value: &Value, found: &mut BTreeSet<String>) {
 /// Bodies and their materials alike, and what stands for a number under `*`.
 fn merged(path: &str, entries: &[Entry]) -> String {
     let path = path.trim_start_matches('.').replace("body_2", "body_1");
+    // A part of a table that shares its name with a number.
+    if entries.iter().any(|entry| entry.path == path) && !path.contains(".material.") {
+        return path;
+    }
     let number = |entry: &&Entry| matches!(entry.field.form, Form::Number(_) | Form::Vector(..));
     let varied = entries
         .iter()

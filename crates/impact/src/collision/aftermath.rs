@@ -112,6 +112,7 @@ impl Collision {
             maximal_contact,
             energy,
             torsion,
+            friction: self.friction,
             method: outcome.method,
             compressions: outcome.compressions,
             error_estimate: outcome.error_estimate,

@@ -16,6 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::body::Body;
 use crate::coupled::{CoupledError, CoupledImpact, TurningLaw, Unsettled};
+use crate::impact_friction::ImpactFriction;
 use crate::mobility::{Lever, Mobility};
 use crate::normal_restitution::NormalRestitution;
 use crate::normal_spin::NormalSpinError;
@@ -127,7 +128,11 @@ impl Collision {
     /// # Errors
     /// [`CollisionError::Search`] if they have no elliptical contact there (two planes, an edge),
     /// [`CollisionError::BothHeldFast`], [`CollisionError::Range`] if both are rigid.
-    pub fn new(body_1: Body, body_2: Body, friction: Friction) -> Result<Self, CollisionError> {
+    pub fn new(
+        body_1: Body,
+        body_2: Body,
+        friction: impl Into<ImpactFriction>,
+    ) -> Result<Self, CollisionError> {
         Self::along(body_1, body_2, [0.0, 0.0, 1.0], friction)
     }
 
@@ -139,11 +144,11 @@ impl Collision {
         body_1: Body,
         body_2: Body,
         normal: [f64; 3],
-        friction: Friction,
+        friction: impl Into<ImpactFriction>,
     ) -> Result<Self, CollisionError> {
         let ([one, two], contact) = ContactPoint::along(body_1.placed(), body_2.placed(), normal)?;
         let bodies = [body_1.with_place(one), body_2.with_place(two)];
-        Self::build(bodies, friction, contact)
+        Self::build(bodies, friction.into(), contact)
     }
 
     /// Two bodies that touch at their given positions; the contact point is found by a search. The outcome
@@ -155,10 +160,10 @@ impl Collision {
     pub fn touching(
         body_1: Body,
         body_2: Body,
-        friction: Friction,
+        friction: impl Into<ImpactFriction>,
     ) -> Result<Self, CollisionError> {
         let contact = ContactPoint::find(body_1.placed(), body_2.placed())?;
-        Self::build([body_1, body_2], friction, contact)
+        Self::build([body_1, body_2], friction.into(), contact)
     }
 
     /// Two separated bodies: body 1 moves straight, with the velocity of its centre relative to that of body
@@ -167,11 +172,15 @@ impl Collision {
     /// # Errors
     /// [`CollisionError::Search`] if they overlap or miss each other; else as
     /// [`Collision::touching`].
-    pub fn meeting(body_1: Body, body_2: Body, friction: Friction) -> Result<Self, CollisionError> {
+    pub fn meeting(
+        body_1: Body,
+        body_2: Body,
+        friction: impl Into<ImpactFriction>,
+    ) -> Result<Self, CollisionError> {
         let course = body_1.motion().velocity - body_2.motion().velocity;
         let (placed, contact) =
             ContactPoint::approaching(body_1.placed(), body_2.placed(), &course)?;
-        Self::build([body_1.with_place(placed), body_2], friction, contact)
+        Self::build([body_1.with_place(placed), body_2], friction.into(), contact)
     }
 
     /// Two bodies that touch at a given point of space.
@@ -185,10 +194,10 @@ impl Collision {
         body_1: Body,
         body_2: Body,
         point: [f64; 3],
-        friction: Friction,
+        friction: impl Into<ImpactFriction>,
     ) -> Result<Self, CollisionError> {
         let contact = ContactPoint::at(body_1.placed(), body_2.placed(), point)?;
-        Self::build([body_1, body_2], friction, contact)
+        Self::build([body_1, body_2], friction.into(), contact)
     }
 
     /// Two bodies that touch with given points of their surfaces, each in axes of its body. Their centres
@@ -200,16 +209,16 @@ impl Collision {
         body_1: Body,
         body_2: Body,
         points: [[f64; 3]; 2],
-        friction: Friction,
+        friction: impl Into<ImpactFriction>,
     ) -> Result<Self, CollisionError> {
         let (placed, contact) =
             ContactPoint::at_own_points(body_1.placed(), body_2.placed(), points)?;
-        Self::build([body_1.with_place(placed), body_2], friction, contact)
+        Self::build([body_1.with_place(placed), body_2], friction.into(), contact)
     }
 
     fn build(
         bodies: [Body; 2],
-        friction: Friction,
+        friction: ImpactFriction,
         contact: ContactPoint,
     ) -> Result<Self, CollisionError> {
         let materials = MaterialPair::new(bodies[0].material(), bodies[1].material())?;
@@ -220,6 +229,7 @@ impl Collision {
             return Err(CollisionError::BothHeldFast);
         }
         let mobility = Mobility::new(&levers, contact.frame().axes())?;
+        let friction = friction.at(&velocity(&bodies, &levers, contact.frame()))?;
         Ok(Self {
             bodies,
             friction,
@@ -299,7 +309,7 @@ impl Collision {
         &self.bodies
     }
 
-    /// The friction between them.
+    /// The friction between them; if it depends on the slip speed, that at the first touch.
     #[must_use]
     pub const fn friction(&self) -> Friction {
         self.friction
@@ -338,10 +348,7 @@ impl Collision {
     /// Velocity of body 2 against body 1 at the contact point, in contact axes (8.27).
     #[must_use]
     pub fn velocity(&self) -> Vector3<f64> {
-        let of = |i: usize| {
-            self.levers[i].point_velocity_in(self.frame().axes(), &self.bodies[i].motion())
-        };
-        of(1) - of(0)
+        velocity(&self.bodies, &self.levers, self.frame())
     }
 
     /// The impact in contact axes; None if the bodies do not approach each other.
@@ -392,4 +399,10 @@ impl Collision {
     pub fn missed(&self) -> Outcome {
         Outcome::NoImpact { motions: self.bodies.each_ref().map(Body::motion) }
     }
+}
+
+/// Velocity of body 2 against body 1 at the contact point, in contact axes (8.27).
+fn velocity(bodies: &[Body; 2], levers: &[Lever; 2], frame: &ContactFrame) -> Vector3<f64> {
+    let of = |i: usize| levers[i].point_velocity_in(frame.axes(), &bodies[i].motion());
+    of(1) - of(0)
 }

@@ -1,12 +1,12 @@
 //! A wall: a fixed plane, infinite or rectangular.
 
 use carom_halfspace::Material;
-use carom_laws::friction::Friction;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::flight::{Flight, along};
 use super::roots::falls;
+use crate::impact_friction::ImpactFriction;
 use crate::normal_restitution::NormalRestitution;
 
 /// A fixed wall: the surface of a half-space, or a thin rectangular plate that can be hit from both sides.
@@ -29,7 +29,7 @@ pub struct Wall {
     normal: Vector3<f64>,
     extent: Extent,
     material: Material,
-    friction: Friction,
+    friction: ImpactFriction,
     normal_restitution: NormalRestitution,
 }
 
@@ -74,7 +74,7 @@ impl Wall {
         point: [f64; 3],
         normal: [f64; 3],
         material: Material,
-        friction: Friction,
+        friction: impl Into<ImpactFriction>,
     ) -> Result<Self, RangeError> {
         for value in point {
             RangeError::finite("point", value)?;
@@ -85,7 +85,7 @@ impl Wall {
             normal,
             extent: Extent::Infinite,
             material,
-            friction,
+            friction: friction.into(),
             normal_restitution: NormalRestitution::ELASTIC,
         })
     }
@@ -140,9 +140,9 @@ impl Wall {
         self.material
     }
 
-    /// Friction between it and the ball.
+    /// Friction between it and the ball. Each bounce evaluates it at its slip speed.
     #[must_use]
-    pub const fn friction(&self) -> Friction {
+    pub const fn friction(&self) -> ImpactFriction {
         self.friction
     }
 

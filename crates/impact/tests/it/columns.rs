@@ -84,6 +84,7 @@ fn columns_of_a_rebound_show_its_fields() {
         ("energy_dissipated", "J", Value::Number(r.energy.dissipated)),
         ("energy_lost", "J", Value::Number(0.123)),
         ("regimes", "", Value::Words(regimes)),
+        ("friction", "", r.friction.coefficient().into()),
         ("method", "", "spatial".into()),
         ("compressions", "", Value::Count(7)),
         ("error_estimate", "", Value::Number(r.error_estimate)),

@@ -24,6 +24,7 @@ mod restitution_dissimilar;
 mod ring_impacts;
 mod ring_impacts_known;
 mod scene;
+mod slip_speed;
 mod small_spin;
 mod sphere_pairs;
 mod spheres;

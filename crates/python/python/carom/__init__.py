@@ -80,6 +80,7 @@ from ._contact_theory import (
     von_mises,
 )
 from ._creep import creep_coefficients, fastsim
+from ._friction import SlipSpeedFriction
 from ._impact import collide, collide_many, history, plane, sphere
 from ._records import (
     Bounce,
@@ -148,6 +149,7 @@ __all__ = [
     "RollState",
     "RollStates",
     "ShiftTwist",
+    "SlipSpeedFriction",
     "Solver",
     "SolverStep",
     "SolverSteps",

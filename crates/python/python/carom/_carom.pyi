@@ -279,10 +279,12 @@ def stress(
     y: Array,
     z: Array,
 ) -> Array: ...
+def slip_speed_friction(by_speed: _Vector, speeds: Array) -> list[float]: ...
 def collide(
     body_1: Body,
     body_2: Body,
     friction: float,
+    by_speed: _Vector | None,
     normal: _Vector | None,
     torsion: bool | None,
     law: str,
@@ -293,6 +295,7 @@ def collide_many(
     body_1: Body,
     body_2: Body,
     friction: Array,
+    by_speed: _Vector | None,
     motions: Sequence[Array],
     normal: _Vector | None,
     torsion: bool | None,
@@ -304,6 +307,7 @@ def history(
     body_1: Body,
     body_2: Body,
     friction: float,
+    by_speed: _Vector | None,
     points: int,
     normal: _Vector | None,
     law: str,

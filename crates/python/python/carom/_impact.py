@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 from . import _carom
 from ._arrays import counted, line, numbers, rows, spread
 from ._carom import Body, Material
+from ._friction import SlipSpeedFriction, by_speed
 from ._records import HistoryPoints, Rebound, Rebounds
 from ._types import Vector
 from ._validity import warn
@@ -63,10 +64,15 @@ def _loss(normal_restitution: float, wave_loss: bool, relaxation: float) -> tupl
     return ("relaxation", float(relaxation)) if relaxation != 0.0 else ("given", float(normal_restitution))
 
 
+def _told(friction: float | SlipSpeedFriction) -> tuple[float, tuple[float, float, float] | None]:
+    """The coefficient of friction, and the numbers of friction by the slip speed, which replaces it."""
+    return (0.0 if isinstance(friction, SlipSpeedFriction) else friction), by_speed(friction)
+
+
 def collide(
     body_1: Body,
     body_2: Body,
-    friction: float,
+    friction: float | SlipSpeedFriction,
     *,
     normal: Vector | None = UP,
     torsion: bool | None = None,
@@ -86,6 +92,9 @@ def collide(
     dissimilar materials counts where it matters, by rings for spheres and planes and on a grid for other
     shapes; 'coulomb' and 'fixed-direction' neglect it. An impact by rings takes about a millisecond, one of
     like materials some microseconds.
+
+    `friction` is a coefficient, or a `SlipSpeedFriction` that depends on the slip speed at the first touch; the result
+    says in `friction` which coefficient was used.
 
     `torsion=None` applies friction to the spin about the normal where it matters, for spheres and planes by
     the laws 'auto' and 'rings'; True always does so, False never.
@@ -108,7 +117,8 @@ def collide(
     True
     """
     along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
-    columns, exceeded = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, loss)
+    coefficient, speed = _told(friction)
+    columns, exceeded = _carom.collide(body_1, body_2, coefficient, speed, along, torsion, law, tolerance, loss)
     warn(exceeded)
     return Rebound._of(columns)
 
@@ -116,7 +126,7 @@ def collide(
 def collide_many(
     body_1: Body,
     body_2: Body,
-    friction: ArrayLike,
+    friction: ArrayLike | SlipSpeedFriction,
     *,
     body_1_velocity: ArrayLike | None = None,
     body_1_spin: ArrayLike | None = None,
@@ -147,17 +157,18 @@ def collide_many(
     names = ("body_1_velocity", "body_1_spin", "body_2_velocity", "body_2_spin")
     told = zip(names, (body_1_velocity, body_1_spin, body_2_velocity, body_2_spin), default, strict=True)
     given = {name: numbers(name, d if v is None else v) for name, v, d in told}
-    friction = numbers("friction", friction)
+    speed = by_speed(friction)
+    coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]
-    counts += [len(friction)] if friction.ndim == 1 else []
+    counts += [len(coefficients)] if coefficients.ndim == 1 else []
     if len(set(counts)) > 1:
         raise ValueError(f"motions and friction: must have the same length, not {sorted(set(counts))}")
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
-    frictions = line(spread("friction", friction, (count,)))
+    frictions = line(spread("friction", coefficients, (count,)))
     along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
     columns, exceeded = _carom.collide_many(
-        body_1, body_2, frictions, motions, along, torsion, law, tolerance, loss
+        body_1, body_2, frictions, speed, motions, along, torsion, law, tolerance, loss
     )
     warn(exceeded)
     return Rebounds._shaped(columns, (count,))
@@ -166,7 +177,7 @@ def collide_many(
 def history(
     body_1: Body,
     body_2: Body,
-    friction: float,
+    friction: float | SlipSpeedFriction,
     points: int = 101,
     *,
     normal: Vector | None = UP,
@@ -185,5 +196,6 @@ def history(
     """
     points = counted("points", points)
     along = _along(body_1, body_2, normal)
-    columns = _carom.history(body_1, body_2, friction, points, along, law, tolerance)
+    coefficient, speed = _told(friction)
+    columns = _carom.history(body_1, body_2, coefficient, speed, points, along, law, tolerance)
     return HistoryPoints._shaped(columns, (len(columns["time"]),))

@@ -72,7 +72,9 @@ impl<'a> Section<'a> {
     /// The errors of all fields that this shape does not have.
     fn all_unknown(&self, shape: Option<&str>) -> Vec<CaseError> {
         let valid = self.fields.iter().filter(|field| field.is_of(shape));
-        let valid: Vec<&'static str> = valid.map(|field| field.name).collect();
+        let mut valid: Vec<&'static str> = valid.map(|field| field.name).collect();
+        // A plain field and a table may share a name.
+        valid.dedup();
         let names = self.table.iter().map(|(name, _)| name);
         let unknown = names.filter(|name| !valid.contains(&name.get_ref().as_ref()));
         unknown.map(|name| self.unknown(name.get_ref(), name.span().start, shape, &valid)).collect()
@@ -106,6 +108,12 @@ impl<'a> Section<'a> {
     #[must_use]
     pub(super) fn has(&self, place: impl Place) -> bool {
         self.find(&place).is_some()
+    }
+
+    /// Whether the value of this name is meant for this field, [`is_meant`].
+    #[must_use]
+    pub(super) fn means(&self, field: &Field) -> bool {
+        is_meant(self.fields, field, self.find(&field))
     }
 
     /// Those of the fields that are present.
@@ -374,6 +382,24 @@ impl<'a> Section<'a> {
             }
         }
     }
+}
+
+/// Whether the value of a name that a plain field and a table share is meant for this field. It is meant for the table
+/// if it is a table with one of its names.
+pub(super) fn is_meant(
+    fields: &[Field],
+    field: &Field,
+    value: Option<&Spanned<DeValue<'_>>>,
+) -> bool {
+    let is_table = |field: &Field| matches!(field.form, Form::Table(_));
+    let twin = |other: &&Field| other.name == field.name && is_table(other) != is_table(field);
+    let Some(twin) = fields.iter().find(twin) else { return true };
+    let parts = if is_table(field) { field } else { twin }.fields();
+    let is_part = |name: &str| parts.iter().any(|part| part.name == name);
+    let has_part = value
+        .and_then(|value| value.get_ref().as_table())
+        .is_some_and(|table| table.iter().any(|(name, _)| is_part(name.get_ref())));
+    has_part == is_table(field)
 }
 
 /// Parses a case file as TOML.

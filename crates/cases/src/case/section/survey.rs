@@ -125,7 +125,8 @@ impl Found {
         let meant = |field: &Field| {
             unknown.iter().any(|error| matches!(error, CaseError::Unknown { nearest: Some(name), .. } if *name == field.name))
         };
-        for field in section.fields.iter().filter(|field| field.is_of(shape)) {
+        let is_meant = |field: &&Field| field.is_of(shape) && section.means(field);
+        for field in section.fields.iter().filter(is_meant) {
             match section.find(&field) {
                 Some(value) => self.value(section, field, value),
                 // Without a shape it is not known which fields of shapes are necessary.

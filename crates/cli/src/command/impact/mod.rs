@@ -149,7 +149,8 @@ fn sweep(
     let (path, format) = (&arguments.given.case, arguments.format());
     check_count(format, values.len())?;
     let swept = Parameter::of(input, 0.0).name;
-    let mut rows = Rows::new(format).showing([&[swept][..], &table::OF_SWEEP].concat());
+    let shown = [&[swept][..], &table::OF_SWEEP, table::friction(file.nominal())].concat();
+    let mut rows = Rows::new(format).showing(shown);
     let mut drawn = plot.is_some().then(|| sweep::Sweep::new(values));
     let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
     let mut what = "impacts";

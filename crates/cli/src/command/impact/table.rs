@@ -5,7 +5,8 @@ use crate::columns;
 use crate::error::CliError;
 use crate::output::Format;
 use crate::page::Page;
-use carom_impact::{HistoryPoint, LogEntry, Motion};
+use carom_cases::case::ImpactCase;
+use carom_impact::{HistoryPoint, ImpactFriction, LogEntry, Motion};
 use carom_table::{Cell, row};
 
 /// Columns of a sweep in a table, beside the swept number.
@@ -19,6 +20,14 @@ pub(super) const OF_SWEEP: [&str; 8] = [
     "energy_dissipated",
     "regimes",
 ];
+
+/// The column of friction in the table of a sweep, if friction depends on the slip speed.
+pub(super) const fn friction(case: &ImpactCase) -> &'static [&'static str] {
+    match case.contact.friction {
+        ImpactFriction::Constant(_) => &[],
+        ImpactFriction::SlipSpeed(_) => &["friction"],
+    }
+}
 
 /// One impact in full: contact point, motions, outcome, regimes and history.
 pub(super) fn one(page: Page, record: &Record) -> Result<String, CliError> {

@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(SceneCase::parse)?;
     let (format, points) = (arguments.given.format(), arguments.points.map(|count| count as usize));
-    let mut bounces = Rows::new(format).at_depth(1).showing(view::READABLE.to_vec());
+    let mut bounces = Rows::new(format).at_depth(1).showing(view::shown(&case));
     let mut course = plot.is_some().then(|| plot::Course::new(&case));
     let mut heed = Heed::default();
     if format == Format::Json {

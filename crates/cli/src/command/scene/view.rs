@@ -5,12 +5,13 @@ use crate::error::CliError;
 use crate::rows::indented;
 use carom_cases::case::SceneCase;
 use carom_cases::scene::{End, rebound_columns};
-use carom_impact::scene::{Bounce, PathPoint};
+use carom_impact::ImpactFriction;
+use carom_impact::scene::{Bounce, PathPoint, Wall};
 use carom_table::{Cell, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Columns of a bounce in a table.
-pub(super) const READABLE: [&str; 14] = [
+const READABLE: [&str; 14] = [
     "time",
     "wall",
     "position_x",
@@ -26,6 +27,13 @@ pub(super) const READABLE: [&str; 14] = [
     "energy_dissipated",
     "regimes",
 ];
+
+/// The columns of a table; with that of friction, if the friction of a wall depends on the slip speed.
+pub(super) fn shown(case: &SceneCase) -> Vec<&'static str> {
+    let by_speed = |wall: &Wall| matches!(wall.friction(), ImpactFriction::SlipSpeed(_));
+    let friction: &[_] = if case.scene.walls().iter().any(by_speed) { &["friction"] } else { &[] };
+    [&READABLE[..], friction].concat()
+}
 
 /// The cells of a bounce; without one, only the names and meanings of the columns.
 pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
