@@ -269,6 +269,19 @@ fn a_ball_from_far_away_touches_the_wall_that_it_bounces_off() {
     }
 }
 
+/// A side that is given almost along the normal still lies in the plate.
+#[test]
+fn the_side_of_a_plate_is_at_right_angles_to_its_normal() {
+    for tilt in [1e-7, 1e-5, 1e-3, 0.1] {
+        let normal = [0.6, 0.0, 0.8];
+        let along = [0.6 + 0.8 * tilt, 0.3 * tilt, 0.8 - 0.6 * tilt];
+        let plate = rigid_wall([0.0; 3], normal, 0.3).rectangle(along, [0.1, 0.03]).unwrap();
+        let corners = plate.corners().unwrap();
+        let off = (corners[1] - corners[0]).dot(&Vector3::from(normal));
+        assert!(off.abs() < 1e-16, "{tilt}: {off:e}");
+    }
+}
+
 /// The nearest point of a rectangle to a place, by its corners alone.
 fn nearest_of(corners: &[Vector3<f64>; 4], place: &Vector3<f64>) -> Vector3<f64> {
     let [from, one, _, other] = corners;
