@@ -148,7 +148,7 @@ carom_grain_load FixWallCarom::step(int i, const carom::WallShape::Near &near, d
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
   const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i],
-                             atom->rmass[i]};
+                             pair->mass_of(i)};
   carom_surface surface;
   memcpy(surface.place, near.place, sizeof surface.place);
   memcpy(surface.normal, near.normal, sizeof surface.normal);
@@ -158,7 +158,7 @@ carom_grain_load FixWallCarom::step(int i, const carom::WallShape::Near &near, d
   const bool is_new = slots[i][0] == 0.0;
   if (is_new) curvature_of(slots[i].get()) = near.curvature;
   const carom::Constants &its = constants_of(i);
-  if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, atom->rmass[i], surface, update->dt);
+  if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, grain.mass, surface, update->dt);
   const carom::Touch touch = touch_of(i);
   carom_grain_load load;
   carom_error why;

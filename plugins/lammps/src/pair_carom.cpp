@@ -38,6 +38,7 @@ static std::string free_id(const Modify *modify, const std::string &stem)
 PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
 {
   single_enable = 1;
+  comm_forward = 1;    // the masses of rigid bodies
   single_extra = EXTRAS;
   svector = new double[EXTRAS];
   restartinfo = 1;
@@ -148,6 +149,7 @@ void PairCarom::init_style()
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
   frozen = 0;
   for (const Fix *fix : modify->get_fix_by_style("^freeze$")) frozen |= fix->groupbit;
+  masses.start(modify);
   limits.start();
   set_rolls();
   heat_readers.clear();
@@ -215,7 +217,7 @@ double PairCarom::init_one(int i, int j)
 PairCarom::Bodies PairCarom::bodies() const
 {
   return {atom->x[0],  atom->v[0],      atom->omega[0], atom->radius,
-          atom->rmass, atom->mask,      frozen,         atom->f[0],
+          masses.all(atom), atom->mask, frozen,         atom->f[0],
           atom->torque[0], atom->type,  atom->ntypes + 1,
           static_cast<std::size_t>(atom->nlocal + (force->newton_pair ? atom->nghost : 0))};
 }
@@ -268,6 +270,10 @@ void PairCarom::compute(int eflag, int vflag)
   // A setup only reads the result of the last step; a contact that is new to it begins with a step of
   // duration zero. Two separated grains that were in contact make one more step, in which the contact ends.
   const bool moves = !update->setupflag;
+  if (masses.has_bodies() && (!masses.is_known() || neighbor->ago == 0)) {
+    masses.refresh(atom);
+    comm->forward_comm(this);
+  }
   heat_readers.expire();
   grain_heat.begin(heat_readers, atom->nlocal + atom->nghost);
   const double *x = atom->nlocal ? atom->x[0] : nullptr, *radius = atom->radius;
@@ -327,7 +333,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     all.set(met.one, one);
     all.set(met.two, two);
     if (is_new[k] && update->whichflag == 1)
-      limits.begins(*met.grains, met.one, atom->rmass[one], met.two, atom->rmass[two], update->dt);
+      limits.begins(*met.grains, met.one, all.mass[one], met.two, all.mass[two], update->dt);
   }
   if (moves && limits.looks(update->ntimestep)) limits.look(encounters, count);
   if (!moves || account || law_.by_rings()) {

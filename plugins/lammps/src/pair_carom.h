@@ -7,6 +7,7 @@
 #include "carom.h"
 #include "grain_heat.h"
 #include "limits.h"
+#include "masses.h"
 #include "material.h"
 #include "touches.h"
 
@@ -38,6 +39,8 @@ class PairCarom : public Pair {
   void write_restart_settings(FILE *fp) override;
   void read_restart_settings(FILE *fp) override;
   double memory_usage() override;
+  int pack_forward_comm(int n, int *list, double *buffer, int, int *) override { return masses.pack(n, list, buffer); }
+  void unpack_forward_comm(int n, int first, double *buffer) override { masses.unpack(n, first, buffer); }
 
   // Converts all contacts of this rank to numbers, for the host to move.
   void pack_all();
@@ -47,6 +50,8 @@ class PairCarom : public Pair {
   const carom::Material &material(int type) const { return coefficients[place(type, type)]; }
   const carom::Law &law() const { return law_; }
   bool keeps_account() const { return account; }
+  // That of a grain, or of the rigid body to which it belongs.
+  double mass_of(int i) const { return masses.all(atom)[i]; }
 
   FixCaromKeep *keep = nullptr;    // null once the host has deleted it
   carom::HeatSums heats;           // of this rank, since the beginning
@@ -68,6 +73,7 @@ class PairCarom : public Pair {
   std::string keep_id, history_id, restore_id;
   Touches touches;
   carom::Limits limits;    // of this run
+  carom::Masses masses;
   carom_error why;
 
   friend class FixCaromKeep;

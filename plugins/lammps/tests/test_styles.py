@@ -52,20 +52,3 @@ run 30000
     assert len(rows) == 41
     assert np.abs(rows[:, 1:3]).max() < 0.0151 and rows[:, 3].min() > 0.0035
     assert thermo(said)["KinEng"][-1] < 1e-6
-
-
-def test_rigid_clumps(tmp_path):
-    """Clumps of two grains by fix rigid/small: energy goes where it is booked."""
-    clumps = BOX.replace("atom_style sphere", "atom_style hybrid sphere molecular").replace("create_box 2 box", "create_box 2 box extra/special/per/atom 1")
-    clumps = clumps.replace("set group odd type 2", "set group odd type 2\ngroup last id 27\ndelete_atoms group last\nvariable clump atom ceil(id/2)\nset group all mol v_clump")
-    walls = WALLS.replace("neighbor 0.001 bin", "neighbor 0.001 bin\nneigh_modify exclude molecule/intra all\ncomm_modify vel yes cutoff 0.04").replace(
-        "fix move all nve/sphere", "fix move all rigid/small molecule"
-    )
-    walls = walls.replace("ke+c_rotation+", "c_t+c_r+").replace("compute where", "compute t all ke/rigid move\ncompute r all erotate/rigid move\ncompute where")
-    walls = walls.replace("compute rotation all erotate/sphere\n", "").replace("step ke c_rotation", "step c_t c_r")
-    said = lmp(clumps + walls + "thermo 100\nrun 2000\n", tmp_path, dt=5e-6)
-    table = thermo(said)
-    total, gone = table["v_total"], table["c_where[2]"][-1] + table["c_where[3]"][-1]
-    print("rigid clumps: balance over heat", np.abs(total - total[0]).max() / gone)
-    assert gone > 0.05 * total[0]
-    assert np.abs(total - total[0]).max() < 0.02 * gone

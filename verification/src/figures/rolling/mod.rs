@@ -7,6 +7,7 @@ mod coefficients;
 mod conformal;
 mod curves;
 mod growth;
+mod onset;
 mod printed;
 mod shipped;
 mod tractcurv;
@@ -24,5 +25,6 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(shipped::draw),
     Entry::check("rolling.conformal", "CONTACT's shipped cases: a conformal contact")
         .by(conformal::draw),
+    Entry::check("rolling.onset", "CONTACT's shipped cases: a ball begins to roll").by(onset::draw),
     Entry::check("rolling.growth", "Products as elements become smaller").slowly_by(growth::draw),
 ];
