@@ -15,6 +15,14 @@ const TOOLS: &[&str] = &["numpy>=1.26", "pytest>=8"];
 /// Why the plugin is neither built nor tested.
 pub(crate) const UNREACHED: &str = "the registry of Python's packages cannot be reached";
 
+/// The variable that names a static C library to take instead of building one.
+const LIBRARY: &str = "CAROM_LIBRARY";
+
+/// The library that the tests of the workspace have built.
+fn library() -> PathBuf {
+    release::target().join("release/libcarom_capi.a")
+}
+
 /// An environment with LAMMPS.
 pub(crate) struct Host {
     folder: PathBuf,
@@ -51,8 +59,7 @@ impl Host {
         cargo::run(
             &[&["build", "--release", "--quiet", "--lib"], cargo::WITHOUT_BENCHES].concat(),
         )?;
-        let library = release::target().join("release/libcarom_capi.a");
-        call(self.script(plugins, plugin).env("CAROM_LIBRARY", library))
+        call(self.script(plugins, plugin).env(LIBRARY, library()))
     }
 
     fn script(&self, plugins: &Path, plugin: &Path) -> Command {
@@ -86,7 +93,7 @@ pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
     }
     let mut pytest = host.pytest(&plugin);
     if short {
-        pytest.args(["-m", "not slow"]);
+        pytest.args(["-m", "not slow"]).env(LIBRARY, library());
     }
     pytest.arg("--rootdir").arg(&plugins).arg(plugins.join("tests"));
     python::pytest(&mut pytest, &host.folder).context("the tests of the LAMMPS plugin")
