@@ -2,10 +2,12 @@
 
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
+use carom_laws::static_friction::StaticFriction;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-/// The friction of an impact: a constant coefficient, or one that depends on the slip speed at the first touch.
+/// The friction of an impact: a constant coefficient, one that depends on the slip speed at the first touch, or static
+/// friction above kinetic friction.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -24,10 +26,16 @@ pub enum ImpactFriction {
     Constant(Friction),
     /// A coefficient that depends on the slip speed at the first touch, and is constant during the impact.
     SlipSpeed(SlipSpeedFriction),
+    /// Static friction as a threshold of full sliding, with kinetic friction beyond it.
+    ///
+    /// The slip must stay on a line, as that of spheres and planes does. The laws of rings and of the grid and the
+    /// torsional impact refuse it.
+    Static(StaticFriction),
 }
 
 impl ImpactFriction {
-    /// The coefficient of an impact with this velocity of the contact points, in contact axes.
+    /// The coefficient of an impact with this velocity of the contact points, in contact axes; that of kinetic
+    /// friction.
     ///
     /// # Errors
     /// [`RangeError`] if the slip speed is not finite.
@@ -35,19 +43,39 @@ impl ImpactFriction {
         match self {
             Self::Constant(friction) => Ok(friction),
             Self::SlipSpeed(friction) => friction.at(libm::hypot(velocity.x, velocity.y)),
+            Self::Static(friction) => Ok(friction.kinetic()),
+        }
+    }
+
+    /// Both coefficients, if static friction exceeds kinetic friction.
+    #[must_use]
+    pub fn static_friction(self) -> Option<StaticFriction> {
+        match self {
+            Self::Static(friction) if friction.drops() => Some(friction),
+            _ => None,
         }
     }
 
     /// Whether the coefficient is infinite, so that the bodies never slip.
     #[must_use]
     pub fn is_infinite(self) -> bool {
-        self == Self::Constant(Friction::INFINITE)
+        match self {
+            Self::Constant(friction) => friction == Friction::INFINITE,
+            Self::SlipSpeed(_) => false,
+            Self::Static(friction) => friction.kinetic() == Friction::INFINITE,
+        }
     }
 }
 
 impl From<Friction> for ImpactFriction {
     fn from(friction: Friction) -> Self {
         Self::Constant(friction)
+    }
+}
+
+impl From<StaticFriction> for ImpactFriction {
+    fn from(friction: StaticFriction) -> Self {
+        Self::Static(friction)
     }
 }
 

@@ -73,7 +73,8 @@ pub struct Rebound {
     pub energy: EnergyBudget,
     /// The torsional impact; `None` if the spin about the normal was not changed.
     pub torsion: Option<Torsion>,
-    /// The friction that was used; if it depends on the slip speed, that at the first touch.
+    /// The friction that was used; if it depends on the slip speed, that at the first touch; kinetic friction, if
+    /// static friction exceeds it.
     pub friction: Friction,
     /// The method of solution.
     pub method: ImpactMethod,

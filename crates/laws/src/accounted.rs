@@ -68,6 +68,10 @@ impl<L: Dissipative> ContactLaw for Accounted<L> {
     fn load(&self) -> ContactLoad {
         self.law.load()
     }
+
+    fn jumps(&self, to: Shift) -> bool {
+        self.law.jumps(to)
+    }
 }
 
 impl<L: Dissipative> Energies for Accounted<L> {

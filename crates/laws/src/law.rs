@@ -105,6 +105,12 @@ pub trait ContactLaw: Clone {
 
     /// The present load.
     fn load(&self) -> ContactLoad;
+
+    /// Whether the load jumps on a straight step from the present shift to a new one. An
+    /// integration in time then ends a step at the jump.
+    fn jumps(&self, _to: Shift) -> bool {
+        false
+    }
 }
 
 /// A contact law that can be used in an impact. A law without further information implements it as

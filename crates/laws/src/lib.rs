@@ -8,7 +8,9 @@
 //!   grows or has a fixed capacity; [`coulomb`] is the law for shifts whose direction changes;
 //!   [`turning_law`] is the choice between them. [`sliders`] is an alternative with springs and
 //!   sliders, and [`profile`] contains other indenters.
-//! - Friction: [`friction`] is the coefficient, [`slip_speed`] one that depends on the slip speed.
+//! - Friction: [`friction`] is the coefficient, [`slip_speed`] one that depends on the slip speed;
+//!   [`static_friction`] is a pair, static friction above kinetic friction, for
+//!   [`shift_law::StaticFrictionLaw`].
 //! - Twist: [`torsion`].
 //! - Rolling: [`creep`], the forces of vanishing creepage.
 //! - Limits of the theory: [`validity`].
@@ -56,6 +58,7 @@ pub mod shift;
 pub mod shift_law;
 pub mod sliders;
 pub mod slip_speed;
+pub mod static_friction;
 pub mod stiffness;
 pub mod torsion;
 pub mod turning_law;

@@ -39,6 +39,7 @@ impl<'a> Problem<'a> {
     /// None if the bodies do not meet.
     pub(crate) fn new(collision: &'a Collision) -> Result<Option<Self>, NumericalImpactError> {
         let Some(impact) = collision.impact()? else { return Ok(None) };
+        collision.refuse_static_friction("equal to kinetic friction with the numerical law")?;
         let (mobility, c_z) = (collision.mobility().matrix(), collision.hertz().stiffness().c_z);
         let normal = NormalImpact::new(mobility.m33, c_z, impact.velocity().z)?;
         Ok(Some(Self { collision, impact, normal }))

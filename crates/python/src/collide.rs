@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
 use crate::error::Fault;
-use crate::friction::checked;
+use crate::friction::{Beside, checked};
 use crate::records::{self, arrays};
 use crate::room;
 use crate::told::{Told, of_impacts};
@@ -81,7 +81,7 @@ pub(crate) fn collide<'py>(
     body_1: Body,
     body_2: Body,
     friction: f64,
-    by_speed: Option<[f64; 3]>,
+    beside: Beside,
     normal: Option<[f64; 3]>,
     torsion: Option<bool>,
     law: &str,
@@ -91,12 +91,12 @@ pub(crate) fn collide<'py>(
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve = || -> Result<Outcome, Fault> {
-        Ok(way.law.solve(&way.collision(one, two, checked(friction, by_speed)?)?)?)
+        Ok(way.law.solve(&way.collision(one, two, checked(friction, beside)?)?)?)
     };
     told(py, &[py.detach(solve)?])
 }
 
-/// Computes the collisions of two bodies for many motions; also gives their warnings. Friction `by_speed` replaces
+/// Computes the collisions of two bodies for many motions; also gives their warnings. Friction by the slip speed replaces
 /// the coefficients.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
@@ -105,7 +105,7 @@ pub(crate) fn collide_many<'py>(
     body_1: Body,
     body_2: Body,
     friction: Numbers<'py>,
-    by_speed: Option<[f64; 3]>,
+    beside: Beside,
     motions: [Rows<'py>; 4],
     normal: Option<[f64; 3]>,
     torsion: Option<bool>,
@@ -125,7 +125,7 @@ pub(crate) fn collide_many<'py>(
     let outcomes = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
-        Ok(way.law.solve(&way.collision(one, two, checked(friction[i], by_speed)?)?)?)
+        Ok(way.law.solve(&way.collision(one, two, checked(friction[i], beside)?)?)?)
     })?;
     told(py, &outcomes)
 }
@@ -143,7 +143,7 @@ pub(crate) fn history<'py>(
     body_1: Body,
     body_2: Body,
     friction: f64,
-    by_speed: Option<[f64; 3]>,
+    beside: Beside,
     points: usize,
     normal: Option<[f64; 3]>,
     law: &str,
@@ -153,7 +153,7 @@ pub(crate) fn history<'py>(
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let trace = || -> Result<Vec<HistoryPoint>, Fault> {
-        Ok(way.law.history(&way.collision(one, two, checked(friction, by_speed)?)?, points)?)
+        Ok(way.law.history(&way.collision(one, two, checked(friction, beside)?)?, points)?)
     };
     arrays(py, HistoryPoint::COLUMNS, &py.detach(trace)?)
 }

@@ -1,7 +1,8 @@
-//! The friction of impacts: a number, or three for friction by the slip speed.
+//! The friction of impacts: a number, two with static friction, or three for friction by the slip speed.
 
 use carom::impact::ImpactFriction;
 use carom::laws::slip_speed::SlipSpeedFriction;
+use carom::laws::static_friction::StaticFriction;
 use carom::prelude::Friction;
 use carom::special::RangeError;
 use pyo3::prelude::*;
@@ -9,16 +10,23 @@ use pyo3::prelude::*;
 use crate::error::Fault;
 
 /// The friction of an impact: the numbers a, b and c of friction by the slip speed, if they are there, in place of a
-/// constant coefficient.
+/// constant coefficient, or a coefficient of static friction beside it.
 pub(crate) fn checked(
     coefficient: f64,
-    by_speed: Option<[f64; 3]>,
+    (by_speed, at_rest): Beside,
 ) -> Result<ImpactFriction, RangeError> {
-    match by_speed {
-        None => Friction::new(coefficient).map(Into::into),
-        Some([a, b, c]) => SlipSpeedFriction::new(a, b, c).map(Into::into),
+    if let Some([a, b, c]) = by_speed {
+        return SlipSpeedFriction::new(a, b, c).map(Into::into);
     }
+    let kinetic = Friction::new(coefficient)?;
+    let Some(threshold) = at_rest else { return Ok(kinetic.into()) };
+    let named = |error: RangeError| RangeError::new("static_friction", threshold, error.allowed);
+    let threshold = Friction::new(threshold).map_err(named)?;
+    StaticFriction::new(threshold, kinetic).map(Into::into)
 }
+
+/// What an impact is told beside a coefficient: friction by the slip speed, and static friction.
+pub(crate) type Beside = (Option<[f64; 3]>, Option<f64>);
 
 /// The coefficients of friction by the slip speed, at these speeds.
 #[pyfunction]

@@ -45,6 +45,25 @@ def test_friction_by_the_slip_speed_is_that_at_the_first_touch():
             carom.SlipSpeedFriction(*wrong)
 
 
+def test_static_friction_is_a_threshold_of_sliding():
+    ball = carom.sphere(0.01, STEEL, 0.033, velocity=(0.4, 0, -1))
+    one = carom.collide(ball, PLATE, 0.2, static_friction=0.4)
+    assert one.friction == 0.2 and one.method == "planar"
+    many = carom.collide_many(ball, PLATE, np.array([0.2, 0.3]), static_friction=0.4)
+    assert many.R_x[0] == one.R_x
+    lost = one.energy_before - one.energy_after
+    assert abs(lost - one.energy_dissipated) < 1e-9 * one.energy_before
+    assert carom.collide(ball, PLATE, 0.2, static_friction=0.2).R_x == carom.collide(ball, PLATE, 0.2).R_x
+    force = carom.history(ball, PLATE, 0.2, 400, static_friction=0.4).F
+    assert (np.abs(force[:, 0]) <= 0.4 * force[:, 2] * (1 + 1e-9)).all()
+    with pytest.raises(carom.RangeError, match="static_friction = 0.1"):
+        carom.collide(ball, PLATE, 0.2, static_friction=0.1)
+    with pytest.raises(carom.RangeError, match="static_friction"):
+        carom.collide(ball, PLATE, 0.2, static_friction=0.4, torsion=True)
+    with pytest.raises(ValueError, match="static_friction"):
+        carom.collide(ball, PLATE, carom.SlipSpeedFriction(0.1, 0.2, 1), static_friction=0.4)
+
+
 def test_restitution_of_the_table_is_exact_to_1e_8():
     lam = np.linspace(0.01, 9, 200)
     kappa = np.array([[1.0], [1.2], [1.5]])

@@ -9,6 +9,7 @@ use carom_impact::coupled::TurningLaw;
 use carom_impact::{ImpactFriction, NormalRestitution, TorsionMode};
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
+use carom_laws::static_friction::StaticFriction;
 use carom_numerical::CollisionLaw;
 
 pub(super) const COULOMB: &str = TurningLaw::Coulomb.name();
@@ -46,6 +47,15 @@ pub(super) const FRICTION_BY_SPEED: Field = Field::new(
      point at the first touch, and f is constant during the impact",
 )
 .may("`friction` is a number");
+pub(super) const STATIC_FRICTION: Field = Field::number(
+    "static_friction",
+    Range::Friction.pure(),
+    "coefficient of static friction f_s, at least `friction`: the contact sticks or slips in part up to f_s F_z, and slides \
+     as a whole with `friction`; for slip along a line, as that of spheres and planes, by the laws coulomb and \
+     fixed-direction, which auto then chooses",
+)
+.may("that of `friction`")
+.such_as("0.3");
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[
@@ -126,18 +136,47 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
     Ok(NormalRestitution::by_waves())
 }
 
-/// Reads the friction of an impact or a wall: a number, or a table for friction by the slip speed.
+/// Reads the friction of an impact or a wall: a number, two with static friction, or a table for friction by the slip
+/// speed.
 pub(super) fn impact_friction(section: &Section<'_>) -> Result<ImpactFriction, CaseError> {
     if section.means(&FRICTION_BY_SPEED) {
+        if section.has(&STATIC_FRICTION) {
+            let reason = "friction by the slip speed has one coefficient at rest, a + b";
+            return Err(section.conflict(&STATIC_FRICTION, &FRICTION_BY_SPEED, reason));
+        }
         let table = section.section(&FRICTION_BY_SPEED)?;
         let [a, b, c] = [table.number(&A)?, table.number(&B)?, table.number(&C)?];
         return SlipSpeedFriction::new(a, b, c)
             .map(ImpactFriction::from)
             .map_err(|error| table.refused(error));
     }
-    Friction::new(section.number(&FRICTION)?)
+    let coefficient = |field: &'static Field| {
+        Friction::new(section.number(field)?).map_err(|error| section.refused(error))
+    };
+    let kinetic = coefficient(&FRICTION)?;
+    if !section.has(&STATIC_FRICTION) {
+        return Ok(kinetic.into());
+    }
+    StaticFriction::new(coefficient(&STATIC_FRICTION)?, kinetic)
         .map(ImpactFriction::from)
         .map_err(|error| section.refused(error))
+}
+
+/// Rejects laws and torsion that have one coefficient of friction.
+fn check_static_friction(
+    contact: &Section<'_>,
+    law: CollisionLaw,
+    torsion: TorsionMode,
+) -> Result<(), CaseError> {
+    if matches!(law, CollisionLaw::Rings | CollisionLaw::Numerical) {
+        let reason = "this law has one coefficient of friction";
+        return Err(contact.conflict(&STATIC_FRICTION, &LAW, reason));
+    }
+    if torsion == TorsionMode::Included {
+        let reason = "torsion has one coefficient of friction";
+        return Err(contact.conflict(&STATIC_FRICTION, &TORSION, reason));
+    }
+    Ok(())
 }
 
 /// Whether friction acts on the spin about the normal.
@@ -181,6 +220,9 @@ impl Contact {
         if is_numerical && friction.is_infinite() {
             let allowed = "finite with law = \"numerical\"";
             return Err(contact.out_of_range(&FRICTION, f64::INFINITY, allowed));
+        }
+        if friction.static_friction().is_some() {
+            check_static_friction(contact, law, torsion)?;
         }
         let normal_restitution = normal_restitution(contact)?;
         Ok(Self { friction, law, torsion, torsion_line, normal_restitution })

@@ -2,8 +2,8 @@
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
-    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS,
-    impact_friction, normal_restitution, torsion_mode,
+    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION,
+    TORSION, WAVE_LOSS, impact_friction, normal_restitution, torsion_mode,
 };
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
@@ -56,6 +56,7 @@ const WALL: Field = Field::new(
         MATERIAL,
         FRICTION,
         FRICTION_BY_SPEED,
+        STATIC_FRICTION,
         NORMAL_RESTITUTION,
         WAVE_LOSS,
         RELAXATION,

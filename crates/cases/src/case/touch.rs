@@ -2,7 +2,8 @@
 
 use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
 use super::contact::{
-    FRICTION, FRICTION_BY_SPEED, LAW, NORMAL_RESTITUTION, RELAXATION, TORSION, WAVE_LOSS,
+    FRICTION, FRICTION_BY_SPEED, LAW, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION, TORSION,
+    WAVE_LOSS,
 };
 use super::error::CaseError;
 use super::field::{AXES, Default, Field, Form};
@@ -36,6 +37,7 @@ pub(super) const CONTACT: Field = Field::new(
     Form::Table(&[
         FRICTION,
         FRICTION_BY_SPEED,
+        STATIC_FRICTION,
         LAW,
         TORSION,
         NORMAL_RESTITUTION,

@@ -68,6 +68,47 @@ fn friction_by_the_slip_speed_is_read_and_its_errors_are_named() {
 }
 
 #[test]
+fn static_friction_is_read_and_its_errors_are_named() {
+    let with = |lines: &str| changed("friction = 0.092", lines);
+    let case = with("friction = 0.092\nstatic_friction = [0.1, 0.2]");
+    let file = ImpactFile::parse(&case).unwrap();
+    let (input, values) = file.sweep().unwrap();
+    assert_eq!(input.field, "contact.static_friction");
+    for f in values {
+        let collision = file.case(&[*f]).unwrap().collision;
+        let friction = collision.static_friction().unwrap();
+        assert_eq!((friction.threshold().get(), collision.friction().get()), (*f, 0.092));
+    }
+    let equal = with("friction = 0.092\nstatic_friction = 0.092");
+    let equal = ImpactFile::parse(&equal).unwrap();
+    assert_eq!(equal.nominal().collision.static_friction(), None);
+    for (lines, said) in [
+        (
+            "friction = 0.2\nstatic_friction = 0.1",
+            "`contact.static_friction` = 0.1 is out of range: must be finite and",
+        ),
+        (
+            "friction = 0.2\nstatic_friction = inf",
+            "`contact.static_friction` = inf is out of range: must be finite and",
+        ),
+        ("friction = 0.2\nstatic_friction = -1", "`contact.static_friction` = -1 is out of range"),
+        (
+            "friction = { a = 0.1, b = 0.1, c = 1 }\nstatic_friction = 0.4",
+            "one coefficient at rest",
+        ),
+        ("friction = 0.2\nstatic_friction = 0.3\nlaw = \"rings\"", "this law has one coefficient"),
+        (
+            "friction = 0.2\nstatic_friction = 0.3\nlaw = \"numerical\"",
+            "this law has one coefficient",
+        ),
+        ("friction = 0.2\nstatic_friction = 0.3\ntorsion = true", "torsion has one coefficient"),
+    ] {
+        let error = error(&with(lines));
+        assert!(error.contains(said), "{lines}: {error}");
+    }
+}
+
+#[test]
 fn a_good_case_is_read() {
     let file = ImpactFile::parse(CASE).unwrap();
     let case = file.nominal();

@@ -163,7 +163,7 @@ impl Collision {
         if is_coupled(d) {
             return None;
         }
-        if self.friction.get() == 0.0 {
+        if self.friction.get() == 0.0 && self.static_friction.is_none() {
             return Some(-1.0);
         }
         // The matrix of chi; c_x and c_y of a circle may differ by round-off.

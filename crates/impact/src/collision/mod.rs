@@ -11,6 +11,7 @@ use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
+use carom_laws::static_friction::StaticFriction;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
@@ -108,6 +109,7 @@ impl From<CoupledError> for CollisionError {
 pub struct Collision {
     bodies: [Body; 2],
     friction: Friction,
+    static_friction: Option<StaticFriction>,
     law: TurningLaw,
     torsion: TorsionMode,
     normal_restitution: NormalRestitution,
@@ -229,10 +231,12 @@ impl Collision {
             return Err(CollisionError::BothHeldFast);
         }
         let mobility = Mobility::new(&levers, contact.frame().axes())?;
+        let static_friction = friction.static_friction();
         let friction = friction.at(&velocity(&bodies, &levers, contact.frame()))?;
         Ok(Self {
             bodies,
             friction,
+            static_friction,
             law: TurningLaw::default(),
             torsion: TorsionMode::default(),
             normal_restitution: NormalRestitution::ELASTIC,
@@ -309,10 +313,30 @@ impl Collision {
         &self.bodies
     }
 
-    /// The friction between them; if it depends on the slip speed, that at the first touch.
+    /// The friction between them; if it depends on the slip speed, that at the first touch; kinetic friction, if
+    /// static friction exceeds it.
     #[must_use]
     pub const fn friction(&self) -> Friction {
         self.friction
+    }
+
+    /// Both coefficients, if static friction exceeds kinetic friction.
+    #[must_use]
+    pub const fn static_friction(&self) -> Option<StaticFriction> {
+        self.static_friction
+    }
+
+    /// Checks that friction has one coefficient, for what cannot be computed with two.
+    ///
+    /// # Errors
+    /// [`RangeError`] if static friction exceeds kinetic friction; it says `allowed`.
+    pub fn refuse_static_friction(&self, allowed: &'static str) -> Result<(), RangeError> {
+        match self.static_friction {
+            None => Ok(()),
+            Some(friction) => {
+                Err(RangeError::new("static_friction", friction.threshold().get(), allowed))
+            }
+        }
     }
 
     /// The contact point.
@@ -362,6 +386,9 @@ impl Collision {
         }
         let stiffness = self.hertz.stiffness();
         let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
+        if let Some(friction) = self.static_friction {
+            impact = impact.with_static_friction(friction);
+        }
         if self.is_symmetric() {
             impact = impact.of_symmetric_bodies();
         }
@@ -382,6 +409,9 @@ impl Collision {
     /// was requested but cannot be computed.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         let Some(impact) = self.impact()? else { return Ok(self.missed()) };
+        if self.torsion == TorsionMode::Included {
+            self.refuse_static_friction("equal to kinetic friction with torsion")?;
+        }
         let (outcome, log) = impact.solve_with_log(self.law)?;
         Ok(Outcome::Rebound(Box::new(self.rebound_of(outcome, log)?)))
     }

@@ -45,9 +45,13 @@ impl Collision {
     /// The cheapest law whose error of R_x by neglected coupling, and of R_x and the relative spin about the
     /// normal by their neglected interaction ([`Collision::twist_bound`]), is below the tolerance. For
     /// spheres and planes with |gamma| f above 1 it is the analytic law, which is the most accurate there. A
-    /// spin without tangential motion does not need rings: its torsional impact is exact.
+    /// spin without tangential motion does not need rings: its torsional impact is exact. Static friction above
+    /// kinetic friction has the analytic law only.
     #[must_use]
     pub fn needed_law(&self, tolerance: f64) -> NeededLaw {
+        if self.static_friction.is_some() {
+            return NeededLaw::Analytic;
+        }
         let bound = self.coupling_bound();
         let d = self.mobility.matrix();
         let is_symmetric = self.is_symmetric();
@@ -73,8 +77,9 @@ impl Collision {
     /// Those of [`Collision::solve`].
     pub fn solve_with_coupling_bound(&self) -> Result<Outcome, CollisionError> {
         let (coupling, twist) = (self.coupling_bound(), self.twist_bound());
-        let needs_torsion =
-            self.torsion == TorsionMode::Auto && twist.spin > Self::NEGLIGIBLE_COUPLING;
+        let needs_torsion = self.torsion == TorsionMode::Auto
+            && self.static_friction.is_none()
+            && twist.spin > Self::NEGLIGIBLE_COUPLING;
         let mut outcome = match needs_torsion {
             true => self.clone().with_torsion().solve()?,
             false => self.solve()?,

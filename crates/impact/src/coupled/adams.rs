@@ -69,6 +69,12 @@ impl Adams {
         }
     }
 
+    /// Goes on with this force after a jump; those before it are forgotten.
+    pub(super) fn restart(&mut self, force: Vector3<f64>) {
+        self.last[0] = force;
+        self.known = 0;
+    }
+
     // Divided differences; zero while too few forces are known.
     fn differences(&self) -> (Vector3<f64>, Vector3<f64>) {
         let ([now, before, earlier], [step, earlier_step]) = (self.last, self.steps);

@@ -3,8 +3,9 @@
 use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
-use carom_laws::shift_law::ShiftLaw;
+use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
 use carom_laws::sliders::SlipLines;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::turning_law::TurningLaw;
 use carom_special::RangeError;
@@ -12,10 +13,12 @@ use carom_special::RangeError;
 use super::refine::Level;
 use super::{ImpactLaw, Stage, Staged};
 
-/// A law for one direction, for two, or Coulomb's law on a curve or on line segments.
+/// A law for one direction, also with static friction, for two, or Coulomb's law on a curve or on
+/// line segments.
 #[derive(Debug, Clone)]
 pub(super) enum AnyLaw {
     Line(Box<ShiftLaw<f64>>),
+    Static(Box<StaticFrictionLaw>),
     Plane(Box<ShiftLaw<[f64; 2]>>),
     Lines(Box<SlipLines>),
 }
@@ -33,6 +36,11 @@ impl AnyLaw {
     /// The law for one direction.
     pub(super) fn in_line(stiffness: ContactStiffness, friction: Friction) -> Self {
         Self::Line(Box::new(ShiftLaw::with_fixed_direction(stiffness, friction)))
+    }
+
+    /// The law for one direction with static friction above kinetic friction.
+    pub(super) fn with_static(stiffness: ContactStiffness, friction: StaticFriction) -> Self {
+        Self::Static(Box::new(StaticFrictionLaw::new(stiffness, friction)))
     }
 
     /// A law for two directions, with the accuracy of a run. The curve has fewer vertices. The line
@@ -72,6 +80,7 @@ macro_rules! each {
     ($any:expr, $law:ident => $call:expr) => {
         match $any {
             AnyLaw::Line($law) => $call,
+            AnyLaw::Static($law) => $call,
             AnyLaw::Plane($law) => $call,
             AnyLaw::Lines($law) => $call,
         }
@@ -91,6 +100,10 @@ impl ContactLaw for AnyLaw {
 
     fn load(&self) -> ContactLoad {
         each!(self, law => law.load())
+    }
+
+    fn jumps(&self, to: Shift) -> bool {
+        each!(self, law => law.jumps(to))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Oblique impact with a full mobility matrix.
 
 use carom_laws::friction::Friction;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -36,7 +37,10 @@ const SPATIAL_TOLERANCE: f64 = 5e-6;
 pub struct CoupledImpact {
     pub(super) mobility: Mobility,
     pub(super) stiffness: ContactStiffness,
+    /// The greatest coefficient: that of static friction.
     pub(super) friction: Friction,
+    /// Both coefficients, if static friction exceeds kinetic friction.
+    pub(super) static_friction: Option<StaticFriction>,
     pub(super) velocity: Vector3<f64>,
     pub(super) normal: NormalImpact,
     pub(super) is_symmetric: bool,
@@ -70,12 +74,45 @@ impl CoupledImpact {
             mobility,
             stiffness,
             friction,
+            static_friction: None,
             velocity,
             normal,
             is_symmetric: false,
             tolerance: None,
             unsettled: Unsettled::Refused,
         })
+    }
+
+    /// The same impact with static friction f_s above kinetic friction f_k as a threshold of full
+    /// sliding ([`carom_laws::shift_law::StaticFrictionLaw`]).
+    ///
+    /// It is computed in time steps, one of which ends where sliding begins. The slip must stay on
+    /// a line: [`CoupledImpact::solve`] refuses [`ImpactMethod::Spatial`]. If f_s = f_k, the impact
+    /// is that of one coefficient.
+    ///
+    /// ```
+    /// use carom_impact::Mobility;
+    /// use carom_impact::coupled::{CoupledImpact, TurningLaw};
+    /// use carom_laws::friction::Friction;
+    /// use carom_laws::static_friction::StaticFriction;
+    /// use carom_laws::stiffness::ContactStiffness;
+    /// use nalgebra::{Matrix3, Vector3};
+    /// let d = Mobility::from_matrix(Matrix3::new(3.5, 0.0, 0.0, 0.0, 3.5, 0.0, 0.0, 0.0, 1.0))?;
+    /// let stiffness = ContactStiffness::new(0.9, 0.9, 1.1)?;
+    /// let [f_s, f_k] = [Friction::new(0.3)?, Friction::new(0.2)?];
+    /// let impact = CoupledImpact::new(d, stiffness, f_k, Vector3::new(0.4, 0.0, 1.0))?;
+    /// let outcome = impact.solve(TurningLaw::Coulomb)?;
+    /// let grips = impact.with_static_friction(StaticFriction::new(f_s, f_k)?);
+    /// assert!(grips.solve(TurningLaw::Coulomb)?.velocity.x > outcome.velocity.x);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_static_friction(self, friction: StaticFriction) -> Self {
+        Self {
+            friction: friction.threshold(),
+            static_friction: friction.drops().then_some(friction),
+            ..self
+        }
     }
 
     /// The same impact with this tolerance instead of the default: the error of the velocity over
@@ -122,6 +159,9 @@ impl CoupledImpact {
             false => ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity),
         };
         match method {
+            ImpactMethod::Uncoupled { direction } if self.static_friction.is_some() => {
+                ImpactMethod::Planar { direction }
+            }
             // chi is outside the range of the exact solution: the memory is integrated in steps.
             ImpactMethod::Uncoupled { direction } if self.groups(&direction).is_err() => {
                 ImpactMethod::Planar { direction }

@@ -35,6 +35,7 @@ mod error;
 mod exact;
 mod extrapolation;
 mod impact;
+mod jump;
 mod limits;
 mod log;
 mod method;

@@ -1,5 +1,6 @@
 //! Solves an impact: in closed form, exactly, or step by step until it converges.
 
+use carom_special::RangeError;
 use nalgebra::Matrix3;
 
 use super::any_law::AnyLaw;
@@ -139,6 +140,7 @@ impl CoupledImpact {
 
 impl CoupledImpact {
     fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
+        self.check_static_friction()?;
         let problem = self.problem();
         let is_normal_uncoupled = self.method() == ImpactMethod::Spatial { coupled: false };
         let limits =
@@ -148,6 +150,16 @@ impl CoupledImpact {
             .settle(self.tolerance(), make, |impulse| limits.restrict(impulse))
             .map_err(|failure| self.failed(failure))?;
         self.checked(settled)
+    }
+
+    // Static friction above kinetic friction needs slip along a line.
+    fn check_static_friction(&self) -> Result<(), RangeError> {
+        let Some(friction) = self.static_friction else { return Ok(()) };
+        let is_in_line = matches!(self.method(), ImpactMethod::Planar { .. });
+        let allowed = "equal to kinetic friction, unless the slip stays on a line: no velocity across, no motion that \
+                       couples to it";
+        RangeError::check("static_friction", friction.threshold().get(), is_in_line, allowed)
+            .map(|_| ())
     }
 
     // Converged solution with a law in the units of the data.
@@ -219,8 +231,9 @@ impl CoupledImpact {
 
     fn law(&self, law: TurningLaw, level: Level) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
-        match self.method() {
-            ImpactMethod::Planar { .. } => AnyLaw::in_line(stiffness, friction),
+        match (self.method(), self.static_friction) {
+            (_, Some(friction)) => AnyLaw::with_static(stiffness, friction),
+            (ImpactMethod::Planar { .. }, None) => AnyLaw::in_line(stiffness, friction),
             _ => AnyLaw::in_space(law, stiffness, friction, (level, self.is_mild())),
         }
     }

@@ -5,6 +5,7 @@ use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::adams::{Adams, Order};
+use super::jump::{Jump, LEAST_PART};
 use super::pace::Pace;
 use super::point::Point;
 use super::schedule::Schedule;
@@ -32,8 +33,37 @@ const MAX_STEPS_OVER_FREE_IMPACT: usize = 1 << 14;
 /// How the next step is chosen.
 #[derive(Debug, Clone, Copy)]
 enum Steps {
-    Timed(Schedule),
+    /// In time: the number of the next step, and the rest of one that ended at a jump of the force.
+    Timed {
+        schedule: Schedule,
+        number: usize,
+        rest: Option<f64>,
+    },
     Chosen(Pace),
+}
+
+impl Steps {
+    const fn timed(schedule: Schedule) -> Self {
+        Self::Timed { schedule, number: 0, rest: None }
+    }
+
+    fn next(&mut self, now: &Point) -> f64 {
+        match self {
+            Self::Timed { schedule, number, rest } => rest.take().unwrap_or_else(|| {
+                *number += 1;
+                schedule.step(*number - 1, now)
+            }),
+            Self::Chosen(pace) => pace.step(now),
+        }
+    }
+
+    /// A step of this length ended early. The steps in time go on with its rest, so that the errors
+    /// of runs remain alike.
+    fn cut(&mut self, length: f64, end: f64) {
+        if let Self::Timed { rest, .. } = self {
+            *rest = Some(length - end).filter(|rest| *rest > LEAST_PART * length);
+        }
+    }
 }
 
 /// Failure of a step of the contact law.
@@ -56,7 +86,8 @@ impl Trajectory {
     /// of the law there.
     ///
     /// The steps are of Verlet's kind: one evaluation of the law each, of second order. The path
-    /// between two instants is straight.
+    /// between two instants is straight. Where the load of the law jumps
+    /// ([`ContactLaw::jumps`]), a step ends; that instant is observed before and after the jump.
     ///
     /// # Errors
     /// The error of the law, with the number of the step.
@@ -83,16 +114,13 @@ impl Trajectory {
             impulse: Vector3::zeros(),
         };
         observe(&now, law);
-        let steps = self.steps();
+        let mut steps = self.steps();
         let mut recent = Adams::new(order);
         for number in 0..MAX_STEPS_OVER_FREE_IMPACT * self.steps {
-            let length = match &steps {
-                Steps::Timed(schedule) => schedule.step(number, &now),
-                Steps::Chosen(pace) => pace.step(&now),
-            };
-            let failed = |source| LawFailure { step: number, time: now.time, source };
-            let ahead = self.mobility * recent.ahead(length);
-            let shift = now.shift + now.velocity * length - ahead;
+            let length = steps.next(&now);
+            let time = now.time;
+            let failed = move |source| LawFailure { step: number, time, source };
+            let shift = self.place(&now, &recent, length);
             if shift.z <= 0.0 {
                 let last = self.separation(&now, &shift, length);
                 let mut separated = last.shift;
@@ -101,14 +129,55 @@ impl Trajectory {
                 observe(&last, law);
                 return Ok(Some(last));
             }
+            if law.jumps(as_shift(&shift)) {
+                let from = now;
+                let mut held = law.clone();
+                now = self.at_jump(&from, &recent, length, &mut held).map_err(failed)?;
+                observe(&now, &held);
+                steps.cut(length, now.time - from.time);
+                now.force = as_vector(&law.advance(as_shift(&now.shift)).map_err(failed)?);
+                recent.restart(now.force);
+                observe(&now, law);
+                continue;
+            }
             let force = as_vector(&law.advance(as_shift(&shift)).map_err(failed)?);
-            let impulse = now.impulse + recent.gain(length, &force);
-            let velocity = self.velocity - self.mobility * impulse;
+            now = self.reached(&now, &recent, length, (shift, force));
             recent.push(length, force);
-            now = Point { time: now.time + length, shift, velocity, force, impulse };
             observe(&now, law);
         }
         Ok(None)
+    }
+
+    fn place(&self, now: &Point, recent: &Adams, length: f64) -> Vector3<f64> {
+        let ahead = self.mobility * recent.ahead(length);
+        now.shift + now.velocity * length - ahead
+    }
+
+    fn reached(
+        &self,
+        now: &Point,
+        recent: &Adams,
+        length: f64,
+        (shift, force): (Vector3<f64>, Vector3<f64>),
+    ) -> Point {
+        let impulse = now.impulse + recent.gain(length, &force);
+        let velocity = self.velocity - self.mobility * impulse;
+        Point { time: now.time + length, shift, velocity, force, impulse }
+    }
+
+    // The instant at which the load of the law jumps within a step, with the force before the jump.
+    fn at_jump<L: ContactLaw>(
+        &self,
+        now: &Point,
+        recent: &Adams,
+        length: f64,
+        law: &mut L,
+    ) -> Result<Point, L::Error> {
+        let place = |length: f64| self.place(now, recent, length);
+        let jump = Jump::find(length, |length| law.jumps(as_shift(&place(length))));
+        let [before, after] = [jump.before, jump.after].map(place);
+        let force = as_vector(&law.advance(as_shift(&before))?);
+        Ok(self.reached(now, recent, jump.after, (after, force)))
     }
 
     fn steps(&self) -> Steps {
@@ -121,7 +190,7 @@ impl Trajectory {
                     self.steps,
                 ))
             },
-            |duration| Steps::Timed(Schedule::new(duration, self.steps)),
+            |duration| Steps::timed(Schedule::new(duration, self.steps)),
         )
     }
 

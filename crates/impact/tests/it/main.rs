@@ -28,6 +28,7 @@ mod slip_speed;
 mod small_spin;
 mod sphere_pairs;
 mod spheres;
+mod static_friction;
 mod symmetry;
 mod systems_of_units;
 mod torsional;

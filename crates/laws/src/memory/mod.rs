@@ -26,6 +26,7 @@ mod report;
 mod slip_in_line;
 mod slip_in_plane;
 mod stack;
+mod threshold;
 
 pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
@@ -38,6 +39,7 @@ use carom_special::RangeError;
 use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 use merge::push;
+pub(crate) use threshold::Threshold;
 
 /// The contact state after the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

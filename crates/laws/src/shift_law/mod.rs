@@ -1,6 +1,7 @@
 //! The contact law of a shift: Hertz's normal force and Coulomb's friction with memory.
 
 mod pack;
+mod static_friction_law;
 mod tags;
 #[cfg(test)]
 mod tests;
@@ -17,6 +18,8 @@ use crate::memory::{
 };
 use crate::stiffness::ContactStiffness;
 use crate::turning_law::TurningLaw;
+
+pub use static_friction_law::StaticFrictionLaw;
 
 /// The contact law for shifts: normal force by Hertz, tangential force by Coulomb friction with
 /// memory. `V = [f64; 2]` for two directions, `V = f64` for shifts along x.

@@ -33,6 +33,7 @@ mod shift;
 mod sliders;
 mod sliders_known;
 mod slip_lines;
+mod static_friction;
 mod torsion;
 mod torsion_after_sliding;
 mod torsion_apart;

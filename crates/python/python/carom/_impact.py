@@ -64,9 +64,19 @@ def _loss(normal_restitution: float, wave_loss: bool, relaxation: float) -> tupl
     return ("relaxation", float(relaxation)) if relaxation != 0.0 else ("given", float(normal_restitution))
 
 
-def _told(friction: float | SlipSpeedFriction) -> tuple[float, tuple[float, float, float] | None]:
-    """The coefficient of friction, and the numbers of friction by the slip speed, which replaces it."""
-    return (0.0 if isinstance(friction, SlipSpeedFriction) else friction), by_speed(friction)
+def _beside(
+    friction: object, static_friction: float | None
+) -> tuple[tuple[float, float, float] | None, float | None]:
+    """The numbers of friction by the slip speed, which replaces the coefficient, and static friction beside it."""
+    speed = by_speed(friction)
+    if speed is not None and static_friction is not None:
+        raise ValueError("static_friction: friction by the slip speed has one coefficient at rest, a + b")
+    return speed, None if static_friction is None else float(static_friction)
+
+
+def _coefficient(friction: float | SlipSpeedFriction) -> float:
+    """The coefficient of friction; zero if friction by the slip speed replaces it."""
+    return 0.0 if isinstance(friction, SlipSpeedFriction) else friction
 
 
 def collide(
@@ -74,6 +84,7 @@ def collide(
     body_2: Body,
     friction: float | SlipSpeedFriction,
     *,
+    static_friction: float | None = None,
     normal: Vector | None = UP,
     torsion: bool | None = None,
     law: str = "auto",
@@ -96,6 +107,10 @@ def collide(
     `friction` is a coefficient, or a `SlipSpeedFriction` that depends on the slip speed at the first touch; the result
     says in `friction` which coefficient was used.
 
+    With a `static_friction` above `friction` the contact sticks or slips in part up to f_s F_z, and slides as a whole with
+    `friction`. The slip must stay on a line, as that of spheres and planes does; other motions, torsion and the laws
+    'rings' and 'numerical' are refused.
+
     `torsion=None` applies friction to the spin about the normal where it matters, for spheres and planes by
     the laws 'auto' and 'rings'; True always does so, False never.
 
@@ -117,8 +132,9 @@ def collide(
     True
     """
     along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
-    coefficient, speed = _told(friction)
-    columns, exceeded = _carom.collide(body_1, body_2, coefficient, speed, along, torsion, law, tolerance, loss)
+    beside = _beside(friction, static_friction)
+    coefficient = _coefficient(friction)
+    columns, exceeded = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, loss)
     warn(exceeded)
     return Rebound._of(columns)
 
@@ -128,6 +144,7 @@ def collide_many(
     body_2: Body,
     friction: ArrayLike | SlipSpeedFriction,
     *,
+    static_friction: float | None = None,
     body_1_velocity: ArrayLike | None = None,
     body_1_spin: ArrayLike | None = None,
     body_2_velocity: ArrayLike | None = None,
@@ -157,7 +174,7 @@ def collide_many(
     names = ("body_1_velocity", "body_1_spin", "body_2_velocity", "body_2_spin")
     told = zip(names, (body_1_velocity, body_1_spin, body_2_velocity, body_2_spin), default, strict=True)
     given = {name: numbers(name, d if v is None else v) for name, v, d in told}
-    speed = by_speed(friction)
+    beside = _beside(friction, static_friction)
     coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]
     counts += [len(coefficients)] if coefficients.ndim == 1 else []
@@ -168,7 +185,7 @@ def collide_many(
     frictions = line(spread("friction", coefficients, (count,)))
     along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
     columns, exceeded = _carom.collide_many(
-        body_1, body_2, frictions, speed, motions, along, torsion, law, tolerance, loss
+        body_1, body_2, frictions, beside, motions, along, torsion, law, tolerance, loss
     )
     warn(exceeded)
     return Rebounds._shaped(columns, (count,))
@@ -180,6 +197,7 @@ def history(
     friction: float | SlipSpeedFriction,
     points: int = 101,
     *,
+    static_friction: float | None = None,
     normal: Vector | None = UP,
     law: str = "auto",
     tolerance: float | None = None,
@@ -196,6 +214,7 @@ def history(
     """
     points = counted("points", points)
     along = _along(body_1, body_2, normal)
-    coefficient, speed = _told(friction)
-    columns = _carom.history(body_1, body_2, coefficient, speed, points, along, law, tolerance)
+    beside = _beside(friction, static_friction)
+    coefficient = _coefficient(friction)
+    columns = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
     return HistoryPoints._shaped(columns, (len(columns["time"]),))

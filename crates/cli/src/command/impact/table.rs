@@ -24,7 +24,7 @@ pub(super) const OF_SWEEP: [&str; 8] = [
 /// The column of friction in the table of a sweep, if friction depends on the slip speed.
 pub(super) const fn friction(case: &ImpactCase) -> &'static [&'static str] {
     match case.contact.friction {
-        ImpactFriction::Constant(_) => &[],
+        ImpactFriction::Constant(_) | ImpactFriction::Static(_) => &[],
         ImpactFriction::SlipSpeed(_) => &["friction"],
     }
 }

@@ -1,0 +1,284 @@
+//! Static friction above kinetic friction: against springs integrated in time, limits, convergence, refusals.
+
+use carom_geometry::Surface;
+use carom_halfspace::Material;
+use carom_impact::coupled::{CoupledImpact, ImpactMethod, Trajectory, TurningLaw};
+use carom_impact::normal::NormalImpact;
+use carom_impact::scene::{Ball, Limits, Scene, Wall};
+use carom_impact::{
+    AnalyticOrRings, Body, Collision, CollisionError, CollisionSolver, Mobility, Motion,
+    RingImpact, TorsionMode,
+};
+use carom_laws::accounted::Accounted;
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
+use carom_laws::shift_law::StaticFrictionLaw;
+use carom_laws::static_friction::StaticFriction;
+use carom_laws::stiffness::ContactStiffness;
+use carom_special::RangeError;
+use nalgebra::{Matrix3, Vector3};
+
+const F_S: f64 = 0.4;
+const F_K: f64 = 0.2;
+
+fn friction(f_s: f64, f_k: f64) -> StaticFriction {
+    StaticFriction::new(Friction::new(f_s).unwrap(), Friction::new(f_k).unwrap()).unwrap()
+}
+
+fn stiffness() -> ContactStiffness {
+    ContactStiffness::new(0.9, 0.9, 1.1).unwrap()
+}
+
+fn matrix(coupling: f64) -> Matrix3<f64> {
+    Matrix3::new(3.5, 0.0, coupling, 0.0, 3.0, 0.0, coupling, 0.0, 1.0)
+}
+
+fn plain(coupling: f64, slip: f64, f: f64) -> CoupledImpact {
+    let mobility = Mobility::from_matrix(matrix(coupling)).unwrap();
+    let velocity = Vector3::new(slip, 0.0, 1.0);
+    CoupledImpact::new(mobility, stiffness(), Friction::new(f).unwrap(), velocity).unwrap()
+}
+
+fn impact(coupling: f64, slip: f64, f_s: f64, f_k: f64) -> CoupledImpact {
+    plain(coupling, slip, f_k).with_static_friction(friction(f_s, f_k))
+}
+
+fn after(impact: &CoupledImpact) -> Vector3<f64> {
+    impact.solve(TurningLaw::Coulomb).unwrap().velocity
+}
+
+/// A bed of springs at the depths t^2, on which a body moves in time (Verlet). A spring slips at f_s p; once all slip,
+/// each has f_k p until the slip stops.
+fn of_springs(coupling: f64, slip: f64, f_s: f64, f_k: f64, steps: usize) -> Vector3<f64> {
+    const SPRINGS: usize = 500;
+    let (c, d) = (stiffness(), matrix(coupling));
+    let duration = NormalImpact::new(1.0, c.c_z, 1.0).unwrap();
+    let width = 1.3 * duration.maximal_approach().sqrt();
+    let h = duration.duration() / steps as f64;
+    let [f_s, f_k] = [f_s, f_k].map(|f| f * c.c_z / c.c_x);
+    let share = width / SPRINGS as f64;
+    let depth: Vec<f64> = (0..SPRINGS).map(|j| (share * (j as f64 + 0.5)).powi(2)).collect();
+    let mut stretch = vec![0.0; SPRINGS];
+    let (mut place, mut v, mut force) =
+        (Vector3::zeros(), Vector3::new(slip, 0.0, 1.0), Vector3::zeros());
+    let mut slides = 0.0;
+    loop {
+        let to = place + v * h - d * force * (0.5 * h * h);
+        if to.z <= 0.0 {
+            return v;
+        }
+        let (dx, dz) = (to.x - place.x, to.z - place.z);
+        place = to;
+        let count = depth.iter().take_while(|s| **s < to.z).count();
+        stretch[count..].fill(0.0);
+        for j in 0..count {
+            let p = to.z - depth[j];
+            stretch[j] += if p < dz { dx * p / dz } else { dx };
+        }
+        let all = |sign: f64, f: f64| (0..count).all(|j| sign * stretch[j] > f * (to.z - depth[j]));
+        if slides == 0.0 || !all(slides, f_k) {
+            slides =
+                [1.0, -1.0].into_iter().find(|sign| count > 0 && all(*sign, f_s)).unwrap_or(0.0);
+        }
+        let mut sum = Vector3::zeros();
+        for j in 0..count {
+            let p = to.z - depth[j];
+            stretch[j] =
+                if slides == 0.0 { stretch[j].clamp(-f_s * p, f_s * p) } else { slides * f_k * p };
+            sum += Vector3::new(c.c_x * stretch[j], 0.0, c.c_z * p) * share;
+        }
+        v -= d * (force + sum) * (0.5 * h);
+        force = sum;
+    }
+}
+
+#[test]
+fn it_is_a_body_on_springs() {
+    for (coupling, slip) in
+        [(0.0, 0.3), (0.0, 0.9), (0.0, -1.6), (0.6, 0.4), (-0.6, 0.9), (-0.5, 0.0)]
+    {
+        for (f_s, f_k) in [(F_S, F_K), (0.5, 0.0)] {
+            let found = after(&impact(coupling, slip, f_s, f_k));
+            let springs = of_springs(coupling, slip, f_s, f_k, 20_000);
+            let error = (found - springs).norm();
+            assert!(error < 2e-5, "{coupling} {slip} {f_s}: {found} {springs}");
+        }
+    }
+}
+
+#[test]
+fn equal_coefficients_give_the_same_bits() {
+    for coupling in [0.0, 0.4] {
+        let (one, two) = (plain(coupling, 0.7, F_K), impact(coupling, 0.7, F_K, F_K));
+        assert_eq!(one, two);
+        assert_eq!(
+            one.solve_with_log(TurningLaw::Coulomb).unwrap(),
+            two.solve_with_log(TurningLaw::Coulomb).unwrap()
+        );
+    }
+}
+
+/// The exact impact is the limit of equal coefficients, and that of slip throughout.
+#[test]
+fn limits_are_the_exact_impact() {
+    for slip in [0.05, 0.3, 0.8, 1.4, 6.0] {
+        let near = after(&impact(0.0, slip, F_K * (1.0 + 1e-10), F_K));
+        assert!((near - after(&plain(0.0, slip, F_K))).norm() < 2e-8, "{slip}");
+    }
+    let slides = impact(0.0, 6.0, F_S, F_K);
+    assert!(matches!(slides.method(), ImpactMethod::Planar { .. }));
+    assert!((after(&slides) - after(&plain(0.0, 6.0, F_K))).norm() < 1e-7);
+}
+
+#[test]
+fn the_mirror_image_is_the_mirror_image() {
+    for (coupling, slip) in [(0.0, 0.6), (0.5, 0.9)] {
+        let (one, two) =
+            (after(&impact(coupling, slip, F_S, F_K)), after(&impact(-coupling, -slip, F_S, F_K)));
+        assert!((one.x + two.x).abs() < 1e-14 && (one.z - two.z).abs() < 1e-14);
+    }
+}
+
+/// The energy lost by the motion is the heat of the contact on its path.
+#[test]
+fn energy_lost_is_the_heat_of_the_path() {
+    for (coupling, slip) in [(0.0, 0.6), (0.5, 0.9), (-0.5, 1.5)] {
+        let impact = impact(coupling, slip, F_S, F_K);
+        let mut law = Accounted::new(StaticFrictionLaw::<carom_laws::memory::Growing<f64>>::new(
+            stiffness(),
+            friction(F_S, F_K),
+        ));
+        for sample in impact.history(TurningLaw::Coulomb).unwrap() {
+            law.advance(Shift { zeta: sample.shift.z, xi: sample.shift.x, ..Shift::default() })
+                .unwrap();
+        }
+        let d = Mobility::from_matrix(matrix(coupling)).unwrap();
+        let before = d.energy(&impact.velocity());
+        let lost = before - d.energy(&after(&impact));
+        assert!(lost > 0.01 * before);
+        assert!((lost - law.dissipated()).abs() < 1e-5 * before, "{lost} {}", law.dissipated());
+    }
+}
+
+/// A law whose jump an integration does not see.
+#[derive(Clone)]
+struct Unseen(StaticFrictionLaw);
+
+impl ContactLaw for Unseen {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        self.0.advance(shift)
+    }
+
+    fn shift(&self) -> Shift {
+        self.0.shift()
+    }
+
+    fn load(&self) -> ContactLoad {
+        self.0.load()
+    }
+}
+
+fn errors<L: ContactLaw>(slip: f64, exact: &Vector3<f64>, law: impl Fn() -> L) -> Vec<f64> {
+    [64, 128, 256, 512, 1024, 2048]
+        .into_iter()
+        .map(|steps| {
+            let trajectory = Trajectory {
+                mobility: matrix(0.0),
+                velocity: Vector3::new(slip, 0.0, 1.0),
+                stiffness: stiffness(),
+                steps,
+                expected: Some(NormalImpact::new(1.0, stiffness().c_z, 1.0).unwrap().duration()),
+            };
+            let end = trajectory.follow(&mut law(), |_, _| ()).unwrap().unwrap();
+            (end.velocity - exact).norm()
+        })
+        .collect()
+}
+
+#[test]
+fn steps_that_end_at_the_jump_keep_the_second_order() {
+    for slip in [0.3, 0.6, 1.0] {
+        let exact = after(&impact(0.0, slip, F_S, F_K).within(1e-9).unwrap());
+        let law =
+            || -> StaticFrictionLaw { StaticFrictionLaw::new(stiffness(), friction(F_S, F_K)) };
+        let seen = errors(slip, &exact, law);
+        let unseen = errors(slip, &exact, || Unseen(law()));
+        for (k, error) in seen.iter().enumerate() {
+            assert!(*error < 4.5e-4 * 0.25_f64.powi(k as i32), "{slip}: {seen:?}");
+        }
+        assert!(unseen[5] > 5.0 * seen[5] && unseen[5] > 4e-6, "{slip}: {unseen:?}");
+    }
+}
+
+fn steel() -> Material {
+    Material::from_young(208e9, 0.3).unwrap()
+}
+
+fn ball(velocity: [f64; 3], spin: [f64; 3]) -> Body {
+    let motion = Motion::new(velocity, spin).unwrap();
+    Body::sphere(0.01, steel(), 0.033).unwrap().moving(motion)
+}
+
+/// A ball on a plane rebounds alike in all directions, and its energies balance.
+#[test]
+fn a_ball_rebounds_alike_in_all_directions() {
+    let solved = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        let body = ball([0.4 * cos, 0.4 * sin, -1.0], [0.0; 3]);
+        let collision = Collision::new(body, Body::plane(steel()), friction(F_S, F_K)).unwrap();
+        assert_eq!(collision.static_friction(), Some(friction(F_S, F_K)));
+        collision.solve().unwrap().rebound().unwrap().clone()
+    };
+    let one = solved(0.0);
+    assert_eq!((one.method.name(), one.friction.get()), ("planar", F_K));
+    for angle in [0.4, 1.9, -2.5] {
+        let two = solved(angle);
+        assert!((one.r_x.unwrap() - two.r_x.unwrap()).abs() < 1e-7, "{angle}");
+        let energy = two.energy;
+        assert!((energy.before - energy.after - energy.dissipated).abs() < 1e-9 * energy.before);
+        assert!(energy.dissipated > 0.0);
+    }
+}
+
+#[test]
+fn what_cannot_be_computed_is_refused_by_name() {
+    let named = |error: CollisionError| match error {
+        CollisionError::Range(error) => (error.field, error.value),
+        other => panic!("{other}"),
+    };
+    // An ellipsoid slips across its axes.
+    let egg = Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+    let inertia = egg.solid(0.3).unwrap();
+    let egg = |y: f64| {
+        let motion = Motion::new([0.3, y, -1.0], [0.0; 3]).unwrap();
+        let body = Body::new(egg.clone(), steel(), inertia).moving(motion);
+        Collision::new(body, Body::plane(steel()), friction(F_S, F_K)).unwrap()
+    };
+    let along = egg(0.0).solve().unwrap();
+    assert_eq!(along.rebound().unwrap().method.name(), "planar");
+    assert_eq!(named(egg(0.2).solve().unwrap_err()), ("static_friction", F_S));
+    assert_eq!(named(egg(0.2).history(11).unwrap_err()), ("static_friction", F_S));
+    // Torsion and rings.
+    let body = ball([0.4, 0.0, -1.0], [0.0, 0.0, 300.0]);
+    let spins = Collision::new(body, Body::plane(steel()), friction(F_S, F_K)).unwrap();
+    assert_eq!(named(spins.clone().with_torsion().solve().unwrap_err()), ("static_friction", F_S));
+    let error = RingImpact::new(&spins).solve().unwrap_err();
+    assert!(error.to_string().contains("static_friction"), "{error}");
+    // The solver that chooses computes what it can, without torsion.
+    let chosen = AnalyticOrRings.solve(&spins.with_torsion_mode(TorsionMode::Auto)).unwrap();
+    assert!(chosen.rebound().unwrap().torsion.is_none());
+}
+
+#[test]
+fn a_ball_bounces_between_walls_with_static_friction() {
+    let floor = Wall::new([0.0; 3], [0.0, 0.0, 1.0], steel(), friction(F_S, F_K)).unwrap();
+    let scene = Scene::new([0.0, 0.0, -10.0]).unwrap().with(floor);
+    let body = ball([0.3, 0.1, 0.0], [0.0, 5.0, 0.0]).at([0.0, 0.0, 0.06]).unwrap();
+    let path = scene.run(&Ball::new(body).unwrap(), Limits::new(1.0, 4).unwrap()).unwrap();
+    assert!(path.bounces().len() >= 3);
+    for bounce in path.bounces() {
+        assert_eq!(bounce.rebound.friction.get(), F_K);
+    }
+}
