@@ -142,10 +142,12 @@ impl Sweep {
         }
         let (line, given) = (self.line.records(), self.given);
         let name = Parameter::of(input, 0.0).name;
+        // In a picture a low line begins a subscript.
+        let field = name.replace('_', " ");
         let (label, what) = match (name, input.unit) {
             ("angle", _) => ("angle from the normal / °".to_owned(), "the angle of incidence"),
-            (name, "") => (name.to_owned(), name),
-            (name, unit) => (format!("{name} / {unit}"), name),
+            (_, "") => (field.clone(), field.as_str()),
+            (_, unit) => (format!("{field} / {unit}"), field.as_str()),
         };
         let marks = match (name, given.len() <= MOST_MARKS) {
             (_, false) => "",
