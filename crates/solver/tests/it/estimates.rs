@@ -128,3 +128,17 @@ fn a_stick_area_without_an_outline_has_an_error() {
         assert!(got.error >= 4.0 * 0.01 && (got.value - area).abs() < got.error, "{xi}: {got:?}");
     }
 }
+
+/// Values that approach their limit as the square of the cell width have a third of the last difference left.
+#[test]
+fn smooth_values_are_extrapolated() {
+    let limit = 2.0;
+    let at = |width: f64| limit + 0.1 * width * width;
+    let found = Estimated::of([at(1.0), at(2.0), at(4.0)]);
+    assert_eq!(found.value, at(1.0));
+    assert!((found.error - 0.1).abs() < 1e-12, "{found:?}");
+    // In first order all of it is left.
+    let at = |width: f64| limit + 0.1 * width;
+    let found = Estimated::of_first_order([at(1.0), at(2.0), at(4.0)]);
+    assert!((found.error - 0.1).abs() < 1e-12, "{found:?}");
+}
