@@ -4,7 +4,9 @@
 //! hertz_force, hertz_approach: a paraboloid of R = 100 on an equal one, a = 1, in a window of 2.4.
 //! cattaneo: the same with f = 0.4, nu = 0, by force, then shifted to half of the stick radius;
 //! cattaneo_nu: nu = 0.28. history: an ellipse of 40 x 10 cells between dissimilar bodies, pressed and
-//! shifted in 39 increments, with the friction instead of the number of cells.
+//! shifted in 39 increments, with the friction instead of the number of cells. loop: a sphere pressed by a
+//! force and shifted to and fro in 19 further steps, nu = 0.28; loop_finely: the first tenth of it.
+//! CAROM_THREADS=2 uses two threads.
 
 use std::time::Instant;
 
@@ -29,6 +31,8 @@ fn main() -> Result<(), Failure> {
         return Err("give a case, a number of cells (or a friction) and a tolerance".into());
     };
     let tolerance: f64 = tolerance.parse()?;
+    let threads = std::env::var("CAROM_THREADS").map_or(Ok(1), |number| number.parse())?;
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?;
     match case.as_str() {
         "hertz_force" | "hertz_approach" => {
             hertz(case == "hertz_force", number.parse()?, tolerance)
@@ -36,6 +40,8 @@ fn main() -> Result<(), Failure> {
         "cattaneo" => cattaneo(0.0, number.parse()?, tolerance),
         "cattaneo_nu" => cattaneo(0.28, number.parse()?, tolerance),
         "history" => history(number.parse()?, tolerance),
+        "loop" => shift_to_and_fro(number.parse()?, 19, tolerance),
+        "loop_finely" => shift_to_and_fro(number.parse()?, 190, tolerance),
         _ => Err(format!("no case {case}").into()),
     }
 }
@@ -55,7 +61,8 @@ fn ball(
     let body = Material::from_shear(SHEAR, poisson)?;
     let pair = MaterialPair::new(body, body)?;
     let gap = Gap::of_shape(grid, &Shape::Paraboloid { radii: [RADIUS; 2] })?;
-    let operator = HalfSpaceOperator::with_blocks(pair, grid, blocks, Threads::One)?;
+    let threads = if rayon::current_num_threads() > 1 { Threads::Pool } else { Threads::One };
+    let operator = HalfSpaceOperator::with_blocks(pair, grid, blocks, threads)?;
     Ok(ContactProblem::new(gap, std::sync::Arc::new(operator), Friction::new(friction)?)?)
 }
 
@@ -126,6 +133,36 @@ fn history(friction: f64, tolerance: f64) -> Result<(), Failure> {
     let solve = begin.elapsed().as_secs_f64();
     eprintln!("{} of {} cells stick", state.count(CellState::Stick), grid.cells());
     tell([set_up, solve], products, 0.0);
+    Ok(())
+}
+
+/// Half of the sliding shift to and fro, at a constant force.
+fn shift_to_and_fro(cells: usize, steps: i32, tolerance: f64) -> Result<(), Failure> {
+    let poisson = 0.28;
+    let [force, _] = exact(poisson);
+    let begin = Instant::now();
+    let problem = ball(cells, poisson, FRICTION, Blocks::All)?;
+    let method = Frictional::default().within(tolerance)?;
+    let mut scratch = method.scratch(&problem)?;
+    let set_up = begin.elapsed().as_secs_f64();
+    let sliding = 3.0 * FRICTION * force * (2.0 - poisson) / (8.0 * SHEAR);
+    let mut state = ContactState::apart(problem.grid());
+    let (mut products, begin) = (Products::default(), Instant::now());
+    for step in 0..20 {
+        let turn = std::f64::consts::TAU * f64::from(step) / f64::from(steps);
+        let xi = 0.5 * sliding * turn.sin();
+        let drive = Drive { normal: Driven::Load(force), x: Driven::Shift(xi), ..Drive::default() };
+        let (from, begin) = (state.clone(), Instant::now());
+        let went = method.step(&problem, &from, &drive, &mut state, &mut scratch, &mut ())?;
+        products = products.plus(went.products);
+        let Products { normal, tangential, preconditioner, .. } = went.products;
+        let seconds = begin.elapsed().as_secs_f64();
+        eprintln!(
+            "step {step}: {seconds:.4} s, {normal:.1} normal, {tangential:.1} tangential, {preconditioner:.1}"
+        );
+    }
+    let solve = begin.elapsed().as_secs_f64();
+    tell([set_up, solve], products, state.load().f_x / (FRICTION * force));
     Ok(())
 }
 

@@ -42,6 +42,7 @@ mod law;
 mod method;
 mod nested;
 mod normal;
+mod parts;
 mod problem;
 mod result;
 mod state;

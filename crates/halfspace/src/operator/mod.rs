@@ -54,6 +54,11 @@ pub trait SurfaceOperator: Send + Sync {
     /// The grid.
     fn grid(&self) -> Grid;
 
+    /// The threads on which products are computed; methods use them for their own work on the cells.
+    fn threads(&self) -> Threads {
+        Threads::One
+    }
+
     /// Whether normal tractions cause tangential displacements and tangential tractions normal
     /// ones.
     fn is_coupled(&self) -> bool;

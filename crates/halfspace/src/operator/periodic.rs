@@ -162,6 +162,10 @@ impl SurfaceOperator for PeriodicOperator {
         self.grid
     }
 
+    fn threads(&self) -> Threads {
+        self.plan.threads
+    }
+
     fn is_coupled(&self) -> bool {
         !self.pair.is_uncoupled()
     }

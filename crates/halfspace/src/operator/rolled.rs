@@ -154,6 +154,10 @@ impl SurfaceOperator for RolledOperator {
         self.body.grid()
     }
 
+    fn threads(&self) -> Threads {
+        self.product.threads()
+    }
+
     fn is_coupled(&self) -> bool {
         self.body.is_coupled()
     }

@@ -158,6 +158,9 @@ impl CoefficientTable {
     }
 
     fn value(&self, entry: Entry, at: usize, [n, m]: [usize; 2]) -> f64 {
+        if !Blocks::All.holds(entry, &self.pair()) {
+            return 0.0;
+        }
         let block = self.block(entry);
         block.get(at).copied().unwrap_or_else(|| {
             let offset = Offset { x: n as f64 * self.grid.dx(), y: m as f64 * self.grid.dy() };

@@ -150,6 +150,10 @@ impl SurfaceOperator for HalfSpaceOperator {
         self.grid
     }
 
+    fn threads(&self) -> Threads {
+        self.plan.threads
+    }
+
     fn is_coupled(&self) -> bool {
         !self.pair().is_uncoupled()
     }

@@ -157,7 +157,7 @@ impl Pass<'_> {
         };
         let iterations = self.method.iterations;
         let fresh = task.traction.iter().all(|values| values.iter().all(|t| *t == 0.0));
-        if first && fresh {
+        if first && (fresh || operator.is_reciprocal()) {
             let started = scratch.tangential.start(&mut task, tolerance, iterations)?;
             self.cost = self.cost.plus(started);
         }

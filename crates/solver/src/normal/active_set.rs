@@ -13,13 +13,15 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, TractionField, Workspace,
+    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads, TractionField,
+    Workspace,
 };
 
 use super::iteration_state::IterationState;
 use super::task::{Limits, NormalTask, finish};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
+use crate::parts::{each, fold, sum};
 
 /// A relative error of the force above this means that the force was lost to rounding.
 const LARGEST_FORCE_ERROR: f64 = 1e-9;
@@ -27,6 +29,7 @@ const LARGEST_FORCE_ERROR: f64 = 1e-9;
 /// One grid of the normal problem, with its working memory.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
+    pub(super) threads: Threads,
     pub(super) inverse: Option<Arc<dyn Preconditioner>>,
     pub(super) workspace: Workspace,
     /// The influence of a cell on itself.
@@ -50,6 +53,7 @@ impl ActiveSet {
         // Zeroed memory is allocated lazily; a copy of zeros is not.
         let zero = || vec![0.0; cells];
         Self {
+            threads: operator.threads(),
             inverse: operator.inverse(),
             workspace: operator.workspace(),
             own: operator.coefficients(0, 0).rows[2][2],
@@ -99,10 +103,9 @@ impl ActiveSet {
             self.deflate(task);
             let normal = self.residual(task);
             let residuals = Residuals { normal, tangential: 0.0 };
-            let (cells, touching) =
-                (task.pressure.len(), task.pressure.iter().filter(|p| **p > 0.0).count());
+            let (cells, touching) = (task.pressure.len(), self.touching(task));
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let lost = !normal.is_finite() || touching == 0 || is_force_lost(task);
+            let lost = !normal.is_finite() || touching == 0 || self.is_force_lost(task);
             if lost && !state.rescued {
                 self.rescue(task, &mut state)?;
                 continue;
@@ -124,6 +127,12 @@ impl ActiveSet {
         }
     }
 
+    /// The number of cells with pressure.
+    fn touching(&self, task: &NormalTask<'_>) -> usize {
+        let count = |pressures: &[f64]| pressures.iter().filter(|p| **p > 0.0).count();
+        fold(self.threads, &*task.pressure, &count, &|one, other| one + other)
+    }
+
     /// Sets up active set and gap. The initial pressure is scaled for the best fit.
     fn begin(
         &mut self,
@@ -136,24 +145,38 @@ impl ActiveSet {
         }
         self.direction.copy_from_slice(task.pressure);
         self.multiply(task.operator, state)?;
-        let (mut wanted, mut got) = (0.0, 0.0);
-        for (i, pressure) in task.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-            wanted += pressure * (task.approach - task.heights[i]);
-            got += pressure * self.image[i];
-        }
+        let approach = task.approach;
+        let parts = (&*task.pressure, &self.image[..], task.heights);
+        let [wanted, got] = fold(
+            self.threads,
+            parts,
+            &|(pressures, images, heights)| {
+                let (mut wanted, mut got) = (0.0, 0.0);
+                for ((pressure, image), height) in pressures.iter().zip(images).zip(heights) {
+                    if *pressure > 0.0 {
+                        wanted += pressure * (approach - height);
+                        got += pressure * image;
+                    }
+                }
+                [wanted, got]
+            },
+            &|one: [f64; 2], other| [one[0] + other[0], one[1] + other[1]],
+        );
         let factor = match task.driven {
             Driven::Load(force) => {
-                force / (task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>())
+                force / (task.operator.grid().cell_area() * total(self.threads, task.pressure))
             }
             Driven::Shift(_) if wanted > 0.0 && got > 0.0 => wanted / got,
             Driven::Shift(_) => 1.0,
         };
-        for pressure in task.pressure.iter_mut() {
-            *pressure *= factor;
-        }
-        for ((gap, image), height) in self.gap.iter_mut().zip(&self.image).zip(task.heights) {
-            *gap = factor * image + height - task.approach;
-        }
+        let fields = (&mut *task.pressure, &mut self.gap[..]);
+        let parts = (fields, &self.image[..], task.heights);
+        each(self.threads, parts, &|((pressures, gaps), images, heights)| {
+            pressures.iter_mut().for_each(|pressure| *pressure *= factor);
+            for ((gap, image), height) in gaps.iter_mut().zip(images).zip(heights) {
+                *gap = factor * image + height - approach;
+            }
+        });
         if matches!(task.driven, Driven::Load(_)) {
             self.precondition_ones(state);
         }
@@ -190,13 +213,20 @@ impl ActiveSet {
         state: &mut IterationState,
     ) -> Result<(), OperatorError> {
         state.changes(self.violation(task));
-        let mut dropped = false;
-        for ((active, pressure), gap) in
-            self.active.iter_mut().zip(task.pressure.iter()).zip(&self.gap)
-        {
-            dropped |= *active && *pressure < 0.0;
-            *active = if *active { *pressure > 0.0 } else { *gap < 0.0 };
-        }
+        let parts = (&mut self.active[..], &*task.pressure, &self.gap[..]);
+        let dropped = fold(
+            self.threads,
+            parts,
+            &|(actives, pressures, gaps)| {
+                let mut dropped = false;
+                for ((active, pressure), gap) in actives.iter_mut().zip(pressures).zip(gaps) {
+                    dropped |= *active && *pressure < 0.0;
+                    *active = if *active { *pressure > 0.0 } else { *gap < 0.0 };
+                }
+                dropped
+            },
+            &|one, other| one | other,
+        );
         if matches!(task.driven, Driven::Load(_)) {
             self.precondition_ones(state);
         }
@@ -213,16 +243,26 @@ impl ActiveSet {
         task: &mut NormalTask<'_>,
         state: &mut IterationState,
     ) -> Result<(), OperatorError> {
-        let (damping, mut dropped, mut step) = (state.damping(), 0.0, 0.0);
-        for (i, direction) in self.direction.iter_mut().enumerate() {
-            if self.active[i] {
-                *direction = damping * self.preconditioned[i];
-                step += *direction;
-            } else {
-                *direction = task.pressure[i];
-                dropped += *direction;
-            }
-        }
+        let damping = state.damping();
+        let given = (&self.active[..], &self.preconditioned[..], &*task.pressure);
+        let [step, dropped] = fold(
+            self.threads,
+            (&mut self.direction[..], given),
+            &|(directions, (actives, steps, pressures))| {
+                let (mut step, mut dropped) = (0.0, 0.0);
+                for (i, direction) in directions.iter_mut().enumerate() {
+                    if actives[i] {
+                        *direction = damping * steps[i];
+                        step += *direction;
+                    } else {
+                        *direction = pressures[i];
+                        dropped += *direction;
+                    }
+                }
+                [step, dropped]
+            },
+            &|one: [f64; 2], other| [one[0] + other[0], one[1] + other[1]],
+        );
         // If the approach is prescribed, dropping pressure may change the force; if the force is,
         // nothing may.
         let force = match task.driven {
@@ -233,18 +273,12 @@ impl ActiveSet {
             if matches!(task.driven, Driven::Shift(_)) {
                 self.precondition_ones(state);
             }
-            let part = force / self.ones.iter().sum::<f64>();
-            for (direction, one) in self.direction.iter_mut().zip(&self.ones) {
-                *direction -= part * one;
-            }
+            let part = force / total(self.threads, &self.ones);
+            subtract(self.threads, part, &self.ones, &mut self.direction);
         }
         self.multiply(task.operator, state)?;
         self.correct(task, 1.0, state);
-        for (pressure, active) in task.pressure.iter_mut().zip(&self.active) {
-            if !active {
-                *pressure = 0.0;
-            }
-        }
+        keep_active(self.threads, task.pressure, &self.active);
         Ok(())
     }
 
@@ -254,16 +288,18 @@ impl ActiveSet {
         task: &mut NormalTask<'_>,
         state: &mut IterationState,
     ) -> Result<(), OperatorError> {
-        let power = dot(&self.preconditioned, &self.gap, &self.active);
+        let power = self.dot(&self.preconditioned, &self.gap);
         let share = state.power.map_or(0.0, |last| power / last);
-        for (i, direction) in self.direction.iter_mut().enumerate() {
-            *direction =
-                if self.active[i] { self.preconditioned[i] + share * *direction } else { 0.0 };
-        }
+        let parts = (&mut self.direction[..], &self.preconditioned[..], &self.active[..]);
+        each(self.threads, parts, &|(directions, steps, actives)| {
+            for ((direction, step), active) in directions.iter_mut().zip(steps).zip(actives) {
+                *direction = if *active { step + share * *direction } else { 0.0 };
+            }
+        });
         state.power = Some(power);
         self.multiply(task.operator, state)?;
-        let down = dot(&self.direction, &self.gap, &self.active);
-        let bend = dot(&self.direction, &self.image, &self.active);
+        let down = self.dot(&self.direction, &self.gap);
+        let bend = self.dot(&self.direction, &self.image);
         // Converged to rounding.
         let length = if bend > 0.0 { down / bend } else { 0.0 };
         self.correct(task, length, state);
@@ -271,14 +307,17 @@ impl ActiveSet {
     }
 
     fn correct(&mut self, task: &mut NormalTask<'_>, length: f64, state: &mut IterationState) {
-        let mut square = 0.0;
-        for (pressure, direction) in task.pressure.iter_mut().zip(&self.direction) {
-            *pressure -= length * direction;
-            square += direction * direction;
-        }
-        for (gap, image) in self.gap.iter_mut().zip(&self.image) {
-            *gap -= length * image;
-        }
+        let parts =
+            ((&mut *task.pressure, &self.direction[..]), (&mut self.gap[..], &self.image[..]));
+        let square = sum(self.threads, parts, &|((pressures, directions), (gaps, images))| {
+            let mut square = 0.0;
+            for (pressure, direction) in pressures.iter_mut().zip(directions) {
+                *pressure -= length * direction;
+                square += direction * direction;
+            }
+            gaps.iter_mut().zip(images).for_each(|(gap, image)| *gap -= length * image);
+            square
+        });
         state.step = length.abs() * square.sqrt();
     }
 
@@ -288,15 +327,15 @@ impl ActiveSet {
         if matches!(task.driven, Driven::Shift(_)) {
             return;
         }
-        let sum: f64 = self.ones.iter().sum();
-        if sum <= 0.0 {
+        let ones = total(self.threads, &self.ones);
+        if ones <= 0.0 {
             return;
         }
-        let mean = dot(&self.ones, &self.gap, &self.active) / sum;
+        let mean = self.dot(&self.ones, &self.gap) / ones;
         task.approach += mean;
-        for gap in &mut self.gap {
-            *gap -= mean;
-        }
+        each(self.threads, &mut self.gap[..], &|gaps: &mut [f64]| {
+            gaps.iter_mut().for_each(|gap| *gap -= mean);
+        });
     }
 
     /// K 1 on the active set.
@@ -310,9 +349,12 @@ impl ActiveSet {
 
     /// K g on the active set.
     fn precondition(&mut self, state: &mut IterationState) {
-        for (i, value) in self.preconditioned.iter_mut().enumerate() {
-            *value = if self.active[i] { self.gap[i] } else { 0.0 };
-        }
+        let parts = (&mut self.preconditioned[..], &self.gap[..], &self.active[..]);
+        each(self.threads, parts, &|(values, gaps, actives)| {
+            for ((value, gap), active) in values.iter_mut().zip(gaps).zip(actives) {
+                *value = if *active { *gap } else { 0.0 };
+            }
+        });
         self.invert(state);
     }
 
@@ -323,11 +365,23 @@ impl ActiveSet {
             inverse.pressure(&self.image, &mut self.preconditioned, &mut self.workspace);
             state.products.preconditioner += 1.0;
         }
-        for (value, active) in self.preconditioned.iter_mut().zip(&self.active) {
-            if !active {
-                *value = 0.0;
-            }
-        }
+        keep_active(self.threads, &mut self.preconditioned, &self.active);
+    }
+
+    /// Whether the sum of the pressures differs from the prescribed force by more than rounding.
+    fn is_force_lost(&self, task: &NormalTask<'_>) -> bool {
+        let Driven::Load(force) = task.driven else { return false };
+        let sum = task.operator.grid().cell_area() * total(self.threads, task.pressure);
+        (sum - force).abs() > LARGEST_FORCE_ERROR * force
+    }
+
+    /// The sum of products over the active set.
+    fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
+        sum(self.threads, (a, b, &self.active[..]), &|(a, b, actives)| {
+            // Values outside the set may be infinite and do not count.
+            let both = a.iter().zip(b).zip(actives).filter(|(_, active)| **active);
+            both.map(|((a, b), _)| a * b).sum()
+        })
     }
 
     /// Sets `image` to A times `direction`.
@@ -344,14 +398,24 @@ impl ActiveSet {
     }
 }
 
-/// Whether the sum of the pressures differs from the prescribed force by more than rounding.
-fn is_force_lost(task: &NormalTask<'_>) -> bool {
-    let Driven::Load(force) = task.driven else { return false };
-    let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
-    (sum - force).abs() > LARGEST_FORCE_ERROR * force
+fn total(threads: Threads, values: &[f64]) -> f64 {
+    sum(threads, values, &|values: &[f64]| values.iter().sum())
 }
 
-fn dot(a: &[f64], b: &[f64], active: &[bool]) -> f64 {
-    // Values outside the set may be infinite and do not count.
-    a.iter().zip(b).zip(active).filter(|(_, active)| **active).map(|((a, b), _)| a * b).sum()
+/// Subtracts `part` times `from` from the values.
+fn subtract(threads: Threads, part: f64, from: &[f64], values: &mut [f64]) {
+    each(threads, (values, from), &|(values, from)| {
+        values.iter_mut().zip(from).for_each(|(value, from)| *value -= part * from);
+    });
+}
+
+/// Sets the values of inactive cells to zero.
+fn keep_active(threads: Threads, values: &mut [f64], active: &[bool]) {
+    each(threads, (values, active), &|(values, actives)| {
+        for (value, active) in values.iter_mut().zip(actives) {
+            if !active {
+                *value = 0.0;
+            }
+        }
+    });
 }

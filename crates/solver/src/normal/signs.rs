@@ -3,37 +3,52 @@
 use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
 use super::task::NormalTask;
+use crate::parts::{fold, sum};
 
 impl ActiveSet {
     /// The norm of the violations, tension inside the set and overlap outside, as pressures.
     pub(super) fn violation(&self, task: &NormalTask<'_>) -> f64 {
-        let mut square = 0.0;
-        for ((active, pressure), gap) in self.active.iter().zip(task.pressure.iter()).zip(&self.gap)
-        {
-            let wrong = if *active { pressure.min(0.0) } else { gap.min(0.0) / self.own };
-            square += wrong * wrong;
-        }
+        let own = self.own;
+        let parts = (&self.active[..], &*task.pressure, &self.gap[..]);
+        let square = sum(self.threads, parts, &|(actives, pressures, gaps)| {
+            let mut square = 0.0;
+            for ((active, pressure), gap) in actives.iter().zip(pressures).zip(gaps) {
+                let wrong = if *active { pressure.min(0.0) } else { gap.min(0.0) / own };
+                square += wrong * wrong;
+            }
+            square
+        });
         square.sqrt()
     }
 
     /// The greatest violation relative to the greatest displacement; NaN if any value is NaN.
     pub(super) fn residual(&self, task: &NormalTask<'_>) -> f64 {
-        let (mut greatest, mut scale) = (0.0_f64, 0.0_f64);
-        for (i, gap) in self.gap.iter().enumerate() {
-            let pressure = task.pressure[i];
-            let wrong = match (self.active[i], pressure < 0.0) {
-                (true, true) => gap.abs().max(-pressure * self.own),
-                (true, false) => gap.abs(),
-                (false, _) => (-gap).max(0.0),
-            };
-            if wrong.is_nan() {
-                return wrong;
-            }
-            greatest = greatest.max(wrong);
-            if self.active[i] {
-                scale = scale.max((gap + task.approach - task.heights[i]).abs());
-            }
-        }
+        let (own, approach) = (self.own, task.approach);
+        let parts = (&self.gap[..], &*task.pressure, &self.active[..], task.heights);
+        let (greatest, scale) = fold(
+            self.threads,
+            parts,
+            &|(gaps, pressures, actives, heights)| {
+                let (mut greatest, mut scale) = (0.0_f64, 0.0_f64);
+                for (i, gap) in gaps.iter().enumerate() {
+                    let pressure = pressures[i];
+                    let wrong = match (actives[i], pressure < 0.0) {
+                        (true, true) => gap.abs().max(-pressure * own),
+                        (true, false) => gap.abs(),
+                        (false, _) => (-gap).max(0.0),
+                    };
+                    if wrong.is_nan() {
+                        return (wrong, 0.0);
+                    }
+                    greatest = greatest.max(wrong);
+                    if actives[i] {
+                        scale = scale.max((gap + approach - heights[i]).abs());
+                    }
+                }
+                (greatest, scale)
+            },
+            &|one, other| (greater(one.0, other.0), one.1.max(other.1)),
+        );
         if scale > 0.0 { greatest / scale } else { greatest }
     }
 
@@ -46,7 +61,19 @@ impl ActiveSet {
         if change == 0.0 {
             return false;
         }
-        let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
+        let squares = |pressures: &[f64]| pressures.iter().map(|p| p * p).sum();
+        let norm = change * sum(self.threads, &*task.pressure, &squares).sqrt();
         state.step < norm && self.violation(task) < norm
+    }
+}
+
+/// The greater value; NaN if any is NaN.
+const fn greater(one: f64, other: f64) -> f64 {
+    if one.is_nan() {
+        one
+    } else if other.is_nan() || other > one {
+        other
+    } else {
+        one
     }
 }

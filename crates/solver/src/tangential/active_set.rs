@@ -11,18 +11,19 @@
 //! All fields are compressed to the cells of the contact; products use the box that contains them.
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+use carom_halfspace::operator::{OperatorError, SurfaceOperator, Threads};
 use nalgebra::Vector3;
 
 use super::compressed::Compressed;
 use super::contact::ContactInfluence;
 use super::iteration_state::IterationState;
 use super::law::{REACHED, Violation, ViolationSums, project_to_disc};
-use super::plane::Plane;
+use super::plane::{Plane, slices, slices_mut};
 use super::rigid::{self, Deflation};
 use super::search_scratch::Search;
 use super::task::TangentialTask;
 use crate::convergence::Products;
+use crate::parts::{each, fold};
 use crate::state::CellState;
 
 /// Curvature of the objective below this fraction of its diagonal part counts as zero.
@@ -32,6 +33,7 @@ const NEGLIGIBLE_CURVATURE: f64 = 1e-8;
 /// contact.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
+    pub(super) threads: Threads,
     pub(super) influence: ContactInfluence,
     pub(super) compressed: Compressed,
     pub(super) centres: Plane,
@@ -60,7 +62,8 @@ impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
         let own = operator.coefficients(0, 0).rows;
         Self {
-            influence: ContactInfluence::new(),
+            threads: operator.threads(),
+            influence: ContactInfluence::new(operator.threads()),
             compressed: Compressed::default(),
             centres: Plane::default(),
             deflation: Deflation::default(),
@@ -119,11 +122,21 @@ impl ActiveSet {
     /// The slip for tractions whose displacement is `image`.
     pub(super) fn slip_of_image(&mut self, task: &TangentialTask<'_>) {
         let moved = Vector3::from(task.rigid.moved);
-        for i in 0..task.limits.len() {
-            let [x, y] = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
-            self.slip[0][i] = self.image[0][i] + task.offset[0][i] - x;
-            self.slip[1][i] = self.image[1][i] + task.offset[1][i] - y;
-        }
+        let places = slices(&self.centres);
+        let parts = (slices_mut(&mut self.slip), slices(&self.image), task.offset, places);
+        each(self.threads, parts, &|([u, v], image, offset, centres)| {
+            let slips = u.iter_mut().zip(v);
+            let images = image[0].iter().zip(image[1]);
+            let offsets = offset[0].iter().zip(offset[1]);
+            let places = centres[0].iter().zip(centres[1]);
+            for (((u, v), (along, across)), ((c_x, c_y), (x, y))) in
+                slips.zip(images).zip(offsets.zip(places))
+            {
+                let [x, y] = rigid::displacement(&moved, *x, *y);
+                *u = along + c_x - x;
+                *v = across + c_y - y;
+            }
+        });
     }
 
     /// A step of conjugate gradients along `preconditioned`, whose product with `rest` is `power`.
@@ -134,26 +147,38 @@ impl ActiveSet {
         state: &mut IterationState,
     ) -> Result<Violation, OperatorError> {
         let share = state.power.map_or(0.0, |last| power / last);
-        for axis in 0..2 {
-            let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
-            steps.for_each(|(direction, step)| *direction = step + share * *direction);
-        }
+        let parts = (slices_mut(&mut self.direction), slices(&self.preconditioned));
+        each(self.threads, parts, &|(directions, steps)| {
+            for (direction, step) in directions.into_iter().zip(steps) {
+                let both = direction.iter_mut().zip(step);
+                both.for_each(|(direction, step)| *direction = step + share * *direction);
+            }
+        });
         state.power = Some(power);
         if self.runs_away() {
             return Ok(Violation::LOST);
         }
         self.multiply(task.operator, &mut state.products)?;
-        let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
-        let [along, across] = &self.direction;
-        let rest = self.rest[0].iter().zip(&self.rest[1]);
-        let image = self.image[0].iter().zip(&self.image[1]);
-        for (((x, y), own), ((r_x, r_y), (u, v))) in
-            along.iter().zip(across).zip(&self.bend).zip(rest.zip(image))
-        {
-            down += x * r_x + y * r_y;
-            bend += x * u + y * v + own * (x * x + y * y);
-            alone += x * x + y * y;
-        }
+        let parts =
+            ((slices(&self.direction), &self.bend[..]), (slices(&self.rest), slices(&self.image)));
+        let [down, bend, alone] = fold(
+            self.threads,
+            parts,
+            &|(([along, across], bends), (rest, image))| {
+                let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
+                let rest = rest[0].iter().zip(rest[1]);
+                let image = image[0].iter().zip(image[1]);
+                for (((x, y), own), ((r_x, r_y), (u, v))) in
+                    along.iter().zip(across).zip(bends).zip(rest.zip(image))
+                {
+                    down += x * r_x + y * r_y;
+                    bend += x * u + y * v + own * (x * x + y * y);
+                    alone += x * x + y * y;
+                }
+                [down, bend, alone]
+            },
+            &|one: [f64; 3], other| std::array::from_fn(|k| one[k] + other[k]),
+        );
         // Uniform tractions on a whole period cause no displacement: they grow until some reach
         // their bounds.
         let bend = bend.max(NEGLIGIBLE_CURVATURE * self.own * alone);
@@ -173,38 +198,60 @@ impl ActiveSet {
         length: f64,
         state: &mut IterationState,
     ) -> Violation {
-        let (mut square, mut off) = (0.0, ViolationSums::default());
-        let [tractions_x, tractions_y] = &mut task.traction;
-        let [slips_x, slips_y] = &mut self.slip;
-        let steps = self.direction[0].iter().zip(&self.direction[1]);
-        let images = self.image[0].iter().zip(&self.image[1]);
-        let rims = self.rim[0].iter().zip(&self.rim[1]);
-        let tractions = tractions_x.iter_mut().zip(tractions_y.iter_mut());
-        let slips = slips_x.iter_mut().zip(slips_y);
-        let given = task.limits.iter().zip(task.cells.iter());
         let per_own = 1.0 / self.own;
-        for ((((x, y), (u, v)), ((d_x, d_y), (a_x, a_y))), ((limit, cell), (e_x, e_y))) in
-            tractions.zip(slips).zip(steps.zip(images)).zip(given.zip(rims))
-        {
-            *x -= length * d_x;
-            *y -= length * d_y;
-            square += d_x * d_x + d_y * d_y;
-            *u -= length * a_x;
-            *v -= length * a_y;
-            off.add(*cell, *limit, [*x, *y], [*u * per_own, *v * per_own], [*e_x, *e_y]);
-        }
+        let [x, y] = &mut task.traction;
+        let parts = (
+            ([&mut **x, &mut **y], slices_mut(&mut self.slip)),
+            (slices(&self.direction), slices(&self.image)),
+            (task.limits, &*task.cells, slices(&self.rim)),
+        );
+        let (square, off) = fold(
+            self.threads,
+            parts,
+            &|(([x, y], [u, v]), (steps, images), (limits, cells, rims))| {
+                let (mut square, mut off) = (0.0, ViolationSums::default());
+                let (tractions, slips) = (x.iter_mut().zip(y), u.iter_mut().zip(v));
+                let steps = steps[0].iter().zip(steps[1]);
+                let images = images[0].iter().zip(images[1]);
+                let (given, rims) = (limits.iter().zip(cells), rims[0].iter().zip(rims[1]));
+                for ((((x, y), (u, v)), ((d_x, d_y), (a_x, a_y))), ((limit, cell), (e_x, e_y))) in
+                    tractions.zip(slips).zip(steps.zip(images)).zip(given.zip(rims))
+                {
+                    *x -= length * d_x;
+                    *y -= length * d_y;
+                    square += d_x * d_x + d_y * d_y;
+                    *u -= length * a_x;
+                    *v -= length * a_y;
+                    off.add(*cell, *limit, [*x, *y], [*u * per_own, *v * per_own], [*e_x, *e_y]);
+                }
+                (square, off)
+            },
+            &|(square, off), (squares, others)| (square + squares, off.plus(others)),
+        );
         state.step = length.abs() * f64::sqrt(square);
         off.all()
     }
 
     /// The violation of the law.
     pub(super) fn check_law(&self, task: &TangentialTask<'_>) -> Violation {
-        let (mut off, per_own) = (ViolationSums::default(), 1.0 / self.own);
-        for (i, limit) in task.limits.iter().enumerate() {
-            let traction = [task.traction[0][i], task.traction[1][i]];
-            let slip = [self.slip[0][i] * per_own, self.slip[1][i] * per_own];
-            off.add(task.cells[i], *limit, traction, slip, [self.rim[0][i], self.rim[1][i]]);
-        }
+        let per_own = 1.0 / self.own;
+        let tractions = [&*task.traction[0], &*task.traction[1]];
+        let parts =
+            ((task.limits, &*task.cells), (tractions, slices(&self.slip)), slices(&self.rim));
+        let off = fold(
+            self.threads,
+            parts,
+            &|((limits, cells), (tractions, slips), rims)| {
+                let mut off = ViolationSums::default();
+                for (i, (limit, cell)) in limits.iter().zip(cells).enumerate() {
+                    let traction = [tractions[0][i], tractions[1][i]];
+                    let slip = [slips[0][i] * per_own, slips[1][i] * per_own];
+                    off.add(*cell, *limit, traction, slip, [rims[0][i], rims[1][i]]);
+                }
+                off
+            },
+            &ViolationSums::plus,
+        );
         off.all()
     }
 

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use carom_halfspace::Grid;
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, TractionField, Workspace,
-    transform_length,
+    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads, TractionField,
+    Workspace, transform_length,
 };
 
 use crate::convergence::Products;
+use crate::parts::together;
 
 /// A box is used only if it holds at most this fraction of the cells.
 const LARGEST_FRACTION: f64 = 0.85;
@@ -114,6 +115,7 @@ impl Contact {
 /// Influence within a contact, with its working memory.
 #[derive(Clone)]
 pub(super) struct ContactInfluence {
+    threads: Threads,
     pub(super) contact: Contact,
     /// The operator on a box around the contact; `None` if the whole grid is used.
     fewer: Option<Arc<dyn SurfaceOperator>>,
@@ -129,8 +131,9 @@ pub(super) struct ContactInfluence {
 }
 
 impl ContactInfluence {
-    pub(super) fn new() -> Self {
+    pub(super) fn new(threads: Threads) -> Self {
         Self {
+            threads,
             contact: Contact::default(),
             fewer: None,
             inverse: None,
@@ -201,9 +204,12 @@ impl ContactInfluence {
     fn there(&mut self, fields: &[Vec<f64>; 2]) -> [bool; 2] {
         // NaN does not count as zero.
         let given = [0, 1].map(|axis| fields[axis].iter().any(|value: &f64| *value != 0.0));
-        for axis in (0..2).filter(|axis| given[*axis]) {
-            self.contact.fill(&fields[axis], &mut self.there[axis]);
-        }
+        let (contact, [x, y]) = (&self.contact, &mut self.there);
+        together(
+            self.threads,
+            || given[0].then(|| contact.fill(&fields[0], x)),
+            || given[1].then(|| contact.fill(&fields[1], y)),
+        );
         given
     }
 
@@ -213,13 +219,15 @@ impl ContactInfluence {
     }
 
     fn take(&self, wanted: [bool; 2], fields: &mut [Vec<f64>; 2]) {
-        for axis in 0..2 {
+        let take = |axis: usize, field: &mut [f64]| {
             if wanted[axis] {
-                self.contact.take(&self.back[axis], &mut fields[axis]);
+                self.contact.take(&self.back[axis], field);
             } else {
-                fields[axis].fill(0.0);
+                field.fill(0.0);
             }
-        }
+        };
+        let [x, y] = fields;
+        together(self.threads, || take(0, x), || take(1, y));
     }
 
     /// Whether the operator has an approximate inverse.

@@ -22,7 +22,7 @@ impl Violation {
     pub(super) const LOST: Self = Self { violation: f64::INFINITY, distance: f64::INFINITY };
 }
 
-/// ViolationSums over the cells.
+/// Sums over the cells.
 #[derive(Default)]
 pub(super) struct ViolationSums {
     violations: f64,
@@ -57,6 +57,15 @@ impl ViolationSums {
         self.farthest = self.farthest.max(distance);
         // The maximum would skip NaN.
         self.all += distance;
+    }
+
+    /// The sums over both sets of cells.
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self {
+            violations: self.violations + other.violations,
+            farthest: self.farthest.max(other.farthest),
+            all: self.all + other.all,
+        }
     }
 
     pub(super) fn all(&self) -> Violation {

@@ -21,13 +21,15 @@ mod task;
 use std::sync::Arc;
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+use carom_halfspace::operator::{
+    DisplacementField, OperatorError, SurfaceOperator, TractionField, Workspace,
+};
 
 use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::nested;
 use crate::state::CellState;
 use active_set::ActiveSet;
-use plane::Plane;
+use plane::{Plane, slices};
 use task::Limits;
 
 pub(crate) use law::project_to_disc;
@@ -41,6 +43,25 @@ const COARSE_CHANGE: f64 = 1e-2;
 /// Number of rings of cells around the contact to which the ratio of traction to bound is extended.
 const EXTENSION_RINGS: usize = 2;
 
+/// Adds the displacements due to tractions to a field, by way of `image`.
+fn add_displacement(
+    operator: &dyn SurfaceOperator,
+    traction: [&[f64]; 2],
+    field: &mut Plane,
+    (image, workspace): (&mut Plane, &mut Workspace),
+) -> Result<(), OperatorError> {
+    for values in &mut *image {
+        values.resize(traction[0].len(), 0.0);
+    }
+    let [u, v] = image;
+    let load = TractionField::tangential(traction[0], traction[1]);
+    operator.apply(load, DisplacementField::tangential(u, v), workspace)?;
+    for (values, image) in field.iter_mut().zip(image) {
+        values.iter_mut().zip(image).for_each(|(value, image)| *value += *image);
+    }
+    Ok(())
+}
+
 /// Whether nothing else is to be tried.
 const fn has_ended(reached: &Convergence) -> bool {
     matches!(reached.stop, Stop::Converged | Stop::Observer)
@@ -53,9 +74,13 @@ pub(crate) struct TangentialScratch {
     coarse: Vec<Level>,
     /// Whether prescribed loads are found by iterating on the shifts in this step.
     by_motions: bool,
-    /// Initial tractions of a task with prescribed loads.
+    /// Initial tractions of a task with prescribed loads, or of a step.
     begun: Plane,
     cells: Vec<CellState>,
+    /// The slip at the beginning of a step, and displacements due to tractions.
+    slip: Plane,
+    image: Plane,
+    workspace: Workspace,
 }
 
 #[derive(Clone)]
@@ -64,6 +89,10 @@ struct Level {
     operator: Arc<dyn SurfaceOperator>,
     set: ActiveSet,
     limits: Vec<f64>,
+    /// Tractions and slip at the beginning of the step, as means over the finer cells.
+    begun: Plane,
+    slip: Plane,
+    /// What makes that slip of those tractions on these cells.
     offset: Plane,
     rigid: Rigid,
     pressure: f64,
@@ -80,6 +109,8 @@ impl Level {
             set: ActiveSet::new(&**operator),
             operator: Arc::clone(operator),
             limits: zero(),
+            begun: Plane::default(),
+            slip: Plane::default(),
             offset: [zero(), zero()],
             rigid: Rigid::default(),
             pressure: 0.0,
@@ -88,16 +119,31 @@ impl Level {
         }
     }
 
-    fn take(&mut self, fine: Grid, limits: &[f64], offset: [&[f64]; 2], rigid: &Rigid) {
+    /// Takes the problem of a finer grid, with its tractions and slip at the beginning of the step.
+    fn take(&mut self, fine: Grid, limits: &[f64], [begun, slip]: [[&[f64]; 2]; 2], rigid: &Rigid) {
         self.rigid = rigid.on_cells(self.grid.cell_area() / fine.cell_area());
         self.limits = nested::coarser(fine, limits, self.grid);
-        self.offset = offset.map(|values| nested::coarser(fine, values, self.grid));
+        self.begun = begun.map(|values| nested::coarser(fine, values, self.grid));
+        self.slip = slip.map(|values| nested::coarser(fine, values, self.grid));
         for (cell, limit) in self.cells.iter_mut().zip(&self.limits) {
             *cell = if *limit > 0.0 { CellState::Stick } else { CellState::Exterior };
         }
-        for values in &mut self.traction {
-            values.fill(0.0);
+        for axis in 0..2 {
+            self.offset[axis].clone_from(&self.slip[axis]);
+            self.traction[axis].clone_from(&self.begun[axis]);
         }
+    }
+
+    /// Takes the displacements due to the tractions at the beginning out of the offset.
+    fn compensate(
+        &mut self,
+        image: &mut Plane,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        let against = self.begun.each_ref().map(|values| values.iter().map(|t| -t).collect());
+        let against: Plane = against;
+        let space = (image, workspace);
+        add_displacement(&*self.operator, slices(&against), &mut self.offset, space)
     }
 
     fn solve(&mut self, limits: Limits) -> Result<Convergence, OperatorError> {
@@ -116,8 +162,8 @@ impl Level {
         Ok(convergence)
     }
 
-    /// Passes the ratio of traction to bound to the finer grid. A fine cell slips, with its full
-    /// traction, if half of the coarse cells around it slip.
+    /// Passes the change of the tractions in this step to the finer grid, as a ratio to the bound. A
+    /// fine cell slips, with its full traction, if half of the coarse cells around it slip.
     fn pass_on(
         &self,
         fine: Grid,
@@ -133,7 +179,9 @@ impl Level {
             nested::extended(self.grid, &mut values, &known, EXTENSION_RINGS);
             values
         };
-        let ratio = |axis: usize| spread(&|i| self.traction[axis][i] / unit(self.limits[i]));
+        let ratio = |axis: usize| {
+            spread(&|i| (self.traction[axis][i] - self.begun[axis][i]) / unit(self.limits[i]))
+        };
         let slipping = spread(&|i| f64::from(u8::from(self.cells[i] == CellState::Slip)));
         let (along, across) = (ratio(0), ratio(1));
         let passage = nested::Passage::new(self.grid, fine);
@@ -143,7 +191,8 @@ impl Level {
                 (x[i], y[i], cells[i]) = (0.0, 0.0, CellState::Exterior);
                 continue;
             }
-            let (along, across) = (passage.at(&along, i), passage.at(&across, i));
+            let along = x[i] / unit(*limit) + passage.at(&along, i);
+            let across = y[i] / unit(*limit) + passage.at(&across, i);
             let norm = along.hypot(across);
             let slips = norm > 0.0 && passage.at(&slipping, i) >= 0.5;
             let part = if slips || norm > 1.0 { unit(*limit) / norm } else { unit(*limit) };
@@ -160,8 +209,16 @@ impl TangentialScratch {
         coarser: &[Arc<dyn SurfaceOperator>],
     ) -> Self {
         let coarse = coarser.iter().map(Level::new).collect();
-        let (by_motions, begun, cells) = Default::default();
-        Self { set: ActiveSet::new(operator), coarse, by_motions, begun, cells }
+        Self {
+            set: ActiveSet::new(operator),
+            coarse,
+            by_motions: false,
+            begun: Plane::default(),
+            cells: Vec::new(),
+            slip: Plane::default(),
+            image: Plane::default(),
+            workspace: Workspace::default(),
+        }
     }
 
     /// Forgets how prescribed loads were found in the last step.
@@ -226,6 +283,9 @@ impl TangentialScratch {
 
     /// Replaces the start of a task by the solution on coarser grids. Returns the cost, in products
     /// on the finest grid. Does nothing if there are no coarser grids.
+    ///
+    /// The coarse grids solve for the change of the tractions in this step: the slip at its beginning
+    /// is that of the finest grid (full approximation scheme).
     pub(crate) fn start(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -234,28 +294,21 @@ impl TangentialScratch {
     ) -> Result<Products, OperatorError> {
         let mut spent = Products::default();
         // Coarse cells hold slightly different loads.
-        if self.by_motions {
+        if self.by_motions || self.coarse.is_empty() {
             return Ok(spent);
         }
+        let is_loaded = self.begin_coarse(task, &mut spent)?;
         let fine = task.operator.grid();
         let coarsest = self.coarse.len();
-        for i in 0..coarsest {
-            self.coarse[i].pressure = task.pressure;
-            let (above, below) = self.coarse.split_at_mut(i);
-            match above.last() {
-                None => below[0].take(fine, task.limits, task.offset, &task.rigid),
-                Some(level) => {
-                    let offset = [&level.offset[0][..], &level.offset[1][..]];
-                    below[0].take(level.grid, &level.limits, offset, &level.rigid);
-                }
-            }
-        }
         for i in (0..coarsest).rev() {
             let change = if i + 1 == coarsest { 0.1 * COARSE_CHANGE } else { COARSE_CHANGE };
             let limits = Limits { tolerance, change, iterations };
             let convergence = self.coarse[i].solve(limits)?;
             let part = self.coarse[i].grid.cells() as f64 / fine.cells() as f64;
             spent = spent.plus(convergence.products.times(part));
+            if is_loaded && convergence.stop != Stop::Converged {
+                return Ok(spent);
+            }
             let (finer, coarser) = self.coarse.split_at_mut(i);
             match finer.last_mut() {
                 None => {
@@ -271,5 +324,44 @@ impl TangentialScratch {
             }
         }
         Ok(spent)
+    }
+
+    /// Gives the task to the coarse grids. Returns whether there are tractions at the beginning.
+    fn begin_coarse(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        spent: &mut Products,
+    ) -> Result<bool, OperatorError> {
+        let Self { coarse, slip, image, workspace, .. } = self;
+        let [x, y] = &mut task.traction;
+        for ((x, y), limit) in x.iter_mut().zip(y.iter_mut()).zip(task.limits) {
+            [*x, *y] = project_to_disc([*x, *y], *limit);
+        }
+        let is_loaded = x.iter().chain(y.iter()).any(|t| *t != 0.0);
+        for (slip, offset) in slip.iter_mut().zip(task.offset) {
+            slip.clear();
+            slip.extend_from_slice(offset);
+        }
+        if is_loaded {
+            add_displacement(task.operator, [x, y], slip, (image, workspace))?;
+            spent.tangential += 1.0;
+        }
+        let fine = task.operator.grid();
+        for i in 0..coarse.len() {
+            coarse[i].pressure = task.pressure;
+            let (above, below) = coarse.split_at_mut(i);
+            match above.last() {
+                None => below[0].take(fine, task.limits, [[x, y], slices(slip)], &task.rigid),
+                Some(level) => {
+                    let started = [slices(&level.begun), slices(&level.slip)];
+                    below[0].take(level.grid, &level.limits, started, &level.rigid);
+                }
+            }
+            if is_loaded {
+                below[0].compensate(image, workspace)?;
+                spent.tangential += below[0].grid.cells() as f64 / fine.cells() as f64;
+            }
+        }
+        Ok(is_loaded)
     }
 }

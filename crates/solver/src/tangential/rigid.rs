@@ -42,7 +42,7 @@ pub(super) fn displacement(motion: &Vector3<f64>, x: f64, y: f64) -> [f64; 2] {
     [motion[0] + y * motion[2], motion[1] - x * motion[2]]
 }
 
-/// ViolationSums of a field times the displacements of the three motions.
+/// Sums of a field times the displacements of the three motions.
 pub(super) fn sums(centres: &Plane, field: [&[f64]; 2]) -> Vector3<f64> {
     let mut sums = Vector3::zeros();
     let cells = centres[0].iter().zip(&centres[1]).zip(field[0].iter().zip(field[1]));

@@ -5,7 +5,9 @@ use carom_halfspace::operator::OperatorError;
 use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
 use super::law::{REACHED, Violation};
+use super::plane::{slices, slices_mut};
 use super::task::TangentialTask;
+use crate::parts::{each, fold};
 use crate::state::CellState;
 
 /// Fraction of a preconditioned step that is made together with a projection.
@@ -29,10 +31,13 @@ impl ActiveSet {
         let power = self.precondition_projected(task, state);
         state.power = None;
         if projected || self.excess(task).norm() > 0.0 {
-            for axis in 0..2 {
-                let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
-                steps.for_each(|(direction, step)| *direction += damping * step);
-            }
+            let parts = (slices_mut(&mut self.direction), slices(&self.preconditioned));
+            each(self.threads, parts, &|(directions, steps)| {
+                for (direction, step) in directions.into_iter().zip(steps) {
+                    let both = direction.iter_mut().zip(step);
+                    both.for_each(|(direction, step)| *direction += damping * step);
+                }
+            });
             self.restore_loads(task);
             if self.runs_away() {
                 return Ok(Violation::LOST);
@@ -47,37 +52,64 @@ impl ActiveSet {
     /// Sets states, rims and curvature terms, and writes the correction that takes tractions to
     /// their discs to `direction` (to be subtracted). Returns whether it is not zero.
     fn project(&mut self, task: &mut TangentialTask<'_>) -> bool {
-        let mut any = false;
-        for i in 0..task.limits.len() {
-            let limit = task.limits[i];
-            let [x, y] = [task.traction[0][i], task.traction[1][i]];
-            let norm = (x * x + y * y).sqrt();
-            self.bend[i] = 0.0;
-            let at_rim = norm >= limit * REACHED;
-            let slipped = task.cells[i] == CellState::Slip;
-            let along =
-                if norm > 0.0 { (self.slip[0][i] * x + self.slip[1][i] * y) / norm } else { 0.0 };
-            let pulled = [x - self.slip[0][i] / self.own, y - self.slip[1][i] / self.own];
-            let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
-            // Slip opposes the traction. A cell pushed out of its disc begins to slip, and so does
-            // one whose bound is negligible compared with the traction that sticking would need.
-            let tiny = limit < NEGLIGIBLE_BOUND * pull;
-            let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
-            let target = if tiny || (slips && norm > 0.0) {
-                task.cells[i] = CellState::Slip;
-                let e = if tiny { pulled.map(|t| t / pull) } else { [x / norm, y / norm] };
-                (self.rim[0][i], self.rim[1][i]) = (e[0], e[1]);
-                let along = self.slip[0][i] * e[0] + self.slip[1][i] * e[1];
-                self.bend[i] = (-along).max(0.0) / limit;
-                [limit * e[0], limit * e[1]]
-            } else {
-                task.cells[i] = CellState::Stick;
-                let part = if norm > limit { limit / norm } else { 1.0 };
-                [part * x, part * y]
-            };
-            (self.direction[0][i], self.direction[1][i]) = (x - target[0], y - target[1]);
-            any |= self.direction[0][i] != 0.0 || self.direction[1][i] != 0.0;
-        }
-        any
+        let own = self.own;
+        let tractions = [&*task.traction[0], &*task.traction[1]];
+        let parts = (
+            (task.limits, tractions, slices(&self.slip)),
+            (&mut *task.cells, &mut self.bend[..]),
+            (slices_mut(&mut self.rim), slices_mut(&mut self.direction)),
+        );
+        fold(
+            self.threads,
+            parts,
+            &|((limits, tractions, slips), (cells, bends), (rims, directions))| {
+                let mut any = false;
+                for (i, limit) in limits.iter().enumerate() {
+                    let at = |field: [&[f64]; 2]| [field[0][i], field[1][i]];
+                    let (traction, slip) = (at(tractions), at(slips));
+                    let (target, rim) =
+                        projected((traction, *limit), slip, own, (&mut cells[i], &mut bends[i]));
+                    if let Some(rim) = rim {
+                        (rims[0][i], rims[1][i]) = (rim[0], rim[1]);
+                    }
+                    let step = [traction[0] - target[0], traction[1] - target[1]];
+                    (directions[0][i], directions[1][i]) = (step[0], step[1]);
+                    any |= step != [0.0; 2];
+                }
+                any
+            },
+            &|one, other| one | other,
+        )
+    }
+}
+
+/// The traction of a cell on its disc, and the direction in which it slips; sets its state and the
+/// curvature term of its rim.
+fn projected(
+    ([x, y], limit): ([f64; 2], f64),
+    slip: [f64; 2],
+    own: f64,
+    (cell, bend): (&mut CellState, &mut f64),
+) -> ([f64; 2], Option<[f64; 2]>) {
+    let norm = (x * x + y * y).sqrt();
+    *bend = 0.0;
+    let at_rim = norm >= limit * REACHED;
+    let slipped = *cell == CellState::Slip;
+    let along = if norm > 0.0 { (slip[0] * x + slip[1] * y) / norm } else { 0.0 };
+    let pulled = [x - slip[0] / own, y - slip[1] / own];
+    let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
+    // Slip opposes the traction. A cell pushed out of its disc begins to slip, and so does one whose
+    // bound is negligible compared with the traction that sticking would need.
+    let tiny = limit < NEGLIGIBLE_BOUND * pull;
+    let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
+    if tiny || (slips && norm > 0.0) {
+        *cell = CellState::Slip;
+        let e = if tiny { pulled.map(|t| t / pull) } else { [x / norm, y / norm] };
+        *bend = (-(slip[0] * e[0] + slip[1] * e[1])).max(0.0) / limit;
+        ([limit * e[0], limit * e[1]], Some(e))
+    } else {
+        *cell = CellState::Stick;
+        let part = if norm > limit { limit / norm } else { 1.0 };
+        ([part * x, part * y], None)
     }
 }

@@ -143,6 +143,10 @@ impl SurfaceOperator for PlateOperator {
         self.grid
     }
 
+    fn threads(&self) -> Threads {
+        self.plan.threads()
+    }
+
     fn is_coupled(&self) -> bool {
         false
     }

@@ -71,10 +71,6 @@ impl KernelOperator {
         Self::new(kernel, self.plan.threads)
     }
 
-    pub(in crate::operator) const fn threads(&self) -> Threads {
-        self.plan.threads
-    }
-
     /// The inverse of the half-space whose displacements under its own cell are those of the table.
     pub(super) fn near_field(&self) -> Arc<dyn Preconditioner> {
         Arc::new(self.inverse.clone())
@@ -120,6 +116,10 @@ fn near_field(kernel: &TabulatedKernel) -> Result<MaterialPair, RangeError> {
 impl SurfaceOperator for KernelOperator {
     fn grid(&self) -> Grid {
         self.kernel.grid()
+    }
+
+    fn threads(&self) -> Threads {
+        self.plan.threads
     }
 
     fn is_coupled(&self) -> bool {
