@@ -32,7 +32,7 @@ pub(crate) fn operator(
     let works = if friction.is_none() { Blocks::Normal } else { Blocks::All };
     let operator = without_python(py, || {
         let kernel = TabulatedKernel::from_blocks(grid, &blocks)?.reciprocal()?;
-        let operator = KernelOperator::new(kernel, Threads::One)?;
+        let operator = KernelOperator::new(kernel, Threads::for_grid(grid))?;
         operator.check_definite(works)?;
         Ok::<_, Fault>(operator)
     })?;

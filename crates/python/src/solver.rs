@@ -1,6 +1,6 @@
 //! The numerical contact solver: gaps and drives in, fields out.
 
-use carom::halfspace::operator::{PlateOperator, Threads};
+use carom::halfspace::operator::{Blocks, HalfSpaceOperator, PlateOperator, Threads};
 use carom::halfspace::{Field, Point};
 use carom::prelude::{
     CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
@@ -109,14 +109,14 @@ impl Solver {
                 (None, Some(table)) => {
                     ContactProblem::new(gap, Arc::new(table), friction).map_err(Fault::other)?
                 }
-                (None, None) => ContactProblem::of_half_spaces(gap, materials.0, friction)
-                    .map_err(Fault::other)?,
+                (None, None) => half_spaces(gap, materials, friction)?,
             };
             let method = Chosen::new(&problem, tolerance, plate.is_some())?;
             Ok::<_, Fault>((problem, method))
         })?;
-        let state = ContactState::apart(grid);
-        Ok(Self { problem, method, cut, next: state.clone(), state, last: StepSummary::default() })
+        // Fields of zeros take no memory until they are written; copies do.
+        let [state, next] = [(); 2].map(|()| ContactState::apart(grid));
+        Ok(Self { problem, method, cut, next, state, last: StepSummary::default() })
     }
 
     /// One step with given approach, shifts along x and y, and twist, or their loads.
@@ -236,6 +236,20 @@ impl Solver {
     }
 }
 
+/// The problem of two half-spaces, with the influence of pressures alone if nothing else matters.
+fn half_spaces(
+    gap: Gap,
+    materials: MaterialPair,
+    friction: SurfaceFriction,
+) -> Result<ContactProblem, Fault> {
+    if !friction.is_none() || !materials.0.is_uncoupled() {
+        return ContactProblem::of_half_spaces(gap, materials.0, friction).map_err(Fault::other);
+    }
+    let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
+    let operator = HalfSpaceOperator::with_blocks(materials.0, grid, Blocks::Normal, threads)?;
+    ContactProblem::new(gap, Arc::new(operator), friction).map_err(Fault::other)
+}
+
 /// The problem of a plate, which has no friction and whose edges no contact reaches.
 fn on_plate(
     gap: Gap,
@@ -247,7 +261,8 @@ fn on_plate(
     RangeError::check("cut", 1.0, !cut, "False on a plate: no contact may reach its edges")?;
     let allowed = "a side of the plate: the cells cover it, no more and no less";
     plate.check_cover(gap.grid()).map_err(|error| RangeError::new("size", error.value, allowed))?;
-    let operator = PlateOperator::new(materials.0, plate, gap.grid(), theory, Threads::One)?;
+    let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
+    let operator = PlateOperator::new(materials.0, plate, grid, theory, threads)?;
     ContactProblem::new(gap, Arc::new(operator), friction).map_err(Fault::other)
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom_halfspace::Field;
-use carom_halfspace::operator::{DisplacementField, RolledOperator, Threads, TractionField};
+use carom_halfspace::operator::{DisplacementField, RolledOperator, TractionField};
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
@@ -79,8 +79,9 @@ impl SteadyContact {
     pub fn new(problem: &ContactProblem, way: Way) -> Result<Self, RollingError> {
         check_friction(problem)?;
         way.check_on(problem.grid())?;
-        let operator =
-            RolledOperator::new(Arc::clone(problem.shared_operator()), way.ahead(), Threads::One)?;
+        let body = Arc::clone(problem.shared_operator());
+        let threads = body.threads();
+        let operator = RolledOperator::new(body, way.ahead(), threads)?;
         let friction = problem.friction().clone();
         let rolled = ContactProblem::new(problem.gap().clone(), Arc::new(operator), friction)?;
         let method = Frictional::default();

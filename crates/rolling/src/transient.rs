@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    DisplacementField, RolledOperator, SurfaceOperator as _, Threads, TractionField, Workspace,
+    DisplacementField, RolledOperator, SurfaceOperator as _, TractionField, Workspace,
 };
 
 use super::{RollingDrive, RollingError, Way, check_friction, check_room};
@@ -62,7 +62,8 @@ impl RollingContact {
         check_friction(problem)?;
         way.check_on(problem.grid())?;
         let body = Arc::clone(problem.shared_operator());
-        let rolled = RolledOperator::new(body, way.ahead(), Threads::One)?;
+        let threads = body.threads();
+        let rolled = RolledOperator::new(body, way.ahead(), threads)?;
         let (method, workspace) = (Frictional::default(), rolled.workspace());
         let (scratch, before) = (method.scratch(problem)?, ContactState::apart(problem.grid()));
         let problem = problem.clone();

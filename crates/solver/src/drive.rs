@@ -3,6 +3,11 @@
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
+use crate::state::ContactState;
+
+/// A change of approach or force by at most this fraction is small.
+const SMALL_STEP: f64 = 0.1;
+
 /// The prescribed value of one relative motion of the bodies, at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Driven {
@@ -70,6 +75,17 @@ impl Drive {
             eta: given(self.y, before.eta),
             omega: given(self.twist, before.omega),
         }
+    }
+
+    /// Whether approach or force changes so little that the last pressures are a better start than the
+    /// solution on coarser grids.
+    pub(crate) fn is_small_step(&self, from: &ContactState) -> bool {
+        let (last, next) = match self.normal {
+            Driven::Shift(approach) => (from.shift.zeta, approach),
+            Driven::Load(force) => (from.load().f_z, force),
+        };
+        (next - last).abs() <= SMALL_STEP * last.abs()
+            && from.pressure.values().iter().any(|pressure| *pressure > 0.0)
     }
 
     /// Checks that all four values are finite and that a normal force is not negative.

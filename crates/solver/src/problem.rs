@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use carom_halfspace::operator::{HalfSpaceOperator, OperatorError, SurfaceOperator};
+use carom_halfspace::operator::{
+    Blocks, HalfSpaceOperator, OperatorError, SurfaceOperator, Threads,
+};
 use carom_halfspace::{Grid, MaterialPair};
 use carom_laws::friction::Friction;
 
@@ -113,7 +115,8 @@ impl ContactProblem {
         Self { gap, operator, friction }
     }
 
-    /// A problem of two elastic half-spaces.
+    /// A problem of two elastic half-spaces, computed on all threads of the current pool where the
+    /// grid is large enough ([`Threads::for_grid`]). The result does not depend on their number.
     ///
     /// # Errors
     /// [`ProblemError::Operator`] if both bodies are rigid or the grid is too large for memory.
@@ -122,8 +125,9 @@ impl ContactProblem {
         pair: MaterialPair,
         friction: impl Into<SurfaceFriction>,
     ) -> Result<Self, ProblemError> {
-        let operator = Arc::new(HalfSpaceOperator::new(pair, gap.grid())?);
-        Self::new(gap, operator, friction)
+        let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
+        let operator = HalfSpaceOperator::with_blocks(pair, grid, Blocks::All, threads)?;
+        Self::new(gap, Arc::new(operator), friction)
     }
 
     /// The grid of gap, operator and friction.

@@ -144,7 +144,8 @@ impl Bodies {
         let gap = gap.map_err(OperatorError::from)?;
         if let Some(PlateCase { plate, theory }) = self.plate {
             let pair = self.materials;
-            let operator = PlateOperator::new(pair, plate, gap.grid(), theory, Threads::One)?;
+            let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
+            let operator = PlateOperator::new(pair, plate, grid, theory, threads)?;
             return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
         }
         if let Some(table) = &self.table {
@@ -152,7 +153,8 @@ impl Bodies {
             return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
         }
         if self.border == Border::Periodic {
-            let operator = PeriodicOperator::new(self.materials, gap.grid(), Threads::One)?;
+            let threads = Threads::for_grid(gap.grid());
+            let operator = PeriodicOperator::new(self.materials, gap.grid(), threads)?;
             return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
         }
         ContactProblem::of_half_spaces(gap, self.materials, self.friction.clone())

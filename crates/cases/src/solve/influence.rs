@@ -51,7 +51,7 @@ pub(super) fn operator(
         }
     };
     let kernel = kernel.reciprocal().map_err(told)?;
-    let operator = KernelOperator::new(kernel, Threads::One).map_err(told)?;
+    let operator = KernelOperator::new(kernel, Threads::for_grid(grid)).map_err(told)?;
     operator.check_definite(blocks).map_err(told)?;
     Ok((operator, read))
 }

@@ -198,7 +198,8 @@ impl SurfaceOperator for PeriodicOperator {
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
         let divisible = |count: usize| count.is_multiple_of(4);
         (divisible(self.grid.nx()) && divisible(self.grid.ny())).then(|| {
-            let coarse = Self::new(self.pair, self.grid.coarser()?, self.plan.threads)?;
+            let grid = self.grid.coarser()?;
+            let coarse = Self::new(self.pair, grid, self.plan.threads.on_smaller(grid))?;
             Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
         })
     }

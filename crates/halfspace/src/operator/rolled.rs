@@ -191,8 +191,9 @@ impl SurfaceOperator for RolledOperator {
         // On coarse cells the same step would be too short for their centres.
         let ahead = Offset { x: 2.0 * self.ahead.x, y: 2.0 * self.ahead.y };
         let build = || {
-            let threads = self.product.threads();
-            let rolled = Self::with_part(Arc::from(coarse?), ahead, 0.5 * self.part, threads)?;
+            let coarse: Arc<dyn SurfaceOperator> = Arc::from(coarse?);
+            let threads = self.threads().on_smaller(coarse.grid());
+            let rolled = Self::with_part(coarse, ahead, 0.5 * self.part, threads)?;
             Ok(Box::new(rolled) as Box<dyn SurfaceOperator>)
         };
         Some(build())
@@ -208,7 +209,8 @@ impl SurfaceOperator for RolledOperator {
             let body: Arc<dyn SurfaceOperator> = Arc::from(fewer?);
             let known = |columns, rows| self.product.coefficients(columns, rows);
             let kernel = TabulatedKernel::from_function(body.grid(), known)?;
-            let product = KernelOperator::new(kernel, self.product.threads())?;
+            let threads = self.threads().on_smaller(body.grid());
+            let product = KernelOperator::new(kernel, threads)?;
             let rolled = Self::of_kernel(body, self.ahead, self.part, product)?;
             Ok(Box::new(rolled) as Box<dyn SurfaceOperator>)
         };

@@ -1,5 +1,10 @@
 //! The threads used by an operator.
 
+use crate::Grid;
+
+/// From this number of cells on a product is worth sharing among threads.
+const CELLS_TO_SHARE: usize = 128 * 128;
+
 /// The threads used for tables and products. The result is bit for bit the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Threads {
@@ -11,6 +16,21 @@ pub enum Threads {
 }
 
 impl Threads {
+    /// The pool, where a grid has so many cells that several threads are faster; one thread
+    /// otherwise.
+    #[must_use]
+    pub const fn for_grid(grid: Grid) -> Self {
+        if grid.nx() * grid.ny() < CELLS_TO_SHARE { Self::One } else { Self::Pool }
+    }
+
+    /// For an operator on a smaller grid, made from one with these threads.
+    pub(crate) const fn on_smaller(self, grid: Grid) -> Self {
+        match self {
+            Self::One => Self::One,
+            Self::Pool => Self::for_grid(grid),
+        }
+    }
+
     pub(crate) fn count(self) -> usize {
         match self {
             Self::One => 1,

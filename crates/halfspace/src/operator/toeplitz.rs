@@ -181,7 +181,8 @@ impl SurfaceOperator for HalfSpaceOperator {
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
         let build = || {
             let grid = self.grid().coarser()?;
-            let coarse = Self::with_blocks(self.pair(), grid, self.blocks, self.plan.threads)?;
+            let threads = self.plan.threads.on_smaller(grid);
+            let coarse = Self::with_blocks(self.pair(), grid, self.blocks, threads)?;
             Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
         };
         Some(build())
@@ -203,7 +204,8 @@ impl SurfaceOperator for HalfSpaceOperator {
                     "from 1 to the number of the operator",
                 )?;
             }
-            let (grid, threads) = (Grid::new(nx, ny, all.dx(), all.dy())?, self.plan.threads);
+            let grid = Grid::new(nx, ny, all.dx(), all.dy())?;
+            let threads = self.plan.threads.on_smaller(grid);
             memory::check(Self::bytes(&pair, grid, self.blocks, threads))?;
             let fewer = Self::of_table(Arc::clone(&self.table), grid, self.blocks, threads);
             Ok(Box::new(fewer) as Box<dyn SurfaceOperator>)

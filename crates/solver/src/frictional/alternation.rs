@@ -7,15 +7,11 @@ use super::error::converged;
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Residuals, Stop};
-use crate::drive::Driven;
 use crate::normal::Target;
 use crate::problem::PeriodError;
 use crate::state::ContactState;
 use crate::tangential::TangentialTask;
 
-/// If approach or force changes by at most this fraction, the normal solve starts from the last
-/// pressures instead of from coarser grids.
-const SMALL_STEP: f64 = 0.1;
 /// The alternation has stalled if the least change has not been halved within this many passes.
 const PASSES_WITHOUT_PROGRESS: usize = 40;
 /// Newton's method on both problems together is tried after this many passes.
@@ -82,16 +78,6 @@ impl Pass<'_> {
         }
     }
 
-    /// Whether the last pressures are a better start than the solution on coarser grids.
-    fn is_small_step(&self) -> bool {
-        let (last, next) = match self.drive.normal {
-            Driven::Shift(approach) => (self.from.shift.zeta, approach),
-            Driven::Load(force) => (self.from.load().f_z, force),
-        };
-        (next - last).abs() <= SMALL_STEP * last.abs()
-            && self.from.pressure.values().iter().any(|pressure| *pressure > 0.0)
-    }
-
     fn solve_normal(
         &mut self,
         tolerance: f64,
@@ -108,7 +94,7 @@ impl Pass<'_> {
             *own = height + w;
         }
         let target = Target { tolerance, iterations: self.method.iterations };
-        if first && self.is_small_step() {
+        if first && self.drive.is_small_step(self.from) {
             scratch.normal.start_from(self.from.pressure.values());
         } else if first {
             self.cost = self.cost.plus(scratch.normal.start(operator, driven, target)?);
@@ -158,7 +144,8 @@ impl Pass<'_> {
         let iterations = self.method.iterations;
         let fresh = task.traction.iter().all(|values| values.iter().all(|t| *t == 0.0));
         if first && (fresh || operator.is_reciprocal()) {
-            let started = scratch.tangential.start(&mut task, tolerance, iterations)?;
+            let moved = (!operator.is_coupled()).then(|| self.moved());
+            let started = scratch.tangential.start(&mut task, moved, (tolerance, iterations))?;
             self.cost = self.cost.plus(started);
         }
         let reached = scratch.tangential.solve(&mut task, tolerance, iterations, self.observer)?;

@@ -173,6 +173,12 @@ impl Frictional {
         let (x, y, normal) = (to.traction_x.values(), to.traction_y.values(), to.pressure.values());
         let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
         scratch.sunk.resize(normal.len(), 0.0);
+        if !operator.is_coupled() && x.iter().chain(y).all(|traction| *traction == 0.0) {
+            let (load, sunk) = (TractionField::normal(normal), &mut scratch.sunk);
+            operator.apply(load, DisplacementField::normal(sunk), scratch.normal.workspace())?;
+            products.normal = 1.0;
+            return Ok(products);
+        }
         let tractions = TractionField::full(x, y, normal);
         let displacements = DisplacementField::full(u, v, &mut scratch.sunk);
         operator.apply(tractions, displacements, scratch.normal.workspace())?;

@@ -13,6 +13,7 @@ mod pass;
 mod scratch;
 mod sliding;
 mod step;
+mod without_friction;
 
 pub use error::FrictionalError;
 pub use scratch::FrictionalScratch;

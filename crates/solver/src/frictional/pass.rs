@@ -159,6 +159,9 @@ impl Frictional {
         scratch: &mut FrictionalScratch,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, FrictionalError> {
+        if Self::has_pressures_alone(problem, from) {
+            return self.press(problem, from, drive, to, scratch, observer);
+        }
         let area = problem.grid().cell_area();
         let load = |driven| match driven {
             Driven::Shift(_) => None,

@@ -51,7 +51,7 @@ impl Method for Frictional {
 }
 
 /// Separated bodies cannot hold a tangential load.
-fn refuse_tangential_loads(drive: &Drive) -> Result<(), FrictionalError> {
+pub(super) fn refuse_tangential_loads(drive: &Drive) -> Result<(), FrictionalError> {
     let [x, y, torque] = [drive.x, drive.y, drive.twist].map(|driven| match driven {
         Driven::Load(load) => load,
         Driven::Shift(_) => 0.0,

@@ -29,6 +29,7 @@ use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::nested;
 use crate::state::CellState;
 use active_set::ActiveSet;
+use law::REACHED;
 use plane::{Plane, slices};
 use task::Limits;
 
@@ -285,19 +286,20 @@ impl TangentialScratch {
     /// on the finest grid. Does nothing if there are no coarser grids.
     ///
     /// The coarse grids solve for the change of the tractions in this step: the slip at its beginning
-    /// is that of the finest grid (full approximation scheme).
+    /// is that of the finest grid (full approximation scheme). `moved` is the rigid motion of the step
+    /// if it alone makes the slip of the tractions of the task; `None` if that slip is not known.
     pub(crate) fn start(
         &mut self,
         task: &mut TangentialTask<'_>,
-        tolerance: f64,
-        iterations: usize,
+        moved: Option<[f64; 3]>,
+        (tolerance, iterations): (f64, usize),
     ) -> Result<Products, OperatorError> {
         let mut spent = Products::default();
         // Coarse cells hold slightly different loads.
         if self.by_motions || self.coarse.is_empty() {
             return Ok(spent);
         }
-        let is_loaded = self.begin_coarse(task, &mut spent)?;
+        let is_loaded = self.begin_coarse(task, moved, &mut spent)?;
         let fine = task.operator.grid();
         let coarsest = self.coarse.len();
         for i in (0..coarsest).rev() {
@@ -330,23 +332,37 @@ impl TangentialScratch {
     fn begin_coarse(
         &mut self,
         task: &mut TangentialTask<'_>,
+        moved: Option<[f64; 3]>,
         spent: &mut Products,
     ) -> Result<bool, OperatorError> {
         let Self { coarse, slip, image, workspace, .. } = self;
+        let fine = task.operator.grid();
         let [x, y] = &mut task.traction;
+        let mut is_kept = true;
         for ((x, y), limit) in x.iter_mut().zip(y.iter_mut()).zip(task.limits) {
+            is_kept &= (*x * *x + *y * *y).sqrt() * REACHED <= *limit;
             [*x, *y] = project_to_disc([*x, *y], *limit);
         }
         let is_loaded = x.iter().chain(y.iter()).any(|t| *t != 0.0);
-        for (slip, offset) in slip.iter_mut().zip(task.offset) {
-            slip.clear();
-            slip.extend_from_slice(offset);
+        match moved.filter(|_| is_kept && is_loaded) {
+            Some([dx, dy, turn]) => {
+                let [u, v] = &mut *slip;
+                u.clear();
+                v.clear();
+                u.extend(fine.centres().map(|(_, y)| -(dx + y * turn))); // (12.2)
+                v.extend(fine.centres().map(|(x, _)| -(dy - x * turn)));
+            }
+            None => {
+                for (slip, offset) in slip.iter_mut().zip(task.offset) {
+                    slip.clear();
+                    slip.extend_from_slice(offset);
+                }
+                if is_loaded {
+                    add_displacement(task.operator, [x, y], slip, (image, workspace))?;
+                    spent.tangential += 1.0;
+                }
+            }
         }
-        if is_loaded {
-            add_displacement(task.operator, [x, y], slip, (image, workspace))?;
-            spent.tangential += 1.0;
-        }
-        let fine = task.operator.grid();
         for i in 0..coarse.len() {
             coarse[i].pressure = task.pressure;
             let (above, below) = coarse.split_at_mut(i);

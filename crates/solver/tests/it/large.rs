@@ -66,12 +66,14 @@ fn a_million_coupled_cells_fit() {
     println!("1024 coupled: {:?} {:?} MB", went.products, most_memory());
 }
 
-/// One thread and two give the same bits, on the window and on a box around a small contact.
+/// One thread and several give the same bits, on the window and on a box around a small contact, in
+/// a first step and in one that starts from its tractions.
 #[test]
 fn threads_do_not_change_a_bit() {
     let pool = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
-    let solve = |threads: Threads, cells: usize, zeta: f64| {
-        let problem = problem(cells, Blocks::All, threads, Material::RIGID, 0.4);
+    let same = Material::from_shear(2.0, 0.2).unwrap();
+    let solve = |threads: Threads, other: Material, cells: usize, zeta: f64| {
+        let problem = problem(cells, Blocks::All, threads, other, 0.4);
         let method = Frictional::default();
         let mut scratch = method.scratch(&problem).unwrap();
         let apart = ContactState::apart(problem.grid());
@@ -79,13 +81,22 @@ fn threads_do_not_change_a_bit() {
         let shift = Shift { zeta, xi: 0.2 * zeta, eta: 0.05 * zeta, omega: 0.1 * zeta };
         let drive = Drive::by_shift(shift);
         method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
-        state
+        let back = Drive {
+            normal: Driven::Load(0.99 * state.load().f_z),
+            ..Drive::by_shift(Shift { xi: 0.1 * zeta, ..shift })
+        };
+        let from = state.clone();
+        method.step(&problem, &from, &back, &mut state, &mut scratch, &mut ()).unwrap();
+        [from, state]
     };
-    for (cells, zeta) in [(72, 1.0), (128, 0.05)] {
-        let one = solve(Threads::One, cells, zeta);
-        assert!(one.load().f_z > 0.0);
+    // More cells in contact than one part has, and fewer.
+    for (other, cells, zeta) in
+        [(Material::RIGID, 72, 1.0), (Material::RIGID, 128, 0.05), (same, 136, 1.0)]
+    {
+        let one = solve(Threads::One, other, cells, zeta);
+        assert!(one.iter().all(|state| state.load().f_z > 0.0));
         for count in [1, 2, 3] {
-            assert_eq!(pool(count).install(|| solve(Threads::Pool, cells, zeta)), one);
+            assert_eq!(pool(count).install(|| solve(Threads::Pool, other, cells, zeta)), one);
         }
     }
 }

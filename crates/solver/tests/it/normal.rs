@@ -3,15 +3,17 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use carom_halfspace::operator::{DisplacementField, TractionField};
+use carom_halfspace::operator::{
+    Blocks, DisplacementField, HalfSpaceOperator, Threads, TractionField,
+};
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::ContactLoad;
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictionless, Gap, Method,
-    NormalError, Progress, Stop,
+    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictional,
+    FrictionalError, Frictionless, Gap, Method, NormalError, Progress, Stop,
 };
 use proptest::prelude::*;
 
@@ -231,5 +233,41 @@ fn a_contact_of_one_cell_is_found_however_high_the_others_stand() {
             assert!((state.load().f_z / force - 1.0).abs() < 1e-12);
             assert!(violation(&problem, &state) < 1e-9);
         }
+    }
+}
+
+/// Without friction and coupling the method for friction solves for pressures alone, on the window and
+/// on a box around a small contact; an operator for pressures alone is enough.
+#[test]
+fn the_method_for_friction_solves_what_has_none() {
+    for (cells, force) in [(40, 1.0), (128, 1e-3), (128, 1.0)] {
+        let grid = Grid::new(cells, cells, 3.0 / cells as f64, 3.0 / cells as f64).unwrap();
+        let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + 0.7 * y * y)).unwrap();
+        let operator = HalfSpaceOperator::with_blocks(pair(), grid, Blocks::Normal, Threads::One);
+        let operator = std::sync::Arc::new(operator.unwrap());
+        let problem = ContactProblem::new(gap, operator, Friction::NONE).unwrap();
+        let method = Frictional::default().within(1e-12).unwrap();
+        let mut scratch = method.scratch(&problem).unwrap();
+        let mut state = ContactState::apart(grid);
+        for part in [1.0, 1.05, 0.4] {
+            let drive =
+                Drive { x: Driven::Shift(0.3 * part), ..pressed(Driven::Load(force * part)) };
+            let from = state.clone();
+            method.step(&problem, &from, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+            let (want, _) = solve(&problem, drive.normal);
+            let greatest = want.pressure.values().iter().copied().fold(0.0, f64::max);
+            let both = state.pressure.values().iter().zip(want.pressure.values());
+            let off = both.map(|(got, want)| (got - want).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-8 * greatest, "{cells} {force} {part}: {off:e} of {greatest:e}");
+            assert!((state.shift.zeta / want.shift.zeta - 1.0).abs() < 1e-10);
+            assert_eq!((state.shift.xi, &state.cells), (0.3 * part, &want.cells));
+            assert!(state.displacement_x.values().iter().all(|u| *u == 0.0));
+        }
+        let (from, kept) = (state.clone(), state.clone());
+        let pulled = Drive { y: Driven::Load(-0.1), ..pressed(Driven::Load(force)) };
+        let refused = method.step(&problem, &from, &pulled, &mut state, &mut scratch, &mut ());
+        let slides = FrictionalError::Slides { force: 0.1, limit: 0.0 };
+        assert_eq!(refused.unwrap_err().to_string(), slides.to_string());
+        assert_eq!(state, kept);
     }
 }

@@ -188,7 +188,8 @@ impl SurfaceOperator for PlateOperator {
         let even = |count: usize| count.is_multiple_of(2);
         (even(self.grid.nx()) && even(self.grid.ny())).then(|| {
             let (pair, grid) = (self.pair, self.grid.coarser()?);
-            let coarse = Self::new(pair, self.plate, grid, self.kind, self.plan.threads())?;
+            let threads = self.threads().on_smaller(grid);
+            let coarse = Self::new(pair, self.plate, grid, self.kind, threads)?;
             Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
         })
     }

@@ -68,7 +68,8 @@ impl KernelOperator {
             RangeError::check("dx", grid.dx(), coarser, allowed)?;
             kernel = kernel.coarser_towards(grid)?;
         }
-        Self::new(kernel, self.plan.threads)
+        let threads = self.plan.threads.on_smaller(kernel.grid());
+        Self::new(kernel, threads)
     }
 
     /// The inverse of the half-space whose displacements under its own cell are those of the table.
@@ -142,7 +143,8 @@ impl SurfaceOperator for KernelOperator {
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
         let build = || {
             let kernel = self.kernel.coarser()?;
-            Ok(Box::new(Self::new(kernel, self.plan.threads)?) as Box<dyn SurfaceOperator>)
+            let threads = self.plan.threads.on_smaller(kernel.grid());
+            Ok(Box::new(Self::new(kernel, threads)?) as Box<dyn SurfaceOperator>)
         };
         Some(build())
     }
@@ -162,7 +164,8 @@ impl SurfaceOperator for KernelOperator {
             let grid = Grid::new(nx, ny, all.dx(), all.dy())?;
             let known = |columns, rows| self.kernel.coefficients(columns, rows);
             let kernel = TabulatedKernel::from_function(grid, known)?;
-            Ok(Box::new(Self::new(kernel, self.plan.threads)?) as Box<dyn SurfaceOperator>)
+            let threads = self.plan.threads.on_smaller(grid);
+            Ok(Box::new(Self::new(kernel, threads)?) as Box<dyn SurfaceOperator>)
         };
         Some(build())
     }
