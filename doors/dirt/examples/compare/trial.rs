@@ -213,10 +213,8 @@ fn watch(
         let apart: [f64; 3] = std::array::from_fn(|i| atoms.pos[ball][i] - atoms.pos[held][i]);
         let distance = dot(apart, apart).sqrt();
         let normal = apart.map(|part| part / distance);
-        if distance < 2.0 * RADIUS {
-            if !bounce.has_touched {
-                (bounce.normal, bounce.has_touched) = (normal, true);
-            }
+        if distance < 2.0 * RADIUS && !bounce.has_touched {
+            (bounce.normal, bounce.has_touched) = (normal, true);
         }
         if !bounce.has_touched {
             bounce.before = atoms.vel[ball];
