@@ -3,7 +3,7 @@
 use crate::outcome::Outcome;
 use crate::{
     book, browse, cargo, changes, deny, doors, install_c, lammps, mutants, python, release,
-    sanitize, sdist, test, tidy,
+    sanitize, sdist, taplo, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -85,6 +85,7 @@ const LONG: &[(&str, Step)] = &[
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
     ("the installed C library, by pkg-config and CMake", install_c::check),
     ("the doors to other engines", doors::run),
+    ("the examples, by the checker of editors", taplo::run),
     ("the C border under sanitizers", sanitize::run),
     ("a Python wheel from its source distribution", sdist::check),
     ("a search for a bad path of Coulomb's law", adversary),

@@ -1,18 +1,38 @@
-//! Tests the doors to other engines: a JavaScript module, and strategies for pooltool. They stand outside the
-//! workspace, each with a lock file of its own.
+//! Tests the doors to other engines: a JavaScript module, strategies for pooltool, a hook for Rapier, a plugin for DIRT.
+//! They stand outside the workspace, each with a lock file of its own.
 
 use anyhow::{Context as _, bail};
 use std::path::Path;
 use std::process::Command;
 
+use crate::cargo;
 use crate::lammps::{UNREACHED, pip, reaches_registry};
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, call, interpreter};
 use crate::root::root;
 
+/// Why a crate is not tested.
+const NO_CRATES: &str = "the registry of crates cannot be reached";
+
 /// Tests all doors.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
-    Ok(rebound()?.and(pooltool()?))
+    chosen(None)
+}
+
+type Door = (&'static str, fn() -> anyhow::Result<Outcome>);
+
+const DOORS: &[Door] =
+    &[("carom-rebound", rebound), ("pooltool", pooltool), ("rapier", rapier), ("dirt", dirt)];
+
+/// Tests the door of this name, or all.
+pub(crate) fn chosen(name: Option<&str>) -> anyhow::Result<Outcome> {
+    let chosen = DOORS.iter().filter(|(own, _)| name.is_none_or(|name| name == *own));
+    let mut outcomes = chosen.map(|(_, test)| test());
+    let Some(first) = outcomes.next() else {
+        let names: Vec<_> = DOORS.iter().map(|(name, _)| *name).collect();
+        bail!("no door of this name; there are {}", names.join(", "));
+    };
+    outcomes.try_fold(first?, |all, one| Ok(all.and(one?)))
 }
 
 /// Tests the JavaScript module, its package, and that its table is that of the library; skipped without Node or npm.
@@ -48,6 +68,51 @@ fn pooltool() -> anyhow::Result<Outcome> {
     let mut pytest = Command::new(venv.join("bin/python"));
     pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]).arg(&door);
     python::pytest(pytest.arg(door.join("tests")), &folder).context("the tests of doors/pooltool")
+}
+
+/// Tests the hook for Rapier.
+fn rapier() -> anyhow::Result<Outcome> {
+    crate_door("rapier", Part::Rapier)
+}
+
+/// Tests the plugin for DIRT, after its published crates have been mended.
+fn dirt() -> anyhow::Result<Outcome> {
+    if !fetches("doors/dirt/published/Cargo.toml")? {
+        return Ok(Outcome::skipped(Part::Dirt, NO_CRATES));
+    }
+    call(&mut Command::new(root().join("doors/dirt/mend.sh")))?;
+    crate_door("dirt", Part::Dirt)
+}
+
+/// Tests a door that is a crate, with its own lock file and build folder; skipped if the registry of crates cannot be
+/// reached.
+fn crate_door(name: &str, part: Part) -> anyhow::Result<Outcome> {
+    let manifest = format!("doors/{name}/Cargo.toml");
+    if !fetches(&manifest)? {
+        return Ok(Outcome::skipped(part, NO_CRATES));
+    }
+    let own = ["--locked", "--manifest-path", &manifest];
+    cargo::run(&["fmt", "--check", "--manifest-path", &manifest])?;
+    let target = root().join("target/doors").join(name);
+    for (task, options) in
+        [("clippy", &["--no-deps", "--all-targets", "--", "-D", "warnings"][..]), ("test", &[])]
+    {
+        let mut command = cargo::command(&[&[task, "--release"], &own[..], options].concat());
+        call(command.env("CARGO_TARGET_DIR", &target)).with_context(|| format!("doors/{name}"))?;
+    }
+    Ok(Outcome::Passed)
+}
+
+/// Fetches exactly the crates of a lock file; false if the registry cannot be reached.
+fn fetches(manifest: &str) -> anyhow::Result<bool> {
+    if cargo::run(&["fetch", "--locked", "--manifest-path", manifest]).is_ok() {
+        return Ok(true);
+    }
+    // A small crate tells a lock file that does not fit from a registry that does not answer.
+    if cargo::run(&["info", "--registry", "crates-io", "--quiet", "autocfg"]).is_ok() {
+        bail!("{manifest}: its crates cannot be fetched");
+    }
+    Ok(false)
 }
 
 /// Installs exactly the packages of a lock file; false if the registry cannot be reached.

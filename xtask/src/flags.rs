@@ -81,9 +81,16 @@ xflags::xflags! {
             optional --short
         }
         /// Tests the doors to other engines, the folders of doors/: the JavaScript module by Node, the strategy
-        /// of pooltool in an environment below target/. Skipped without Node, without Python, or if the Python
-        /// package registry cannot be reached; in CI that is a failure.
-        cmd doors {}
+        /// of pooltool in an environment below target/, the crates for Rapier and DIRT. Skipped without Node,
+        /// without Python, or if a package registry cannot be reached; in CI a failure but for the crates.
+        cmd doors {
+            /// Only this folder.
+            optional name: String
+        }
+        /// Checks every example against the schema of its kind by taplo, the checker of editors, in an environment
+        /// below target/, and that it refuses the mistakes of the tests. Skipped without Python or if its package
+        /// registry cannot be reached.
+        cmd taplo {}
         /// Builds the C library and installs header, static and shared library, carom.pc and a CMake package below a
         /// prefix. Without a prefix it installs below target/, and builds and runs the examples from there by
         /// pkg-config and CMake.
@@ -101,8 +108,9 @@ xflags::xflags! {
         /// If CI is set, a skipped part is a failure, except for those listed in xtask/src/outcome.rs.
         cmd ci {
             /// Run all of these whatever changed, and the long checks: tests with overflow checks, the ignored
-            /// tests, all tests of the LAMMPS plugin, the C interface under sanitizers, the search for a path
-            /// with a large error of Coulomb's law, every mutant against all tests.
+            /// tests, all tests of the LAMMPS plugin, the doors, the examples by taplo, the C interface under
+            /// sanitizers, the search for a path with a large error of Coulomb's law, every mutant against all
+            /// tests.
             optional --long
         }
         /// Runs the benchmarks.

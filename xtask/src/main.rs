@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `doors`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`.
+//! `python`, `lammps`, `doors`, `taplo`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`.
 //!
 //! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
 //! builds quickly.
@@ -23,6 +23,7 @@ mod release;
 mod root;
 mod sanitize;
 mod sdist;
+mod taplo;
 mod test;
 mod tidy;
 mod tools;
@@ -68,7 +69,8 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             }
         }
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
-        flags::XtaskCmd::Doors(_) => drop(doors::run()?.accept()?),
+        flags::XtaskCmd::Doors(doors) => drop(doors::chosen(doors.name.as_deref())?.accept()?),
+        flags::XtaskCmd::Taplo(_) => drop(taplo::run()?.accept()?),
         flags::XtaskCmd::InstallC(options) => match &options.prefix {
             Some(prefix) => install_c::install(prefix)?,
             None => drop(install_c::check()?.accept()?),
