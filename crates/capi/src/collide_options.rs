@@ -66,8 +66,7 @@ pub struct CaromCollideOptions {
     /// The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s.
     pub relaxation: f64,
     /// The coefficient of static friction, above which all of a contact slides with `friction`; 0 if it is that
-    /// of `friction`. The slip must stay on a line, as that of spheres and planes does, and the law not be
-    /// CAROM_IMPACT_RINGS.
+    /// of `friction`. Not with CAROM_IMPACT_RINGS or CAROM_TORSION_INCLUDED.
     pub static_friction: f64,
     /// Of friction that depends on the slip speed v at the first touch, f = a + b exp(-c v), a the argument
     /// `friction`: b; 0 for a constant coefficient. Not beside static friction.

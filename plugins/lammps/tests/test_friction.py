@@ -49,11 +49,11 @@ create_box 1 box
 """
 
 
-def on_a_floor(friction, law, speed=1e-3):
+def on_a_floor(friction, law, speed=1e-3, shape="plane 0 0 0 0 0 1"):
     """A ball is held at rest in a floor that moves along x."""
     script = SPACE + f"create_atoms 1 single 0 0 {RADIUS - DEEP:.17g}\nset group all diameter 1 density 1000\n"
     script += f"pair_style carom {law} energy yes\npair_coeff 1 1 young {YOUNG} poisson 0.3 friction 0.2\n"
-    wall = f"fix floor all wall/carom plane 0 0 0 0 0 1 young {YOUNG} poisson 0.3 {friction} velocity "
+    wall = f"fix floor all wall/carom {shape} young {YOUNG} poisson 0.3 {friction} velocity "
     script += wall + f"{speed} 0 0\n"
     script += "thermo_style custom step f_floor[1] f_floor[2] f_floor[3] f_floor[4] f_floor[5] f_floor[7]\n"
     script += f"thermo_modify norm no format float %.17g\nthermo 1\ntimestep {0.02 * DEEP / speed:.17g}\nrun 150\n"
@@ -79,6 +79,18 @@ def test_a_ball_on_a_moving_floor(tmp_path, law):
     drop = 0.4 * (F_S**2 - F_K**2) * kappa * normal * DEEP
     slid = F_K * normal * 0.02 * DEEP
     assert heat[most + 1] - heat[most] == pytest.approx(drop, abs=2 * slid)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_curved_floor_has_both(tmp_path, law):
+    """In a trough that moves along its axis, where constants are those of the curvature."""
+    trough = "cylinder 0 0 8 1 0 0 8 inside"
+    table = thermo(lmp(on_a_floor(BOTH, law, shape=trough), tmp_path))
+    share = np.hypot(table["f_floor[1]"], table["f_floor[2]"]) / -table["f_floor[3]"]
+    assert 0.96 * F_S < share.max() < F_S * (1 + 1e-9) and share[-1] == pytest.approx(F_K, rel=1e-6)
+    table = thermo(lmp(on_a_floor(SLIP, law, 0.5, trough), tmp_path))
+    share = np.hypot(table["f_floor[1]"], table["f_floor[2]"]) / -table["f_floor[3]"]
+    assert share.max() == pytest.approx(coefficient(0.5), rel=1e-6)
 
 
 @pytest.mark.parametrize("law", LAWS)
