@@ -91,7 +91,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 8
+#define CAROM_ABI_VERSION 9
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -131,6 +131,8 @@ typedef struct carom_pair {
   double c_z;
   /* The coefficient of friction, from 0 to infinity (no slip). */
   double friction;
+  /* The coefficient of static friction (`carom_pair_static_friction`); 0 if it is that of `friction`. */
+  double static_friction;
   /* Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
    * accuracy with which tractions satisfy the friction limit. */
   double tolerance;
@@ -199,6 +201,14 @@ carom_status carom_pair_of_stiffness(double c_x,
                                      double tolerance,
                                      struct carom_pair *pair,
                                      struct carom_error *error);
+
+/* Gives a pair static friction above kinetic friction, `friction` of the pair: until all of a contact slides, it
+ * sticks or slips in part with `static_friction`, finite and at least `friction`; then the force drops, and it
+ * slides with `friction`. Where a part of it sticks, static friction counts again. Not for CAROM_LAW_RINGS, and a
+ * twist has none. Contacts that have begun keep theirs. */
+carom_status carom_pair_static_friction(struct carom_pair *pair,
+                                        double static_friction,
+                                        struct carom_error *error);
 
 /* ---- 3. One contact with memory -----------------------------------------------
  *
@@ -382,6 +392,11 @@ typedef struct carom_grains {
   double relaxation;
   /* The ratio alpha of the damping of a given restitution (`carom_grains_restitution`); 0 for none. */
   double restitution_ratio;
+  /* Of friction by the slip speed v (`carom_grains_slip_friction`), f = a + b exp(-c v) with a in
+   * `unit.friction`: b; 0 for a constant coefficient. */
+  double slip_friction_b;
+  /* Of friction by the slip speed: c, s/m. */
+  double slip_friction_c;
   /* The displacement of body 1 at the contact over the approach. */
   double share_1;
   /* The displacement of body 2 at the contact over the approach. */
@@ -613,6 +628,40 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
 
+/* Gives contacts static friction above kinetic friction, `unit.friction`, as `carom_pair_static_friction`. Not for
+ * CAROM_LAW_RINGS, and not beside friction by the slip speed; a twist has none. */
+carom_status carom_grains_static_friction(struct carom_grains *grains,
+                                          double static_friction,
+                                          struct carom_error *error);
+
+/* Gives each contact the coefficient of friction f = a + b exp(-c v), v the slip speed of its first touch, which it
+ * keeps while it lasts; instead of the one of `carom_grains_of`. a, a + b and c must be finite and at least 0.
+ * Bodies that part and touch again in the same `carom_touch` have another first touch. Not for CAROM_LAW_RINGS, and
+ * not beside static friction; a twist has none. Contacts that have begun keep theirs. To store a contact,
+ * `carom_touch_friction` tells its coefficient, which `carom_touch_unpack_with_friction` needs. */
+carom_status carom_grains_slip_friction(struct carom_grains *grains,
+                                        double a,
+                                        double b,
+                                        double c,
+                                        struct carom_error *error);
+
+/* The coefficient of friction of a contact: that of its first touch, or of static friction if there is one; 0 for
+ * separated grains. */
+carom_status carom_touch_friction(const struct carom_touch *touch,
+                                  double *friction,
+                                  struct carom_error *error);
+
+/* As `carom_touch_unpack`, for a contact whose coefficient `carom_touch_friction` told.
+ *
+ * `numbers` must have CAROM_TOUCH_NUMBERS entries. */
+carom_status carom_touch_unpack_with_friction(const struct carom_grains *grains,
+                                              double radius_1,
+                                              double radius_2,
+                                              double friction,
+                                              const double *numbers,
+                                              struct carom_touch *touch,
+                                              struct carom_error *error);
+
 /* Two grains and their contact, for a call that advances many. */
 typedef struct carom_encounter {
   /* The constants of the two materials. */
@@ -703,6 +752,14 @@ typedef struct carom_collide_options {
   uint32_t torsion;
   /* The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s. */
   double relaxation;
+  /* The coefficient of static friction, above which all of a contact slides with `friction`; 0 if it is that
+   * of `friction`. Not with CAROM_IMPACT_RINGS or CAROM_TORSION_INCLUDED. */
+  double static_friction;
+  /* Of friction that depends on the slip speed v at the first touch, f = a + b exp(-c v), a the argument
+   * `friction`: b; 0 for a constant coefficient. Not beside static friction. */
+  double slip_friction_b;
+  /* Of friction by the slip speed: c, s/m. */
+  double slip_friction_c;
 } carom_collide_options;
 
 /* A sphere: `sizes[0]` is its radius. */

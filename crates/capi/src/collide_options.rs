@@ -1,7 +1,12 @@
 //! Options of an impact, in one struct that later versions may extend.
 
 use carom_impact::coupled::TurningLaw;
-use carom_impact::{Collision, NeededLaw, NormalRestitution, Outcome, RingImpact, TorsionMode};
+use carom_impact::{
+    Collision, ImpactFriction, NeededLaw, NormalRestitution, Outcome, RingImpact, TorsionMode,
+};
+use carom_laws::friction::Friction;
+use carom_laws::slip_speed::SlipSpeedFriction;
+use carom_laws::static_friction::StaticFriction;
 use carom_special::RangeError;
 
 use crate::error::{CaromStatus, Failure};
@@ -60,6 +65,14 @@ pub struct CaromCollideOptions {
     pub torsion: u32,
     /// The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s.
     pub relaxation: f64,
+    /// The coefficient of static friction, above which all of a contact slides with `friction`; 0 if it is that
+    /// of `friction`. Not with CAROM_IMPACT_RINGS or CAROM_TORSION_INCLUDED.
+    pub static_friction: f64,
+    /// Of friction that depends on the slip speed v at the first touch, f = a + b exp(-c v), a the argument
+    /// `friction`: b; 0 for a constant coefficient. Not beside static friction.
+    pub slip_friction_b: f64,
+    /// Of friction by the slip speed: c, s/m.
+    pub slip_friction_c: f64,
 }
 
 impl CaromCollideOptions {
@@ -84,6 +97,32 @@ impl CaromCollideOptions {
         // SAFETY: `size` bytes may be read and fit; every bit pattern is a valid value.
         unsafe { options.cast::<u8>().copy_to_nonoverlapping(to, size) };
         Ok(known)
+    }
+
+    /// The friction of the impact, from the coefficient in the call.
+    pub(crate) fn friction(&self, coefficient: f64) -> Result<ImpactFriction, RangeError> {
+        let (b, at_rest) = (self.slip_friction_b, self.static_friction);
+        if b != 0.0 {
+            RangeError::check(
+                "static_friction",
+                at_rest,
+                at_rest == 0.0,
+                "0 beside slip_friction_b",
+            )?;
+            let named = |error: RangeError| match error.field {
+                "a" => RangeError { field: "friction", ..error },
+                "b" => RangeError { field: "slip_friction_b", ..error },
+                _ => RangeError { field: "slip_friction_c", ..error },
+            };
+            let friction = SlipSpeedFriction::new(coefficient, b, self.slip_friction_c);
+            return friction.map(Into::into).map_err(named);
+        }
+        let kinetic = Friction::new(coefficient)?;
+        if at_rest == 0.0 {
+            return Ok(kinetic.into());
+        }
+        let named = |error| RangeError { field: "static_friction", ..error };
+        StaticFriction::new(Friction::new(at_rest).map_err(named)?, kinetic).map(Into::into)
     }
 
     /// Follows a collision from first contact to separation.

@@ -85,8 +85,10 @@ unsafe fn step_together(
     let is_ready = |i: usize| unsafe {
         let at = &*all.at(i);
         let is_contact = is_place(at.grains) && is_place(at.touch) && (*at.touch).holds_one();
-        // Masses that a restitution cannot use are refused one by one.
-        is_contact && ((*at.grains).restitution_ratio == 0.0 || is_massive(&at.one, &at.two))
+        // Masses that a restitution cannot use are refused one by one, and a first touch takes its friction there.
+        is_contact
+            && ((*at.grains).restitution_ratio == 0.0 || is_massive(&at.one, &at.two))
+            && (!(*at.grains).has_slip_friction() || (*at.touch).holds_bodies_in_contact())
     };
     if !(from..from + TOGETHER).all(is_ready) {
         return None;

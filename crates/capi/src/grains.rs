@@ -10,6 +10,7 @@ use carom_laws::grains::{
 };
 use carom_laws::hertz::Hertz;
 use carom_laws::rings::Rings;
+use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -32,6 +33,11 @@ pub struct CaromGrains {
     pub relaxation: f64,
     /// The ratio alpha of the damping of a given restitution (`carom_grains_restitution`); 0 for none.
     pub restitution_ratio: f64,
+    /// Of friction by the slip speed v (`carom_grains_slip_friction`), f = a + b exp(-c v) with a in
+    /// `unit.friction`: b; 0 for a constant coefficient.
+    pub slip_friction_b: f64,
+    /// Of friction by the slip speed: c, s/m.
+    pub slip_friction_c: f64,
     /// The displacement of body 1 at the contact over the approach.
     pub share_1: f64,
     /// The displacement of body 2 at the contact over the approach.
@@ -67,6 +73,28 @@ impl CaromGrains {
     pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
         let contact = GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?;
         Ok(contact.with_restitution(HertzDamping::of_ratio(self.restitution_ratio)?))
+    }
+
+    /// Whether friction depends on the slip speed at the first touch.
+    #[inline(always)]
+    pub(crate) fn has_slip_friction(&self) -> bool {
+        self.slip_friction_b != 0.0
+    }
+
+    /// A new contact of bodies that first touch at a slip speed.
+    fn contact_at(&self, relative_radius: f64, slip_speed: f64) -> Result<Contact, Failure> {
+        if !self.has_slip_friction() {
+            return self.contact(relative_radius);
+        }
+        let (a, b, c) = (self.unit.friction, self.slip_friction_b, self.slip_friction_c);
+        let friction = SlipSpeedFriction::new(a, b, c)?.at(slip_speed)?;
+        self.with_friction(friction.get()).contact(relative_radius)
+    }
+
+    /// The same constants with a constant coefficient of friction.
+    pub(crate) fn with_friction(&self, friction: f64) -> Self {
+        let unit = CaromPair { friction, ..self.unit };
+        Self { unit, slip_friction_b: 0.0, slip_friction_c: 0.0, ..*self }
     }
 
     /// Whether the normal motion is not damped.
@@ -139,11 +167,11 @@ pub(crate) trait Bodies: Copy {
 
     fn radii(self) -> [f64; 2];
 
-    /// Their contact, not yet loaded.
+    /// Their contact, not yet loaded, where they first touch.
     #[inline(never)]
-    fn fresh(self, grains: &CaromGrains) -> Result<Contact, Failure> {
+    fn fresh(self, grains: &CaromGrains, meeting: &Meeting) -> Result<Contact, Failure> {
         let [one, two] = self.radii();
-        grains.contact(relative_radius(one, two)?)
+        grains.contact_at(relative_radius(one, two)?, meeting.slip_speed())
     }
 }
 
@@ -354,6 +382,8 @@ fn constants(
         unit,
         relaxation,
         restitution_ratio: 0.0,
+        slip_friction_b: 0.0,
+        slip_friction_c: 0.0,
         share_1,
         share_2,
         radiation_1,

@@ -2,7 +2,6 @@
 
 use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, RingImpactError};
-use carom_laws::friction::Friction;
 
 use crate::collide_options::CaromCollideOptions;
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -140,8 +139,9 @@ pub unsafe extern "C" fn carom_collide(
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
     let call = || unsafe {
-        let collision = collision([body_1, body_2], friction, normal)?;
-        let outcome = CaromCollideOptions::of(options)?.solve(collision.clone())?;
+        let options = CaromCollideOptions::of(options)?;
+        let collision = collision([body_1, body_2], (friction, &options), normal)?;
+        let outcome = options.solve(collision.clone())?;
         *write(rebound, "rebound")? = told(&collision, &outcome);
         Ok(())
     };
@@ -153,14 +153,14 @@ pub unsafe extern "C" fn carom_collide(
 /// The bodies and the three numbers of `normal` are null or may be read.
 unsafe fn collision(
     [body_1, body_2]: [*const CaromBody; 2],
-    friction: f64,
+    (friction, options): (f64, &CaromCollideOptions),
     normal: *const f64,
 ) -> Result<Collision, Failure> {
     // SAFETY: the caller's promise.
     let [one, two] = unsafe { [read(body_1, "body_1")?, read(body_2, "body_2")?] };
     let one = one.body().map_err(|failure| failure.at(0))?;
     let two = two.body().map_err(|failure| failure.at(1))?;
-    let friction = Friction::new(friction)?;
+    let friction = options.friction(friction)?;
     if normal.is_null() {
         return Ok(Collision::touching(one, two, friction)?);
     }

@@ -32,6 +32,7 @@ mod contact;
 mod creep;
 mod encounters;
 mod error;
+mod grain_friction;
 mod grains;
 mod impact;
 mod law;
@@ -67,6 +68,10 @@ pub use contact::{
 pub use creep::{CaromCreep, carom_creep_coefficients};
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
+pub use grain_friction::{
+    carom_grains_slip_friction, carom_grains_static_friction, carom_touch_friction,
+    carom_touch_unpack_with_friction,
+};
 pub use grains::{
     CaromGrainLoad, CaromGrains, carom_grains_impact_time, carom_grains_of,
     carom_grains_on_curved_wall, carom_grains_restitution,
@@ -80,6 +85,7 @@ pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use pair::{
     CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, CaromPair,
     carom_pair_of_curvatures, carom_pair_of_spheres, carom_pair_of_stiffness,
+    carom_pair_static_friction,
 };
 pub use restitution::{
     CAROM_BY_RINGS, CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_dissimilar,

@@ -9,8 +9,11 @@ use carom_laws::hertz::Hertz;
 use carom_laws::memory::VertexStack;
 use carom_laws::rings;
 use carom_laws::shift_law::ShiftLaw;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::TorsionConstants;
+use carom_laws::turning_law::TurningLaw;
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::Stack;
@@ -67,6 +70,8 @@ pub struct CaromPair {
     pub c_z: f64,
     /// The coefficient of friction, from 0 to infinity (no slip).
     pub friction: f64,
+    /// The coefficient of static friction (`carom_pair_static_friction`); 0 if it is that of `friction`.
+    pub static_friction: f64,
     /// Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
     /// accuracy with which tractions satisfy the friction limit.
     pub tolerance: f64,
@@ -112,6 +117,7 @@ impl CaromPair {
             c_y,
             c_z,
             friction,
+            static_friction: 0.0,
             tolerance,
             a_squared,
             b_squared,
@@ -164,18 +170,46 @@ impl CaromPair {
         Ok(())
     }
 
+    /// The coefficients of static and kinetic friction.
+    fn coefficients(&self) -> Result<StaticFriction, RangeError> {
+        let kinetic = Friction::new(self.friction)?;
+        if self.static_friction == 0.0 {
+            return StaticFriction::new(kinetic, kinetic);
+        }
+        let named = |error| RangeError { field: "static_friction", ..error };
+        StaticFriction::new(Friction::new(self.static_friction).map_err(named)?, kinetic)
+    }
+
+    /// Sets the coefficient of static friction, if the law has one.
+    pub(crate) fn set_static_friction(&mut self, static_friction: f64) -> Result<(), Failure> {
+        self.check_version()?;
+        let pair = Self { static_friction, ..*self };
+        let drops = pair.coefficients()?.drops();
+        let holds = !drops || self.law != CAROM_LAW_RINGS;
+        RangeError::check("static_friction", static_friction, holds, "`friction` for law rings")?;
+        *self = if drops { pair } else { Self { static_friction: 0.0, ..pair } };
+        Ok(())
+    }
+
+    /// Refuses static friction above kinetic friction, which a twist does not have.
+    pub(crate) fn check_one_friction(&self) -> Result<(), RangeError> {
+        let (at_rest, friction) = (self.static_friction, self.friction);
+        let holds = at_rest == 0.0 || at_rest == friction;
+        RangeError::check("static_friction", at_rest, holds, "`friction` for a twist").map(|_| ())
+    }
+
     /// The law with these constants, for separated bodies.
     #[inline]
     pub(crate) fn law<S: VertexStack<[f64; 2]>>(&self) -> Result<ShiftLaw<[f64; 2], S>, Failure> {
         self.check_version()?;
         let stiffness = ContactStiffness::new(self.c_x, self.c_y, self.c_z)?;
-        let friction = Friction::new(self.friction)?;
+        let friction = self.coefficients()?;
+        let with = |law, tolerance| {
+            Ok(ShiftLaw::with_static_friction(law, stiffness, friction, tolerance))
+        };
         match self.law {
-            CAROM_LAW_COULOMB => {
-                let tolerance = Tolerance::new(self.tolerance)?;
-                Ok(ShiftLaw::with_tolerance(stiffness, friction, tolerance))
-            }
-            CAROM_LAW_FIXED_DIRECTION => Ok(ShiftLaw::with_fixed_direction(stiffness, friction)),
+            CAROM_LAW_COULOMB => with(TurningLaw::Coulomb, Tolerance::new(self.tolerance)?),
+            CAROM_LAW_FIXED_DIRECTION => with(TurningLaw::FixedDirection, Tolerance::PARTICLES),
             CAROM_LAW_RINGS => {
                 let text = "law = rings (2) is for grains only: use carom_ring_touch";
                 let failure = Failure::new(CaromStatus::OutOfRange, "law", text);
@@ -281,6 +315,25 @@ pub unsafe extern "C" fn carom_pair_of_stiffness(
         *write(pair, "pair")? = made;
         Ok(())
     };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// Gives a pair static friction above kinetic friction, `friction` of the pair: until all of a contact slides, it
+/// sticks or slips in part with `static_friction`, finite and at least `friction`; then the force drops, and it
+/// slides with `friction`. Where a part of it sticks, static friction counts again. Not for CAROM_LAW_RINGS, and a
+/// twist has none. Contacts that have begun keep theirs.
+///
+/// # Safety
+/// Pointers and memories are as [the crate](crate#pointers) asks.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_pair_static_friction(
+    pair: *mut CaromPair,
+    static_friction: f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe { write(pair, "pair")?.set_static_friction(static_friction) };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
 }

@@ -5,6 +5,7 @@ use std::mem::MaybeUninit;
 use carom_laws::grains::{
     Grain, GrainContact, GrainLoad, Heats, Meeting, Surface, Wall, grain_numbers,
 };
+use carom_laws::law::ContactLaw as _;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -37,7 +38,7 @@ pub struct CaromTouch {
 
 impl CaromTouch {
     #[inline(always)]
-    fn present(&self) -> Result<Option<&Contact>, Failure> {
+    pub(crate) fn present(&self) -> Result<Option<&Contact>, Failure> {
         present(self.mark, &self.words)
     }
 
@@ -50,6 +51,12 @@ impl CaromTouch {
     #[inline(always)]
     pub(crate) fn holds_one(&self) -> bool {
         find::<Contact, CAROM_TOUCH_WORDS>(self.mark, &self.words).is_some()
+    }
+
+    /// Whether it holds bodies in contact, written by this build.
+    #[inline]
+    pub(crate) fn holds_bodies_in_contact(&self) -> bool {
+        find::<Contact, CAROM_TOUCH_WORDS>(self.mark, &self.words).is_some_and(touches)
     }
 
     /// The contact, without a check.
@@ -66,6 +73,23 @@ impl CaromTouch {
         self.mark = store(contact, &mut self.words);
     }
 
+    /// Makes it the contact that the numbers are.
+    pub(crate) fn unpack(
+        &mut self,
+        grains: &CaromGrains,
+        [radius_1, radius_2]: [f64; 2],
+        numbers: &[f64; CAROM_TOUCH_NUMBERS],
+    ) -> Result<(), Failure> {
+        if numbers[0] == 0.0 {
+            self.mark = 0;
+            return Ok(());
+        }
+        let mut contact = grains.contact(relative_radius(radius_1, radius_2)?)?;
+        contact.unpack(numbers).map_err(|error| Failure::from(error).in_state())?;
+        self.keep(&contact);
+        Ok(())
+    }
+
     #[inline(always)]
     pub(crate) fn advance(
         &mut self,
@@ -73,9 +97,11 @@ impl CaromTouch {
         dt: f64,
         heats: Option<&mut Heats>,
         load: &mut CaromGrainLoad,
-        fresh: impl FnOnce() -> Result<Contact, Failure>,
+        (is_renewed, fresh): (bool, impl FnOnce() -> Result<Contact, Failure>),
     ) -> Result<(), Failure> {
-        let Some(contact) = self.present_mut()? else {
+        // Bodies that were apart touch anew, if their friction is that of the first touch.
+        let goes_on = |contact: &&mut Contact| !is_renewed || touches(contact);
+        let Some(contact) = self.present_mut()?.filter(goes_on) else {
             let mut contact = fresh()?;
             *load = step(&mut contact, meeting, dt, heats)?.into();
             self.keep(&contact);
@@ -97,6 +123,10 @@ impl CaromTouch {
         };
         Ok(load.into())
     }
+}
+
+fn touches(contact: &Contact) -> bool {
+    contact.law().shift().zeta > 0.0
 }
 
 #[inline(always)]
@@ -129,7 +159,8 @@ pub(crate) unsafe fn advance(
     // SAFETY: the caller's promise.
     let heats = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
     let meeting = grains.meeting(bodies)?;
-    touch.advance(&meeting, dt, heats, load, || bodies.fresh(grains))
+    let fresh = || bodies.fresh(grains, &meeting);
+    touch.advance(&meeting, dt, heats, load, (grains.has_slip_friction(), fresh))
 }
 
 /// # Safety
@@ -144,7 +175,7 @@ unsafe fn load_of(
     let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
     let meeting = grains.meeting(bodies)?;
     // SAFETY: the caller's promise.
-    *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains))?;
+    *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains, &meeting))?;
     Ok(())
 }
 
@@ -374,14 +405,12 @@ pub unsafe extern "C" fn carom_touch_unpack(
         let grains = read(grains, "grains")?;
         let numbers = read(numbers.cast::<[f64; CAROM_TOUCH_NUMBERS]>(), "numbers")?;
         let touch = write(touch, "touch")?;
-        if numbers[0] == 0.0 {
-            touch.mark = 0;
-            return Ok(());
+        if numbers[0] != 0.0 {
+            let (b, allowed) =
+                (grains.slip_friction_b, "0: carom_touch_unpack_with_friction knows");
+            RangeError::check("slip_friction_b", b, !grains.has_slip_friction(), allowed)?;
         }
-        let mut contact = grains.contact(relative_radius(radius_1, radius_2)?)?;
-        contact.unpack(numbers).map_err(|error| Failure::from(error).in_state())?;
-        touch.keep(&contact);
-        Ok(())
+        touch.unpack(grains, [radius_1, radius_2], numbers)
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }

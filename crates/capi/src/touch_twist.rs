@@ -110,6 +110,7 @@ pub unsafe extern "C" fn carom_touch_twist_energy(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let (grains, twist) = (read(grains, "grains")?, read(twist, "twist")?);
+        grains.check_constant_friction()?;
         let pair = grains.pair(relative_radius(radius_1, radius_2)?);
         *write(energy, "energy")? = twist.law(&pair)?.twist_energy();
         Ok(())
@@ -131,6 +132,7 @@ unsafe fn turn(
     // SAFETY: the caller's promise. All are checked before anything moves.
     let (grains, twist, _) =
         unsafe { (read(grains, "grains")?, write(twist, "twist")?, write(load, "load")?) };
+    grains.check_constant_friction()?;
     let meeting = bodies.meeting(grains)?;
     let [one, two] = bodies.radii();
     let law = twist.law(&grains.pair(relative_radius(one, two)?))?;

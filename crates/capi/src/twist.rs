@@ -55,6 +55,7 @@ impl CaromPair {
                 "the pair has no torsional stiffness: it was made by carom_pair_of_stiffness";
             return Err(Failure::new(CaromStatus::BadState, "pair", text));
         }
+        self.check_one_friction()?;
         let friction = Friction::new(self.friction)?;
         Ok(TorsionLaw::from_constants(TorsionConstants { c_z, stiffness, arm }, friction)?)
     }

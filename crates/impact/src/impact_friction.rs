@@ -28,8 +28,7 @@ pub enum ImpactFriction {
     SlipSpeed(SlipSpeedFriction),
     /// Static friction as a threshold of full sliding, with kinetic friction beyond it.
     ///
-    /// The slip must stay on a line, as that of spheres and planes does. The laws of rings and of the grid and the
-    /// torsional impact refuse it.
+    /// The laws of rings and of the grid and the torsional impact refuse it.
     Static(StaticFriction),
 }
 

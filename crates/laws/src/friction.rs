@@ -45,6 +45,15 @@ impl Friction {
         self.0
     }
 
+    /// The coefficient f whose product with a factor is this, to the bit, for a product that was
+    /// made so.
+    pub(crate) fn from_product(product: f64, factor: f64) -> Self {
+        let quotient = product / factor;
+        let near = |step: i64| f64::from_bits(quotient.to_bits().wrapping_add_signed(step));
+        let exact = |f: &f64| *f * factor == product;
+        Self([0, 1, -1, 2, -2].map(near).into_iter().find(exact).unwrap_or(quotient))
+    }
+
     /// The coefficient if it is finite; `None` for bodies that never slip.
     #[must_use]
     pub fn coefficient(self) -> Option<f64> {
@@ -55,6 +64,21 @@ impl Friction {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_coefficient_is_found_again_in_its_product() {
+        let mut seed = 1_u64;
+        let mut unit = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..100_000 {
+            let (f, c_z) = (2.0 * unit() + 1e-9, 1e9 * unit() + 1e-3);
+            let found = Friction::from_product(f * c_z, c_z).get();
+            assert_eq!((found * c_z).to_bits(), (f * c_z).to_bits(), "{f:e} {c_z:e}");
+            assert!((found / f - 1.0).abs() < 1e-15);
+        }
+    }
 
     #[test]
     fn limits_are_values_and_extremes_are_none() {

@@ -10,7 +10,7 @@
 //!   sliders, and [`profile`] contains other indenters.
 //! - Friction: [`friction`] is the coefficient, [`slip_speed`] one that depends on the slip speed;
 //!   [`static_friction`] is a pair, static friction above kinetic friction, for
-//!   [`shift_law::StaticFrictionLaw`].
+//!   [`shift_law::StaticFrictionLaw`] along a line and [`shift_law::ShiftLaw`] in two directions.
 //! - Twist: [`torsion`].
 //! - Rolling: [`creep`], the forces of vanishing creepage.
 //! - Limits of the theory: [`validity`].
@@ -59,6 +59,7 @@ pub mod shift_law;
 pub mod sliders;
 pub mod slip_speed;
 pub mod static_friction;
+mod static_slip;
 pub mod stiffness;
 pub mod torsion;
 pub mod turning_law;

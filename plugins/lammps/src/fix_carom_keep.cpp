@@ -85,7 +85,7 @@ void FixCaromKeep::check_numbers(int numbers) const
   snprintf(text, sizeof text, "%g", of_file[0]);
   error->all(FLERR, std::string("pair carom: the contacts of the restart file have ") + text +
                         " numbers, those of this run " + std::to_string(numbers) +
-                        ": law rings, torsion, energy and rolling must be as in the run that wrote it");
+                        ": law rings, torsion, energy, rolling and slip_friction must be as in the run that wrote it");
 }
 
 // Between runs the host has moved grains, with their contacts, since it built the neighbor list; yet its fix

@@ -42,7 +42,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
                             "': only plane, cylinder, cone, sphere, between, velocity, omega and center (with all their "
-                            "values), young, shear, poisson, rigid, yield, friction, damping, restitution, rolling, law, tolerance and torsion");
+                            "values), young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, restitution, rolling, law, tolerance and torsion");
     k += words;
   }
   material.check(lmp, who());
@@ -137,7 +137,7 @@ carom::Touch FixWallCarom::touch_of(int i)
 {
   double *slot = slots[i].get();
   carom_error why;
-  const carom::Touch touch = touches.at(slot, constants_of(i), atom->radius[i], INFINITY, &why);
+  const carom::Touch touch = touches.at(slot, constants_of(i), atom->radius[i], INFINITY, &why, friction_of(slot));
   if (!touch) carom::fail(lmp, who(), why);
   return touch;
 }
@@ -339,9 +339,8 @@ void FixWallCarom::drop(int i)
 int FixWallCarom::count_of(int i) const
 {
   if (!touches_wall(i)) return 0;
-  const int more = keeps_more() ? Touches::AT_WALL : 0;
-  if (touches.is_of_rings(slots[i].get())) return Touches::OF_RINGS + more;
-  return (twists ? Touches::WITH_TWIST : Touches::NUMBERS) + more;
+  if (touches.is_of_rings(slots[i].get())) return Touches::OF_RINGS + more();
+  return (twists ? Touches::WITH_TWIST : Touches::NUMBERS) + more();
 }
 
 // A slot has space for any law: a restart file is read before the law is known.
@@ -359,16 +358,17 @@ void FixWallCarom::set_arrays(int i)
 void FixWallCarom::pack(int i)
 {
   carom_error why;
-  if (slots[i] && touches.pack(slots[i].get(), &why) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
+  double *slot = slots[i].get();
+  if (slot && touches.pack(slot, &why, friction_of(slot)) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
 }
 
 int FixWallCarom::pack_exchange(int i, double *buffer)
 {
   pack(i);
-  const int count = count_of(i), more = count > 0 && keeps_more() ? Touches::AT_WALL : 0;
+  const int count = count_of(i), behind = count > 0 ? more() : 0;
   buffer[0] = count;
-  if (count > 0) memcpy(buffer + 1, slots[i].get(), (count - more) * sizeof(double));
-  if (more > 0) memcpy(buffer + 1 + count - more, slots[i].get() + Touches::MOST, more * sizeof(double));
+  if (count > 0) memcpy(buffer + 1, slots[i].get(), (count - behind) * sizeof(double));
+  if (behind > 0) memcpy(buffer + 1 + count - behind, slots[i].get() + Touches::MOST, behind * sizeof(double));
   return 1 + count;
 }
 
@@ -378,9 +378,11 @@ int FixWallCarom::unpack_exchange(int i, double *buffer)
   if (!Touches::is_count(buffer[0])) damaged(std::to_string(buffer[0]) + " numbers of a contact");
   const int count = static_cast<int>(buffer[0]);
   if (count == 0) return 1;
-  const int more = Touches::is_count_of_touch(count) ? 0 : Touches::AT_WALL;
-  memcpy(slot_of(i), buffer + 1, (count - more) * sizeof(double));
-  memcpy(slot_of(i) + Touches::MOST, buffer + 1 + count - more, more * sizeof(double));
+  const int behind = Touches::count_at_wall(count);
+  if ((behind > Touches::AT_WALL) != material.slips())
+    error->one(FLERR, who() + ": slip_friction must be as in the run that wrote the restart file");
+  memcpy(slot_of(i), buffer + 1, (count - behind) * sizeof(double));
+  memcpy(slot_of(i) + Touches::MOST, buffer + 1 + count - behind, behind * sizeof(double));
   return 1 + count;
 }
 

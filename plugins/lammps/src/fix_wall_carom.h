@@ -94,10 +94,16 @@ class FixWallCarom : public Fix {
   void drop(int i);
   double *slot_of(int i);
   // A slot: the numbers of a contact of any law, then what only walls keep.
-  static constexpr int SLOT = Touches::MOST + Touches::AT_WALL;
+  static constexpr int SLOT = Touches::MOST + Touches::AT_WALL + Touches::FRICTION;
   static carom_roll *roll_of(double *slot) { return Touches::roll_at(slot + Touches::MOST); }
   static double &curvature_of(double *slot) { return slot[Touches::MOST + Touches::ROLL]; }
-  bool keeps_more() const { return material.rolls() || wall.is_curved(); }
+  double *friction_of(double *slot) const { return material.slips() ? slot + Touches::MOST + Touches::AT_WALL : nullptr; }
+  // Number of values that are kept of a contact behind its numbers.
+  int more() const
+  {
+    if (material.slips()) return Touches::AT_WALL + Touches::FRICTION;
+    return material.rolls() || wall.is_curved() ? Touches::AT_WALL : 0;
+  }
   int count_of(int i) const;
   bool touches_wall(int i) const { return slots[i] && slots[i][0] != 0.0; }
 };

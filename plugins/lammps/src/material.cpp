@@ -48,6 +48,23 @@ int Material::take_rolling(LAMMPS *lmp, const std::string &who, int narg, char *
   return 4;
 }
 
+// slip_friction A B C: f = A + B exp(-C v).
+int Material::take_slip_friction(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  if (narg < 4) lmp->error->all(FLERR, who + ": slip_friction requires three values: a, b and c");
+  const auto value = [&](int k) { return utils::numeric(FLERR, arg[k], false, lmp); };
+  friction = value(1), slip_b = value(2), slip_c = value(3);
+  if (!(friction >= 0.0 && friction < INFINITY))
+    out_of_range(lmp, who, "slip_friction: a", friction, "finite and >= 0");
+  if (!(friction + slip_b >= 0.0 && friction + slip_b < INFINITY))
+    out_of_range(lmp, who, "slip_friction: b", slip_b, "finite, with a + b >= 0");
+  if (!(slip_c >= 0.0 && slip_c < INFINITY))
+    out_of_range(lmp, who, "slip_friction: c", slip_c, "finite and >= 0");
+  has_slip = true;
+  is_set = 1;
+  return 4;
+}
+
 int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   const std::string word = arg[0];
@@ -57,6 +74,7 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     return 1;
   }
   if (word == "rolling") return take_rolling(lmp, who, narg, arg);
+  if (word == "slip_friction") return take_slip_friction(lmp, who, narg, arg);
   if (word == "young") {
     young = number(lmp, who, narg, arg);
     has_young = true;
@@ -73,6 +91,11 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     friction = number(lmp, who, narg, arg);
     if (!(friction >= 0.0 && friction < INFINITY))
       out_of_range(lmp, who, "friction", friction, "finite and >= 0");
+    has_friction = true;
+  } else if (word == "static_friction") {
+    static_friction = number(lmp, who, narg, arg);
+    if (!(static_friction >= 0.0 && static_friction < INFINITY))
+      out_of_range(lmp, who, "static_friction", static_friction, "finite and at least friction");
   } else if (word == "damping") {
     damping = number(lmp, who, narg, arg);
     if (!(damping >= 0.0 && damping < INFINITY))
@@ -100,21 +123,29 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 bool Material::come_from_file()
 {
   shear = 0.0;
-  has_young = has_shear = has_poisson = false;
+  has_young = has_shear = has_poisson = has_friction = has_slip = false;
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
   const bool none = !is_set && !has_body;
   const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
   const bool strength = yield >= 0.0 && yield < INFINITY;
   const bool rebounds = restitution >= 0.01 && restitution <= 1.0;
+  const bool grips = static_friction == 0.0 || (static_friction >= friction && static_friction < INFINITY && !slips());
+  const bool slows = friction + slip_b >= 0.0 && friction + slip_b < INFINITY && slip_c >= 0.0 && slip_c < INFINITY;
   const bool resists = std::isfinite(rolling.stiffness + rolling.damping + rolling.friction) &&
       rolling.stiffness >= 0.0 && rolling.damping >= 0.0 && rolling.friction >= 0.0;
   return is_flag(is_set) && is_flag(has_body) &&
       (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength && rebounds &&
-                resists));
+                resists && grips && slows));
 }
 
 void Material::check(LAMMPS *lmp, const std::string &who) const
 {
+  if (has_friction && has_slip)
+    lmp->error->all(FLERR, who + ": friction and slip_friction are both given: give one of them");
+  if (static_friction > 0.0 && has_slip)
+    lmp->error->all(FLERR, who + ": static_friction and slip_friction are both given: give one of them");
+  if (static_friction != 0.0 && static_friction < friction)
+    out_of_range(lmp, who, "static_friction", static_friction, "finite and at least friction");
   if (has_poisson != (has_young || has_shear))
     lmp->error->all(FLERR, who + (has_poisson ? ": poisson requires young or shear" : ": poisson is missing"));
   if (yield > 0.0 && !has_poisson) lmp->error->all(FLERR, who + ": yield requires young or shear");
@@ -157,11 +188,20 @@ Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material
                        const carom_material &two, const Material &pair, const Law &law)
 {
   if (pair.friction < 0.0) lmp->error->all(FLERR, who + ": friction is missing");
+  for (const char *word : {pair.static_friction > pair.friction ? "static_friction" : "", pair.slips() ? "slip_friction" : ""}) {
+    if (!*word) continue;
+    if (law.by_rings()) lmp->error->all(FLERR, who + ": " + word + " needs law fixed-direction or coulomb, not rings");
+    if (law.torsion) lmp->error->all(FLERR, who + ": " + word + " needs torsion no: a twist has one coefficient of friction");
+  }
   Constants made;
   made.rolling = pair.rolling;
   carom_error error;
   carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance, pair.damping,
                                         &made.grains, &error);
+  if (status == CAROM_STATUS_OK && pair.slips())
+    status = carom_grains_slip_friction(&made.grains, pair.friction, pair.slip_b, pair.slip_c, &error);
+  if (status == CAROM_STATUS_OK && pair.static_friction > 0.0)
+    status = carom_grains_static_friction(&made.grains, pair.static_friction, &error);
   if (status == CAROM_STATUS_OK && pair.restitution < 1.0)
     status = carom_grains_restitution(&made.grains, pair.restitution, &error);
   if (status == CAROM_STATUS_OK && law.by_rings()) {
@@ -187,6 +227,9 @@ Constants constants_at_curved_wall(LAMMPS *lmp, const std::string &who, const ca
     lmp->error->one(FLERR, who + text + error.text);
   }
   made.grains.restitution_ratio = flat.grains.restitution_ratio;
+  made.grains.unit.static_friction = unit.static_friction;
+  made.grains.slip_friction_b = flat.grains.slip_friction_b;
+  made.grains.slip_friction_c = flat.grains.slip_friction_c;
   return made;
 }
 

@@ -15,12 +15,15 @@ namespace carom {
 
 // young E poisson NU
 // shear G poisson NU
-// rigid, yield Y, friction F, damping A, restitution E, rolling K C F; plain data, written to restart files unchanged.
+// rigid, yield Y, friction F, static_friction F, slip_friction A B C, damping A, restitution E, rolling K C F; plain data,
+// written to restart files unchanged.
 struct Material {
   int is_set = 0;      // whether any keyword was given
   int has_body = 0;    // whether there are moduli, or rigid
   double young = 0.0, poisson = 0.0;
-  double friction = -1.0;    // not given
+  double friction = -1.0;    // not given; a of slip_friction
+  double static_friction = 0.0;    // that of friction
+  double slip_b = 0.0, slip_c = 0.0;    // friction + slip_b exp(-slip_c v)
   double damping = 0.0;
   double restitution = 1.0;    // elastic
   double yield = 0.0;        // not known
@@ -35,10 +38,12 @@ struct Material {
   void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
   carom_material body() const { return {young, poisson, yield}; }
   bool rolls() const { return rolling.friction > 0.0; }
+  bool slips() const { return slip_b != 0.0; }
 
  private:
   double shear = 0.0;
-  bool has_young = false, has_shear = false, has_poisson = false;
+  bool has_young = false, has_shear = false, has_poisson = false, has_friction = false, has_slip = false;
+  int take_slip_friction(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
   int take_rolling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
 };
 

@@ -57,7 +57,7 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   for (const std::string &id : {keep_id, history_id, restore_id}) {
     Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
     // Grains from several restart files are moved before anything else is made.
-    place->maxexchange = FORESEEN * (1 + Touches::MOST + Touches::ROLL + Touches::HEATS);
+    place->maxexchange = FORESEEN * (1 + Touches::MOST + Touches::ROLL + Touches::FRICTION + Touches::HEATS);
   }
 }
 
@@ -97,7 +97,7 @@ void PairCarom::allocate()
 void PairCarom::settings(int narg, char **arg)
 {
   law_ = {};
-  account = rolls = 0;
+  account = rolls = slips = 0;
   for (int k = 0; k < narg;) {
     int words = law_.take(lmp, "pair_style carom", narg - k, arg + k);
     if (words == 0 && strcmp(arg[k], "energy") == 0 && k + 1 < narg) {
@@ -125,7 +125,8 @@ void PairCarom::coeff(int narg, char **arg)
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
-                            "': only young, shear, poisson, rigid, yield, friction, damping, restitution and rolling");
+                            "': only young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, "
+                            "restitution and rolling");
     k += words;
   }
   material.check(lmp, who);
@@ -151,7 +152,7 @@ void PairCarom::init_style()
   for (const Fix *fix : modify->get_fix_by_style("^freeze$")) frozen |= fix->groupbit;
   masses.start(modify);
   limits.start();
-  set_rolls();
+  set_space();
   heat_readers.clear();
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
@@ -186,13 +187,18 @@ void PairCarom::init_style()
 }
 
 // The size of a contact is fixed when the first run begins.
-void PairCarom::set_rolls()
+void PairCarom::set_space()
 {
-  const bool asked = std::any_of(coefficients.begin(), coefficients.end(),
-                                 [](const carom::Material &material) { return material.rolls(); });
-  if (asked && history && !rolls)
-    error->all(FLERR, "pair carom: rolling must be given before the first run, at least for one pair of types");
-  rolls = rolls || asked;
+  const auto set = [this](int &has, const char *word, bool (carom::Material::*asks)() const) {
+    const bool asked = std::any_of(coefficients.begin(), coefficients.end(),
+                                   [asks](const carom::Material &material) { return (material.*asks)(); });
+    if (asked && history && !has)
+      error->all(FLERR, std::string("pair carom: ") + word +
+                            " must be given before the first run, at least for one pair of types");
+    has = has || asked;
+  };
+  set(rolls, "rolling", &carom::Material::rolls);
+  set(slips, "slip_friction", &carom::Material::slips);
 }
 
 double PairCarom::init_one(int i, int j)
@@ -250,7 +256,7 @@ const carom::Constants &PairCarom::constants_of(int body_1, int body_2) const
 carom::Touch PairCarom::touch_of(double *slot, int body_1, int body_2)
 {
   const carom::Constants &its = constants_of(body_1, body_2);
-  const carom::Touch touch = touches.at(slot, its, atom->radius[body_1], atom->radius[body_2], &why);
+  const carom::Touch touch = touches.at(slot, its, atom->radius[body_1], atom->radius[body_2], &why, friction_of(slot));
   if (!touch) carom::fail(lmp, "pair carom", why);
   return touch;
 }
@@ -455,7 +461,8 @@ void PairCarom::pack_all()
     double *slots = history->firstvalue[i];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!flags[jj]) continue;
-      if (touches.pack(slots + numbers() * jj, &why) != CAROM_STATUS_OK)
+      double *slot = slots + numbers() * jj;
+      if (touches.pack(slot, &why, friction_of(slot)) != CAROM_STATUS_OK)
         carom::fail(lmp, "pair carom", why);
       flags[jj] = 1;
     }
@@ -545,6 +552,7 @@ void PairCarom::write_restart_settings(FILE *fp)
   fwrite(&law_, sizeof law_, 1, fp);
   fwrite(&account, sizeof account, 1, fp);
   fwrite(&rolls, sizeof rolls, 1, fp);
+  fwrite(&slips, sizeof slips, 1, fp);
 }
 
 void PairCarom::read_restart_settings(FILE *fp)
@@ -553,19 +561,21 @@ void PairCarom::read_restart_settings(FILE *fp)
     utils::sfread(FLERR, &law_, sizeof law_, 1, fp, nullptr, error);
     utils::sfread(FLERR, &account, sizeof account, 1, fp, nullptr, error);
     utils::sfread(FLERR, &rolls, sizeof rolls, 1, fp, nullptr, error);
+    utils::sfread(FLERR, &slips, sizeof slips, 1, fp, nullptr, error);
   }
   MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
   MPI_Bcast(&rolls, sizeof rolls, MPI_BYTE, 0, world);
+  MPI_Bcast(&slips, sizeof slips, MPI_BYTE, 0, world);
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
-  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !is_flag(rolls) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
-    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion, energy or rolling is not valid");
+  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !is_flag(rolls) || !is_flag(slips) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
+    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion, energy, rolling or slip_friction is not valid");
 }
 
 // Of the contacts, by the library, and of what this style writes beside them.
 static uint32_t file_version()
 {
-  constexpr uint32_t OF_STYLE = 3;
+  constexpr uint32_t OF_STYLE = 4;
   return 1000 * OF_STYLE + carom_state_version();
 }
 

@@ -64,6 +64,7 @@ class PairCarom : public Pair {
   carom::Law law_;
   int account = 0;
   int rolls = 0;    // whether contacts have space for rolling resistance
+  int slips = 0;    // whether they have space for a coefficient of friction of their own
   std::vector<carom::Material> coefficients;    // by two types
   std::vector<carom::Constants> constants;      // by the types of body 1 and 2
   std::vector<char> told;                       // of which pairs of types the log tells of coupling
@@ -80,7 +81,11 @@ class PairCarom : public Pair {
   // Number of values of a contact in the host's slots.
   int numbers() const
   {
-    return of_touch() + (rolls ? Touches::ROLL : 0) + (account ? Touches::HEATS : 0);
+    return before_heats() + (account ? Touches::HEATS : 0);
+  }
+  int before_heats() const
+  {
+    return of_touch() + (rolls ? Touches::ROLL : 0) + (slips ? Touches::FRICTION : 0);
   }
   int of_touch() const
   {
@@ -88,11 +93,12 @@ class PairCarom : public Pair {
     return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS;
   }
   carom_roll *roll_of(double *slot) const { return Touches::roll_at(slot + of_touch()); }
-  double *heats_of(double *slot) const { return slot + of_touch() + (rolls ? Touches::ROLL : 0); }
+  double *friction_of(double *slot) const { return slips ? slot + before_heats() - Touches::FRICTION : nullptr; }
+  double *heats_of(double *slot) const { return slot + before_heats(); }
   double energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
-  void set_rolls();
+  void set_space();
   // The host's arrays of grains, in the layout of the library.
   struct Bodies {
     const double *x, *v, *w, *radius, *mass;

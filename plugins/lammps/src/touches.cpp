@@ -18,7 +18,8 @@ int Touches::free_place(bool by_rings)
   return of_form.back();
 }
 
-Touch Touches::unpack(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why)
+Touch Touches::unpack(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why,
+                      const double *friction)
 {
   const bool by_rings = constants.rings != nullptr;
   const int place = free_place(by_rings);
@@ -29,7 +30,11 @@ Touch Touches::unpack(double *slot, const Constants &constants, double radius_1,
     status = carom_ring_touch_unpack(&constants.grains, constants.rings.get(), radius_1, radius_2, slot, made.rings, why);
   } else {
     made.plain->mark = 0;
-    status = carom_touch_unpack(&constants.grains, radius_1, radius_2, slot, made.plain, why);
+    const carom_grains *grains = &constants.grains;
+    if (friction && grains->slip_friction_b != 0.0)
+      status = carom_touch_unpack_with_friction(grains, radius_1, radius_2, *friction, slot, made.plain, why);
+    else
+      status = carom_touch_unpack(grains, radius_1, radius_2, slot, made.plain, why);
   }
   if (status != CAROM_STATUS_OK) return {};
   unused[by_rings].pop_back();
@@ -68,7 +73,7 @@ void Touches::drop(double *slot)
   memset(slot, 0, (place >= 0 && places[place].by_rings ? OF_RINGS : NUMBERS) * sizeof(double));
 }
 
-carom_status Touches::pack(double *slot, carom_error *why)
+carom_status Touches::pack(double *slot, carom_error *why, double *friction)
 {
   if (!is_unpacked(slot)) return CAROM_STATUS_OK;
   const int place = index(slot);
@@ -77,8 +82,10 @@ carom_status Touches::pack(double *slot, carom_error *why)
     return CAROM_STATUS_BAD_STATE;
   }
   const Touch its = touch(place);
-  const carom_status status =
-      its.rings ? carom_ring_touch_pack(its.rings, slot, why) : carom_touch_pack(its.plain, slot, why);
+  carom_status status = CAROM_STATUS_OK;
+  if (friction && its.plain) status = carom_touch_friction(its.plain, friction, why);
+  if (status == CAROM_STATUS_OK)
+    status = its.rings ? carom_ring_touch_pack(its.rings, slot, why) : carom_touch_pack(its.plain, slot, why);
   if (status == CAROM_STATUS_OK) give_back(place);
   return status;
 }

@@ -23,6 +23,8 @@ class Touches {
   // Behind the numbers of a contact: its rolling resistance, if there is one.
   static constexpr int ROLL = CAROM_ROLL_NUMBERS;
   static carom_roll *roll_at(double *place) { return reinterpret_cast<carom_roll *>(place); }
+  // The coefficient of a contact whose friction depends on the slip speed of its first touch.
+  static constexpr int FRICTION = 1;
   // The heat that a contact of grains made in the last step, and since it began: at the end of its slot.
   static constexpr int HEATS = 2;
   // What a wall may keep of a contact behind its numbers: rolling resistance, and the curvature of the wall.
@@ -30,10 +32,11 @@ class Touches {
   static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
   // The unpacked contact of a slot; new if there is none. Null if the numbers are not a contact: `why` says
-  // so.
-  Touch at(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why)
+  // so. `friction` is the place of its coefficient, if it has one.
+  Touch at(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why,
+           const double *friction = nullptr)
   {
-    if (!is_unpacked(slot)) return unpack(slot, constants, radius_1, radius_2, why);
+    if (!is_unpacked(slot)) return unpack(slot, constants, radius_1, radius_2, why, friction);
     const int place = index(slot);
     if (place >= 0 && places[place].by_rings == (constants.rings != nullptr)) return touch(place);
     strange(slot, why);
@@ -46,7 +49,14 @@ class Touches {
   // Whether a restart file may contain this number of values for the contacts of a grain.
   static bool is_count(double count)
   {
-    return count == 0.0 || is_count_of_touch(count) || is_count_of_touch(count - AT_WALL);
+    return count == 0.0 || is_count_of_touch(count) || count_at_wall(count) > 0;
+  }
+  // How many of these values a wall keeps of a contact behind its numbers.
+  static int count_at_wall(double count)
+  {
+    for (const int more : {AT_WALL, AT_WALL + FRICTION})
+      if (is_count_of_touch(count - more)) return more;
+    return 0;
   }
   static bool is_count_of_touch(double count)
   {
@@ -62,8 +72,8 @@ class Touches {
   Touch with_flag(int flag) { return flag > 1 ? touch(flag - 2) : Touch(); }
   // Ends the contact of a slot; the caller ends its twist.
   void drop(double *slot);
-  // Packs the contact of a slot into numbers.
-  carom_status pack(double *slot, carom_error *why);
+  // Packs the contact of a slot into numbers, and its coefficient of friction if it has a place.
+  carom_status pack(double *slot, carom_error *why, double *friction = nullptr);
   double bytes() const
   {
     return static_cast<double>(plain.capacity() * sizeof(carom_touch) + rings.capacity() * sizeof(carom_ring_touch));
@@ -95,7 +105,8 @@ class Touches {
     const int known = static_cast<int>(place);
     return places[known].owner == slot ? known : -1;
   }
-  Touch unpack(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why);
+  Touch unpack(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why,
+               const double *friction);
   int free_place(bool by_rings);
   void give_back(int place);
   static void strange(const double *slot, carom_error *why);

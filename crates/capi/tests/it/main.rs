@@ -4,6 +4,7 @@ mod border;
 mod creep;
 mod dissimilar;
 mod garbled;
+mod grain_friction;
 mod grains;
 mod grains_validity;
 mod header;

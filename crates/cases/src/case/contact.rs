@@ -51,8 +51,7 @@ pub(super) const STATIC_FRICTION: Field = Field::number(
     "static_friction",
     Range::Friction.pure(),
     "coefficient of static friction f_s, at least `friction`: the contact sticks or slips in part up to f_s F_z, and slides \
-     as a whole with `friction`; for slip along a line, as that of spheres and planes, by the laws coulomb and \
-     fixed-direction, which auto then chooses",
+     as a whole with `friction`; by the laws coulomb and fixed-direction, which auto then chooses",
 )
 .may("that of `friction`")
 .such_as("0.3");

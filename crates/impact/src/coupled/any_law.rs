@@ -43,6 +43,19 @@ impl AnyLaw {
         Self::Static(Box::new(StaticFrictionLaw::new(stiffness, friction)))
     }
 
+    /// The law for two directions with static friction above kinetic friction, with the accuracy of a
+    /// run.
+    pub(super) fn in_space_with_static(
+        law: TurningLaw,
+        stiffness: ContactStiffness,
+        friction: StaticFriction,
+        level: Level,
+    ) -> Self {
+        let tolerance = curve_tolerance(level);
+        let law = ShiftLaw::with_static_friction(law, stiffness, friction, tolerance);
+        Self::Plane(Box::new(law))
+    }
+
     /// A law for two directions, with the accuracy of a run. The curve has fewer vertices. The line
     /// segments find faster which annuli do not slip, which matters in impacts with many steps.
     pub(super) fn in_space(
@@ -58,9 +71,7 @@ impl AnyLaw {
         let (steps, taken) = (level.steps as f64, level.taken as f64);
         let ContactStiffness { c_x, c_y, .. } = stiffness;
         if is_mild && (c_x - c_y).abs() <= MAX_ISOTROPIC_DIFFERENCE * c_x {
-            let tolerance =
-                Tolerance::new((CURVE_TOLERANCE_TIMES_STEPS / (steps * taken)).min(0.1));
-            let tolerance = tolerance.unwrap_or_default();
+            let tolerance = curve_tolerance(level);
             return Self::Plane(Box::new(ShiftLaw::with_tolerance(stiffness, friction, tolerance)));
         }
         let lines = SlipLines::new(
@@ -74,6 +85,13 @@ impl AnyLaw {
             |lines| Self::Lines(Box::new(lines)),
         )
     }
+}
+
+/// The tolerance of the curve of zero-traction shifts in a run.
+fn curve_tolerance(level: Level) -> Tolerance {
+    let (steps, taken) = (level.steps as f64, level.taken as f64);
+    let tolerance = (CURVE_TOLERANCE_TIMES_STEPS / (steps * taken)).min(0.1);
+    Tolerance::new(tolerance).unwrap_or_default()
 }
 
 macro_rules! each {

@@ -84,10 +84,10 @@ impl CoupledImpact {
     }
 
     /// The same impact with static friction f_s above kinetic friction f_k as a threshold of full
-    /// sliding ([`carom_laws::shift_law::StaticFrictionLaw`]).
+    /// sliding: by [`carom_laws::shift_law::StaticFrictionLaw`] where the slip stays on a line, and by
+    /// [`carom_laws::shift_law::ShiftLaw::with_static_friction`] in space.
     ///
-    /// It is computed in time steps, one of which ends where sliding begins. The slip must stay on
-    /// a line: [`CoupledImpact::solve`] refuses [`ImpactMethod::Spatial`]. If f_s = f_k, the impact
+    /// It is computed in time steps, one of which ends where sliding begins. If f_s = f_k, the impact
     /// is that of one coefficient.
     ///
     /// ```

@@ -1,6 +1,5 @@
 //! Solves an impact: in closed form, exactly, or step by step until it converges.
 
-use carom_special::RangeError;
 use nalgebra::Matrix3;
 
 use super::any_law::AnyLaw;
@@ -140,7 +139,6 @@ impl CoupledImpact {
 
 impl CoupledImpact {
     fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
-        self.check_static_friction()?;
         let problem = self.problem();
         let is_normal_uncoupled = self.method() == ImpactMethod::Spatial { coupled: false };
         let limits =
@@ -150,16 +148,6 @@ impl CoupledImpact {
             .settle(self.tolerance(), make, |impulse| limits.restrict(impulse))
             .map_err(|failure| self.failed(failure))?;
         self.checked(settled)
-    }
-
-    // Static friction above kinetic friction needs slip along a line.
-    fn check_static_friction(&self) -> Result<(), RangeError> {
-        let Some(friction) = self.static_friction else { return Ok(()) };
-        let is_in_line = matches!(self.method(), ImpactMethod::Planar { .. });
-        let allowed = "equal to kinetic friction, unless the slip stays on a line: no velocity across, no motion that \
-                       couples to it";
-        RangeError::check("static_friction", friction.threshold().get(), is_in_line, allowed)
-            .map(|_| ())
     }
 
     // Converged solution with a law in the units of the data.
@@ -232,7 +220,10 @@ impl CoupledImpact {
     fn law(&self, law: TurningLaw, level: Level) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
         match (self.method(), self.static_friction) {
-            (_, Some(friction)) => AnyLaw::with_static(stiffness, friction),
+            (ImpactMethod::Planar { .. }, Some(friction)) => {
+                AnyLaw::with_static(stiffness, friction)
+            }
+            (_, Some(friction)) => AnyLaw::in_space_with_static(law, stiffness, friction, level),
             (ImpactMethod::Planar { .. }, None) => AnyLaw::in_line(stiffness, friction),
             _ => AnyLaw::in_space(law, stiffness, friction, (level, self.is_mild())),
         }

@@ -6,8 +6,8 @@ use carom_impact::coupled::{CoupledImpact, ImpactMethod, Trajectory, TurningLaw}
 use carom_impact::normal::NormalImpact;
 use carom_impact::scene::{Ball, Limits, Scene, Wall};
 use carom_impact::{
-    AnalyticOrRings, Body, Collision, CollisionError, CollisionSolver, Mobility, Motion,
-    RingImpact, TorsionMode,
+    AnalyticOrRings, Body, Collision, CollisionError, CollisionSolver, ImpactFriction, Mobility,
+    Motion, RingImpact, TorsionMode,
 };
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
@@ -248,19 +248,6 @@ fn what_cannot_be_computed_is_refused_by_name() {
         CollisionError::Range(error) => (error.field, error.value),
         other => panic!("{other}"),
     };
-    // An ellipsoid slips across its axes.
-    let egg = Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
-    let inertia = egg.solid(0.3).unwrap();
-    let egg = |y: f64| {
-        let motion = Motion::new([0.3, y, -1.0], [0.0; 3]).unwrap();
-        let body = Body::new(egg.clone(), steel(), inertia).moving(motion);
-        Collision::new(body, Body::plane(steel()), friction(F_S, F_K)).unwrap()
-    };
-    let along = egg(0.0).solve().unwrap();
-    assert_eq!(along.rebound().unwrap().method.name(), "planar");
-    assert_eq!(named(egg(0.2).solve().unwrap_err()), ("static_friction", F_S));
-    assert_eq!(named(egg(0.2).history(11).unwrap_err()), ("static_friction", F_S));
-    // Torsion and rings.
     let body = ball([0.4, 0.0, -1.0], [0.0, 0.0, 300.0]);
     let spins = Collision::new(body, Body::plane(steel()), friction(F_S, F_K)).unwrap();
     assert_eq!(named(spins.clone().with_torsion().solve().unwrap_err()), ("static_friction", F_S));
@@ -269,6 +256,74 @@ fn what_cannot_be_computed_is_refused_by_name() {
     // The solver that chooses computes what it can, without torsion.
     let chosen = AnalyticOrRings.solve(&spins.with_torsion_mode(TorsionMode::Auto)).unwrap();
     assert!(chosen.rebound().unwrap().torsion.is_none());
+}
+
+/// An ellipsoid that slips along an axis stays on a line; across both, the slip turns.
+#[test]
+fn an_ellipsoid_slips_along_its_axes_and_across_them() {
+    let egg = Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+    let inertia = egg.solid(0.3).unwrap();
+    let egg = |y: f64, friction: ImpactFriction, law: TurningLaw| {
+        let motion = Motion::new([0.3, y, -1.0], [0.0; 3]).unwrap();
+        let body = Body::new(egg.clone(), steel(), inertia).moving(motion);
+        Collision::new(body, Body::plane(steel()), friction).unwrap().with_law(law)
+    };
+    for law in [TurningLaw::Coulomb, TurningLaw::FixedDirection] {
+        let [both, f_s, f_k] = [
+            friction(F_S, F_K).into(),
+            Friction::new(F_S).unwrap().into(),
+            Friction::new(F_K).unwrap().into(),
+        ];
+        let along = egg(0.0, both, law).solve().unwrap();
+        assert_eq!(along.rebound().unwrap().method.name(), "planar");
+        let solved =
+            |y, friction| egg(y, friction, law).solve().unwrap().rebound().unwrap().clone();
+        let across = solved(0.2, both);
+        assert_eq!(across.method.name(), "spatial");
+        let energy = across.energy;
+        let missed = energy.before - energy.after - energy.dissipated;
+        assert!(energy.dissipated > 0.0 && missed.abs() < 1e-9 * energy.before);
+        for one in [solved(0.2, f_s), solved(0.2, f_k)] {
+            let by = across.contact_velocity_after - one.contact_velocity_after;
+            assert!(by.norm() > 1e-3, "{law} {by}");
+        }
+        // A little across the axis changes a little.
+        let [line, near] = [solved(0.0, both), solved(1e-7, both)];
+        let by = line.contact_velocity_after - near.contact_velocity_after;
+        assert!(by.norm() < 1e-5, "{law} {by}");
+        assert_eq!(egg(0.2, both, law).history(11).unwrap().len(), 11);
+    }
+}
+
+/// Of random impacts in space all but a few converge, and none gains energy.
+#[test]
+fn random_impacts_in_space_converge() {
+    let mut state = 7_u64;
+    let mut unit = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut settled, mut slides, count) = (0, 0, 40);
+    for _ in 0..count {
+        let [a, b, c] = std::array::from_fn(|_| 0.8 * unit() - 0.4);
+        let d = Matrix3::new(3.5, a, b, a, 2.5 + unit(), c, b, c, 1.0);
+        let velocity = Vector3::new(3.0 * unit() - 1.5, 3.0 * unit() - 1.5, 1.0);
+        let mobility = Mobility::from_matrix(d).unwrap();
+        let f_k = 0.4 * unit();
+        let impact =
+            CoupledImpact::new(mobility, stiffness(), Friction::new(f_k).unwrap(), velocity)
+                .unwrap()
+                .with_static_friction(friction(f_k + 0.05 + 0.3 * unit(), f_k));
+        let Ok(outcome) = impact.solve(TurningLaw::Coulomb) else { continue };
+        settled += 1;
+        let inverse = d.try_inverse().unwrap();
+        let energy = |v: &Vector3<f64>| (v.transpose() * inverse * v)[0];
+        assert!(energy(&outcome.velocity) < energy(&velocity) * (1.0 + 1e-9));
+        slides += u32::from(outcome.error_estimate > 0.0);
+    }
+    println!("{settled} of {count} converge, {slides} in steps");
+    assert!(settled > count * 95 / 100 && slides > 20, "{settled} {slides}");
 }
 
 #[test]
@@ -280,5 +335,74 @@ fn a_ball_bounces_between_walls_with_static_friction() {
     assert!(path.bounces().len() >= 3);
     for bounce in path.bounces() {
         assert_eq!(bounce.rebound.friction.get(), F_K);
+    }
+}
+
+/// The same bed for motion in space: bristles that bend to any side.
+fn of_bristles(d: Matrix3<f64>, before: Vector3<f64>, steps: usize) -> Vector3<f64> {
+    const BRISTLES: usize = 300;
+    let c = stiffness();
+    let duration = NormalImpact::new(d.m33, c.c_z, before.z).unwrap();
+    let width = 1.4 * duration.maximal_approach().sqrt();
+    let h = duration.duration() / steps as f64;
+    let [f_s, f_k] = [F_S, F_K].map(|f| f * c.c_z / c.c_x);
+    let share = width / BRISTLES as f64;
+    let depth: Vec<f64> = (0..BRISTLES).map(|j| (share * (j as f64 + 0.5)).powi(2)).collect();
+    let mut stretch = vec![[0.0_f64; 2]; BRISTLES];
+    let (mut place, mut v, mut force) = (Vector3::zeros(), before, Vector3::zeros());
+    let mut slides = false;
+    loop {
+        let to = place + v * h - d * force * (0.5 * h * h);
+        if to.z <= 0.0 {
+            return v;
+        }
+        let by: Vector3<f64> = to - place;
+        place = to;
+        let count = depth.iter().take_while(|s| **s < to.z).count();
+        stretch[count..].fill([0.0; 2]);
+        for j in 0..count {
+            let part = if to.z - depth[j] < by.z { (to.z - depth[j]) / by.z } else { 1.0 };
+            stretch[j] = [stretch[j][0] + part * by.x, stretch[j][1] + part * by.y];
+        }
+        let beyond =
+            |f: f64| (0..count).all(|j| stretch[j][0].hypot(stretch[j][1]) > f * (to.z - depth[j]));
+        slides = count > 0 && (beyond(f_s) || (slides && beyond(f_k)));
+        let f = if slides { f_k } else { f_s };
+        let mut sum = Vector3::zeros();
+        for j in 0..count {
+            let (p, size) = (to.z - depth[j], stretch[j][0].hypot(stretch[j][1]));
+            let by = if size > f * p { f * p / size } else { 1.0 };
+            stretch[j] = stretch[j].map(|x| by * x);
+            sum += Vector3::new(c.c_x * stretch[j][0], c.c_x * stretch[j][1], c.c_z * p) * share;
+        }
+        v -= d * (force + sum) * (0.5 * h);
+        force = sum;
+    }
+}
+
+#[test]
+fn in_space_it_is_a_body_on_bristles() {
+    let coupled = Matrix3::new(3.5, 0.2, 0.5, 0.2, 3.0, -0.3, 0.5, -0.3, 1.0);
+    for (d, before) in [
+        (matrix(0.0), [0.5, 0.4, 1.0]),
+        (matrix(0.0), [0.9, -0.8, 1.0]),
+        (matrix(0.5), [-0.3, 0.9, 1.0]),
+        (coupled, [0.4, 0.3, 1.0]),
+        (coupled, [-0.9, 0.5, 1.0]),
+    ] {
+        let before = Vector3::from(before);
+        let mobility = Mobility::from_matrix(d).unwrap();
+        let impact = CoupledImpact::new(mobility, stiffness(), Friction::new(F_K).unwrap(), before)
+            .unwrap()
+            .with_static_friction(friction(F_S, F_K));
+        assert!(matches!(impact.method(), ImpactMethod::Spatial { .. }));
+        let outcome = impact.accepting_unsettled().solve(TurningLaw::Coulomb).unwrap();
+        let bristles = of_bristles(d, before, 20_000);
+        let error = (outcome.velocity - bristles).norm();
+        println!(
+            "{before}: {error:e}, estimate {:e}, {:?}",
+            outcome.error_estimate, outcome.warning
+        );
+        assert!(error < 1e-4, "{before}: {} {bristles}", outcome.velocity);
     }
 }

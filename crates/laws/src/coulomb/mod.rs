@@ -38,6 +38,7 @@ mod pack;
 mod piece;
 mod remaining_error;
 mod report;
+mod slides;
 mod step;
 mod storage;
 mod zones;

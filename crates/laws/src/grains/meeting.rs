@@ -242,6 +242,27 @@ impl Meeting {
         }
     }
 
+    /// The speed at which the bodies slide on each other at the contact, m/s: the tangential part of the
+    /// relative velocity there, rotation included.
+    ///
+    /// ```
+    /// use carom_laws::grains::{Grain, Meeting};
+    /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
+    /// let above = Grain { place: [0.0, 0.0, 2.0], velocity: [3.0, 0.0, -5.0], ..below };
+    /// let speed = |spin| {
+    ///     Meeting::of_spheres(&Grain { spin, ..above }, &below, [0.5; 2]).map(|met| met.slip_speed())
+    /// };
+    /// assert_eq!(speed([0.0; 3])?, 3.0);
+    /// assert_eq!(speed([0.0, 3.0, 7.0])?, 0.0);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    #[must_use]
+    pub fn slip_speed(&self) -> f64 {
+        let slip = plus(self.velocity, cross(self.rolling, self.normal));
+        let slip = minus(slip, times(self.normal, dot(slip, self.normal)));
+        dot(slip, slip).sqrt()
+    }
+
     /// Checks that the masses are > 0 and not both infinite, as damping by a restitution needs them.
     ///
     /// # Errors

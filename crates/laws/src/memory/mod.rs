@@ -23,6 +23,7 @@ mod lateral;
 mod merge;
 mod pack;
 mod report;
+mod slides;
 mod slip_in_line;
 mod slip_in_plane;
 mod stack;
@@ -30,6 +31,7 @@ mod threshold;
 
 pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
+pub(crate) use lateral::cone_exit;
 pub(crate) use report::Turn;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, FixedStack, Growing, GrowingStack, NodeStack, Nodes, Vertex, VertexStack};
@@ -39,7 +41,7 @@ use carom_special::RangeError;
 use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 use merge::push;
-pub(crate) use threshold::Threshold;
+pub(crate) use threshold::{Threshold, mean_force};
 
 /// The contact state after the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -209,7 +209,7 @@ impl<S: VertexStack<f64>, P: NormalProfile> Memory<f64, S, P> {
 }
 
 /// The mean of the normal force over a range of approaches.
-fn mean_force<P: NormalProfile>(profile: &P, from: f64, to: f64) -> f64 {
+pub(crate) fn mean_force<P: NormalProfile>(profile: &P, from: f64, to: f64) -> f64 {
     let length = to - from;
     if length.abs() > 0.1 * from.max(to) {
         return (profile.energy(to) - profile.energy(from)) / length;

@@ -16,6 +16,8 @@ use crate::memory::{
     AdhesionMemory, Growing, Lateral, Memory, MemoryRegime as Regime, Nodes, Tangent, Turn,
     VertexStack,
 };
+use crate::static_friction::StaticFriction;
+use crate::static_slip::StaticMemory;
 use crate::stiffness::ContactStiffness;
 use crate::turning_law::TurningLaw;
 
@@ -36,7 +38,7 @@ pub use static_friction_law::StaticFrictionLaw;
 /// direction changes may then return some heat.
 ///
 /// With a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices it
-/// takes 936 bytes in one direction and 1432 in two.
+/// takes 944 bytes in one direction and 1440 in two.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -82,6 +84,10 @@ enum State<V: Lateral, S: VertexStack<V>> {
     Coulomb(CoulombMemory<V, S::Curve>) = tags::COULOMB,
     /// Infinite friction.
     Adhesion(AdhesionMemory<V, S>) = tags::ADHESION,
+    /// As `FixedDirection`, with static friction above kinetic friction.
+    StaticFixedDirection(StaticMemory<Memory<V, S>>) = tags::STATIC_FIXED_DIRECTION,
+    /// As `Coulomb`, with static friction above kinetic friction.
+    StaticCoulomb(StaticMemory<CoulombMemory<V, S::Curve>>) = tags::STATIC_COULOMB,
 }
 
 /// The one place that tells the memories apart: what `$then` makes of the memory, or `$none` without friction.
@@ -92,6 +98,8 @@ macro_rules! with_memory {
             State::FixedDirection($memory) => $then,
             State::Coulomb($memory) => $then,
             State::Adhesion($memory) => $then,
+            State::StaticFixedDirection($memory) => $then,
+            State::StaticCoulomb($memory) => $then,
         }
     };
 }
@@ -146,6 +154,58 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         Self::of(stiffness, friction, || State::FixedDirection(Memory::new()))
     }
 
+    /// The chosen law in its initial state, with static friction f_s as a threshold of full sliding
+    /// and kinetic friction f_k beyond it.
+    ///
+    /// Until all of the contact slides, every annulus sticks or slips with f_s. Where the last one
+    /// begins to slip, all tractions drop to f_k/f_s of what they were, and the contact slides with
+    /// f_k. As soon as an annulus sticks, the limit is that of f_s again. Along a line it is the law
+    /// [`StaticFrictionLaw`]. If f_s = f_k it is [`ShiftLaw::chosen`], to the bit.
+    ///
+    /// A step of any length is exact as far as the law of one coefficient is. With
+    /// [`TurningLaw::Coulomb`] the place where sliding begins has the error of the tolerance.
+    ///
+    /// ```
+    /// use carom_laws::coulomb::Tolerance;
+    /// use carom_laws::friction::Friction;
+    /// use carom_laws::law::{ContactLaw, Shift};
+    /// use carom_laws::shift_law::ShiftLaw;
+    /// use carom_laws::static_friction::StaticFriction;
+    /// use carom_laws::stiffness::ContactStiffness;
+    /// use carom_laws::turning_law::TurningLaw;
+    /// let stiffness = ContactStiffness::new(1.0, 1.0, 1.0)?;
+    /// let friction = StaticFriction::new(Friction::new(0.3)?, Friction::new(0.2)?)?;
+    /// let (law, tolerance) = (TurningLaw::Coulomb, Tolerance::FINE);
+    /// let mut law =
+    ///     ShiftLaw::<[f64; 2]>::with_static_friction(law, stiffness, friction, tolerance);
+    /// let f_z = law.advance(Shift { zeta: 1.0, ..Shift::default() })?.f_z;
+    /// law.advance(Shift { zeta: 1.0, xi: 0.25, ..Shift::default() })?;
+    /// let turned = law.advance(Shift { zeta: 1.0, xi: 0.25, eta: 0.1, ..Shift::default() })?;
+    /// assert!(turned.f_x.hypot(turned.f_y) > 0.2 * f_z);
+    /// let sliding = law.advance(Shift { zeta: 1.0, xi: 0.25, eta: 1.0, ..Shift::default() })?;
+    /// assert!((sliding.f_x.hypot(sliding.f_y) - 0.2 * f_z).abs() < 1e-3 * f_z);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    #[must_use]
+    pub fn with_static_friction(
+        law: TurningLaw,
+        stiffness: ContactStiffness,
+        friction: StaticFriction,
+        tolerance: Tolerance,
+    ) -> Self {
+        if !friction.drops() {
+            return Self::chosen(law, stiffness, friction.kinetic(), tolerance);
+        }
+        let ratio = friction.ratio();
+        let rubbing = || match law {
+            TurningLaw::Coulomb if V::DIMENSION > 1 => {
+                State::StaticCoulomb(StaticMemory::new(CoulombMemory::new(tolerance), ratio))
+            }
+            _ => State::StaticFixedDirection(StaticMemory::new(Memory::new(), ratio)),
+        };
+        Self::of(stiffness, friction.threshold(), rubbing)
+    }
+
     fn of(
         stiffness: ContactStiffness,
         friction: Friction,
@@ -167,7 +227,22 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.stiffness
     }
 
-    /// The Coulomb memory in two directions, if friction is neither zero nor infinite.
+    /// The coefficient of friction; that of static friction if it exceeds that of kinetic friction.
+    ///
+    /// A law made with it has the same bits: where several coefficients do so, it may be another one
+    /// than that of the constructor, in the last bit.
+    #[must_use]
+    pub fn friction(&self) -> Friction {
+        let (limit, c_z) = (self.scale.limit, self.stiffness.c_z);
+        match &self.state {
+            State::Frictionless => Friction::NONE,
+            State::Adhesion(_) => Friction::INFINITE,
+            _ => Friction::from_product(limit, c_z),
+        }
+    }
+
+    /// The Coulomb memory in two directions, if friction is neither zero nor infinite, and static
+    /// friction is not above kinetic friction.
     #[must_use]
     pub fn coulomb(&self) -> Option<&CoulombMemory<V, S::Curve>> {
         match &self.state {
@@ -184,10 +259,13 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
             State::Frictionless | State::Adhesion(_) => None,
             State::FixedDirection(memory) => Some(memory.traction(q)),
             State::Coulomb(memory) => Some(memory.traction(q)),
+            State::StaticFixedDirection(memory) => Some(memory.traction(q)),
+            State::StaticCoulomb(memory) => Some(memory.traction(q)),
         }
     }
 
-    /// The memory of one direction, or of chapter 7, if friction is neither zero nor infinite.
+    /// The memory of one direction, or of chapter 7, if friction is neither zero nor infinite, and
+    /// static friction is not above kinetic friction.
     #[must_use]
     pub fn memory(&self) -> Option<&Memory<V, S>> {
         match &self.state {
@@ -305,6 +383,15 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
         let [f_x, f_y] = self.force();
         ContactLoad { f_x, f_y, f_z: self.normal_force(), m_z: 0.0 }
     }
+
+    fn jumps(&self, to: Shift) -> bool {
+        let Ok(x) = self.reachable(to) else { return false };
+        match &self.state {
+            State::StaticFixedDirection(memory) => memory.jumps(to.zeta, x),
+            State::StaticCoulomb(memory) => memory.jumps(to.zeta, x),
+            _ => false,
+        }
+    }
 }
 
 impl<V: Lateral, S: VertexStack<V>> Checked for ShiftLaw<V, S> {
@@ -351,6 +438,10 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
 impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {
     // All vertices are examined if any may slip.
     fn rings(&self) -> Option<usize> {
-        self.coulomb().map(|memory| memory.stack().len())
+        match &self.state {
+            State::Coulomb(memory) => Some(memory.stack().len()),
+            State::StaticCoulomb(memory) => Some(memory.stack().len()),
+            _ => None,
+        }
     }
 }

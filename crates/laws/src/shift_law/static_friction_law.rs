@@ -15,6 +15,8 @@ use crate::stiffness::ContactStiffness;
 /// the slip stops, the contact sticks, and must reach f_s F_z again before it slides. A step of any
 /// length is exact. If f_s = f_k the law is [`ShiftLaw`], to the bit.
 ///
+/// Where the shift turns, [`ShiftLaw::with_static_friction`] is the law.
+///
 /// The heat includes that of the drop, `(2/5) (f_s^2 - f_k^2) (c_z/c_x) F_z zeta`.
 ///
 /// ```

@@ -5,12 +5,15 @@ use std::mem::offset_of;
 use super::{ShiftLaw, State, with_memory};
 use crate::coulomb::{CoulombMemory, FixedCurve};
 use crate::memory::{Fixed, Lateral, Memory, MemoryRegime, Nodes};
+use crate::static_slip::StaticMemory;
 
 /// The tags of [`State`].
 pub(super) const FRICTIONLESS: u8 = 0;
 pub(super) const FIXED_DIRECTION: u8 = 1;
 pub(super) const COULOMB: u8 = 2;
 pub(super) const ADHESION: u8 = 3;
+pub(super) const STATIC_FIXED_DIRECTION: u8 = 4;
+pub(super) const STATIC_COULOMB: u8 = 5;
 
 impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
     /// Whether bytes form a law, given the byte at each offset: they do if the tags of its state
@@ -26,6 +29,14 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
             FRICTIONLESS | ADHESION => return true,
             FIXED_DIRECTION => Memory::<V, Fixed<V, N>>::REGIME_AT,
             COULOMB => CoulombMemory::<V, FixedCurve<V, N>>::REGIME_AT,
+            STATIC_FIXED_DIRECTION => {
+                StaticMemory::<Memory<V, Fixed<V, N>>>::MEMORY_AT
+                    + Memory::<V, Fixed<V, N>>::REGIME_AT
+            }
+            STATIC_COULOMB => {
+                StaticMemory::<CoulombMemory<V, FixedCurve<V, N>>>::MEMORY_AT
+                    + CoulombMemory::<V, FixedCurve<V, N>>::REGIME_AT
+            }
             _ => return false,
         };
         byte(memory + regime) < MemoryRegime::COUNT

@@ -34,6 +34,7 @@ mod sliders;
 mod sliders_known;
 mod slip_lines;
 mod static_friction;
+mod static_slip;
 mod torsion;
 mod torsion_after_sliding;
 mod torsion_apart;

@@ -108,8 +108,7 @@ def collide(
     says in `friction` which coefficient was used.
 
     With a `static_friction` above `friction` the contact sticks or slips in part up to f_s F_z, and slides as a whole with
-    `friction`. The slip must stay on a line, as that of spheres and planes does; other motions, torsion and the laws
-    'rings' and 'numerical' are refused.
+    `friction`. Torsion and the laws 'rings' and 'numerical' are refused.
 
     `torsion=None` applies friction to the spin about the normal where it matters, for spheres and planes by
     the laws 'auto' and 'rings'; True always does so, False never.

@@ -31,7 +31,7 @@ const GROUPS: &[Group] = &[
                 carom_touch_surface does so at walls that are curved or turn, with the constants of\n\
                 carom_grains_on_curved_wall.\n\
                 carom_grains_impact_time tells how long an impact lasts, for the choice of the time step.",
-        modules: &["grains", "meeting.rs", "contact.rs", "touch", "encounters"],
+        modules: &["grains", "meeting.rs", "contact.rs", "touch", "grain_friction", "encounters"],
     },
     Group {
         title: "Impacts",

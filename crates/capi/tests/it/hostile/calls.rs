@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 63] = [
+pub(crate) const NAMES: [&str; 68] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -73,6 +73,11 @@ pub(crate) const NAMES: [&str; 63] = [
     "carom_grains_on_curved_wall",
     "carom_creep_coefficients",
     "carom_grains_restitution",
+    "carom_pair_static_friction",
+    "carom_grains_static_friction",
+    "carom_grains_slip_friction",
+    "carom_touch_friction",
+    "carom_touch_unpack_with_friction",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -88,7 +93,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         5..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
-        61..=90 => 52 + world.pick(11),
+        61..=90 => 52 + world.pick(16),
         k if k % 2 == 0 => world.pick(16),
         _ => 20 + world.pick(9),
     };
@@ -111,6 +116,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         48..=51 => grains_validity(world, which),
         61 => creep(world),
         62 => rebound(world),
+        63..=67 => friction(world, which),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -555,6 +561,29 @@ fn rebound(world: &mut World) -> CaromStatus {
     unsafe { carom_grains_restitution(grains, restitution, error) }
 }
 
+fn friction(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, error, kept) = (world.pick(12), world.pick(3), world.error(), world.pick(4));
+    let [a, b, c] = [(0.0, 0.5), (-0.3, 0.5), (0.0, 4.0)].map(|(a, b)| world.number(a, b));
+    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
+    let (pair, grains) = (&raw mut world.pairs[of], &raw mut world.grains[of]);
+    let (pair, grains) = (world.point(pair), world.point(grains));
+    let (touch, numbers) = (&raw mut world.touches[at], &raw mut world.packed[kept]);
+    let (touch, numbers) = (world.point(touch), world.point(numbers).cast());
+    let mut told = 0.0;
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            63 => carom_pair_static_friction(pair, a, error),
+            64 => carom_grains_static_friction(grains, a, error),
+            65 => carom_grains_slip_friction(grains, a, b, c, error),
+            66 => carom_touch_friction(touch, world.point(&raw mut told), error),
+            _ => carom_touch_unpack_with_friction(
+                grains, radius_1, radius_2, a, numbers, touch, error,
+            ),
+        }
+    }
+}
+
 fn creep(world: &mut World) -> CaromStatus {
     let (ratio, poisson) = (world.number(0.05, 20.0), world.number(0.0, 0.5));
     let (error, mut place) = (world.error(), MaybeUninit::<CaromCreep>::uninit());
@@ -598,6 +627,9 @@ fn collide(world: &mut World) -> CaromStatus {
         tolerance: if world.chance(0.8) { 0.0 } else { world.number(1e-4, 1e-2) },
         torsion: [0, 0, 1, 2, 3][world.pick(5)],
         relaxation: world.number(0.0, 1e-5),
+        static_friction: if world.chance(0.8) { 0.0 } else { world.number(0.0, 1.0) },
+        slip_friction_b: if world.chance(0.8) { 0.0 } else { world.number(-0.3, 1.0) },
+        slip_friction_c: world.number(0.0, 2.0),
     };
     let options = if world.chance(0.5) { null() } else { &raw const options };
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.

@@ -1,0 +1,64 @@
+//! The heat of a step with static friction above kinetic friction.
+
+use super::{LONGEST_PATH, Leg, Slides, StaticMemory};
+use crate::memory::{Lateral, mean_force};
+use crate::profile::Hertzian;
+
+impl<M: Slides> StaticMemory<M> {
+    /// The heat of a straight step, in the given units of energy per direction: that of slip with
+    /// f_s, what the springs lose where the force drops, and that of sliding with f_k.
+    pub(crate) fn heat(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+        let from = self.zeta();
+        if !zeta.is_finite() || !shift.is_finite() || (from <= 0.0 && zeta <= 0.0) {
+            return 0.0;
+        }
+        // Of a step that separates the bodies, the part in contact.
+        let part = if zeta < 0.0 { from / (from - zeta) } else { 1.0 };
+        let (zeta, shift) = match zeta < 0.0 {
+            true => (0.0, self.at(part, zeta, shift).1),
+            false => (zeta, shift),
+        };
+        let mut heat = 0.0;
+        self.clone().follow(zeta, shift, |memory, leg| {
+            heat += memory.heat_of_leg(leg, zeta, shift, unit);
+        });
+        heat
+    }
+
+    fn heat_of_leg(&self, leg: Leg, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+        match leg {
+            Leg::Within => self.memory.heat_of(zeta, shift, unit),
+            Leg::Slide => self.heat_of_sliding(zeta, shift, unit),
+            Leg::Rise { onset } => {
+                let (at, place) = self.at(onset, zeta, shift);
+                let mut full = self.memory.clone();
+                if at > 0.0 {
+                    full.go(at, place);
+                }
+                let drop = (1.0 - self.ratio) * (1.0 + self.ratio) * full.elastic().dot(unit);
+                self.memory.heat_of(at, place, unit) + drop
+            }
+        }
+    }
+
+    /// Sliding: first until all tractions are aligned with the path, then along it.
+    fn heat_of_sliding(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+        let (from, dx) = (self.zeta(), shift.minus(self.shift()));
+        let (length, path) = (dx.length(), self.path(zeta, shift));
+        let longest = LONGEST_PATH * from.max(zeta) * self.ratio;
+        let part = if length > longest { longest / length } else { 1.0 };
+        let at = from + part * (zeta - from);
+        let square = self.ratio * self.ratio;
+        let turning = match square > 0.0 {
+            true => square * self.memory.heat_of(at, self.shift().plus(path), unit),
+            false => 0.0,
+        };
+        if part == 1.0 {
+            return turning;
+        }
+        let ahead = dx.times(1.0 / length);
+        let slip = ((1.0 - part) * (length - self.ratio * (zeta - from))).max(0.0);
+        let energy = ahead.by_component(ahead).dot(unit);
+        turning + self.ratio * slip * mean_force(&Hertzian, at, zeta) * energy
+    }
+}
