@@ -314,7 +314,9 @@ def test_energy_goes_where_it_is_booked(tmp_path, shape):
         assert np.abs(table["f_wall1[9]"]).max() > 0
         missed.append(np.abs(total - total[0]).max() / gone)
     print(shape, "balance over what became heat, by step:", missed, "work", table["c_where[4]"][-1], "heat", gone)
-    assert missed[0] < 2e-3 and missed[1] < 0.6 * missed[0]
+    assert missed[0] < 3e-4
+    # What joined pieces of a contact's memory give up is in no account, at any step.
+    assert missed[1] < max(0.6 * missed[0], 3e-5)
 
 
 @pytest.mark.parametrize("shape, ranks", [("drum", 1), ("drum", 2), ("hopper", 2), ("bowl", 2), ("tilting", 1)])
