@@ -91,7 +91,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 8
+#define CAROM_ABI_VERSION 9
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
