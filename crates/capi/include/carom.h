@@ -521,12 +521,12 @@ typedef struct carom_heats {
 } carom_heats;
 
 /* Number of 8-byte words in a `carom_touch`, without its mark. */
-#define CAROM_TOUCH_WORDS 158
+#define CAROM_TOUCH_WORDS 160
 
 /* Number of numbers into which a `carom_touch` packs. */
-#define CAROM_TOUCH_NUMBERS 79
+#define CAROM_TOUCH_NUMBERS 81
 
-/* The state of the contact of two grains, in memory of the caller: 1280 bytes, aligned to 8, that may be
+/* The state of the contact of two grains, in memory of the caller: 1288 bytes, aligned to 8, that may be
  * copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
  * `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
  *
@@ -1279,15 +1279,15 @@ carom_status carom_rings_of(const struct carom_pair *pair,
 void carom_rings_free(struct carom_rings *rings);
 
 /* Number of 8-byte words in a `carom_ring_touch`, without its mark. */
-#define CAROM_RING_TOUCH_WORDS 420
+#define CAROM_RING_TOUCH_WORDS 422
 
 /* Number of numbers into which a `carom_ring_touch` packs. */
-#define CAROM_RING_TOUCH_NUMBERS 309
+#define CAROM_RING_TOUCH_NUMBERS 311
 
 /* The first packed number of grains in contact; it names the format. */
 #define CAROM_RING_TOUCH_MARK 30001.0
 
-/* The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3368 bytes, aligned
+/* The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3384 bytes, aligned
  * to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
  * can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
  * can read.

@@ -15,9 +15,9 @@ use crate::rings::CaromRings;
 use crate::stored::{present, present_mut, store};
 
 /// Number of 8-byte words in a `carom_ring_touch`, without its mark.
-pub const CAROM_RING_TOUCH_WORDS: usize = 420;
+pub const CAROM_RING_TOUCH_WORDS: usize = 422;
 /// Number of numbers into which a `carom_ring_touch` packs.
-pub const CAROM_RING_TOUCH_NUMBERS: usize = 309;
+pub const CAROM_RING_TOUCH_NUMBERS: usize = 311;
 
 /// The first packed number of grains in contact; it names the format.
 pub const CAROM_RING_TOUCH_MARK: f64 = 30001.0;
@@ -25,7 +25,7 @@ pub const CAROM_RING_TOUCH_MARK: f64 = 30001.0;
 const _: () = assert!(CAROM_RING_TOUCH_MARK == RING_GRAIN_MARK);
 const _: () = assert!(CAROM_RING_TOUCH_NUMBERS == ring_grain_numbers(6, 8));
 
-/// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3368 bytes, aligned
+/// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3384 bytes, aligned
 /// to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
 /// can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
 /// can read.

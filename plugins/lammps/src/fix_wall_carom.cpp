@@ -41,7 +41,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     if (words == 0) words = wall.take(lmp, who(), narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
-                            "': only plane, cylinder, cone, sphere, between, velocity, omega and center (with all their "
+                            "': only plane, cylinder, cone, sphere, stl, scale, smooth, edges, between, velocity, omega and center (with all their "
                             "values), young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, restitution, rolling, law, tolerance and torsion");
     k += words;
   }
@@ -51,7 +51,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
   if (material.friction < 0.0) error->all(FLERR, who() + ": friction is missing");
   restart_global = restart_peratom = 1;
   create_attribute = 1;
-  maxexchange = 1 + SLOT;
+  maxexchange = maxsize_restart() - 1;
   vector_flag = 1;
   size_vector = OUTPUTS;
   global_freq = 1;
@@ -105,7 +105,7 @@ void FixWallCarom::init()
       known[type] = 1;
       const carom::Law its = law_with(style->law());
       if (its.by_rings() && !wall.is_round())
-        error->all(FLERR, who() + ": law rings needs a plane or a sphere; other walls need law coulomb or fixed-direction");
+        error->all(FLERR, who() + ": law rings needs a plane, a sphere or an STL file without edges; other walls need law coulomb or fixed-direction");
       flat[type] = carom::constants_of(lmp, who(), style->material(type).body(), material.body(), material, its);
       if (!has_told) carom::tell_of_coupling(lmp, who() + ": grains of type " + std::to_string(type), flat[type]);
     }
@@ -113,53 +113,66 @@ void FixWallCarom::init()
   has_told = true;
 }
 
-// The constants of the contact of a grain: those of the curvature where it began.
-const carom::Constants &FixWallCarom::constants_of(int i)
+// The constants of a contact of a grain: those of the curvature where it began.
+const carom::Constants &FixWallCarom::constants_of(int i, double *slot)
 {
   const int type = atom->type[i];
-  if (!wall.is_curved()) return flat[type];
-  const double radius = atom->radius[i], curvature = curvature_of(slots[i].get());
-  const auto found = curved.find({type, {radius, curvature}});
+  const double *curvature = began_of(slot).curvature;
+  if (!wall.is_curved() || (curvature[0] == 0.0 && curvature[1] == 0.0)) return flat[type];
+  const double radius = atom->radius[i];
+  const auto found = curved.find({static_cast<double>(type), radius, curvature[0], curvature[1]});
   return found != curved.end() ? found->second : make_curved(type, radius, curvature);
 }
 
-const carom::Constants &FixWallCarom::make_curved(int type, double radius, double curvature)
+const carom::Constants &FixWallCarom::make_curved(int type, double radius, const double *curvature)
 {
-  if (std::isnan(curvature)) damaged("a curvature is not a number");
+  if (std::isnan(curvature[0] + curvature[1])) damaged("a curvature is not a number");
   const PairCarom *of_type = nullptr;
   for (const PairCarom *style : carom::find_pairs(force))
     if (!of_type && style->material(type).has_body) of_type = style;
-  return curved[{type, {radius, curvature}}] = carom::constants_at_curved_wall(
-             lmp, who(), of_type->material(type).body(), material.body(), flat[type], radius, curvature, wall.is_round());
+  return curved[{static_cast<double>(type), radius, curvature[0], curvature[1]}] = carom::constants_at_curved_wall(
+             lmp, who(), of_type->material(type).body(), material.body(), flat[type], radius, curvature);
 }
 
-carom::Touch FixWallCarom::touch_of(int i)
+carom::Touch FixWallCarom::touch_of(int i, double *slot)
 {
-  double *slot = slots[i].get();
   carom_error why;
-  const carom::Touch touch = touches.at(slot, constants_of(i), atom->radius[i], INFINITY, &why, friction_of(slot));
+  const carom::Touch touch = touches.at(slot, constants_of(i, slot), atom->radius[i], INFINITY, &why, friction_of(slot));
   if (!touch) carom::fail(lmp, who(), why);
   return touch;
 }
 
+// A new contact keeps how the wall is there; one that goes on at a mesh comes from where it was a step ago.
+void FixWallCarom::begin_or_carry(double *slot, carom::WallShape::Near &near) const
+{
+  Touches::Began &began = began_of(slot);
+  if (slot[0] == 0.0) {
+    std::copy_n(near.curvature, 2, began.curvature);
+    if (wall.is_mesh()) std::copy_n(near.own_axis, 3, began.axis);
+  } else if (wall.is_mesh()) {
+    wall.carry_axis(began.axis, near);
+  }
+  if (wall.is_mesh()) std::copy_n(near.own_normal, 3, began.normal);
+}
+
 // One step of a grain on the wall, with its heat. A step of duration zero only reads, except for a new
 // contact.
-carom_grain_load FixWallCarom::step(int i, const carom::WallShape::Near &near, double duration)
+carom_grain_load FixWallCarom::step(int i, double *slot, carom::WallShape::Near &near, double duration)
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
   const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i],
                              pair->mass_of(i)};
+  const bool is_new = slot[0] == 0.0;
+  begin_or_carry(slot, near);
   carom_surface surface;
   memcpy(surface.place, near.place, sizeof surface.place);
   memcpy(surface.normal, near.normal, sizeof surface.normal);
   memcpy(surface.axis, near.axis, sizeof surface.axis);
   memcpy(surface.spin, wall.omega(), sizeof surface.spin);
   wall.velocity_at(near.place, v, duration, surface.velocity);
-  const bool is_new = slots[i][0] == 0.0;
-  if (is_new) curvature_of(slots[i].get()) = near.curvature;
-  const carom::Constants &its = constants_of(i);
+  const carom::Constants &its = constants_of(i, slot);
   if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, grain.mass, surface, update->dt);
-  const carom::Touch touch = touch_of(i);
+  const carom::Touch touch = touch_of(i, slot);
   carom_grain_load load;
   carom_error why;
   carom_status status;
@@ -172,22 +185,22 @@ carom_grain_load FixWallCarom::step(int i, const carom::WallShape::Near &near, d
   }
   if (twists && !its.rings && status == CAROM_STATUS_OK) {
     carom_heats made = {0.0, 0.0};
-    status = carom_touch_twist_surface(&its.grains, Touches::twist_of(slots[i].get()), &grain, &surface, duration, &load,
+    status = carom_touch_twist_surface(&its.grains, Touches::twist_of(slot), &grain, &surface, duration, &load,
                                        account ? &made : nullptr, &why);
     book(i, {made.friction, made.damping, 0.0});
   }
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
-  if (its.rolls()) roll(i, grain, surface, duration, load);
+  if (its.rolls()) roll(i, slot, grain, surface, duration, load);
   return load;
 }
 
-void FixWallCarom::roll(int i, const carom_grain &grain, const carom_surface &surface, double duration,
+void FixWallCarom::roll(int i, double *slot, const carom_grain &grain, const carom_surface &surface, double duration,
                         carom_grain_load &load)
 {
-  const carom::Constants &its = constants_of(i);
+  const carom::Constants &its = constants_of(i, slot);
   carom::HeatSums made;
   carom_error why;
-  if (carom_touch_roll_surface(&its.grains, &its.rolling, roll_of(slots[i].get()), &grain, &surface, duration, &load,
+  if (carom_touch_roll_surface(&its.grains, &its.rolling, roll_of(slot), &grain, &surface, duration, &load,
                                &made.rolling, &why) != CAROM_STATUS_OK)
     carom::fail(lmp, who(), why);
   if (account) book(i, made);
@@ -208,69 +221,134 @@ void FixWallCarom::post_force(int)
   wall.move(duration);
   if (curved.size() > MOST_CURVED) curved.clear();
   const bool looks = duration > 0.0 && carom::Limits::looks(update->ntimestep);
-  double sum[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0};
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    const double radius = atom->radius[i];
-    carom::WallShape::Near near;
-    if (!wall.near(atom->x[i], radius, near)) {
-      if (touches_wall(i)) let_go(i);
-      continue;
-    }
+  Reaction sum;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) meet(i, duration, looks, sum);
+  for (int axis = 0; axis < 3; axis++) {
+    sums_.work -= 0.5 * (force_on_wall[axis] + sum.force[axis]) * wall.velocity()[axis] * duration;
+    sums_.work -= 0.5 * (torque_on_wall[axis] + sum.torque[axis]) * wall.omega()[axis] * duration;
+    force_on_wall[axis] = sum.force[axis];
+    torque_on_wall[axis] = sum.torque[axis];
+  }
+}
+
+// A step of all contacts of a grain.
+void FixWallCarom::meet(int i, double duration, bool looks, Reaction &sum)
+{
+  const double radius = atom->radius[i];
+  const int count = wall.near(atom->x[i], radius, nears);
+  if (count > carom::WallShape::MOST)
+    error->one(FLERR, who() + ": grain " + std::to_string(atom->tag[i]) + " touches the wall in more than " +
+                          std::to_string(carom::WallShape::MOST) + " places");
+  assign(i, count);
+  for (int n = 0; n < count; n++) {
+    carom::WallShape::Near &near = nears[n];
     const bool apart = near.height >= radius;
-    if (apart && !touches_wall(i)) continue;
+    int at = slot_at[n];
+    if (apart && at < 0) continue;
     if (apart && duration == 0.0) {
-      drop(i);
+      drop(slots[i][at].get());
       continue;
     }
+    if (near.is_refused && !apart) refuse(i, near);
     if (!known[atom->type[i]])
       error->one(FLERR, who() + ": pair_coeff of pair carom sets no material for grains of type " +
                             std::to_string(atom->type[i]));
-    slot_of(i);
-    const carom_grain_load load = step(i, near, duration);
-    if (looks) limits.look(constants_of(i).grains, radius, radius - near.height);
-    const double *f = load.force, *center = wall.center(), *x = atom->x[i];
-    const double arm[3] = {x[0] - center[0], x[1] - center[1], x[2] - center[2]};
-    for (int axis = 0; axis < 3; axis++) {
-      const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-      atom->f[i][axis] += f[axis];
-      atom->torque[i][axis] += load.torque_1[axis];
-      sum[axis] -= f[axis];
-      turn[axis] -= arm[next] * f[last] - arm[last] * f[next] + load.torque_1[axis];
+    if (at < 0) at = free_slot(i);
+    double *slot = slots[i][at].get();
+    touch(i, slot, near, duration, sum);
+    if (looks) limits.look(constants_of(i, slot).grains, radius, radius - near.height);
+    if (apart) drop(slot);
+  }
+}
+
+// Which contact of a grain goes on at each place; of a mesh that with the same normal, as nearly as may be. Contacts for
+// which there is no place end.
+void FixWallCarom::assign(int i, int count)
+{
+  const auto &its = slots[i];
+  unsigned gone_on = 0;
+  std::fill_n(slot_at, std::min(count, carom::WallShape::MOST), -1);
+  const auto take = [&](int place, int slot) {
+    slot_at[place] = slot;
+    gone_on |= 1u << slot;
+  };
+  if (its.empty()) return;
+  if (!wall.is_mesh()) {
+    if (count > 0 && is_in_use(its[0])) take(0, 0);
+  } else {
+    for (bool is_found = true; is_found;) {
+      double best = wall.cosine_of_smooth();
+      int place = -1, slot = -1;
+      for (int n = 0; n < count; n++) {
+        if (slot_at[n] >= 0) continue;
+        const double *normal = nears[n].own_normal;
+        for (std::size_t k = 0; k < its.size(); k++) {
+          if (!is_in_use(its[k]) || (gone_on >> k & 1)) continue;
+          const double *old = began_of(its[k].get()).normal;
+          const double cosine = normal[0] * old[0] + normal[1] * old[1] + normal[2] * old[2];
+          if (!(cosine >= best)) continue;
+          best = cosine;
+          place = n;
+          slot = static_cast<int>(k);
+        }
+      }
+      is_found = place >= 0;
+      if (is_found) take(place, slot);
     }
-    if (apart) drop(i);
   }
+  for (std::size_t k = 0; k < its.size(); k++)
+    if (is_in_use(its[k]) && !(gone_on >> k & 1)) let_go(i, its[k].get());
+}
+
+// A step of a contact: the grain gets its load, the wall what is opposite.
+void FixWallCarom::touch(int i, double *slot, carom::WallShape::Near &near, double duration, Reaction &sum)
+{
+  const carom_grain_load load = step(i, slot, near, duration);
+  const double *f = load.force, *center = wall.center(), *x = atom->x[i];
+  const double arm[3] = {x[0] - center[0], x[1] - center[1], x[2] - center[2]};
   for (int axis = 0; axis < 3; axis++) {
-    sums_.work -= 0.5 * (force_on_wall[axis] + sum[axis]) * wall.velocity()[axis] * duration;
-    sums_.work -= 0.5 * (torque_on_wall[axis] + turn[axis]) * wall.omega()[axis] * duration;
-    force_on_wall[axis] = sum[axis];
-    torque_on_wall[axis] = turn[axis];
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    atom->f[i][axis] += f[axis];
+    atom->torque[i][axis] += load.torque_1[axis];
+    sum.force[axis] -= f[axis];
+    sum.torque[axis] -= arm[next] * f[last] - arm[last] * f[next] + load.torque_1[axis];
   }
+}
+
+void FixWallCarom::refuse(int i, const carom::WallShape::Near &near) const
+{
+  const double *x = atom->x[i];
+  char place[120];
+  snprintf(place, sizeof place, " at (%g, %g, %g)", x[0], x[1], x[2]);
+  error->one(FLERR, who() + ": grain " + std::to_string(atom->tag[i]) + place + " touches " + wall.name_of(near) +
+                        " of the file, where a flat contact has no meaning: give the wall a radius of its edges, as in "
+                        "'edges 1e-4', or keep grains away from it");
 }
 
 // A contact whose grain has come to the other side of the wall: what it stored is heat.
-void FixWallCarom::let_go(int i)
+void FixWallCarom::let_go(int i, double *slot)
 {
-  if (account) book(i, {energy_of(i), 0.0, 0.0});
-  drop(i);
+  if (account) book(i, {energy_of(i, slot), 0.0, 0.0});
+  drop(slot);
 }
 
-double FixWallCarom::energy_of(int i)
+double FixWallCarom::energy_of(int i, double *slot)
 {
-  const carom::Constants &its = constants_of(i);
-  double *slot = slots[i].get();
+  const carom::Constants &its = constants_of(i, slot);
   double rolled = 0.0, twisted = 0.0;
   if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
   if (twists && !its.rings)
     carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), atom->radius[i], INFINITY, &twisted, nullptr);
-  return touch_of(i).energy(its, atom->radius[i], INFINITY) + rolled + twisted;
+  return touch_of(i, slot).energy(its, atom->radius[i], INFINITY) + rolled + twisted;
 }
 
 double FixWallCarom::stored_energy()
 {
   double sum = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
-    if (touches_wall(i)) sum += energy_of(i);
+    for (const auto &slot : slots[i])
+      if (is_in_use(slot)) sum += energy_of(i, slot.get());
   return sum;
 }
 
@@ -328,62 +406,79 @@ void FixWallCarom::copy_arrays(int i, int j, int)
   std::swap(slots[i], slots[j]);
 }
 
-void FixWallCarom::drop(int i)
+void FixWallCarom::drop(double *slot)
 {
-  if (!slots[i]) return;
-  touches.drop(slots[i].get());
-  memset(slots[i].get(), 0, SLOT * sizeof(double));
+  touches.drop(slot);
+  memset(slot, 0, SLOT * sizeof(double));
 }
 
-// Number of values kept for a grain.
-int FixWallCarom::count_of(int i) const
+void FixWallCarom::drop_all(int i)
 {
-  if (!touches_wall(i)) return 0;
-  if (touches.is_of_rings(slots[i].get())) return Touches::OF_RINGS + more();
+  for (const auto &slot : slots[i]) drop(slot.get());
+}
+
+// Number of values kept for a contact.
+int FixWallCarom::count_of(double *slot) const
+{
+  if (touches.is_of_rings(slot)) return Touches::OF_RINGS + more();
   return (twists ? Touches::WITH_TWIST : Touches::NUMBERS) + more();
 }
 
 // A slot has space for any law: a restart file is read before the law is known.
-double *FixWallCarom::slot_of(int i)
+double *FixWallCarom::new_slot(int i)
 {
-  if (!slots[i]) slots[i].reset(new double[SLOT]());
-  return slots[i].get();
+  slots[i].emplace_back(new double[SLOT]());
+  return slots[i].back().get();
+}
+
+// An empty slot of a grain, which may be new.
+int FixWallCarom::free_slot(int i)
+{
+  for (std::size_t k = 0; k < slots[i].size(); k++)
+    if (!is_in_use(slots[i][k])) return static_cast<int>(k);
+  new_slot(i);
+  return static_cast<int>(slots[i].size()) - 1;
 }
 
 void FixWallCarom::set_arrays(int i)
 {
-  drop(i);
+  drop_all(i);
 }
 
-void FixWallCarom::pack(int i)
-{
-  carom_error why;
-  double *slot = slots[i].get();
-  if (slot && touches.pack(slot, &why, friction_of(slot)) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
-}
-
+// The number of contacts, then for each the number of its values, and these.
 int FixWallCarom::pack_exchange(int i, double *buffer)
 {
-  pack(i);
-  const int count = count_of(i), behind = count > 0 ? more() : 0;
-  buffer[0] = count;
-  if (count > 0) memcpy(buffer + 1, slots[i].get(), (count - behind) * sizeof(double));
-  if (behind > 0) memcpy(buffer + 1 + count - behind, slots[i].get() + Touches::MOST, behind * sizeof(double));
-  return 1 + count;
+  int contacts = 0, at = 1;
+  for (const auto &slot : slots[i]) {
+    if (!is_in_use(slot)) continue;
+    carom_error why;
+    if (touches.pack(slot.get(), &why, friction_of(slot.get())) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
+    const int count = count_of(slot.get()), behind = more();
+    buffer[at] = count;
+    memcpy(buffer + at + 1, slot.get(), (count - behind) * sizeof(double));
+    memcpy(buffer + at + 1 + count - behind, slot.get() + Touches::MOST, behind * sizeof(double));
+    at += 1 + count;
+    contacts++;
+  }
+  buffer[0] = contacts;
+  return at;
 }
 
 int FixWallCarom::unpack_exchange(int i, double *buffer)
 {
-  drop(i);
-  if (!Touches::is_count(buffer[0])) damaged(std::to_string(buffer[0]) + " numbers of a contact");
-  const int count = static_cast<int>(buffer[0]);
-  if (count == 0) return 1;
-  const int behind = Touches::count_at_wall(count);
-  if ((behind > Touches::AT_WALL) != material.slips())
-    error->one(FLERR, who() + ": slip_friction must be as in the run that wrote the restart file");
-  memcpy(slot_of(i), buffer + 1, (count - behind) * sizeof(double));
-  memcpy(slot_of(i) + Touches::MOST, buffer + 1 + count - behind, behind * sizeof(double));
-  return 1 + count;
+  drop_all(i);
+  int at = 1;
+  for (int k = 0; k < static_cast<int>(buffer[0]); k++) {
+    const int count = static_cast<int>(buffer[at]);
+    const int behind = Touches::count_at_wall(count);
+    if ((behind > Touches::AT_WALL) != material.slips())
+      error->one(FLERR, who() + ": slip_friction must be as in the run that wrote the restart file");
+    double *slot = static_cast<std::size_t>(k) < slots[i].size() ? slots[i][k].get() : new_slot(i);
+    memcpy(slot, buffer + at + 1, (count - behind) * sizeof(double));
+    memcpy(slot + Touches::MOST, buffer + at + 1 + count - behind, behind * sizeof(double));
+    at += 1 + count;
+  }
+  return at;
 }
 
 int FixWallCarom::pack_restart(int i, double *buffer)
@@ -395,7 +490,7 @@ int FixWallCarom::pack_restart(int i, double *buffer)
 void FixWallCarom::unpack_restart(int i, int nth)
 {
   const int at = Touches::part_of(atom->extra[i], atom->nextra_store, nth);
-  if (at < 0) damaged("grain " + std::to_string(atom->tag[i]) + " has another number of values than stated");
+  if (at < 0) damaged("the contacts of grain " + std::to_string(atom->tag[i]) + " have another number of values than stated");
   unpack_exchange(i, atom->extra[i] + at + 1);
 }
 
@@ -406,15 +501,18 @@ void FixWallCarom::damaged(const std::string &what) const
 
 int FixWallCarom::size_restart(int i)
 {
-  return 2 + count_of(i);
+  int size = 2;
+  for (const auto &slot : slots[i])
+    if (is_in_use(slot)) size += 1 + count_of(slot.get());
+  return size;
 }
 
 int FixWallCarom::maxsize_restart()
 {
-  return 2 + SLOT;
+  return 2 + most_contacts() * (1 + SLOT);
 }
 
 double FixWallCarom::memory_usage()
 {
-  return touches.bytes() + static_cast<double>(slots.capacity() * sizeof(slots[0]));
+  return touches.bytes() + wall.bytes() + static_cast<double>(slots.capacity() * sizeof(slots[0]));
 }

@@ -1,4 +1,4 @@
-// fix wall/carom: a wall of one of a few shapes, at rest, moving or turning, with the law of pair carom.
+// fix wall/carom: a wall of one of a few shapes or of triangles, at rest, moving or turning, with the law of pair carom.
 #ifndef CAROM_FIX_WALL_H
 #define CAROM_FIX_WALL_H
 
@@ -11,10 +11,10 @@
 #include "touches.h"
 #include "wall_shape.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -67,36 +67,51 @@ class FixWallCarom : public Fix {
   bool has_told = false;    // of coupling, in the log
   carom::WallShape wall;
   std::vector<carom::Constants> flat;    // the constants by type of grain, without curvature
-  // Those of a curved wall, by type, radius of the grain and curvature.
-  std::map<std::pair<int, std::pair<double, double>>, carom::Constants> curved;
+  // Those of a curved wall, by type, radius of the grain and the two curvatures.
+  std::map<std::array<double, 4>, carom::Constants> curved;
   std::vector<char> known;                // whether there are any
   bool account = false, twists = false;    // of the laws but rings
   Sums sums_ = {0.0, 0.0, 0.0};
   // On the wall after the last step; the torque about its centre.
   double force_on_wall[3] = {0.0, 0.0, 0.0}, torque_on_wall[3] = {0.0, 0.0, 0.0};
   Touches touches;
-  std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
+  // By grain; a slot stays where a contact was, for the next one. Only a mesh makes more than one.
+  std::vector<std::vector<std::unique_ptr<double[]>>> slots;
+  // Of the grain in work: where the wall is near, and which of its slots goes on there, -1 for none.
+  carom::WallShape::Near nears[carom::WallShape::MOST];
+  int slot_at[carom::WallShape::MOST];
+  // What the wall got in this step.
+  struct Reaction {
+    double force[3] = {0.0, 0.0, 0.0}, torque[3] = {0.0, 0.0, 0.0};
+  };
 
   const PairCarom *pair = nullptr;    // the first of the pair styles
 
   // The values of a pair style, but for those that were given to the wall.
   carom::Law law_with(carom::Law its) const;
   [[noreturn]] void damaged(const std::string &what) const;
-  carom::Touch touch_of(int i);
-  carom_grain_load step(int i, const carom::WallShape::Near &near, double duration);
-  void roll(int i, const carom_grain &grain, const carom_surface &surface, double duration, carom_grain_load &load);
-  const carom::Constants &constants_of(int i);
-  const carom::Constants &make_curved(int type, double radius, double curvature);
-  double energy_of(int i);
-  void let_go(int i);
+  [[noreturn]] void refuse(int i, const carom::WallShape::Near &near) const;
+  carom::Touch touch_of(int i, double *slot);
+  void meet(int i, double duration, bool looks, Reaction &sum);
+  void assign(int i, int count);
+  void touch(int i, double *slot, carom::WallShape::Near &near, double duration, Reaction &sum);
+  carom_grain_load step(int i, double *slot, carom::WallShape::Near &near, double duration);
+  void begin_or_carry(double *slot, carom::WallShape::Near &near) const;
+  void roll(int i, double *slot, const carom_grain &grain, const carom_surface &surface, double duration,
+            carom_grain_load &load);
+  const carom::Constants &constants_of(int i, double *slot);
+  const carom::Constants &make_curved(int type, double radius, const double *curvature);
+  double energy_of(int i, double *slot);
+  void let_go(int i, double *slot);
   void book(int i, const carom::HeatSums &made);
-  void pack(int i);
-  void drop(int i);
-  double *slot_of(int i);
+  void drop(double *slot);
+  void drop_all(int i);
+  int free_slot(int i);
+  double *new_slot(int i);
   // A slot: the numbers of a contact of any law, then what only walls keep.
   static constexpr int SLOT = Touches::MOST + Touches::AT_WALL + Touches::FRICTION;
   static carom_roll *roll_of(double *slot) { return Touches::roll_at(slot + Touches::MOST); }
-  static double &curvature_of(double *slot) { return slot[Touches::MOST + Touches::ROLL]; }
+  static Touches::Began &began_of(double *slot) { return *Touches::began_at(slot + Touches::MOST); }
   double *friction_of(double *slot) const { return material.slips() ? slot + Touches::MOST + Touches::AT_WALL : nullptr; }
   // Number of values that are kept of a contact behind its numbers.
   int more() const
@@ -104,8 +119,9 @@ class FixWallCarom : public Fix {
     if (material.slips()) return Touches::AT_WALL + Touches::FRICTION;
     return material.rolls() || wall.is_curved() ? Touches::AT_WALL : 0;
   }
-  int count_of(int i) const;
-  bool touches_wall(int i) const { return slots[i] && slots[i][0] != 0.0; }
+  int count_of(double *slot) const;
+  int most_contacts() const { return wall.is_mesh() ? Touches::MOST_AT_WALL : 1; }
+  static bool is_in_use(const std::unique_ptr<double[]> &slot) { return slot[0] != 0.0; }
 };
 
 }    // namespace LAMMPS_NS

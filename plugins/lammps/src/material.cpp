@@ -214,13 +214,13 @@ Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material
 }
 
 Constants constants_at_curved_wall(LAMMPS *lmp, const std::string &who, const carom_material &grain,
-                                   const carom_material &wall, const Constants &flat, double radius, double curvature,
-                                   bool is_round)
+                                   const carom_material &wall, const Constants &flat, double radius,
+                                   const double *curvature)
 {
   Constants made = flat;
   const carom_pair &unit = flat.grains.unit;
   carom_error error;
-  if (carom_grains_on_curved_wall(&grain, &wall, radius, curvature, is_round ? curvature : 0.0, unit.friction, unit.law,
+  if (carom_grains_on_curved_wall(&grain, &wall, radius, curvature[0], curvature[1], unit.friction, unit.law,
                                   unit.tolerance, flat.grains.relaxation, &made.grains, &error) != CAROM_STATUS_OK) {
     char text[80];
     snprintf(text, sizeof text, ": a grain of radius %g does not fit a wall of this curvature: ", radius);

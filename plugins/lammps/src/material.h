@@ -65,11 +65,11 @@ struct Law {
 Constants constants_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
                        const carom_material &two, const Material &pair, const Law &law);
 
-// Those of grains of one radius at a curved wall, from those at a flat one of the same material: along the axis of
-// the contact the wall has this curvature, across it as well if it is round.
+// Those of grains of one radius at a curved wall, from those at a flat one of the same material: the two curvatures of
+// the wall are those along the axis of the contact and across it.
 Constants constants_at_curved_wall(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &grain,
-                                   const carom_material &wall, const Constants &flat, double radius, double curvature,
-                                   bool is_round);
+                                   const carom_material &wall, const Constants &flat, double radius,
+                                   const double *curvature);
 
 // Logs how much the coupling of dissimilar materials may matter where the law neglects it.
 void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const Constants &constants);

@@ -90,6 +90,20 @@ carom_status Touches::pack(double *slot, carom_error *why, double *friction)
   return status;
 }
 
+// Whether so many numbers are contacts, their number first.
+static bool are_contacts(const double *numbers, int count)
+{
+  if (count < 1 || !(numbers[0] >= 0.0 && numbers[0] <= Touches::MOST_AT_WALL)) return false;
+  const int contacts = static_cast<int>(numbers[0]);
+  if (contacts != numbers[0]) return false;
+  int at = 1;
+  for (int k = 0; k < contacts; k++) {
+    if (at >= count || !Touches::is_count(numbers[at]) || numbers[at] > count - at - 1.0) return false;
+    at += 1 + static_cast<int>(numbers[at]);
+  }
+  return at == count;
+}
+
 int Touches::part_of(const double *numbers, int count, int nth)
 {
   for (int at = 0;; nth--) {
@@ -101,8 +115,8 @@ int Touches::part_of(const double *numbers, int count, int nth)
       at += static_cast<int>(size);
       continue;
     }
-    if (size < 2.0 || !is_count(numbers[at + 1]) || size != 2.0 + numbers[at + 1]) return -1;
-    return at;
+    if (static_cast<int>(size) != size) return -1;
+    return are_contacts(numbers + at + 1, static_cast<int>(size) - 1) ? at : -1;
   }
 }
 

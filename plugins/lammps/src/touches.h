@@ -27,8 +27,16 @@ class Touches {
   static constexpr int FRICTION = 1;
   // The heat that a contact of grains made in the last step, and since it began: at the end of its slot.
   static constexpr int HEATS = 2;
-  // What a wall may keep of a contact behind its numbers: rolling resistance, and the curvature of the wall.
-  static constexpr int AT_WALL = ROLL + 1;
+  // What a wall may keep of a contact behind its numbers: rolling resistance, and how the wall was where it began.
+  struct Began {
+    double curvature[2];    // along the axis x of the contact and across it
+    // Of a mesh, in the axes of its file, as they are now: by its normal a contact is known.
+    double normal[3], axis[3];
+  };
+  static constexpr int AT_WALL = ROLL + static_cast<int>(sizeof(Began) / sizeof(double));
+  static Began *began_at(double *place) { return reinterpret_cast<Began *>(place + ROLL); }
+  // A grain has at most so many contacts with one wall.
+  static constexpr int MOST_AT_WALL = 16;
   static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
   // The unpacked contact of a slot; new if there is none. Null if the numbers are not a contact: `why` says
@@ -46,11 +54,8 @@ class Touches {
   // Whether the contact of a slot uses the law of rings.
   bool is_of_rings(const double *slot) const;
 
-  // Whether a restart file may contain this number of values for the contacts of a grain.
-  static bool is_count(double count)
-  {
-    return count == 0.0 || is_count_of_touch(count) || count_at_wall(count) > 0;
-  }
+  // Whether a restart file may contain this number of values for a contact with a wall.
+  static bool is_count(double count) { return is_count_of_touch(count) || count_at_wall(count) > 0; }
   // How many of these values a wall keeps of a contact behind its numbers.
   static int count_at_wall(double count)
   {
@@ -62,8 +67,8 @@ class Touches {
   {
     return count == NUMBERS || count == WITH_TWIST || count == OF_RINGS;
   }
-  // Index of the values of one fix among those that a restart file has for a grain. The first value of each
-  // part is its length, the second the size of a contact. -1 if the values are not valid.
+  // Index of the values of one fix among those that a restart file has for a grain. The first value of each part is
+  // its length, the second the number of contacts; each of these begins with its size. -1 if the values are not valid.
   static int part_of(const double *numbers, int count, int nth);
 
   // The host's flag of a pair of grains: 0 separated, 1 in contact; larger values give the index of the

@@ -1,5 +1,7 @@
 #include "wall_shape.h"
 
+#include "mesh_file.h"
+
 #include "error.h"
 #include "lammps.h"
 #include "utils.h"
@@ -11,6 +13,8 @@
 using namespace LAMMPS_NS;
 
 namespace carom {
+
+static constexpr double RADIANS = 3.14159265358979323846 / 180.0;    // of a degree
 
 static double dot(const double *a, const double *b)
 {
@@ -85,12 +89,28 @@ int WallShape::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     has_center = true;
     return 4;
   }
-  return 0;
+  if (word == "stl" && narg > 1) {
+    set(lmp, who, MESH);
+    file = arg[1];
+    return 2;
+  }
+  return take_of_mesh(lmp, narg, arg);
+}
+
+int WallShape::take_of_mesh(LAMMPS *lmp, int narg, char **arg)
+{
+  const std::string word = arg[0];
+  if (narg < 2 || (word != "scale" && word != "smooth" && word != "edges")) return 0;
+  double &value = word == "scale" ? scale : word == "smooth" ? smooth : edge_radius;
+  value = utils::numeric(FLERR, arg[1], false, lmp);
+  has_edges = has_edges || word == "edges";
+  is_for_mesh = true;
+  return 2;
 }
 
 void WallShape::set(LAMMPS *lmp, const std::string &who, Kind shape)
 {
-  if (kind != NONE) lmp->error->all(FLERR, who + ": has more than one of plane, cylinder, cone and sphere");
+  if (kind != NONE) lmp->error->all(FLERR, who + ": has more than one of plane, cylinder, cone, sphere and stl");
   kind = shape;
 }
 
@@ -111,7 +131,12 @@ static std::string told(const char *field, double value, const char *allowed)
 
 void WallShape::check(LAMMPS *lmp, const std::string &who)
 {
-  if (kind == NONE) lmp->error->all(FLERR, who + ": plane, cylinder, cone or sphere is missing");
+  if (kind == NONE) lmp->error->all(FLERR, who + ": plane, cylinder, cone, sphere or stl is missing");
+  if (kind == MESH) {
+    check_mesh(lmp, who);
+    return;
+  }
+  if (is_for_mesh) lmp->error->all(FLERR, who + ": scale, smooth and edges are for stl only");
   if (kind != SPHERE) {
     const double length = std::sqrt(dot(direction, direction));
     if (!(length > 0.0 && length < INFINITY))
@@ -123,7 +148,7 @@ void WallShape::check(LAMMPS *lmp, const std::string &who)
   if (kind == CONE) {
     if (!(size > 0.0 && size < 90.0))
       lmp->error->all(FLERR, who + told("angle of the cone", size, "in (0, 90) degrees"));
-    const double radians = size * (3.14159265358979323846 / 180.0);
+    const double radians = size * RADIANS;
     sine = std::sin(radians);
     cosine = std::cos(radians);
   }
@@ -139,10 +164,96 @@ void WallShape::check(LAMMPS *lmp, const std::string &who)
   if (!has_center) std::copy_n(point, 3, middle);
 }
 
-bool WallShape::near(const double *x, double radius, Near &near) const
+void WallShape::check_mesh(LAMMPS *lmp, const std::string &who)
 {
-  if (kind == PLANE) return near_plane(x, near);
-  return kind == SPHERE ? near_sphere(x, near) : near_axis(x, radius, near);
+  if (is_bounded) lmp->error->all(FLERR, who + ": between is for cylinder and cone only");
+  if (!(scale > 0.0 && scale < INFINITY)) lmp->error->all(FLERR, who + told("scale", scale, "finite and > 0"));
+  if (!(smooth >= 1.0 && smooth <= 45.0)) lmp->error->all(FLERR, who + told("smooth", smooth, "from 1 to 45 degrees"));
+  if (has_edges && !(edge_radius > 0.0 && edge_radius < INFINITY))
+    lmp->error->all(FLERR, who + told("edges", edge_radius, "a radius, finite and > 0"));
+  direction[2] = 1.0;
+  if (!has_center) std::copy_n(point, 3, middle);
+  mesh = mesh_of_file(lmp, who, file, scale, smooth * RADIANS);
+}
+
+int WallShape::near(const double *x, double radius, Near *to) const
+{
+  if (kind == MESH) return near_mesh(x, radius, to);
+  to->is_refused = false;
+  if (kind == PLANE) return near_plane(x, *to);
+  return kind == SPHERE ? near_sphere(x, *to) : near_axis(x, radius, *to);
+}
+
+bool WallShape::is_turned() const
+{
+  return direction[2] != 1.0 || second[0] != 1.0;
+}
+
+// A vector in the axes of the file, and back.
+void WallShape::into_file(const double *vector, double *to) const
+{
+  std::copy_n(vector, 3, to);
+  if (!is_turned()) return;
+  double third[3];
+  cross(direction, second, third);
+  to[0] = dot(vector, second);
+  to[1] = dot(vector, third);
+  to[2] = dot(vector, direction);
+}
+
+void WallShape::out_of_file(const double *vector, double *to) const
+{
+  std::copy_n(vector, 3, to);
+  if (!is_turned()) return;
+  double third[3];
+  cross(direction, second, third);
+  for (int k = 0; k < 3; k++) to[k] = vector[0] * second[k] + vector[1] * third[k] + vector[2] * direction[k];
+}
+
+// A little more than the radius, so that a contact that ends is seen to end.
+static constexpr double REACH = 1.01;
+
+int WallShape::near_mesh(const double *x, double radius, Near *to) const
+{
+  const double arm[3] = {x[0] - point[0], x[1] - point[1], x[2] - point[2]};
+  double own[3];
+  into_file(arm, own);
+  Mesh::Place places[MOST];
+  const int count = mesh->places(own, REACH * radius, places);
+  for (int k = 0; k < std::min(count, MOST); k++) at_place(places[k], to[k]);
+  return count;
+}
+
+void WallShape::at_place(const Mesh::Place &place, Near &near) const
+{
+  // Of a face that does not turn any point of its plane will do.
+  const bool is_at_rest = place.kind == Mesh::FACE && dot(spin, spin) == 0.0;
+  out_of_file(is_at_rest ? place.fixed : place.point, near.place);
+  for (int k = 0; k < 3; k++) near.place[k] += point[k];
+  std::copy_n(place.normal, 3, near.own_normal);
+  std::fill_n(near.own_axis, 3, 0.0);
+  std::fill_n(near.curvature, 2, 0.0);
+  near.height = place.height;
+  near.is_refused = place.is_sharp && edge_radius == 0.0;
+  near.of_mesh = place;
+  if (place.is_sharp && edge_radius > 0.0) {
+    near.curvature[0] = 1.0 / edge_radius;
+    if (place.kind == Mesh::CORNER) near.curvature[1] = near.curvature[0];
+    else cross(place.along, place.normal, near.own_axis);
+  }
+  out_of_file(near.own_normal, near.normal);
+  out_of_file(near.own_axis, near.axis);
+}
+
+void WallShape::carry_axis(double *axis, Near &near) const
+{
+  const double along = dot(axis, near.own_normal);
+  for (int k = 0; k < 3; k++) near.own_axis[k] = axis[k] - along * near.own_normal[k];
+  const double length = std::sqrt(dot(near.own_axis, near.own_axis));
+  if (length > 0.0)
+    for (double &number : near.own_axis) number /= length;
+  std::copy_n(near.own_axis, 3, axis);
+  out_of_file(near.own_axis, near.axis);
 }
 
 bool WallShape::near_plane(const double *x, Near &near) const
@@ -155,7 +266,7 @@ bool WallShape::near_plane(const double *x, Near &near) const
     near.normal[k] = direction[k];
     near.axis[k] = 0.0;
   }
-  near.curvature = 0.0;
+  near.curvature[0] = near.curvature[1] = 0.0;
   return true;
 }
 
@@ -172,7 +283,7 @@ bool WallShape::near_sphere(const double *x, Near &near) const
     near.normal[k] = sign * out[k];
     near.axis[k] = 0.0;
   }
-  near.curvature = sign / size;
+  near.curvature[0] = near.curvature[1] = sign / size;
   return true;
 }
 
@@ -215,10 +326,11 @@ bool WallShape::near_axis(const double *x, double radius, Near &near) const
     near.place[k] = point[k] + at * direction[k] + distance * out[k];
     near.normal[k] = normal_along * direction[k] + normal_away * out[k];
   }
-  near.curvature = sign * cosine / distance;
+  near.curvature[0] = sign * cosine / distance;
+  near.curvature[1] = 0.0;
   // Of a cone in steps, so that contacts share their constants.
   constexpr double STEPS = 4096.0;
-  if (kind == CONE) near.curvature = std::round(STEPS * near.curvature * radius) / (STEPS * radius);
+  if (kind == CONE) near.curvature[0] = std::round(STEPS * near.curvature[0] * radius) / (STEPS * radius);
   return true;
 }
 
@@ -256,6 +368,13 @@ void WallShape::move(double duration)
   rotate(about, rate * duration, direction);
   const double length = std::sqrt(dot(direction, direction));
   for (double &number : direction) number /= length;
+  if (kind != MESH) return;
+  rotate(about, rate * duration, second);
+  // Across the first, against round-off.
+  const double along = dot(direction, second);
+  for (int k = 0; k < 3; k++) second[k] -= along * direction[k];
+  const double size = std::sqrt(dot(second, second));
+  for (double &number : second) number /= size;
 }
 
 void WallShape::velocity_at(const double *place, const double *of_grain, double duration, double *its) const
@@ -271,15 +390,18 @@ void WallShape::write(double *numbers) const
   std::copy_n(point, 3, numbers);
   std::copy_n(direction, 3, numbers + 3);
   std::copy_n(middle, 3, numbers + 6);
+  std::copy_n(second, 3, numbers + 9);
 }
 
 bool WallShape::read(const double *numbers)
 {
   if (!std::all_of(numbers, numbers + NUMBERS, [](double number) { return std::isfinite(number); })) return false;
   if (kind != SPHERE && !is_unit(numbers + 3)) return false;
+  if (kind == MESH && !(is_unit(numbers + 9) && std::fabs(dot(numbers + 3, numbers + 9)) < 1e-9)) return false;
   std::copy_n(numbers, 3, point);
   std::copy_n(numbers + 3, 3, direction);
   std::copy_n(numbers + 6, 3, middle);
+  std::copy_n(numbers + 9, 3, second);
   return true;
 }
 

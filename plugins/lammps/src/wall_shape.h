@@ -3,7 +3,9 @@
 #define CAROM_WALL_SHAPE_H
 
 #include "carom.h"
+#include "mesh.h"
 
+#include <memory>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -14,6 +16,7 @@ namespace carom {
 
 // plane X Y Z NX NY NZ
 // cylinder X Y Z DX DY DZ R side, cone X Y Z DX DY DZ ANGLE side, sphere X Y Z R side
+// stl FILE, scale S, smooth ANGLE, edges R
 // between A B, velocity VX VY VZ, omega WX WY WZ, center X Y Z
 class WallShape {
  public:
@@ -28,13 +31,29 @@ class WallShape {
     // Along the circumference of cylinder and cone; zero for the others, whose contacts are circles.
     double axis[3];
     double height;    // of the centre of the grain; negative behind the wall
-    double curvature;    // along the axis, of a sphere in all directions; negative where it is hollow
+    double curvature[2];    // along the axis and across it, of a sphere the same; negative where it is hollow
+    // Of a mesh: normal and axis in the axes of its file, which turn with it, and whether it is an edge or corner that
+    // no grain may touch.
+    double own_normal[3], own_axis[3];
+    bool is_refused;
+    Mesh::Place of_mesh;
   };
-  // False if the wall has no side towards the grain.
-  bool near(const double *x, double radius, Near &near) const;
+  // A mesh touches a grain in several places, the others in one.
+  static constexpr int MOST = Mesh::MOST;
+  // The places where a contact may be; returns their number, 0 if the wall has no side towards the grain, MOST + 1 if
+  // there are more.
+  int near(const double *x, double radius, Near *to) const;
+  // A contact that comes from another place of a mesh keeps its axis, turned as the normal: `axis` is what it was, in
+  // the axes of the file.
+  void carry_axis(double *axis, Near &near) const;
+  std::string name_of(const Near &near) const { return mesh->name_of(near.of_mesh); }
 
   bool is_curved() const { return kind != PLANE; }
-  bool is_round() const { return kind == PLANE || kind == SPHERE; }
+  bool is_round() const { return kind == PLANE || kind == SPHERE || (is_mesh() && edge_radius == 0.0); }
+  bool is_mesh() const { return kind == MESH; }
+  // Contacts of a mesh whose normals differ by less are one: the cosine of the angle.
+  double cosine_of_smooth() const { return mesh->cosine_of_smooth(); }
+  double bytes() const { return mesh ? mesh->bytes() : 0.0; }
   // Whether a box may be periodic along this axis: shape and motion are then the same all along it.
   bool extends_along(int axis) const;
 
@@ -45,27 +64,39 @@ class WallShape {
   const double *omega() const { return spin; }
   const double *center() const { return middle; }
 
-  // Position in a restart file: a point, a direction and the centre of rotation.
-  static constexpr int NUMBERS = 9;
+  // Position in a restart file: a point, two directions and the centre of rotation.
+  static constexpr int NUMBERS = 12;
   void write(double *numbers) const;
   // False if they are no position.
   bool read(const double *numbers);
 
  private:
-  enum Kind { NONE, PLANE, CYLINDER, CONE, SPHERE };
+  enum Kind { NONE, PLANE, CYLINDER, CONE, SPHERE, MESH };
   enum Side { INSIDE, OUTSIDE, BOTH };
   Kind kind = NONE;
   Side side = INSIDE;
   double point[3] = {0.0, 0.0, 0.0};
-  double direction[3] = {0.0, 0.0, 0.0};    // normal of a plane, axis of cylinder and cone
+  double direction[3] = {0.0, 0.0, 0.0};    // normal of a plane, axis of cylinder and cone, axis z of a mesh
+  double second[3] = {1.0, 0.0, 0.0};       // axis x of a mesh
   double size = 0.0;                        // a radius, of a cone half its angle
   double sine = 0.0, cosine = 1.0;          // of the latter
   double from, to;                          // along the axis
   bool is_bounded = false, has_center = false;
+  std::string file;
+  std::shared_ptr<const Mesh> mesh;
+  double scale = 1.0, smooth = 10.0, edge_radius = 0.0;    // no radius: edges are refused
+  bool has_edges = false, is_for_mesh = false;    // whether a radius was given, or any of the three
   double speed[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0}, middle[3] = {0.0, 0.0, 0.0};
 
   void set(LAMMPS_NS::LAMMPS *lmp, const std::string &who, Kind shape);
   void take_side(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const std::string &word);
+  int take_of_mesh(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
+  void check_mesh(LAMMPS_NS::LAMMPS *lmp, const std::string &who);
+  bool is_turned() const;
+  void into_file(const double *vector, double *to) const;
+  void out_of_file(const double *vector, double *to) const;
+  int near_mesh(const double *x, double radius, Near *to) const;
+  void at_place(const Mesh::Place &place, Near &near) const;
   bool near_plane(const double *x, Near &near) const;
   bool near_sphere(const double *x, Near &near) const;
   bool near_axis(const double *x, double radius, Near &near) const;

@@ -124,7 +124,11 @@ def test_energy_goes_where_it_is_booked(tmp_path, law):
         assert np.diff(table["c_where[5]"]).min() > -1e-15 * gone
         missed.append(np.abs(total - total[0]).max() / gone)
     print(law, "balance over what became heat, by step:", missed)
-    assert missed[0] < 1e-3 and missed[1] < (0.7 if "rings" in law else 0.5) * missed[0]
+    if "rings" in law:
+        assert missed[0] < 1e-3 and missed[1] < 0.7 * missed[0]
+    else:
+        # What joined pieces of a contact's memory give up is in no account, at any step.
+        assert missed[0] < 3e-4 and missed[1] < max(0.5 * missed[0], 1e-4)
 
 
 @pytest.mark.parametrize(
@@ -164,6 +168,6 @@ def test_rolling_cannot_come_after_the_first_run(tmp_path):
         lmp(BOX + WALLS + "run 1\n" + late, tmp_path)
     lmp(BOX + WALLS + "run 700\nwrite_restart some.bin\n", tmp_path, dt=1e-5)
     again = "newton off\nplugin load ${plugin}\nread_restart some.bin\ncomm_modify vel yes\n"
-    with pytest.raises(Failed, match="81 numbers, those of this run 90"):
+    with pytest.raises(Failed, match="83 numbers, those of this run 92"):
         lmp(again + late, tmp_path)
     lmp(ROLLS + WALLS + "run 1\n" + late, tmp_path)

@@ -314,7 +314,9 @@ def test_energy_goes_where_it_is_booked(tmp_path, shape):
         assert np.abs(table["f_wall1[9]"]).max() > 0
         missed.append(np.abs(total - total[0]).max() / gone)
     print(shape, "balance over what became heat, by step:", missed, "work", table["c_where[4]"][-1], "heat", gone)
-    assert missed[0] < 2e-3 and missed[1] < 0.6 * missed[0]
+    assert missed[0] < 3e-4
+    # What joined pieces of a contact's memory give up is in no account, at any step.
+    assert missed[1] < max(0.6 * missed[0], 3e-5)
 
 
 @pytest.mark.parametrize("shape, ranks", [("drum", 1), ("drum", 2), ("hopper", 2), ("bowl", 2), ("tilting", 1)])
@@ -357,7 +359,7 @@ def test_a_ball_on_a_rim_keeps_its_energy(tmp_path):
         ("cylinder 0 0 0 0 0 1 1 inside between 1 1", ["second value of between = 1", "above the first"]),
         ("sphere 0 0 0 1 inside between 0 1", ["between is for cylinder and cone only"]),
         ("plane 0 0 0 0 0 1 sphere 0 0 0 1 inside", ["more than one of plane"]),
-        ("omega 0 0 1", ["plane, cylinder, cone or sphere is missing"]),
+        ("omega 0 0 1", ["plane, cylinder, cone, sphere or stl is missing"]),
         ("cylinder 0 0 0 0 0 1 1", ["neither inside, outside nor on both sides"]),
         ("cylinder 0 0 0 0 0 1", ["Expected floating point parameter"]),
     ],
@@ -373,7 +375,7 @@ def test_what_is_wrong_is_named(tmp_path, wall, words):
     "wall, more, words",
     [
         ("cylinder 0 0 -0.4 1 0 0 0.4 inside", "", ["a grain of radius 0.5 does not fit", "above -1 over the radius"]),
-        ("cylinder 0 0 0 0 0 1 0.6 inside law rings", "", ["law rings needs a plane or a sphere"]),
+        ("cylinder 0 0 0 0 0 1 0.6 inside law rings", "", ["law rings needs a plane, a sphere or an STL file without edges"]),
         ("cylinder 0 0 0 1 0 0 0.6 inside", "change_box all boundary f p f", ["periodic across the wall"]),
         ("plane 0 0 0 0 0 1 omega 0 0 1", "change_box all boundary p f f", ["periodic across the wall"]),
         ("cylinder 0 0 0 1 0 0 0.6 inside omega 1 0 0", "change_box all boundary p f f", []),

@@ -126,18 +126,29 @@ int main()
 
   // The numbers of a grain in a restart file, part by part.
   const double none = std::nan("");
-  const double good[] = {3.0, 1.0, 2.0, 2.0, 0.0, 7.0};
+  const double good[] = {3.0, 1.0, 2.0, 2.0, 0.0, 7.0};    // three numbers that are none of a wall, then no contact
   check(Touches::part_of(good, 6, 1) == 3, "the second part");
   check(Touches::part_of(good, 6, 0) == -1, "the first is not of a wall");
   check(Touches::part_of(good, 6, 2) == -1 && Touches::part_of(good, 6, 3) == -1, "beyond the last");
   check(Touches::part_of(good, 4, 1) == -1 && Touches::part_of(nullptr, 0, 0) == -1, "cut off");
-  double whole[2 + Touches::NUMBERS] = {2.0 + Touches::NUMBERS, Touches::NUMBERS};
-  check(Touches::part_of(whole, 2 + Touches::NUMBERS, 0) == 0, "a whole one");
-  check(Touches::part_of(whole, 1 + Touches::NUMBERS, 0) == -1, "one number short");
-  for (const double count : {1e9, -5.0, 80.0, 1e300, -1e300, none, 78.5}) {
+  constexpr int ONE = 1 + Touches::NUMBERS, MORE = 1 + Touches::NUMBERS + Touches::AT_WALL;
+  double whole[2 + ONE + MORE] = {2.0 + ONE + MORE, 2.0, ONE - 1.0};
+  whole[2 + ONE] = MORE - 1.0;
+  const auto part = [&whole](int count) { return Touches::part_of(whole, count, 0); };
+  check(part(2 + ONE + MORE) == 0, "a whole one, of two contacts");
+  check(part(1 + ONE + MORE) == -1, "one number short");
+  for (const double count : {1.0, 3.0, 0.0, 1.5, -2.0, 1e300, none}) {
     whole[1] = count;
-    check(Touches::part_of(whole, 2 + Touches::NUMBERS, 0) == -1 && !Touches::is_count(count), "a count that is none");
+    check(part(2 + ONE + MORE) == -1, "another number of contacts");
   }
+  whole[1] = 2.0;
+  for (const int at : {2, 2 + ONE})
+    for (const double count : {1e9, -5.0, 80.0, 0.0, 1e300, -1e300, none, 78.5, 1.0 * Touches::OF_RINGS}) {
+      const double right = whole[at];
+      whole[at] = count;
+      check(part(2 + ONE + MORE) == -1, "a count that is none");
+      whole[at] = right;
+    }
   for (const double size : {0.0, -3.0, 1e9, 1e300, none, 0.5}) {
     const double wrong[] = {size, 1.0, 2.0, 2.0, 0.0};
     check(Touches::part_of(wrong, 5, 1) == -1 && Touches::part_of(wrong, 5, 0) == -1, "a size that is none");

@@ -27,6 +27,7 @@
 
 mod contact;
 mod dashpots;
+mod drag_heat;
 mod load;
 mod meeting;
 mod number;

@@ -3,17 +3,19 @@
 use carom_special::RangeError;
 
 use super::contact::GrainContact;
+use super::drag_heat::DragHeat;
 use super::vector::{Vector, dot};
 use crate::coulomb::packed_numbers;
 use crate::memory::VertexStack;
 
-/// Number of values beside those of the law: tangent, normal, friction, drag, velocity and lead.
-pub(super) const BESIDE: usize = 13;
+/// Number of values beside those of the law: tangent, normal, friction, drag, velocity, lead and what the heat
+/// of damping needs.
+pub(super) const BESIDE: usize = 15;
 
-/// Number of values of a stored grain contact with this many vertices: 79 for 12.
+/// Number of values of a stored grain contact with this many vertices: 81 for 12.
 ///
 /// ```
-/// assert_eq!(carom_laws::grains::grain_numbers(12), 79);
+/// assert_eq!(carom_laws::grains::grain_numbers(12), 81);
 /// ```
 #[must_use]
 pub const fn grain_numbers(vertices: usize) -> usize {
@@ -35,8 +37,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         self.law.pack(law)?;
         let (tangent, normal, friction, drag) =
             (self.tangent, self.normal, self.friction, self.drag);
-        let (velocity, lead) = (self.velocity, self.lead);
-        Beside { tangent, normal, friction, drag, velocity, lead }.write(beside);
+        let (velocity, lead, drag_heat) = (self.velocity, self.lead, self.drag_heat);
+        Beside { tangent, normal, friction, drag, velocity, lead, drag_heat }.write(beside);
         Ok(())
     }
 
@@ -51,9 +53,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let (law, beside) = numbers.split_at(room - BESIDE);
         let beside = Beside::read(beside)?;
         self.law.unpack(law)?;
-        let Beside { tangent, normal, friction, drag, velocity, lead } = beside;
+        let Beside { tangent, normal, friction, drag, velocity, lead, drag_heat } = beside;
         (self.tangent, self.normal, self.friction) = (tangent, normal, friction);
         (self.drag, self.velocity, self.lead) = (drag, velocity, lead);
+        self.drag_heat = drag_heat;
         Ok(())
     }
 }
@@ -66,6 +69,7 @@ pub(super) struct Beside {
     pub(super) drag: f64,
     pub(super) velocity: [f64; 2],
     pub(super) lead: [f64; 2],
+    pub(super) drag_heat: DragHeat,
 }
 
 impl Beside {
@@ -75,7 +79,8 @@ impl Beside {
         numbers[6..8].copy_from_slice(&self.friction);
         numbers[8] = self.drag;
         numbers[9..11].copy_from_slice(&self.velocity);
-        numbers[11..].copy_from_slice(&self.lead);
+        numbers[11..13].copy_from_slice(&self.lead);
+        (numbers[13], numbers[14]) = (self.drag_heat.drag, self.drag_heat.speed);
     }
 
     pub(super) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
@@ -93,6 +98,7 @@ impl Beside {
         }
         let pair = |i: usize| [numbers[i], numbers[i + 1]];
         let (friction, drag, velocity, lead) = (pair(6), numbers[8], pair(9), pair(11));
-        Ok(Self { tangent, normal, friction, drag, velocity, lead })
+        let drag_heat = DragHeat { drag: numbers[13], speed: numbers[14] };
+        Ok(Self { tangent, normal, friction, drag, velocity, lead, drag_heat })
     }
 }

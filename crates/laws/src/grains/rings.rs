@@ -4,6 +4,7 @@ use carom_special::RangeError;
 
 use super::contact::Heats;
 use super::dashpots::Dashpots;
+use super::drag_heat::{DragHeat, middle_of};
 use super::load::{GrainLoad, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
@@ -48,6 +49,7 @@ pub struct GrainRings<const N: usize = 6, const M: usize = 8> {
     pub(super) torque: f64,
     /// The damping force of the last step.
     pub(super) drag: f64,
+    pub(super) drag_heat: DragHeat,
     /// The velocity of the shift in the last step.
     pub(super) velocity: [f64; 2],
     /// Difference between the shift given to the law and the true shift.
@@ -77,6 +79,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             friction: [0.0; 2],
             torque: 0.0,
             drag: 0.0,
+            drag_heat: DragHeat::default(),
             velocity: [0.0; 2],
             lead: [0.0; 2],
             dashpots: Dashpots { viscosity, ratio: 0.0 },
@@ -126,7 +129,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
-        let (is_new, old) = (self.is_new(), self.drag);
+        let (is_new, old, normal) = (self.is_new(), self.drag, self.normal);
         let (step, given) = match is_new {
             true => self.begin(rings, meeting, dt)?,
             false => self.go_on(rings, meeting, dt)?,
@@ -139,7 +142,8 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         };
         let load = self.keep(meeting, &step, given.load);
         heats.friction += given.heat;
-        heats.damping += 0.5 * (old + self.drag) * dot(meeting.velocity, meeting.normal) * dt;
+        let speed = dot(meeting.velocity, middle_of(normal, meeting.normal, is_new));
+        heats.damping += self.drag_heat.step([old, self.drag], speed, dt, is_new);
         Ok(load)
     }
 

@@ -11,10 +11,10 @@ const AROUND: usize = 1 + BESIDE + 1;
 /// The first number of a stored contact; it distinguishes this law from others.
 pub const RING_GRAIN_MARK: f64 = 30_001.0;
 
-/// Number of values of a stored contact with this many rings and angles: 309 for 6 x 8.
+/// Number of values of a stored contact with this many rings and angles: 311 for 6 x 8.
 ///
 /// ```
-/// assert_eq!(carom_laws::grains::ring_grain_numbers(6, 8), 309);
+/// assert_eq!(carom_laws::grains::ring_grain_numbers(6, 8), 311);
 /// ```
 #[must_use]
 pub const fn ring_grain_numbers(rings: usize, angles: usize) -> usize {
@@ -34,8 +34,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         numbers[mark] = RING_GRAIN_MARK;
         let (tangent, normal, friction, drag) =
             (self.tangent, self.normal, self.friction, self.drag);
-        let (velocity, lead) = (self.velocity, self.lead);
-        Beside { tangent, normal, friction, drag, velocity, lead }.write(&mut numbers[beside]);
+        let (velocity, lead, drag_heat) = (self.velocity, self.lead, self.drag_heat);
+        let its = Beside { tangent, normal, friction, drag, velocity, lead, drag_heat };
+        its.write(&mut numbers[beside]);
         numbers[torque] = self.torque;
         Ok(())
     }
@@ -56,8 +57,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let beside = Beside::read(&numbers[beside])?;
         let torque = RangeError::finite("torque", numbers[torque])?;
         self.memory.unpack(rings, &numbers[law])?;
-        let Beside { tangent, normal, friction, drag, velocity, lead } = beside;
-        *self = Self { tangent, normal, friction, drag, velocity, lead, torque, ..*self };
+        let Beside { tangent, normal, friction, drag, velocity, lead, drag_heat } = beside;
+        *self =
+            Self { tangent, normal, friction, drag, velocity, lead, drag_heat, torque, ..*self };
         Ok(())
     }
 }

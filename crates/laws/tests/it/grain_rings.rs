@@ -185,7 +185,8 @@ fn what_was_packed_goes_on_to_the_same_bits() {
     refuse(298, 2.0, "normal");
     refuse(303, f64::INFINITY, "force");
     refuse(307, f64::NAN, "velocity");
-    refuse(308, f64::NAN, "torque");
+    refuse(309, f64::NAN, "velocity");
+    refuse(310, f64::NAN, "torque");
     assert_eq!(contact.unpack(&rings, &numbers[1..]).unwrap_err().field, "numbers");
 }
 

@@ -1,0 +1,99 @@
+// A surface of triangles: where it is nearest to a ball.
+#ifndef CAROM_MESH_H
+#define CAROM_MESH_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace carom {
+
+// A ball touches the surface where its centre is nearer to it than anywhere close by: within a face, on an edge or at
+// a corner. Triangles in one plane are one face. Both sides of a triangle count. Places whose normals differ by less
+// than an angle are one place, the nearest of them, so that a ball rolls over the edges of a finely triangulated
+// surface with one contact.
+class Mesh {
+ public:
+  // Nine numbers for each triangle, and this angle in radians.
+  Mesh(const std::vector<double> &triangles, double smooth);
+
+  enum Kind { FACE, EDGE, CORNER };
+  struct Place {
+    double point[3], normal[3];    // the normal points to the centre of the ball
+    const double *fixed;           // a point of the plane or edge that stays where it is, or the corner
+    double along[3];               // of an edge
+    double height;                 // of the centre
+    Kind kind;
+    int at;          // which one: of a face a triangle
+    bool is_sharp;    // an edge or a corner where triangles meet at more than the angle, or end
+  };
+  // A ball touches in at most so many places.
+  static constexpr int MOST = 16;
+  // The places whose height is at most `reach`, in the order of the triangles; returns their number, MOST + 1 if there
+  // are more.
+  int places(const double *center, double reach, Place *to) const;
+
+  // The ends of an edge, or the place of a corner, in words.
+  std::string name_of(const Place &place) const;
+  std::size_t triangles() const { return faces.size(); }
+  double cosine_of_smooth() const { return cosine; }
+  double bytes() const;
+
+ private:
+  struct Vector {
+    double at[3];
+  };
+  struct Face {
+    int corners[3], edges[3];    // edge k runs from corner k to the next
+    Vector inward[3];            // from edge k, in the plane of the face
+    Vector normal, point;        // shared by all triangles of a plane
+  };
+  struct Edge {
+    int ends[2];
+    Vector along;
+    double length;
+    bool is_sharp, is_flat;
+    std::vector<Vector> inward;    // into each of its triangles
+    std::vector<int> faces;        // these triangles
+  };
+  struct Corner {
+    Vector at;
+    bool is_sharp = false;
+    std::vector<Vector> along;    // its edges, away from it
+  };
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  std::vector<Corner> corners;
+  double cosine;
+
+  void make_corners(const std::vector<double> &triangles);
+  void make_edges();
+  void make_planes();
+  void grow_plane(int seed, double flatness, std::vector<char> &done);
+  void make_inward();
+  void tell_sharp();
+
+  // Cells of a box about the surface; each lists the triangles that come near it.
+  double low[3], high[3], width[3];
+  int counts[3];
+  std::vector<int> starts, listed;
+  void make_cells();
+  void cells_of(const double *from, const double *to, int *first, int *last) const;
+  bool comes_near(const Face &face, const int *cell) const;
+
+  // Work of one search; what was seen in it has its number.
+  mutable std::vector<unsigned> seen_faces, seen_edges, seen_corners;
+  mutable unsigned search = 0;
+  mutable std::vector<int> close;
+  mutable std::vector<Place> found;
+  void begin_search() const;
+  void find_close(const double *center, double reach) const;
+  void try_face(int face, const double *center, double reach) const;
+  void try_edge(int edge, const double *center, double reach) const;
+  void try_corner(int corner, const double *center, double reach) const;
+  int select(Place *to, double slack) const;
+};
+
+}    // namespace carom
+
+#endif
