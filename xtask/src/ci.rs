@@ -69,6 +69,11 @@ const WHERE_CHANGED: &[Changed] = &[
         || lammps::run(true),
     ),
     (
+        &["crates/halfspace", "crates/laws", "crates/impact"],
+        "laws and impacts without threads",
+        || passed(without_threads()),
+    ),
+    (
         &["crates", "verification", "xtask"],
         "mutants, each against the test known to detect it",
         || passed(mutants::quick()),
@@ -187,6 +192,16 @@ fn form() -> anyhow::Result<Outcome> {
 fn lints() -> anyhow::Result<Outcome> {
     let clippy = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
     passed(cargo::run(&clippy))
+}
+
+/// Checks the crates that can do without rayon. Carom as a whole has it, so that no other step does.
+fn without_threads() -> anyhow::Result<()> {
+    let crates = ["carom-halfspace", "carom-laws", "carom-impact"];
+    let packages = crates.iter().flat_map(|name| ["--package", *name]);
+    let mut lints = vec!["clippy", "--release", "--lib", "--no-default-features"];
+    lints.extend(packages);
+    lints.extend(["--", "-D", "warnings"]);
+    cargo::run(&lints)
 }
 
 fn documentation() -> anyhow::Result<Outcome> {

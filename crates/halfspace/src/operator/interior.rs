@@ -1,10 +1,9 @@
 //! The stress inside a body below a grid of tractions, by convolution at each depth.
 
-use rayon::prelude::*;
-
 use super::length::Sizes;
 use super::memory;
 use super::plan::Plan;
+use super::pool;
 use super::product::Term;
 use super::spectrum::{Parity, Spectrum};
 use super::{Axis, OperatorError, Threads, TractionField, Workspace};
@@ -233,7 +232,7 @@ impl InteriorStress {
         };
         match self.plan.threads {
             Threads::One => values.chunks_mut(self.grid.nx()).enumerate().for_each(fill),
-            Threads::Pool => values.par_chunks_mut(self.grid.nx()).enumerate().for_each(fill),
+            Threads::Pool => pool::each_row(&mut values, self.grid.nx(), fill),
         }
         values
     }

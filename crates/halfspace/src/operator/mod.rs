@@ -17,6 +17,7 @@ mod passes;
 mod periodic;
 mod plan;
 mod plate;
+mod pool;
 mod preconditioner;
 mod product;
 mod rolled;

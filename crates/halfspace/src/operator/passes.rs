@@ -11,6 +11,7 @@ use rustfft::num_complex::Complex64;
 
 use super::length::BLOCK;
 use super::plan::Plan;
+use super::pool;
 use super::product::{Term, Terms};
 use super::threads::Threads;
 use super::workspace::{Lane, Workspace, each};
@@ -28,8 +29,7 @@ impl Plan {
         workspace.prepare(self, inputs.len(), outputs.len());
         match self.threads {
             Threads::One => self.passes(inputs, terms, outputs, workspace),
-            // Within the pool no worker needs to be woken.
-            Threads::Pool => rayon::scope(|_| self.passes(inputs, terms, outputs, workspace)),
+            Threads::Pool => pool::within(|| self.passes(inputs, terms, outputs, workspace)),
         }
     }
 

@@ -1,11 +1,11 @@
 //! The table of coefficients of a grid: offsets 0..nx by 0..ny; all others by parity (4.23).
 
 use super::memory;
+use super::pool;
 use super::spectrum::Parity;
 use super::{OperatorError, Threads};
 use crate::influence::Independent;
 use crate::{Coefficients, Grid, MaterialPair, Offset, RectangleInfluence};
-use rayon::prelude::*;
 
 /// The independent coefficients of (4.14), in the order of the table's blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,7 +112,7 @@ impl CoefficientTable {
         };
         match threads {
             Threads::One => rows.into_iter().enumerate().for_each(fill),
-            Threads::Pool => rows.into_par_iter().enumerate().for_each(fill),
+            Threads::Pool => pool::each(rows, fill),
         }
         Self { influence, grid, blocks }
     }

@@ -1,5 +1,6 @@
 //! The threads used by an operator.
 
+use super::pool;
 use crate::Grid;
 
 /// From this number of cells on a product is worth sharing among threads.
@@ -11,7 +12,7 @@ pub enum Threads {
     /// On the calling thread.
     #[default]
     One,
-    /// On all threads of the current rayon pool.
+    /// On all threads of the current rayon pool; on one without the feature `threads`.
     Pool,
 }
 
@@ -34,7 +35,7 @@ impl Threads {
     pub(crate) fn count(self) -> usize {
         match self {
             Self::One => 1,
-            Self::Pool => rayon::current_num_threads(),
+            Self::Pool => pool::count(),
         }
     }
 }

@@ -1,11 +1,11 @@
 //! The working memory of a product, reused between products.
 
-use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
 use super::length::BLOCK;
 use super::plan::Plan;
 use super::plate::SineSpace;
+use super::pool;
 use super::threads::Threads;
 
 /// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
@@ -82,10 +82,6 @@ pub(crate) fn each<L: Send, T: Send>(
                 work(part, lane, share);
             }
         }
-        Threads::Pool => lanes
-            .par_iter_mut()
-            .zip(data.par_chunks_mut(share))
-            .enumerate()
-            .for_each(|(part, (lane, share))| work(part, lane, share)),
+        Threads::Pool => pool::each_lane(lanes, data, share, work),
     }
 }

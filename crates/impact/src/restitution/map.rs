@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+#[cfg(feature = "threads")]
 use rayon::prelude::*;
 
 use super::RestitutionError;
@@ -27,14 +28,17 @@ pub fn restitution_map(
     progress: impl Fn(usize) + Sync,
 ) -> Result<Vec<Vec<f64>>, RestitutionError> {
     let done = AtomicUsize::new(0);
-    psi.par_iter()
-        .map(|&psi| {
-            let row = chi
-                .iter()
-                .map(|&chi| Ok(ObliqueImpact::new(Groups::new(chi, psi)?)?.restitution()))
-                .collect();
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1);
-            row
-        })
-        .collect()
+    #[cfg(feature = "threads")]
+    let rows = psi.par_iter();
+    #[cfg(not(feature = "threads"))]
+    let rows = psi.iter();
+    rows.map(|&psi| {
+        let row = chi
+            .iter()
+            .map(|&chi| Ok(ObliqueImpact::new(Groups::new(chi, psi)?)?.restitution()))
+            .collect();
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1);
+        row
+    })
+    .collect()
 }

@@ -3,6 +3,7 @@
 use carom_laws::validity::Limit;
 use carom_special::{RangeError, Readable};
 use nalgebra::Vector3;
+#[cfg(feature = "threads")]
 use rayon::prelude::*;
 
 use super::distribution::Distribution;
@@ -106,15 +107,16 @@ impl Sampling {
         inputs: &[Distribution],
         build: impl Fn(&[f64]) -> Result<Collision, CollisionError> + Sync,
     ) -> Result<Study, UncertainError<S::Error>> {
-        let fates: Vec<Fate<S::Error>> = (0..self.samples)
-            .into_par_iter()
-            .map_init(
-                || vec![0.0; inputs.len()],
-                |values, sample| {
-                    self.draw(inputs, sample, values);
-                    fate(solver, build(values))
-                },
-            )
+        #[cfg(feature = "threads")]
+        let samples = (0..self.samples).into_par_iter();
+        #[cfg(not(feature = "threads"))]
+        let samples = 0..self.samples;
+        let fates: Vec<Fate<S::Error>> = samples
+            .map(|sample| {
+                let mut values = vec![0.0; inputs.len()];
+                self.draw(inputs, sample, &mut values);
+                fate(solver, build(&values))
+            })
             .collect();
         Study::from_fates(fates, inputs, self)
     }

@@ -7,12 +7,10 @@
 
 use std::f64::consts::PI;
 
-use rayon::prelude::*;
-
 use super::shape::Plate;
 use super::symbol::Symbol;
 use crate::Grid;
-use crate::operator::Threads;
+use crate::operator::{Threads, pool};
 
 /// Terms of an alternating sum: an error of 2e-14 of its first term.
 const TERMS: usize = 18;
@@ -123,7 +121,7 @@ pub(super) fn eigenvalues(plate: Plate, grid: Grid, symbol: &Symbol, threads: Th
     let fill = |(i, sums): (usize, &mut [f64])| column(i + 1, &mut sums[..wanted(i + 1)]);
     match threads {
         Threads::One => values.chunks_exact_mut(ny).enumerate().for_each(fill),
-        Threads::Pool => values.par_chunks_exact_mut(ny).enumerate().for_each(fill),
+        Threads::Pool => pool::each_row(&mut values, ny, fill),
     }
     if is_square {
         mirror(&mut values, nx);
