@@ -55,15 +55,6 @@ pub(crate) fn verify(arguments: impl IntoIterator<Item = OsString>) -> anyhow::R
     Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
 }
 
-/// Runs the benchmarks whose name contains `filter`.
-pub(crate) fn bench(filter: Option<&str>) -> anyhow::Result<()> {
-    let mut arguments = vec!["bench", "--package", "carom-benches"];
-    if let Some(filter) = filter {
-        arguments.extend(["--", filter]);
-    }
-    run(&arguments)
-}
-
 /// Whether `cargo <tool>` is installed.
 pub(crate) fn has(tool: &str) -> bool {
     command(&[tool, "--version"])

@@ -2,8 +2,8 @@
 
 use crate::outcome::Outcome;
 use crate::{
-    book, browse, cargo, changes, deny, doors, install_c, lammps, mutants, python, release,
-    sanitize, sdist, taplo, test, tidy,
+    book, browse, cargo, changes, deny, doors, install_c, instructions, lammps, mutants, python,
+    release, sanitize, sdist, taplo, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -93,6 +93,7 @@ const LONG: &[(&str, Step)] = &[
     ("the examples, by the checker of editors", taplo::run),
     ("the C border under sanitizers", sanitize::run),
     ("a Python wheel from its source distribution", sdist::check),
+    ("instructions of hot paths", instructions::check),
     ("a search for a bad path of Coulomb's law", adversary),
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];

@@ -109,14 +109,31 @@ xflags::xflags! {
         cmd ci {
             /// Run all of these whatever changed, and the long checks: tests with overflow checks, the ignored
             /// tests, all tests of the LAMMPS plugin, the doors, the examples by taplo, the C interface under
-            /// sanitizers, the search for a path with a large error of Coulomb's law, every mutant against all
-            /// tests.
+            /// sanitizers, the search for a path with a large error of Coulomb's law, the instructions of hot
+            /// paths, every mutant against all tests.
             optional --long
         }
         /// Runs the benchmarks.
         cmd bench {
             /// Only the benchmarks whose name contains this.
             optional filter: String
+            /// Instead set carom beside its peers in one run and write the page of the book from it. Peers of
+            /// Python's registry are installed below target/bench/peers; CONTACT is the executable that
+            /// CAROM_CONTACT names, LAMMPS that of `cargo xtask lammps`. What is absent is named.
+            optional --page
+            /// Rounds of the page, 3 unless given.
+            optional --rounds count: u32
+            /// Minutes that the page may take: on the finest grid it leaves out what would take longer. 12 unless given.
+            optional --minutes count: u32
+        }
+        /// Counts the instructions of hot paths by callgrind, and fails if one needs 3 % more than
+        /// benches/instructions.toml says. Skipped without valgrind, or if the counts were recorded by another
+        /// compiler, valgrind or kind of processor.
+        cmd instructions {
+            /// Write that file anew.
+            optional --record
+            /// Why counts have grown; kept in the file.
+            optional --because reason: String
         }
     }
 }

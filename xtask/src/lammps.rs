@@ -53,6 +53,14 @@ impl Host {
         call(&mut self.script(plugins, plugin))
     }
 
+    /// Builds the plugin of this workspace for this processor; the Python of the environment, and the plugin.
+    pub(crate) fn built(&self) -> anyhow::Result<(PathBuf, PathBuf)> {
+        let plugins = crate::root::root().canonicalize()?.join("plugins/lammps");
+        let plugin = self.folder.join("caromplugin.so");
+        self.build(&plugins, &plugin)?;
+        Ok((self.folder.join("venv/bin/python"), plugin))
+    }
+
     /// Builds the plugin with the library that the tests of the workspace have built, for any processor:
     /// the same bits.
     fn build_quickly(&self, plugins: &Path, plugin: &Path) -> anyhow::Result<()> {

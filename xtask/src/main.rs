@@ -1,10 +1,12 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `doors`, `taplo`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`.
+//! `python`, `lammps`, `doors`, `taplo`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`,
+//! `instructions`.
 //!
 //! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
 //! builds quickly.
 
+mod bench;
 mod book;
 mod browse;
 mod cargo;
@@ -15,6 +17,7 @@ mod doors;
 mod flags;
 mod generate;
 mod install_c;
+mod instructions;
 mod lammps;
 mod mutants;
 mod outcome;
@@ -77,7 +80,8 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         },
         flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
         flags::XtaskCmd::Ci(options) => ci::run(options.long)?,
-        flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
+        flags::XtaskCmd::Bench(options) => bench::run(&options)?,
+        flags::XtaskCmd::Instructions(options) => drop(instructions::run(&options)?.accept()?),
     }
     Ok(ExitCode::SUCCESS)
 }

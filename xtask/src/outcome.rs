@@ -19,6 +19,11 @@ const ALLOWED: &[(Part, &str)] = &[
         "taplo is fetched from the registry of Python's packages; tests of the command and of the Python \
          module check the examples against the schemas too",
     ),
+    (
+        Part::Instructions,
+        "counts compare only by the compiler, valgrind and kind of processor that recorded them; \
+         with these, growth fails the step",
+    ),
 ];
 
 /// Why a door to an engine in Rust may be skipped.
@@ -40,6 +45,8 @@ pub(crate) enum Part {
     BookPages,
     /// The report or the book in a browser.
     Browser,
+    /// The instructions of hot paths, compared with the recorded ones.
+    Instructions,
     /// The public interfaces, compared with those of the last release.
     Interfaces,
     /// The LAMMPS plugin.

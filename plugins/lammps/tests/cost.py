@@ -1,8 +1,9 @@
 """What a contact step costs: pair carom against pair granular with mindlin, in turn, in the same settled bed.
 
-CAROM_PLUGIN=... python cost.py [rounds] [copies]: copies along x and y of a bed of 840 contacts.
+CAROM_PLUGIN=... python cost.py [rounds] [copies] [--json]: copies along x and y of a bed of 840 contacts.
 """
 
+import json
 import pathlib
 import re
 import sys
@@ -46,11 +47,12 @@ run 3000
 """
 
 
-def main(rounds, copies):
+def measured(rounds, copies):
+    """Nanoseconds of a contact step in each round, by style."""
+    costs = {name: [] for name in STYLES}
     with tempfile.TemporaryDirectory() as folder:
         style, coeff = STYLES["carom fixed-direction"]
         lmp((HERE / "bed.in").read_text() + "write_data settled.data\n", folder, n1=24000, style=style, coeff=coeff)
-        best = {}
         for _ in range(rounds):
             for name, (style, coeff) in STYLES.items():
                 printed = lmp(AGAIN, folder, style=style, coeff=coeff, copies=copies)
@@ -58,13 +60,22 @@ def main(rounds, copies):
                 share = float(re.search(r"([\d.]+)% CPU use", printed).group(1)) / 100
                 sums = [float(words[1]) for words in map(str.split, printed.split("\n")) if len(words) == 2 and words[0] in ("0", "1500", "3000")]
                 contacts = sum(sums) / len(sums) / 2
-                cost = seconds * share / (3000 * contacts) * 1e9
-                best[name] = min(cost, best.get(name, cost))
-        for name, cost in best.items():
-            print(f"{name}: {cost:.0f} ns a contact step, {cost / best['granular mindlin']:.2f} of granular mindlin")
+                costs[name].append(seconds * share / (3000 * contacts) * 1e9)
+    return costs
+
+
+def main(rounds, copies, as_json):
+    costs = measured(rounds, copies)
+    if as_json:
+        print(json.dumps(costs))
+        return
+    reference = min(costs["granular mindlin"])
+    for name, of_rounds in costs.items():
+        cost = min(of_rounds)
+        print(f"{name}: {cost:.0f} ns a contact step, {cost / reference:.2f} of granular mindlin")
 
 
 if __name__ == "__main__":
-    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 3
-    copies = int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    main(rounds, copies)
+    numbers = [int(word) for word in sys.argv[1:] if word != "--json"]
+    rounds, copies = (*numbers, *(3, 1)[len(numbers) :])
+    main(rounds, copies, "--json" in sys.argv)

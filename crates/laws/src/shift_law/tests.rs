@@ -149,7 +149,7 @@ fn is_plain_data_on_a_fixed_stack() {
     assert_eq!(plain::<ShiftLaw<f64, Fixed<f64, 16>>>(), 944);
     assert_eq!(plain::<ShiftLaw<[f64; 2], Fixed<[f64; 2], 16>>>(), 1440);
     assert_eq!(plain::<ShiftLaw<f64, Fixed<f64, 4>>>(), 368);
-    assert!(size_of::<ShiftLaw<f64>>() <= 576 && size_of::<ShiftLaw<[f64; 2]>>() <= 856);
+    assert!(size_of::<ShiftLaw<f64>>() <= 584 && size_of::<ShiftLaw<[f64; 2]>>() <= 864);
 }
 
 #[test]
