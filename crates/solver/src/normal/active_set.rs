@@ -66,6 +66,30 @@ impl ActiveSet {
         }
     }
 
+    /// Gives back the memory of all fields.
+    pub(super) fn release(&mut self) {
+        for field in self.fields() {
+            *field = Vec::new();
+        }
+        (self.active, self.workspace) = (Vec::new(), Workspace::default());
+    }
+
+    /// Makes room after a release.
+    fn make_room(&mut self, cells: usize) {
+        if self.active.len() == cells {
+            return;
+        }
+        for field in self.fields() {
+            *field = vec![0.0; cells];
+        }
+        self.active = vec![false; cells];
+    }
+
+    const fn fields(&mut self) -> [&mut Vec<f64>; 5] {
+        let Self { gap, preconditioned, direction, image, ones, .. } = self;
+        [gap, preconditioned, direction, image, ones]
+    }
+
     /// The gaps of the last solution.
     pub(super) fn gap(&self) -> &[f64] {
         &self.gap
@@ -81,6 +105,7 @@ impl ActiveSet {
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
+        self.make_room(task.heights.len());
         let patient = !task.operator.is_invariant();
         let mut state = IterationState { patient, ..IterationState::default() };
         self.begin(task, &mut state)?;

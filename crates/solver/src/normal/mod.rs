@@ -26,6 +26,9 @@ pub(crate) struct NormalGrids {
     levels: Vec<Level>,
 }
 
+/// From this number of cells on a coarse grid gives back its memory before a finer one needs its own.
+const LARGE: usize = 1 << 16;
+
 /// Greatest number of cells along a side of the grid for the pilot solve.
 const PILOT_CELLS: usize = 64;
 
@@ -142,6 +145,9 @@ impl NormalGrids {
             let (finer, coarser) = levels.split_at_mut(i);
             let (fine, coarse) = (&mut finer[i - 1], &coarser[0]);
             fine.pressure = nested::finer_pressure(coarse.grid, &coarse.pressure, fine.grid);
+            if coarser[0].grid.cells() >= LARGE {
+                coarser[0].set.release();
+            }
             if !fine.pressure.iter().any(|pressure| *pressure > 0.0) {
                 fine.guess(driven);
             }

@@ -43,8 +43,8 @@ impl StoredEnergy {
     /// [`OperatorError`] if the state is on another grid.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Result<Self, OperatorError> {
         let (operator, grid) = (problem.operator(), problem.grid());
-        let zero = Field::uniform(grid, 0.0);
-        let [mut u, mut v, mut w] = [zero.clone(), zero.clone(), zero];
+        // Fields of zeros take no memory until they are written; copies do.
+        let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
         let (x, y) = (state.traction_x.values(), state.traction_y.values());
         let pressure = state.pressure.values();
         // Without tractions their displacements do no work, and not every operator has them.
@@ -63,8 +63,11 @@ impl StoredEnergy {
         for (own, p) in normal.values_mut().iter_mut().zip(pressure) {
             *own *= half * p;
         }
-        for (((own, v), x), y) in tangential.values_mut().iter_mut().zip(v.values()).zip(x).zip(y) {
-            *own = half * (*own * x + v * y);
+        if !is_normal {
+            let both = tangential.values_mut().iter_mut().zip(v.values()).zip(x).zip(y);
+            for (((own, v), x), y) in both {
+                *own = half * (*own * x + v * y);
+            }
         }
         Ok(Self { normal, tangential })
     }

@@ -41,6 +41,9 @@ pub(crate) use task::TangentialTask;
 /// The iteration on coarse grids stops when a correction changes the tractions by less than this
 /// fraction, on the coarsest grid by less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
+/// Iterations on a coarse grid after which a step starts from its tractions as they are: loads close
+/// to the friction limit may be beyond it there.
+const COARSE_ITERATIONS: usize = 100;
 /// Number of rings of cells around the contact to which the ratio of traction to bound is extended.
 const EXTENSION_RINGS: usize = 2;
 
@@ -300,6 +303,7 @@ impl TangentialScratch {
             return Ok(spent);
         }
         let is_loaded = self.begin_coarse(task, moved, &mut spent)?;
+        let iterations = if is_loaded { iterations.min(COARSE_ITERATIONS) } else { iterations };
         let fine = task.operator.grid();
         let coarsest = self.coarse.len();
         for i in (0..coarsest).rev() {
