@@ -91,7 +91,7 @@ fn threads_do_not_change_a_bit() {
     };
     // More cells in contact than one part has, and fewer.
     for (other, cells, zeta) in
-        [(Material::RIGID, 72, 1.0), (Material::RIGID, 128, 0.05), (same, 136, 1.0)]
+        [(Material::RIGID, 72, 1.0), (Material::RIGID, 128, 0.05), (same, 200, 1.0)]
     {
         let one = solve(Threads::One, other, cells, zeta);
         assert!(one.iter().all(|state| state.load().f_z > 0.0));
