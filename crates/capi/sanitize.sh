@@ -9,15 +9,7 @@ calls=${1:-1000000}
 host=$(rustc -vV | sed -n 's/^host: //p')
 pinned=$(cat .ci/nightly)
 
-# The pinned nightly by its own name, or the one called nightly if it is that: the day after its last commit.
-toolchain=
-if rustup run "$pinned" rustc --version >/dev/null 2>&1; then
-    toolchain=$pinned
-else
-    commit=$(rustup run nightly rustc -vV 2>/dev/null | sed -n 's/^commit-date: //p')
-    if [ -n "$commit" ] && [ "nightly-$(date -u -d "$commit + 1 day" +%F)" = "$pinned" ]; then toolchain=nightly; fi
-fi
-
+toolchain=$(.ci/toolchain)
 few=20000
 if [ -n "$toolchain" ]; then
     echo "== $calls calls under the address sanitizer of $pinned"

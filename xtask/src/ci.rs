@@ -2,8 +2,8 @@
 
 use crate::outcome::Outcome;
 use crate::{
-    book, browse, cargo, changes, deny, doors, install_c, instructions, lammps, mutants, python,
-    release, sanitize, sdist, taplo, test, tidy,
+    book, browse, cargo, changes, deny, doors, fuzz, install_c, instructions, lammps, mutants,
+    python, release, sanitize, sdist, taplo, test, tidy,
 };
 use anyhow::Context as _;
 use std::process::Command;
@@ -92,6 +92,7 @@ const LONG: &[(&str, Step)] = &[
     ("the doors to other engines", doors::run),
     ("the examples, by the checker of editors", taplo::run),
     ("the C border under sanitizers", sanitize::run),
+    ("the fuzzer, a minute for each target", || fuzz::run(None, fuzz::SECONDS)),
     ("a Python wheel from its source distribution", sdist::check),
     ("instructions of hot paths", instructions::check),
     ("a search for a bad path of Coulomb's law", adversary),

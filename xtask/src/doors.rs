@@ -12,7 +12,7 @@ use crate::python::{self, call, interpreter};
 use crate::root::root;
 
 /// Why a crate is not tested.
-const NO_CRATES: &str = "the registry of crates cannot be reached";
+pub(crate) const NO_CRATES: &str = "the registry of crates cannot be reached";
 
 /// Tests all doors.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
@@ -104,7 +104,7 @@ fn crate_door(name: &str, part: Part) -> anyhow::Result<Outcome> {
 }
 
 /// Fetches exactly the crates of a lock file; false if the registry cannot be reached.
-fn fetches(manifest: &str) -> anyhow::Result<bool> {
+pub(crate) fn fetches(manifest: &str) -> anyhow::Result<bool> {
     if cargo::run(&["fetch", "--locked", "--manifest-path", manifest]).is_ok() {
         return Ok(true);
     }

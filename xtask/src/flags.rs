@@ -91,6 +91,15 @@ xflags::xflags! {
         /// below target/, and that it refuses the mistakes of the tests. Skipped without Python or if its package
         /// registry cannot be reached.
         cmd taplo {}
+        /// Gives the targets in fuzz/ whatever bytes reach new code, a minute each: cases, tables, calls of the C
+        /// interface, histories of the laws, special functions. Fails on a panic, a hang, NaN or a broken
+        /// promise. Skipped without the nightly Rust of .ci/nightly or cargo-fuzz.
+        cmd fuzz {
+            /// Only this target.
+            optional target: String
+            /// How long each target runs, in seconds.
+            optional --seconds count: u64
+        }
         /// Builds the C library and installs header, static and shared library, carom.pc and a CMake package below a
         /// prefix. Without a prefix it installs below target/, and builds and runs the examples from there by
         /// pkg-config and CMake.
@@ -109,8 +118,8 @@ xflags::xflags! {
         cmd ci {
             /// Run all of these whatever changed, and the long checks: tests with overflow checks, the ignored
             /// tests, all tests of the LAMMPS plugin, the doors, the examples by taplo, the C interface under
-            /// sanitizers, the search for a path with a large error of Coulomb's law, the instructions of hot
-            /// paths, every mutant against all tests.
+            /// sanitizers, the fuzzer, the search for a path with a large error of Coulomb's law, the instructions
+            /// of hot paths, every mutant against all tests.
             optional --long
         }
         /// Runs the benchmarks.

@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `doors`, `taplo`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`,
+//! `python`, `lammps`, `doors`, `taplo`, `fuzz`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`,
 //! `instructions`.
 //!
 //! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
@@ -15,6 +15,7 @@ mod ci;
 mod deny;
 mod doors;
 mod flags;
+mod fuzz;
 mod generate;
 mod install_c;
 mod instructions;
@@ -73,6 +74,10 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         }
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
         flags::XtaskCmd::Doors(doors) => drop(doors::chosen(doors.name.as_deref())?.accept()?),
+        flags::XtaskCmd::Fuzz(options) => {
+            let seconds = options.seconds.unwrap_or(fuzz::SECONDS);
+            drop(fuzz::run(options.target.as_deref(), seconds)?.accept()?);
+        }
         flags::XtaskCmd::Taplo(_) => drop(taplo::run()?.accept()?),
         flags::XtaskCmd::InstallC(options) => match &options.prefix {
             Some(prefix) => install_c::install(prefix)?,

@@ -15,6 +15,11 @@ const ALLOWED: &[(Part, &str)] = &[
     (Part::Rapier, OTHERS_CRATES),
     (Part::Dirt, OTHERS_CRATES),
     (
+        Part::Fuzz,
+        "the fuzzer needs the nightly Rust of .ci/nightly, cargo-fuzz and the registry of crates; what it found is a \
+         test of the crate concerned",
+    ),
+    (
         Part::Taplo,
         "taplo is fetched from the registry of Python's packages; tests of the command and of the Python \
          module check the examples against the schemas too",
@@ -39,6 +44,8 @@ pub(crate) enum Part {
     Advisories,
     /// Licences, bans and sources of the dependencies.
     Dependencies,
+    /// The targets of the fuzzer.
+    Fuzz,
     /// The examples in C and Fortran, with the installed library.
     CInstalled,
     /// The pages of the book.

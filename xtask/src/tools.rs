@@ -21,6 +21,9 @@ pub(crate) const MDBOOK: Tool = Tool {
 /// Checks licences, sources and advisories of the dependencies.
 pub(crate) const CARGO_DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2", options: &[] };
 
+/// Builds and runs the targets of the fuzzer.
+pub(crate) const CARGO_FUZZ: Tool = Tool { name: "cargo-fuzz", version: "0.13.2", options: &[] };
+
 impl Tool {
     /// Whether the tool is installed. In continuous integration a missing one is installed into
     /// `target/tools`, which `.ci/run` adds to the path, and kept there: each runs for

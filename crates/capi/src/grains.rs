@@ -61,6 +61,16 @@ pub struct CaromGrainLoad {
     pub torque_2: [f64; 3],
 }
 
+impl CaromGrainLoad {
+    /// The load, unless positions or motions beyond all range have made a part of it infinite or no number.
+    pub(crate) fn checked(self) -> Result<Self, RangeError> {
+        for part in [self.force, self.torque_1, self.torque_2].into_iter().flatten() {
+            RangeError::finite("load", part)?;
+        }
+        Ok(self)
+    }
+}
+
 impl From<GrainLoad> for CaromGrainLoad {
     #[inline]
     fn from(GrainLoad { force, torques: [torque_1, torque_2] }: GrainLoad) -> Self {

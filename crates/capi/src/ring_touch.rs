@@ -104,11 +104,12 @@ unsafe fn load_of(
     let (touch, load) = unsafe { (read(touch, "touch")?, write(load, "load")?) };
     let meeting = grains.meeting(bodies)?;
     let rings = constants(grains, rings, bodies.radii())?;
-    *load = match touch.present()? {
+    let told: CaromGrainLoad = match touch.present()? {
         Some(contact) => contact.load(&rings, &meeting),
         None => grains.ring_contact(&rings)?.load(&rings, &meeting),
     }
     .into();
+    *load = told.checked()?;
     Ok(())
 }
 

@@ -175,7 +175,8 @@ unsafe fn load_of(
     let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
     let meeting = grains.meeting(bodies)?;
     // SAFETY: the caller's promise.
-    *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains, &meeting))?;
+    let to = unsafe { write(load, "load")? };
+    *to = touch.load(&meeting, || bodies.fresh(grains, &meeting))?.checked()?;
     Ok(())
 }
 

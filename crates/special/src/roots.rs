@@ -152,13 +152,19 @@ pub fn try_bisect<E>(
     mut is_before: impl FnMut(f64) -> Result<bool, E>,
 ) -> Result<[f64; 2], E> {
     for _ in 0..halvings {
-        let middle = 0.5 * (from + to);
+        let middle = middle(from, to);
         if middle == from || middle == to {
             break;
         }
         if is_before(middle)? { from = middle } else { to = middle }
     }
     Ok([from, to])
+}
+
+/// Half of the sum, which may overflow.
+fn middle(from: f64, to: f64) -> f64 {
+    let sum = from + to;
+    if sum.is_finite() { 0.5 * sum } else { 0.5 * from + 0.5 * to }
 }
 
 #[derive(Clone, Copy)]
@@ -318,6 +324,12 @@ mod tests {
         assert_eq!(bisect([0.0, 1.0], ALL_DIGITS, |_| false), [0.0, f64::from_bits(1)]);
         assert_eq!(bisect([0.0, 1.0], 3, |x| x < 0.7), [0.625, 0.75]);
         assert_eq!(try_bisect([0.0, 1.0], 3, |_| Err::<bool, _>("fails")), Err("fails"));
+    }
+
+    #[test]
+    fn bisection_of_the_largest_numbers_stays_between_the_ends() {
+        let ends = bisect([1.5e308, f64::MAX], ALL_DIGITS, |x| x < 1.6e308);
+        assert!(ends[0] < 1.6e308 && ends[1] == 1.6e308, "{ends:?}");
     }
 
     #[test]

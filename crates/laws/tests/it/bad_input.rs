@@ -17,7 +17,7 @@ use carom_laws::sliders::SliderLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::ellipse::EllipseTorsion;
 use carom_laws::torsion::history::TwistHistory;
-use carom_laws::torsion::law::{ShiftTwistLaw, TorsionLaw};
+use carom_laws::torsion::law::{ShiftTwistLaw, TorsionConstants, TorsionLaw};
 use carom_special::RangeError;
 
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -290,4 +290,18 @@ fn a_shift_that_is_refused_leaves_the_twist_too() {
     assert!(law.torsion().clone().advance(to).is_ok());
     assert!(law.advance(to).is_err());
     assert_eq!(law, before);
+}
+
+/// An infinite sliding torque gave a torque of 0 times infinity.
+#[test]
+fn a_sliding_torque_that_overflows_is_refused() {
+    let of = |c_z: f64, arm: f64, stiffness: f64| {
+        let constants = TorsionConstants { c_z, stiffness, arm };
+        TorsionLaw::from_constants(constants, Friction::new(0.3).unwrap())
+            .map_err(|error| error.field)
+    };
+    assert!(of(1.2, 0.6, 1.3).is_ok());
+    assert_eq!(of(1e150, 1e200, 1.3).unwrap_err(), "sliding torque");
+    assert_eq!(of(1e-200, 1e-200, 1.3).unwrap_err(), "sliding torque");
+    assert_eq!(of(1e-150, 1e-150, 1e30).unwrap_err(), "twist of sliding");
 }

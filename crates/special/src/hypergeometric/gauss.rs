@@ -109,7 +109,13 @@ impl Gauss {
         if excess <= 0.0 {
             return Err(HypergeometricError::Divergent { excess });
         }
-        Ok(gamma(c) * gamma(excess) * reciprocal(c - a) * reciprocal(c - b))
+        let reciprocals = reciprocal(c - a) * reciprocal(c - b);
+        if reciprocals == 0.0 {
+            return Ok(0.0);
+        }
+        // The others overflow at 0.
+        let value = gamma(c) * gamma(excess) * reciprocals;
+        if value.is_finite() { Ok(value) } else { Err(HypergeometricError::Overflow) }
     }
 
     fn about_one(&self, y: f64, powers: Powers) -> Sum {

@@ -255,3 +255,12 @@ fn polynomials_end_also_at_one() {
     let value = gauss(-2.0, 3.5, 1.25, UnitArgument::ONE).expect("finite");
     assert!((value - (-2.25 * -1.25) / (1.25 * 2.25)).abs() < 1e-15);
 }
+
+#[test]
+fn values_at_one_beyond_the_largest_number_are_errors_not_infinite() {
+    let at_one = |a, b, c| gauss(a, b, c, UnitArgument::ONE);
+    // gamma(c) and gamma(c - a - b) are infinite.
+    assert_eq!(at_one(-0.5, -0.5, 1e-310), Err(HypergeometricError::Overflow));
+    // The function is (1 - x)^(-b), 0 at 1 for any b < 0.
+    assert_eq!(at_one(1e-300, -1e-310, 1e-300), Ok(0.0));
+}

@@ -124,6 +124,14 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     NAMES[which]
 }
 
+/// Makes calls until the bytes of the world are used up. No call may panic inside.
+pub(crate) fn all_of_bytes(world: &mut World) {
+    while !world.random.has_ended() {
+        let name = one(world);
+        assert_eq!(world.told[CaromStatus::Internal as usize], 0, "{name}");
+    }
+}
+
 fn contact(world: &mut World, which: usize) -> CaromStatus {
     let (at, of, shift, error) = (world.pick(6), world.pick(5), world.shift(), world.error());
     let state = world.pick(6);

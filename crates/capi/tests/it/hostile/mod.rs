@@ -1,15 +1,20 @@
 //! Random calls of the whole C interface: valid, extreme and meaningless arguments, null and misaligned
 //! pointers, and bytes changed anywhere in the caller's data. Each ends with a status.
 //!
+//! The fuzzer in `fuzz/` chooses the calls by what they reach; what it finds is a test here.
+//!
 //! `sanitize.sh` runs the long form under the address sanitizer and valgrind; `CAROM_CALLS` sets the number
 //! of calls, `CAROM_SEED` the seed.
 
 mod calls;
+mod random;
 mod world;
 
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 use std::time::Instant;
+
+use carom_capi::*;
 
 use world::World;
 
@@ -66,4 +71,37 @@ fn twenty_thousand_random_calls_end_with_a_status() {
 #[ignore = "takes minutes"]
 fn a_million_random_calls_end_with_a_status() {
     call(asked("CAROM_CALLS", 1_000_000), asked("CAROM_SEED", 2));
+}
+
+/// The calls that these bytes choose.
+fn call_by(bytes: &[u8]) {
+    let mut world = World::new(0);
+    world.begin(bytes);
+    calls::all_of_bytes(&mut world);
+}
+
+#[test]
+fn calls_chosen_by_bytes_end_with_a_status() {
+    let mut random = random::Random::Seed(3);
+    for _ in 0..20 {
+        let bytes: Vec<u8> = (0..500).flat_map(|_| random.bits().to_le_bytes()).collect();
+        call_by(&bytes);
+    }
+}
+
+/// The load of a wall that is infinitely far inside a grain was not a number, with the status of success.
+#[test]
+fn a_load_that_is_no_number_is_an_error() {
+    let mut world = World::new(0);
+    let [mut grain, _] = world.meeting();
+    (grain.place, grain.radius) = ([0.0; 3], f64::INFINITY);
+    let wall = CaromWall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let mut load = CaromGrainLoad::default();
+    let (grains, touch) = (&raw const world.grains[0], &raw const world.touches[0]);
+    // SAFETY: all pointers are references or null.
+    let status = unsafe {
+        carom_touch_wall_load(grains, touch, &grain, &wall, &mut load, std::ptr::null_mut())
+    };
+    assert_eq!(status, CaromStatus::OutOfRange);
+    assert_eq!(load, CaromGrainLoad::default());
 }

@@ -6,9 +6,11 @@ use std::ptr::{null_mut, slice_from_raw_parts_mut};
 
 use carom_capi::*;
 
+use super::random::Random;
+
 /// What the caller keeps of each kind.
 pub(crate) struct World {
-    random: u64,
+    pub(crate) random: Random,
     pub(crate) pairs: [CaromPair; 5],
     /// Whether they are as they were made.
     pub(crate) are_sound: [bool; 5],
@@ -37,7 +39,7 @@ impl World {
         // SAFETY: zeros are valid in all of its parts but the list of names, which is written.
         let mut world = unsafe {
             Self {
-                random: seed,
+                random: Random::Seed(seed),
                 pairs: zeroed(),
                 are_sound: [true; 5],
                 grains: zeroed(),
@@ -114,20 +116,22 @@ impl World {
         (self.time, self.are_sound) = (0.0, [true; 5]);
     }
 
+    /// Begins anew with choices from these bytes.
+    pub(crate) fn begin(&mut self, bytes: &[u8]) {
+        self.renew();
+        (self.random, self.told) = (Random::Bytes(bytes.to_vec(), 0), [0; 8]);
+    }
+
     pub(crate) fn bits(&mut self) -> u64 {
-        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.random;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.random.bits()
     }
 
     pub(crate) fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+        self.random.unit()
     }
 
     pub(crate) fn pick(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
+        self.random.below(count)
     }
 
     pub(crate) fn chance(&mut self, part: f64) -> bool {

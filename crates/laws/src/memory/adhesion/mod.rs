@@ -129,6 +129,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         let growth = zeta - self.zeta;
         if growth > 0.0 {
             let slope = shift.minus(self.shift).times(1.0 / growth);
+            // A growth below the normal numbers has no inverse, and no force of its own.
+            let slope = if slope.is_finite() { slope } else { V::default() };
             let vertex = Vertex {
                 depth: self.zeta,
                 anchor: self.shift,
@@ -236,6 +238,15 @@ impl<S: VertexStack<[f64; 2]>, P: NormalProfile> AdhesionMemory<[f64; 2], S, P> 
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+
+    #[test]
+    fn the_smallest_growth_gives_no_nan() {
+        let mut memory = AdhesionMemory::<f64>::new();
+        for zeta in [2.6e-309, 5e-309, 1.0] {
+            assert!(memory.advance(zeta, 0.0).unwrap() == 0.0, "{zeta}");
+        }
+        assert!(memory.advance(1.0, 0.1).unwrap() > 0.0);
+    }
 
     #[test]
     fn work_is_stored_or_released() {

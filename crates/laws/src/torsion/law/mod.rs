@@ -115,7 +115,7 @@ impl TorsionLaw {
     /// A law in its initial state, from the constants of a contact.
     ///
     /// # Errors
-    /// [`RangeError`] for a constant that is not positive and finite.
+    /// [`RangeError`] for a constant that is not positive and finite, or if the sliding torque is not.
     pub fn from_constants(
         constants: TorsionConstants,
         friction: Friction,
@@ -128,8 +128,10 @@ impl TorsionLaw {
             Some(0.0) => (State::Frictionless, 0.0, 0.0),
             Some(f) => {
                 let sliding = f * 2.0 / 3.0 * c_z * arm;
-                let per_torque = sliding * 32.0 / (3.0 * PI);
-                (State::Lubkin(TwistHistory::new()), stiffness / per_torque, per_torque)
+                let per_torque =
+                    RangeError::positive("sliding torque", sliding * 32.0 / (3.0 * PI))?;
+                let per_twist = RangeError::positive("twist of sliding", stiffness / per_torque)?;
+                (State::Lubkin(TwistHistory::new()), per_twist, per_torque)
             }
             None => {
                 // Discs of radius a carry a^3: a force a^4, whose derivative has the factor 4.

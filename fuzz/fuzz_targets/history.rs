@@ -1,0 +1,115 @@
+//! A path of any shifts for each law: forces within the Coulomb limit, no NaN, packed states that come back to the
+//! bit, and failed steps that leave the state as it was.
+#![no_main]
+
+mod followed;
+
+use carom_fuzz::Bytes;
+use carom_laws::coulomb::Tolerance;
+use carom_laws::friction::Friction;
+use carom_laws::memory::Fixed;
+use carom_laws::rings::{self, RingConstants, RingLaw};
+use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::static_friction::StaticFriction;
+use carom_laws::stiffness::ContactStiffness;
+use carom_laws::torsion::law::{ShiftTwistLaw, TorsionConstants, TorsionLaw};
+use carom_laws::turning_law::TurningLaw;
+use followed::{Limits, follow};
+use libfuzzer_sys::fuzz_target;
+
+/// A law in the plane, its memory of fixed size.
+type Particle = ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>;
+
+fuzz_target!(|bytes: &[u8]| {
+    let mut bytes = Bytes::new(bytes);
+    // Numbers that no law accepts end it.
+    let _ = path(&mut bytes);
+});
+
+fn path(bytes: &mut Bytes<'_>) -> Option<()> {
+    let law = bytes.pick(10);
+    let (friction, stiffness) = (friction(bytes)?, stiffness(bytes)?);
+    let tolerance = Tolerance::new([0.1, 1e-2, 1e-3, 1e-4][bytes.pick(4)]).ok()?;
+    let limits = Limits::of(friction, stiffness.c_z);
+    let turning = TurningLaw::ALL[law % 2];
+    match law {
+        0 | 1 => follow(
+            ShiftLaw::<[f64; 2]>::chosen(turning, stiffness, friction, tolerance),
+            bytes,
+            limits,
+        ),
+        2 | 3 => {
+            let friction = with_threshold(friction, bytes)?;
+            let limits = Limits::of(friction.threshold(), stiffness.c_z);
+            let law =
+                ShiftLaw::<[f64; 2]>::with_static_friction(turning, stiffness, friction, tolerance);
+            follow(law, bytes, limits);
+        }
+        4 => follow(ShiftLaw::<f64>::new(stiffness, friction), bytes, limits),
+        5 => {
+            let friction = with_threshold(friction, bytes)?;
+            let limits = Limits::of(friction.threshold(), stiffness.c_z);
+            let law: StaticFrictionLaw = StaticFrictionLaw::new(stiffness, friction);
+            follow(law, bytes, limits);
+        }
+        6 => follow(Particle::new(stiffness, friction), bytes, limits),
+        7 | 8 => {
+            let (torsion, arm) = torsion(friction, stiffness.c_z, bytes)?;
+            let limits = Limits { arm, ..limits };
+            if law == 7 {
+                follow(torsion, bytes, limits);
+            } else {
+                let shift = ShiftLaw::chosen(TurningLaw::Coulomb, stiffness, friction, tolerance);
+                follow(ShiftTwistLaw::of(shift, torsion).ok()?, bytes, limits);
+            }
+        }
+        _ => {
+            let limits = Limits { normal_error: 1e-2, ..limits };
+            follow(ring_law(friction, stiffness.c_z, bytes)?, bytes, limits);
+        }
+    }
+    Some(())
+}
+
+fn friction(bytes: &mut Bytes<'_>) -> Option<Friction> {
+    let coefficient = match bytes.pick(8) {
+        0 => 0.0,
+        1 => f64::INFINITY,
+        2 => bytes.number(1.0),
+        usual => 0.1 * usual as f64,
+    };
+    Friction::new(coefficient).ok()
+}
+
+fn with_threshold(kinetic: Friction, bytes: &mut Bytes<'_>) -> Option<StaticFriction> {
+    let more = f64::from(bytes.byte()) / 64.0;
+    StaticFriction::new(Friction::new(kinetic.get() * (1.0 + more)).ok()?, kinetic).ok()
+}
+
+fn stiffness(bytes: &mut Bytes<'_>) -> Option<ContactStiffness> {
+    let [c_x, c_y, c_z] = match bytes.pick(4) {
+        0 | 1 => [1.0, 1.0, 1.2],
+        2 => [0.8, 1.1, 1.2],
+        _ => std::array::from_fn(|_| bytes.number(1.0)),
+    };
+    ContactStiffness::new(c_x, c_y, c_z).ok()
+}
+
+/// The law of twist with its arm.
+fn torsion(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<(TorsionLaw, f64)> {
+    let [stiffness, arm] = match bytes.pick(4) {
+        0..=2 => [1.3, 0.6],
+        _ => std::array::from_fn(|_| bytes.number(1.0)),
+    };
+    let law =
+        TorsionLaw::from_constants(TorsionConstants { c_z, stiffness, arm }, friction).ok()?;
+    Some((law, arm))
+}
+
+fn ring_law(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<RingLaw> {
+    // Few materials, whose matrices are kept.
+    let kappa = [1.0, 1.2, 1.5][bytes.pick(3)];
+    let gamma = [0.0, 0.1, -0.1, 0.3][bytes.pick(4)];
+    let constants = RingConstants { c_z, radius: 1.0, kappa, gamma };
+    RingLaw::from_constants(constants, friction, rings::Tolerance::PARTICLES).ok()
+}

@@ -1,0 +1,7 @@
+//! What the targets share.
+
+mod bytes;
+mod folder;
+
+pub use bytes::Bytes;
+pub use folder::Folder;
