@@ -76,7 +76,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Doors(doors) => drop(doors::chosen(doors.name.as_deref())?.accept()?),
         flags::XtaskCmd::Fuzz(options) => {
             let seconds = options.seconds.unwrap_or(fuzz::SECONDS);
-            drop(fuzz::run(options.target.as_deref(), seconds)?.accept()?);
+            fuzz::run(options.target.as_deref(), seconds)?.accept()?;
         }
         flags::XtaskCmd::Taplo(_) => drop(taplo::run()?.accept()?),
         flags::XtaskCmd::InstallC(options) => match &options.prefix {

@@ -160,7 +160,9 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let dz = zeta - self.zeta;
         let dx = shift.minus(self.shift);
         if dz > 0.0 && dx.dot(dx) <= dz * dz {
-            self.adhere(zeta, dx.times(1.0 / dz));
+            // A growth below the normal numbers has no inverse, and no force of its own.
+            let slope = if dz.is_normal() { dx.times(1.0 / dz) } else { V::default() };
+            self.adhere(zeta, slope);
         } else {
             self.cut(zeta, shift);
         }

@@ -153,6 +153,20 @@ fn is_plain_data_on_a_fixed_stack() {
 }
 
 #[test]
+fn the_smallest_growth_gives_no_nan() {
+    let stiffness = ContactStiffness::new(0.9, 0.9, 1.1).unwrap();
+    for friction in [0.3, f64::INFINITY] {
+        let mut law =
+            ShiftLaw::<[f64; 2]>::with_fixed_direction(stiffness, Friction::new(friction).unwrap());
+        for zeta in [2.6e-309, 5e-309, 1.0] {
+            let load = law.advance(at(zeta, 0.0, 0.0)).unwrap();
+            assert!(load.f_x == 0.0 && load.f_y == 0.0, "{friction} {zeta}: {load:?}");
+        }
+        assert!(law.advance(at(1.0, 0.1, 0.0)).unwrap().f_x > 0.0);
+    }
+}
+
+#[test]
 fn turned_frame_carries_the_law_along() {
     for friction in [0.0, 0.3, f64::INFINITY] {
         let stiffness = ContactStiffness::new(0.9, 0.9, 1.1).unwrap();
