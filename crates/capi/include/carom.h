@@ -514,7 +514,8 @@ typedef struct carom_surface {
 
 /* Dissipated energy, by cause, J. Steps add to it. */
 typedef struct carom_heats {
-  /* Friction heat, including the energy released at a receding edge. */
+  /* Friction heat, including the energy released at a receding edge, and what a contact loses
+   * where it simplifies its memory; a step may lower it a little. */
   double friction;
   /* Energy dissipated by the viscoelastic material. */
   double damping;

@@ -143,6 +143,15 @@ pub trait Dissipative: ContactLaw {
     /// The energy that a straight step to a new shift would dissipate by slip or release at a
     /// receding edge. The state does not change; a step that would fail gives zero.
     fn dissipation(&self, to: Shift) -> f64;
+
+    /// The work of the law's force in a straight step less the increase of its stored energy: the
+    /// dissipation, and what is lost where the law simplifies its memory, which may be negative. The
+    /// state does not change; a step that would fail gives zero.
+    ///
+    /// Summed over steps it closes an account of energies; the dissipation alone is that of slip.
+    fn loss(&self, to: Shift) -> f64 {
+        self.dissipation(to)
+    }
 }
 
 /// A contact law with an account of its energies: the work done equals stored plus dissipated

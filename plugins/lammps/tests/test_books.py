@@ -25,12 +25,28 @@ def test_without_friction_the_books_keep_to_the_step(tmp_path):
     assert np.abs(off).max() < 1e-5
 
 
+def test_with_friction_the_books_close_to_the_second_order(tmp_path):
+    """They missed 3e-5 at any step while neither the merges of a full memory nor the change of the arms within a step were
+    in the books."""
+    off = {dt: np.abs(missed(tmp_path, mu=0.3, n=n, dt=dt)[0]).max() for dt, n in ((1e-5, 4000), (5e-6, 8000))}
+    print("off", off)
+    assert off[5e-6] < 3e-6
+    assert off[5e-6] < 0.4 * off[1e-5]
+
+
 @pytest.mark.slow
-def test_a_bed_of_a_hundred_thousand_steps(tmp_path):
-    """It falls, meets and comes to rest. The books miss 3e-5 of the heat with friction, whatever the step; with 24 points of
-    memory instead of 12, 2e-5. At rest nothing is missed any more."""
+def test_a_hundred_thousand_steps_keep_the_books_to_a_millionth(tmp_path):
+    """The fall, with four hundred steps in an impact."""
+    off, _ = missed(tmp_path, mu=0.3, n=100000, dt=2.5e-6)
+    print("off", np.abs(off).max())
+    assert np.abs(off).max() < 1e-6
+
+
+@pytest.mark.slow
+def test_a_bed_comes_to_rest(tmp_path):
+    """It falls, meets and comes to rest, with a hundred steps in an impact. At rest nothing is missed any more."""
     off, table = missed(tmp_path, mu=0.3, n=100000)
     print("off", np.abs(off).max(), "at rest", np.ptp(off[50:]), "motion", table["KinEng"][-1] / table["KinEng"].max())
     assert table["KinEng"][-1] < 1e-6 * table["KinEng"].max()
-    assert np.abs(off).max() < 6e-5
+    assert np.abs(off).max() < 1.5e-5
     assert np.ptp(off[50:]) < 1e-6

@@ -286,7 +286,9 @@ fn a_wall_that_turns_moves_at_the_contact() {
     let (grains, rate) = (flat(CAROM_LAW_COULOMB), 400.0);
     let turning = loads(&grains, |_| surface([0.0; 3], [0.0, rate, 0.0], [0.0; 3]));
     let shifted = loads(&grains, |one| {
-        let below = (1.0 - grains.share_1) * (one.radius - one.place[2]);
+        // At the middle of the step, to which the velocities belong.
+        let place = one.place[2] - 0.5 * DT * one.velocity[2];
+        let below = (1.0 - grains.share_1) * (one.radius - place);
         surface([-rate * below, 0.0, 0.0], [0.0; 3], [0.0; 3])
     });
     for (one, other) in turning.iter().zip(&shifted) {

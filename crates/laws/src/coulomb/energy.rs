@@ -5,7 +5,7 @@ use carom_special::roots::bisect;
 
 use super::drag::Step;
 use super::piece::{End, Piece};
-use super::{CoulombMemory, Node};
+use super::{CoulombMemory, Node, Regime};
 use crate::bounds::in_memory;
 use crate::memory::{Lateral, NodeStack};
 use crate::profile::GAUSS;
@@ -74,6 +74,17 @@ impl<V: Lateral> StepObserver<V> for EnergyChange {
     }
 }
 
+/// Counts joins.
+struct Joins(u32);
+
+impl<V> StepObserver<V> for Joins {
+    fn fitted(&mut self, _: impl Iterator<Item = Piece<V>>, _: V) {}
+
+    fn joined(&mut self, _: [&Piece<V>; 2], _: &Piece<V>, _: V) {
+        self.0 += 1;
+    }
+}
+
 impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// The elastic energy of the tangential shift per direction, `(3/4) int |X - W(t^2)|^2 dt`,
     /// conjugate to Phi and X.
@@ -97,7 +108,26 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// by quadrature; conjugate to Phi and X.
     #[must_use]
     pub fn work(&self, zeta: f64, shift: V) -> f64 {
-        self.over_annuli(zeta, shift, Step::work)
+        let unit = V::from_components([1.0, 1.0]);
+        self.over_annuli(zeta, shift, |step, depth, anchor| step.work(depth, anchor, unit))
+    }
+
+    /// [`CoulombMemory::work`] less the increase of [`CoulombMemory::stored_energy`], in the given units of energy per
+    /// direction: the heat, and what fitting and joining parabolas loses or gains. Zero in adhesion in which nothing is
+    /// joined.
+    pub(crate) fn loss(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        if !zeta.is_finite() || !shift.is_finite() {
+            return 0.0;
+        }
+        let (mut after, mut joins) = (self.clone(), Joins(0));
+        after.step_observed(zeta, shift, &mut joins);
+        let joins = joins.0 > 0 || after.stack.merges() != self.stack.merges();
+        if after.regime == Regime::Adhesion && !joins {
+            return 0.0;
+        }
+        let work =
+            self.over_annuli(zeta, shift, |step, depth, anchor| step.work(depth, anchor, unit));
+        work - after.stored_energy().minus(self.stored_energy()).dot(unit)
     }
 
     /// The energy that fitting parabolas and joining them adds in a step, with its sign.

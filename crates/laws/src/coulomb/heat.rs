@@ -81,17 +81,20 @@ impl<V: Lateral> Step<V> {
         })
     }
 
-    /// The work of an annulus on the shift: elastic until it slips, then `int r cos theta dl`.
-    pub(super) fn work(&self, depth: f64, anchor: V) -> f64 {
+    /// The work of an annulus on the shift, in the given units of energy per direction: elastic until it slips, then
+    /// the traction along the path, `int r cos theta dl` if all directions have the same unit.
+    pub(super) fn work(&self, depth: f64, anchor: V, unit: V) -> f64 {
         if self.zeta < depth {
-            return self.until_separation(depth).work(depth, anchor);
+            return self.until_separation(depth).work(depth, anchor, unit);
         }
+        let lever = self.ahead.by_component(unit);
+        let [along, across] = [self.ahead.dot(lever), cross(self.ahead, lever)];
         let anchor = if self.grazes(depth, anchor) { self.settled(depth, anchor) } else { anchor };
         let stretch = self.shift.minus(anchor);
         let elastic = |path: f64, rest: f64| {
             // The work from the start up to the length `rest` before the end: length times mean
             // traction.
-            path * (stretch.dot(self.ahead) - rest - 0.5 * path)
+            path * (stretch.dot(lever) - (rest + 0.5 * path) * along)
         };
         // An annulus that comes into contact during the step has no stretch at first.
         let limit = self.zeta - depth;
@@ -104,7 +107,7 @@ impl<V: Lateral> Step<V> {
             None => elastic(path, 0.0),
             Some(slip) => {
                 let before = elastic((path - slip.met.rest).max(0.0), slip.met.rest);
-                before + self.over_slip(&slip, |cos, _| cos)
+                before + self.over_slip(&slip, |cos, sin| cos * along + sin * across)
             }
         }
     }
@@ -211,8 +214,11 @@ fn directions(tangent: f64) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn size(v: [f64; 2]) -> f64 {
-        v[0].hypot(v[1])
+    /// Energies of both directions of an ellipse.
+    const UNIT: [f64; 2] = [1.3, 0.7];
+
+    fn energy([x, y]: [f64; 2]) -> f64 {
+        0.5 * (UNIT[0] * x * x + UNIT[1] * y * y)
     }
 
     #[test]
@@ -239,9 +245,9 @@ mod tests {
             if to.0 < depth {
                 continue;
             }
-            let after = size(step.shift.minus(step.drag(depth, anchor)));
-            let stored = 0.5 * (after * after - reach * reach);
-            let balance = step.work(depth, anchor) - stored - step.heat(depth, anchor, [1.0; 2]);
+            let stored = energy(step.shift.minus(step.drag(depth, anchor))) - energy(anchor);
+            let work = step.work(depth, anchor, UNIT);
+            let balance = work - stored - step.heat(depth, anchor, UNIT);
             let error = balance.abs() / (reach * (reach + length));
             assert!(error < 1e-11, "{case}: {balance:e}, {zeta} {depth} {anchor:?} {to:?}");
             worst = worst.max(error);

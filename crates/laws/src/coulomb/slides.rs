@@ -88,6 +88,10 @@ impl<V: Lateral, S: NodeStack<Node<V>>> Slides for CoulombMemory<V, S> {
         self.heat(zeta, shift, unit)
     }
 
+    fn loss_of(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        self.loss(zeta, shift, unit)
+    }
+
     fn traction_at(&self, q: f64) -> V {
         self.traction(q)
     }

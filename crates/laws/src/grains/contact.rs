@@ -60,7 +60,8 @@ pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct Heats {
-    /// Friction heat, including the energy released at a receding edge.
+    /// Friction heat, including the energy released at a receding edge, and what a contact loses
+    /// where it simplifies its memory; a step may lower it a little.
     pub friction: f64,
     /// Energy dissipated by the viscoelastic material.
     pub damping: f64,
@@ -155,9 +156,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let friction = if is_new {
             let (mut law, before) = (self.law.clone(), one_step_before(meeting, dt));
             law.advance(before)?;
-            law.dissipation(first_step(meeting, dt).to())
+            law.loss(first_step(meeting, dt).to())
         } else {
-            self.law.dissipation(self.step(meeting, dt).to())
+            self.law.loss(self.step(meeting, dt).to())
         };
         let old = self.drag;
         let load = self.advance(meeting, dt)?;
@@ -196,10 +197,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     #[inline(always)]
     fn step(&self, meeting: &Meeting, dt: f64) -> Step {
-        let Shift { xi, eta, .. } = self.law.shift();
+        let Shift { zeta, xi, eta, .. } = self.law.shift();
         let (tangent, normal, velocity, lead) =
             (self.tangent, self.normal, self.velocity, self.lead);
-        Before { tangent, normal, velocity, lead, shift: [xi, eta] }.step(meeting, dt)
+        Before { tangent, normal, velocity, lead, zeta, shift: [xi, eta] }.step(meeting, dt)
     }
 
     #[inline(never)]

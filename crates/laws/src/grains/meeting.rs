@@ -69,6 +69,9 @@ pub struct Meeting<T = f64> {
     /// The sum of the angular velocities, each times its arm. Its cross product with the normal is
     /// the part of the relative velocity at the contact that is due to rotation.
     pub rolling: [T; 3],
+    /// The decrease of `rolling` per approach, by which the arms become shorter: the sum of the
+    /// angular velocities, each times the fraction of the approach by which its body is compressed.
+    pub rolling_decrease: [T; 3],
     /// The mean of the angular velocities, rad/s.
     pub turning: [T; 3],
     /// Angular velocity of body 2 relative to body 1, rad/s; its component along the normal twists
@@ -149,12 +152,24 @@ impl<T: Number> Moving<T> {
         let zeta = one.radius + two.radius - distance;
         let arms = [one.radius - shares[0] * zeta, two.radius - shares[1] * zeta];
         let rolling = plus(times(one.spin, arms[0]), times(two.spin, arms[1]));
+        let rolling_decrease = plus(times(one.spin, shares[0]), times(two.spin, shares[1]));
         let velocity = minus(two.velocity, one.velocity);
         let turning = times(plus(one.spin, two.spin), T::of(0.5));
         let twisting = minus(two.spin, one.spin);
         let masses = [one.mass, two.mass];
         let axis = None;
-        Meeting { normal, zeta, arms, velocity, rolling, turning, twisting, masses, axis }
+        Meeting {
+            normal,
+            zeta,
+            arms,
+            velocity,
+            rolling,
+            rolling_decrease,
+            turning,
+            twisting,
+            masses,
+            axis,
+        }
     }
 }
 
@@ -183,6 +198,7 @@ impl Meeting<Lanes> {
             arms: self.arms.map(|lane| lane.to_array()[i]),
             velocity: vector(&self.velocity),
             rolling: vector(&self.rolling),
+            rolling_decrease: vector(&self.rolling_decrease),
             turning: vector(&self.turning),
             twisting: vector(&self.twisting),
             masses: self.masses.map(|lane| lane.to_array()[i]),
@@ -222,7 +238,19 @@ impl Meeting {
         let (rolling, turning) = (times(one.spin, arm), times(one.spin, 0.5));
         let (normal, arms, twisting) = (wall.normal, [arm, 0.0], times(one.spin, -1.0));
         let (masses, axis) = ([one.mass, f64::INFINITY], None);
-        Self { normal, zeta, arms, velocity, rolling, turning, twisting, masses, axis }
+        let rolling_decrease = times(one.spin, share);
+        Self {
+            normal,
+            zeta,
+            arms,
+            velocity,
+            rolling,
+            rolling_decrease,
+            turning,
+            twisting,
+            masses,
+            axis,
+        }
     }
 
     /// A sphere (body 1) on a wall of any shape (body 2), which may turn; the sphere is compressed by its fraction
@@ -235,6 +263,7 @@ impl Meeting {
         let below = times(normal, (share - 1.0) * flat.zeta);
         Self {
             velocity: plus(flat.velocity, cross(spin, below)),
+            rolling_decrease: plus(flat.rolling_decrease, times(spin, 1.0 - share)),
             turning: times(plus(one.spin, spin), 0.5),
             twisting: minus(spin, one.spin),
             axis: (axis != [0.0; 3]).then_some(axis),

@@ -186,7 +186,8 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let from = self.memory.shift();
         let (tangent, normal, velocity, lead) =
             (self.tangent, self.normal, self.velocity, self.lead);
-        let before = Before { tangent, normal, velocity, lead, shift: [from.xi, from.eta] };
+        let (zeta, shift) = (from.zeta, [from.xi, from.eta]);
+        let before = Before { tangent, normal, velocity, lead, zeta, shift };
         let step = before.step(meeting, dt);
         let to = Shift { omega: from.omega + turned(meeting, dt), ..step.to() };
         if leaves(meeting, dt) {

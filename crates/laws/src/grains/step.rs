@@ -11,6 +11,7 @@ pub(super) struct Before<T> {
     pub(super) normal: Vector<T>,
     pub(super) velocity: [T; 2],
     pub(super) lead: [T; 2],
+    pub(super) zeta: T,
     /// The shift that was given to the law.
     pub(super) shift: [T; 2],
 }
@@ -44,7 +45,7 @@ impl<T: Number> Before<T> {
         let middle = times(plus(self.normal, meeting.normal), half);
         let tangent = self.carried(meeting, dot(meeting.turning, middle) * T::of(dt));
         let x = times(plus(self.tangent, tangent), half);
-        let slip = plus(meeting.velocity, cross(meeting.rolling, middle));
+        let slip = slip(meeting, meeting.zeta - self.zeta, middle);
         let velocity = [dot(slip, x), dot(slip, cross(middle, x))];
         let lead = match dt > 0.0 {
             true => {
@@ -75,6 +76,15 @@ impl<T: Number> Before<T> {
     }
 }
 
+/// The relative velocity at the contact, with the arms at the middle of a step in which the approach grew, to which the
+/// velocities belong. With the arms of its end, the work of the force on the bodies would differ from that on the shift by
+/// a share of the step.
+#[inline(always)]
+fn slip<T: Number>(meeting: &Meeting<T>, growth: T, normal: Vector<T>) -> Vector<T> {
+    let lost = times(meeting.rolling_decrease, growth * T::of(0.5));
+    plus(meeting.velocity, cross(plus(meeting.rolling, lost), normal))
+}
+
 /// Whether the gap opens within a few steps.
 #[inline]
 pub(super) fn leaves(meeting: &Meeting, dt: f64) -> bool {
@@ -95,7 +105,8 @@ pub(super) fn one_step_before(meeting: &Meeting, dt: f64) -> Shift {
 
 pub(super) fn first_step(meeting: &Meeting, dt: f64) -> Step {
     let tangent = meeting.axis.unwrap_or_else(|| across(meeting.normal));
-    let slip = plus(meeting.velocity, cross(meeting.rolling, meeting.normal));
+    let growth = dot(meeting.velocity, meeting.normal) * dt;
+    let slip = slip(meeting, growth, meeting.normal);
     let velocity = [dot(slip, tangent), dot(slip, cross(meeting.normal, tangent))];
     let (zeta, shift, lead) = (meeting.zeta, velocity.map(|v| v * dt), [0.0; 2]);
     Step { tangent, zeta, shift, velocity, lead }

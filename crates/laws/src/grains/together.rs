@@ -134,6 +134,7 @@ fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
         normal: from_fn(|k| each(pairs, |pair| pair.contact.normal[k])),
         velocity: from_fn(|k| each(pairs, |pair| pair.contact.velocity[k])),
         lead: from_fn(|k| each(pairs, |pair| pair.contact.lead[k])),
+        zeta: each(pairs, |pair| pair.contact.law.shift().zeta),
         shift: [
             each(pairs, |pair| pair.contact.law.shift().xi),
             each(pairs, |pair| pair.contact.law.shift().eta),

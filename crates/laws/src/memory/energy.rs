@@ -60,7 +60,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     }
 
     /// The part of the step during which the bodies are in contact.
-    fn path_in_contact(&self, zeta: f64, shift: V) -> Path<V> {
+    pub(super) fn path_in_contact(&self, zeta: f64, shift: V) -> Path<V> {
         let (mut from, mut to) = ((self.zeta, self.shift), (zeta, shift));
         let touch = |from: (f64, V), to: (f64, V)| {
             let part = from.0 / (from.0 - to.0);

@@ -20,6 +20,7 @@
 mod adhesion;
 mod energy;
 mod lateral;
+mod loss;
 mod merge;
 mod pack;
 mod report;

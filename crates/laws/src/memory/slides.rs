@@ -85,6 +85,10 @@ impl<V: Lateral, S: VertexStack<V>> Slides for Memory<V, S, Hertzian> {
         self.heat(zeta, shift, unit)
     }
 
+    fn loss_of(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        self.loss(zeta, shift, unit)
+    }
+
     fn traction_at(&self, q: f64) -> V {
         self.traction(q)
     }

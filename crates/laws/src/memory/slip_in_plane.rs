@@ -9,7 +9,7 @@ use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
 
 use super::energy::Path;
 use super::lateral::outgrown;
-use super::{Lateral, Memory, VertexStack};
+use super::{Lateral, Memory, Vertex, VertexStack};
 use crate::profile::NormalProfile;
 
 /// Allowed error of the heat of a part of the step, relative to it.
@@ -27,39 +27,60 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// The friction heat of a straight step, in the given units of energy per direction.
     pub(super) fn heat_in_plane(&self, path: &Path<V>, unit: V) -> f64 {
         let mut heat = 0.0;
+        self.parts_of(path, |part, edge| heat += path.heat(&self.profile, unit, part, edge));
+        heat
+    }
+
+    /// The parts of a straight step with slip in which the slip annulus changes smoothly, with its inner edge.
+    pub(super) fn parts_of(&self, path: &Path<V>, mut part: impl FnMut([f64; 2], &Edge<V>)) {
         let (mut start, mut end, mut anchor) = (0.0, path.zeta, path.shift);
         for i in (0..self.stack.len()).rev() {
             let base = self.stack.get(i);
             let line = Line {
-                base: base.depth,
-                slope: base.slope,
-                curb: base.curb,
+                base: *base,
                 distance: path.shift.minus(anchor).minus(base.slope.times(path.zeta - end)),
                 drift: path.dx.minus(base.slope.times(path.dz)),
                 beyond: path.zeta - end,
             };
             let exit = line.exit(path).max(start);
             let turn = line.nearest().clamp(start, exit);
-            let ring = |t: f64| line.ring(path, t);
-            heat += path.heat(&self.profile, unit, [start, turn], ring);
-            heat += path.heat(&self.profile, unit, [turn, exit], ring);
+            let edge = Edge::On(line);
+            part([start, turn], &edge);
+            part([turn, exit], &edge);
             if exit >= 1.0 {
-                return heat;
+                return;
             }
             (start, end, anchor) = (exit, base.depth, base.anchor);
         }
         let arm = path.at(start).minus(anchor);
         let foot = if self.stack.is_empty() { V::default() } else { self.stack.get(0).slope };
         let before = V::slip_slope(arm, foot, 0.0);
-        heat + path.heat(&self.profile, unit, [start, 1.0], |t| path.sliding(start, t, before))
+        part([start, 1.0], &Edge::Sliding { onset: start, before });
+    }
+}
+
+/// Where the slip annulus ends inwards.
+pub(super) enum Edge<V> {
+    /// On a segment of the polyline.
+    On(Line<V>),
+    /// Nowhere: the whole contact slides since a time, and had a traction of this direction then.
+    Sliding { onset: f64, before: V },
+}
+
+impl<V: Lateral> Edge<V> {
+    /// The slip annulus at a time.
+    #[inline]
+    pub(super) fn ring(&self, path: &Path<V>, t: f64) -> Ring<V> {
+        match self {
+            Self::On(line) => line.ring(path, t),
+            Self::Sliding { onset, before } => path.sliding(*onset, t, *before),
+        }
     }
 }
 
 /// A segment relative to the moving edge.
-struct Line<V> {
-    base: f64,
-    slope: V,
-    curb: f64,
+pub(super) struct Line<V> {
+    pub(super) base: Vertex<V>,
     /// The distance of the shift from the segment's line at the start, and its rate of change.
     distance: V,
     drift: V,
@@ -68,10 +89,10 @@ struct Line<V> {
 }
 
 /// A slip annulus at one instant.
-struct Ring<V> {
+pub(super) struct Ring<V> {
     /// Its width zeta - s*; `None` in gross sliding, where the flat end slips too.
-    width: Option<f64>,
-    slope: V,
+    pub(super) width: Option<f64>,
+    pub(super) slope: V,
     /// `m.X' - zeta'`, the rate of the slip along the traction.
     rate: f64,
     /// The width times m'.
@@ -91,8 +112,8 @@ impl<V: Lateral> Line<V> {
         // underflows.
         let unit = 1.0 / (path.zeta.max(path.end).max(path.dx.length())).max(f64::MIN_POSITIVE);
         let (from, drift) = (self.distance.times(unit), self.drift.times(unit));
-        let (length, dz) = ((path.zeta - self.base) * unit, path.dz * unit);
-        let (m, q) = (self.slope, self.curb);
+        let (length, dz) = ((path.zeta - self.base.depth) * unit, path.dz * unit);
+        let (m, q) = (self.base.slope, self.base.curb);
         let curve = drift.dot(drift) + dz * (2.0 * m.dot(drift) - q * dz);
         let slope = from.dot(drift) + length * m.dot(drift) + dz * m.dot(from) - q * length * dz;
         let inside = from.dot(from) + length * (2.0 * m.dot(from) - q * length);
@@ -102,19 +123,20 @@ impl<V: Lateral> Line<V> {
 
     /// The slip annulus that ends on the segment.
     fn ring(&self, path: &Path<V>, t: f64) -> Ring<V> {
-        let length = path.depth(t) - self.base;
+        let (m, q) = (self.base.slope, self.base.curb);
+        let length = path.depth(t) - self.base.depth;
         let beyond = (self.beyond + path.dz * t).max(0.0);
         let d = self.distance.plus(self.drift.times(t));
-        let cut = V::reach(d, self.slope, self.curb, length).filter(|_| d != V::default());
+        let cut = V::reach(d, m, q, length).filter(|_| d != V::default());
         let width = cut.unwrap_or(if d == V::default() { beyond } else { length });
         if width <= 0.0 {
-            return Ring { width: Some(0.0), slope: self.slope, rate: 0.0, turn: V::default() };
+            return Ring { width: Some(0.0), slope: m, rate: 0.0, turn: V::default() };
         }
-        let slope = V::slip_slope(d, self.slope, width);
+        let slope = V::slip_slope(d, m, width);
         // With e = d/r = m - m0: 1 - m.m0 = (e.e + 1 - m0.m0)/2 and r m' = d' - e r' are accurate
         // also if the annulus nearly continues the segment.
         let e = d.times(1.0 / width);
-        let bend = e.dot(e) + self.curb;
+        let bend = e.dot(e) + q;
         let along = slope.dot(self.drift);
         let turn = match cut {
             Some(_) if bend > 0.0 => self.drift.minus(e.times(2.0 * along / bend)),
@@ -129,7 +151,7 @@ impl<V: Lateral> Path<V> {
         self.shift.plus(self.dx.times(t))
     }
 
-    fn depth(&self, t: f64) -> f64 {
+    pub(super) fn depth(&self, t: f64) -> f64 {
         self.zeta + self.dz * t
     }
 
@@ -146,14 +168,14 @@ impl<V: Lateral> Path<V> {
         profile: &P,
         unit: V,
         [from, to]: [f64; 2],
-        ring: impl Fn(f64) -> Ring<V>,
+        edge: &Edge<V>,
     ) -> f64 {
         let span = to - from;
         if span <= 0.0 {
             return 0.0;
         }
         let widest = [from, from + 0.5 * span, to]
-            .map(|t| self.moments(profile, &ring(t), t)[0])
+            .map(|t| self.moments(profile, &edge.ring(self, t), t)[0])
             .into_iter()
             .fold(0.0, f64::max);
         let [x, y] = unit.components().map(f64::abs);
@@ -165,7 +187,7 @@ impl<V: Lateral> Path<V> {
         };
         let rate = |v: f64| {
             let t = from + span * v * v * (3.0 - 2.0 * v);
-            self.heat_rate(profile, &ring(t), t, unit) * (6.0 * v * (1.0 - v))
+            self.heat_rate(profile, &edge.ring(self, t), t, unit) * (6.0 * v * (1.0 - v))
         };
         span * settled(&rate, [0.0, 1.0], tolerance, largest, CONFIRMATIONS)
     }

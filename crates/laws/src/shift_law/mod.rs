@@ -415,6 +415,12 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
         let Ok(x) = self.reachable(to) else { return 0.0 };
         with_memory!(&self.state, memory => memory.heat(to.zeta, x, unit), else 0.0)
     }
+
+    fn loss(&self, to: Shift) -> f64 {
+        let unit = self.scale_of_energies();
+        let Ok(x) = self.reachable(to) else { return 0.0 };
+        with_memory!(&self.state, memory => memory.loss(to.zeta, x, unit), else 0.0)
+    }
 }
 
 impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {

@@ -8,6 +8,22 @@ impl<M: Slides> StaticMemory<M> {
     /// The heat of a straight step, in the given units of energy per direction: that of slip with
     /// f_s, what the springs lose where the force drops, and that of sliding with f_k.
     pub(crate) fn heat(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+        self.over_legs(zeta, shift, unit, |memory, zeta, to| memory.heat_of(zeta, to, unit))
+    }
+
+    /// [`StaticMemory::heat`], and what simplifying the memory loses or gains.
+    pub(crate) fn loss(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+        self.over_legs(zeta, shift, unit, |memory, zeta, to| memory.loss_of(zeta, to, unit))
+    }
+
+    /// The sum over the legs of a straight step; `lost` is what a step with one coefficient loses.
+    fn over_legs(
+        &self,
+        zeta: f64,
+        shift: M::V,
+        unit: M::V,
+        lost: impl Fn(&M, f64, M::V) -> f64,
+    ) -> f64 {
         let from = self.zeta();
         if !zeta.is_finite() || !shift.is_finite() || (from <= 0.0 && zeta <= 0.0) {
             return 0.0;
@@ -20,15 +36,21 @@ impl<M: Slides> StaticMemory<M> {
         };
         let mut heat = 0.0;
         self.clone().follow(zeta, shift, |memory, leg| {
-            heat += memory.heat_of_leg(leg, zeta, shift, unit);
+            heat += memory.heat_of_leg(leg, (zeta, shift), unit, &lost);
         });
         heat
     }
 
-    fn heat_of_leg(&self, leg: Leg, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+    fn heat_of_leg(
+        &self,
+        leg: Leg,
+        (zeta, shift): (f64, M::V),
+        unit: M::V,
+        lost: &impl Fn(&M, f64, M::V) -> f64,
+    ) -> f64 {
         match leg {
-            Leg::Within => self.memory.heat_of(zeta, shift, unit),
-            Leg::Slide => self.heat_of_sliding(zeta, shift, unit),
+            Leg::Within => lost(&self.memory, zeta, shift),
+            Leg::Slide => self.heat_of_sliding((zeta, shift), unit, lost),
             Leg::Rise { onset } => {
                 let (at, place) = self.at(onset, zeta, shift);
                 let mut full = self.memory.clone();
@@ -36,13 +58,18 @@ impl<M: Slides> StaticMemory<M> {
                     full.go(at, place);
                 }
                 let drop = (1.0 - self.ratio) * (1.0 + self.ratio) * full.elastic().dot(unit);
-                self.memory.heat_of(at, place, unit) + drop
+                lost(&self.memory, at, place) + drop
             }
         }
     }
 
     /// Sliding: first until all tractions are aligned with the path, then along it.
-    fn heat_of_sliding(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+    fn heat_of_sliding(
+        &self,
+        (zeta, shift): (f64, M::V),
+        unit: M::V,
+        lost: &impl Fn(&M, f64, M::V) -> f64,
+    ) -> f64 {
         let (from, dx) = (self.zeta(), shift.minus(self.shift()));
         let (length, path) = (dx.length(), self.path(zeta, shift));
         let longest = LONGEST_PATH * from.max(zeta) * self.ratio;
@@ -50,7 +77,7 @@ impl<M: Slides> StaticMemory<M> {
         let at = from + part * (zeta - from);
         let square = self.ratio * self.ratio;
         let turning = match square > 0.0 {
-            true => square * self.memory.heat_of(at, self.shift().plus(path), unit),
+            true => square * lost(&self.memory, at, self.shift().plus(path)),
             false => 0.0,
         };
         if part == 1.0 {

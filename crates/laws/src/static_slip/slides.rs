@@ -52,6 +52,9 @@ pub(crate) trait Slides: Clone {
     /// The heat of a straight step, in the given units of energy per direction.
     fn heat_of(&self, zeta: f64, shift: Self::V, unit: Self::V) -> f64;
 
+    /// The heat, and what simplifying the memory loses or gains.
+    fn loss_of(&self, zeta: f64, shift: Self::V, unit: Self::V) -> f64;
+
     /// The traction at a squared elliptical radius.
     fn traction_at(&self, q: f64) -> Self::V;
 

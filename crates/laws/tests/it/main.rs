@@ -15,6 +15,7 @@ mod energy_known;
 mod field;
 mod field_interior;
 mod field_known;
+mod grain_books;
 mod grain_restitution;
 mod grain_rings;
 mod grain_steps;

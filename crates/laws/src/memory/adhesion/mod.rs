@@ -9,7 +9,7 @@ use super::merge::push;
 use super::report::{Tangent, Turn};
 use super::{Growing, Lateral, MemoryRegime, Vertex, VertexStack};
 use crate::bounds::in_memory;
-use crate::profile::{Hertzian, NormalProfile};
+use crate::profile::{GAUSS, Hertzian, NormalProfile};
 
 /// The load history of a contact without slip: the anchor of each annulus is the shift at which it
 /// came into contact.
@@ -172,6 +172,46 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
     /// [`AdhesionMemory::dissipation`] in units of energy per direction.
     pub(crate) fn heat(&self, zeta: f64, shift: V, unit: V) -> f64 {
         self.dissipation(zeta, shift).dot(unit)
+    }
+
+    /// The work of the force in a straight step less the increase of the stored energy, in units of energy per
+    /// direction: the heat, and what merged segments lose or gain.
+    pub(crate) fn loss(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        let stack = &self.stack;
+        if stack.capacity() == usize::MAX {
+            return self.heat(zeta, shift, unit); // nothing is ever merged
+        }
+        let mut after = self.clone();
+        after.step(zeta, shift);
+        let has_merged = (0..stack.len()).any(|i| stack.get(i).force_slope != stack.get(i).slope);
+        if !has_merged && after.merges() == self.merges() {
+            return self.heat(zeta, shift, unit);
+        }
+        let gain = after.stored_energy().minus(self.stored_energy());
+        self.work(zeta, shift).minus(gain).dot(unit)
+    }
+
+    /// The work of the force in a straight step of bodies in contact, per direction: between two vertices the force
+    /// is smooth.
+    fn work(&self, zeta: f64, shift: V) -> V {
+        let (end, dz) = (zeta.max(0.0), zeta - self.zeta);
+        let part_at = |depth: f64| if dz < 0.0 { (depth - self.zeta) / dz } else { 1.0 };
+        let (mut work, mut from, last) = (V::default(), 0.0, part_at(end).min(1.0));
+        let dx = shift.minus(self.shift);
+        let force = |part: f64| {
+            let mut there = self.clone();
+            there.step(self.zeta + part * dz, self.shift.plus(dx.times(part)));
+            there.force
+        };
+        let depths = (0..self.stack.len()).rev().map(|i| self.stack.get(i).depth);
+        for to in depths.map(part_at).filter(|part| (0.0..last).contains(part)).chain([last]) {
+            for (node, weight) in GAUSS {
+                let at = force(from + node * (to - from));
+                work = work.plus(at.by_component(dx).times(weight * (to - from)));
+            }
+            from = to;
+        }
+        work
     }
 
     /// The state of bodies in contact.

@@ -86,6 +86,10 @@ impl Dissipative for ShiftTwistLaw {
     fn dissipation(&self, to: Shift) -> f64 {
         self.tangential.dissipation(to) + self.torsion.dissipation(to)
     }
+
+    fn loss(&self, to: Shift) -> f64 {
+        self.tangential.loss(to) + self.torsion.loss(to)
+    }
 }
 
 #[cfg(test)]
