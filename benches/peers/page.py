@@ -107,11 +107,11 @@ class Answers:
     def __init__(self, told):
         self.told = told
         self.all = told["answers"]
-        self.sizes = sorted({one["cells"] for one in self.all})
+        self.sizes = sorted({one["cells"] for one in self.all if "cells" in one})
 
     def of(self, program, case=None, cells=None, **more):
         """The answers of a program, those to the tight tolerance left out."""
-        wanted = {"program": program, "cells": cells, **({"case": case} if case else {}), **more}
+        wanted = {"program": program, **({"cells": cells} if cells else {}), **({"case": case} if case else {}), **more}
         found = [one for one in self.all if all(one.get(key) == value for key, value in wanted.items())]
         return found if more else [one for one in found if one.get("tolerance") != "1e-11"]
 
@@ -195,6 +195,35 @@ def loop_section(answers):
     return text + table(["N", "one thread", "two threads", "gain"], rows)
 
 
+GROWTH = """
+## Time and memory by size
+
+carom alone, one run of each grid on one thread: without friction only the pressures are kept and solved for, with friction
+the tractions too.
+
+"""
+
+
+def growth(ones):
+    """The exponent of the time in the number of cells, and bytes a cell, from the smallest and the largest grid."""
+    first, last = ones[0], ones[-1]
+    ratio = (last["size"] / first["size"]) ** 2
+    exponent = math.log(total(last) / total(first)) / math.log(ratio)
+    added = (last["megabytes"] - first["megabytes"]) / (last["size"] ** 2 - first["size"] ** 2)
+    return exponent, added * 2**20
+
+
+def growth_section(answers):
+    rows, laws = [], []
+    for case in CASES:
+        ones = [one for one in answers.of("carom by size", case) if "solve" in one]
+        rows += [[TITLES[case], str(one["size"]), seconds(total(one)), memory(one["megabytes"])] for one in ones]
+        if len(ones) > 1:
+            exponent, added = growth(ones)
+            laws.append(f"{TITLES[case]}: time grows with the power {exponent:.2f} of the number of cells, memory by {added:.0f} bytes a cell.")
+    return GROWTH + table(["", "N", "processor", "memory"], rows) + "\n" + "\n".join(laws) + "\n" if rows else ""
+
+
 def products(answers, cells):
     """Least times of carom's products and of FFTW's."""
     own = [one for one in answers.of("product", cells=cells) if "normal" in one]
@@ -261,7 +290,7 @@ def main(source, page):
     told = json.loads(pathlib.Path(source).read_text())
     answers = Answers(told)
     cases = "".join(case_section(answers, case) for case in CASES)
-    parts = [head(told), summary(answers), cases, loop_section(answers), limits_section(answers), lammps_section(told)]
+    parts = [head(told), summary(answers), cases, loop_section(answers), growth_section(answers), limits_section(answers), lammps_section(told)]
     pathlib.Path(page).write_text("".join(parts))
 
 

@@ -31,7 +31,9 @@ MINUTE = 60.0
 GROWTH = 5.0
 # A larger error means that the program did not converge.
 CONVERGED = 0.1
-LOOPS = (128, 256)
+LOOPS = (128, 256, 512)
+# Grids on which carom alone is run, once, for its time and memory by size, without and with friction.
+LARGE = {"hertz_force": (512, 1024, 2048, 4096), "cattaneo": (512, 1024, 2048)}
 # Such grids are solved once, at the end, by the programs for which there is time.
 FINEST = 1024
 
@@ -62,6 +64,13 @@ class Bench:
             if cells in LOOPS:
                 for threads in (1, 2):
                     self.carom("loop", cells, number, threads=threads)
+
+    def large(self):
+        """Time and memory of carom by size."""
+        for case, sizes in LARGE.items():
+            for cells in sizes:
+                answer = answer_of([self.program, case, str(cells), TOLERANCE], 1, 5 * MINUTE)
+                self.keep(answer, program="carom by size", case=case, size=cells)
 
     def carom(self, case, cells, number, threads=1, tolerance=TOLERANCE):
         answer = answer_of([self.program, case, str(cells), tolerance], threads, 5 * MINUTE)
@@ -151,6 +160,7 @@ def main():
     for number in range(options.rounds):
         bench.round(number, [cells for cells in sizes if cells < FINEST])
     bench.round(0, [cells for cells in sizes if cells >= FINEST])
+    bench.large()
     loads.append(os.getloadavg()[0])
     told = {
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),

@@ -97,7 +97,9 @@ pub(super) fn list(page: &mut String, report: &Report<'_>) {
         "</ol></section>\n<section><h2>Index</h2><ol><li data-page=\"equations\" \
          data-chapter=\"index\" data-state=\"done\" data-fails=\"0\" data-deviates=\"1\">\
          <a href=\"#equations-page\"><b>(1)…</b> Equations and the functions that implement them\
-         </a></li></ol></section></details></nav>\n",
+         </a></li><li data-page=\"speed\" data-chapter=\"index\" data-state=\"done\" data-fails=\"0\" \
+         data-deviates=\"0\"><a href=\"#speed\">Speed beside other programs</a></li></ol></section>\
+         </details></nav>\n",
     );
 }
 

@@ -5,6 +5,7 @@ pub mod contents;
 mod equations;
 pub(crate) mod markup;
 pub(crate) mod slim;
+mod speed;
 pub mod texts;
 
 use crate::catalogue::{Entry, State};
@@ -61,6 +62,7 @@ impl Report<'_> {
                 section(&mut page, entry, record, is_fresh(entry));
             }
         }
+        page.push_str(&speed::section());
         let _ = write!(
             page,
             "<section class=\"page\" id=\"equations-page\" data-page=\"equations\">\
