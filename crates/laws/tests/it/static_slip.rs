@@ -150,6 +150,38 @@ fn it_is_a_bed_of_bristles_that_slide_together() {
     assert!(worst < 2e-3, "{worst:e}");
 }
 
+/// After two turns the centre reaches its limit at .45 of the last corner, another annulus at .58: the force drops there,
+/// in one step as in a thousand.
+#[test]
+fn the_force_drops_where_the_last_annulus_slips_not_the_centre() {
+    let unit = F_S * C_Z / C_X;
+    let corner = |zeta: f64, [x, y]: [f64; 2]| at(zeta, unit * x, unit * y);
+    let before = [
+        corner(1.0, [0.0, 0.0]),
+        corner(1.187_097_423_8, [0.932_962_579_4, -0.723_338_050_5]),
+        corner(0.969_402_584_0, [-0.845_212_970_4, -0.340_643_674_9]),
+    ];
+    let last = corner(0.623_253_582_9, [-0.360_827_201_7, -0.732_014_030_2]);
+    for (part, slides) in [(0.5, false), (0.56, false), (0.59, true), (0.7, true)] {
+        let to = between(before[2], last, part);
+        let (mut once, mut often) =
+            (law(Coulomb, (F_S, 0.6 * F_S), C_X), law(Coulomb, (F_S, 0.6 * F_S), C_X));
+        for corner in before {
+            once.advance(corner).unwrap();
+            often.advance(corner).unwrap();
+        }
+        once.advance(to).unwrap();
+        for i in 1..=1000 {
+            often.advance(between(before[2], to, f64::from(i) / 1000.0)).unwrap();
+        }
+        assert_eq!(once.regime() == MemoryRegime::Sliding, slides, "{part}");
+        assert_eq!(often.regime() == MemoryRegime::Sliding, slides, "{part}");
+        let off = off(once.load(), often.load()) / once.load().f_z;
+        println!("{part}: {off:e}");
+        assert!(off < 3e-5, "{part}: {off:e}");
+    }
+}
+
 #[test]
 fn along_a_line_it_is_the_law_of_a_line() {
     for turning in [Coulomb, FixedDirection] {
