@@ -103,8 +103,8 @@ pub struct Progress {
     pub residuals: Residuals,
 }
 
-/// Follows the iterations and may end them.
-pub trait Observer {
+/// Follows the iterations and may end them; on large grids from a thread of the pool.
+pub trait Observer: Send {
     /// Called after each iteration. `Break` ends the solution with [`Stop::Observer`].
     fn see(&mut self, progress: &Progress) -> ControlFlow<()>;
 }
@@ -116,7 +116,7 @@ impl Observer for () {
     }
 }
 
-impl<F: FnMut(&Progress) -> ControlFlow<()>> Observer for F {
+impl<F: FnMut(&Progress) -> ControlFlow<()> + Send> Observer for F {
     fn see(&mut self, progress: &Progress) -> ControlFlow<()> {
         self(progress)
     }

@@ -12,6 +12,7 @@ use crate::drive::{Drive, Driven};
 use crate::method::Method;
 use crate::nested;
 use crate::normal::{NormalGrids, Target};
+use crate::parts;
 use crate::problem::{ContactProblem, PeriodError};
 use crate::state::{CellState, ContactState};
 
@@ -157,7 +158,9 @@ impl Method for Frictionless {
                 RangeError::check(name, load, load == 0.0, "0 without friction")?;
             }
         }
-        let convergence = self.pressures(problem, drive.normal, scratch, observer, to)?;
+        let convergence = parts::within(problem.operator().threads(), || {
+            self.pressures(problem, drive.normal, scratch, observer, to)
+        })?;
         let zeta = to.shift.zeta;
         to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
         Ok(convergence)

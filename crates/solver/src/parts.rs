@@ -105,6 +105,14 @@ pub(crate) fn fold<P: Parts, R: Send>(
     join(before, after)
 }
 
+/// Does all of a solution within the pool, so that no worker needs to be woken for each of its parts.
+pub(crate) fn within<R: Send>(threads: Threads, work: impl FnOnce() -> R + Send) -> R {
+    match threads {
+        Threads::One => work(),
+        Threads::Pool => rayon::join(work, || ()).0,
+    }
+}
+
 /// Does two things, on two threads if there are several.
 pub(crate) fn together<A: Send, B: Send>(
     threads: Threads,

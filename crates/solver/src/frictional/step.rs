@@ -10,6 +10,7 @@ use crate::convergence::{Convergence, Observer, Stop};
 use crate::drive::{Drive, Driven};
 use crate::method::Method;
 use crate::nested;
+use crate::parts;
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
@@ -41,12 +42,14 @@ impl Method for Frictional {
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
         problem.check_approach(drive.normal)?;
-        match self.step_in_a_box(problem, from, drive, to, scratch, observer)? {
-            InBox::Solved(convergence) => Ok(convergence),
-            InBox::NotWorthIt | InBox::Escaped => {
-                self.step_on_all(problem, from, drive, to, scratch, observer)
+        parts::within(problem.operator().threads(), || {
+            match self.step_in_a_box(problem, from, drive, to, scratch, observer)? {
+                InBox::Solved(convergence) => Ok(convergence),
+                InBox::NotWorthIt | InBox::Escaped => {
+                    self.step_on_all(problem, from, drive, to, scratch, observer)
+                }
             }
-        }
+        })
     }
 }
 
