@@ -3,8 +3,8 @@
 use super::pool;
 use crate::Grid;
 
-/// From this number of cells on a solve is faster on two threads. Below, it takes longer to wake them.
-const CELLS_TO_SHARE: usize = 192 * 192;
+/// From this number of cells on a solve is faster on two threads. Below, it takes longer to divide the work.
+const CELLS_TO_SHARE: usize = 144 * 144;
 
 /// The threads used for tables and products. The result is bit for bit the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
