@@ -248,6 +248,23 @@ def test_a_sweep_on_dask_has_the_same_bits():
     np.testing.assert_array_equal(sweep.main(100_000), sweep.rebounds(sweep.motions(100_000)))
 
 
+def test_a_sweep_survives_a_killed_worker():
+    distributed = pytest.importorskip("distributed")
+    sweep = example("sweep")
+    motions = sweep.motions(200_000)
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        pids = client.run(os.getpid)
+        futures = client.map(sweep.rebounds, np.array_split(motions, 16))
+        distributed.wait(futures, return_when="FIRST_COMPLETED")
+        os.kill(min(pids.values()), signal.SIGKILL)
+        after = np.concatenate(client.gather(futures))
+        assert client.run(os.getpid) != pids
+    np.testing.assert_array_equal(after, sweep.rebounds(motions))
+
+
 def test_other_shapes():
     egg = carom.Body(
         "ellipsoid", [0.03, 0.02, 0.015], STEEL, 0.296, centre=(0, 0, 0.015), velocity=(-0.6, -0.4, -2.0)
