@@ -7,6 +7,13 @@ pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeErr
     RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "at most 1e100 in magnitude")
 }
 
+/// Bodies that approach by no more than this do not touch yet: of what is smaller, squares underflow. It is far below
+/// the rounding of any position, and so are the loads at it.
+pub(crate) const LEAST_APPROACH: f64 = 1e-130;
+
+/// A distance with a smaller square is below the rounding of every approach above [`LEAST_APPROACH`].
+pub(crate) const LEAST_SQUARE: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
 /// The largest magnitude in a memory.
 pub(crate) const LARGEST_IN_MEMORY: f64 = 1e100;
 
