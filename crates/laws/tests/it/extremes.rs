@@ -1,7 +1,7 @@
 //! Constants, shifts and approaches at the ends of their ranges: loads and energies stay finite, and states come back.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
-use carom_laws::memory::{MemoryRegime, ScalarMemory, VectorMemory};
+use carom_laws::memory::{AdhesionMemory, MemoryRegime, ScalarMemory, VectorMemory};
 
 /// A shift whose square underflows counted as less than the approach, and where the approach did not change as sliding.
 #[test]
@@ -36,5 +36,26 @@ fn the_smallest_shifts_and_approaches_stay_within_the_cone() {
             assert_ne!(plane.regime(), MemoryRegime::Sliding, "{shift:e} {across}");
             assert!((after[0] - before[0]).abs() <= 1e-15 && after[1].abs() < 1e-100);
         }
+    }
+}
+
+/// Anchors lie beyond the shifts by the approach, and without slip slopes and forces have no limit.
+#[test]
+fn the_largest_states_come_back() {
+    let mut numbers = [0.0; 96];
+    let path = [[1e100, 1e100, -1e100], [0.9e100, -1e100, 1e100], [1e100, 0.7e100, 1e100]];
+    let (mut fixed, mut coulomb) =
+        (VectorMemory::new(), CoulombMemory::<[f64; 2]>::new(Tolerance::FINE));
+    let mut stuck = AdhesionMemory::<[f64; 2]>::new();
+    for [zeta, x, y] in [[1e-40, 1e90, 0.0]].into_iter().chain(path) {
+        fixed.advance(zeta, [x, y]).unwrap();
+        fixed.pack(&mut numbers).unwrap();
+        VectorMemory::new().unpack(&numbers).unwrap();
+        coulomb.advance(zeta, [x, y]).unwrap();
+        coulomb.pack(&mut numbers).unwrap();
+        coulomb.clone().unpack(&numbers).unwrap();
+        stuck.advance(zeta, [x, y]).unwrap();
+        stuck.pack(&mut numbers).unwrap();
+        stuck.clone().unpack(&numbers).unwrap();
     }
 }
