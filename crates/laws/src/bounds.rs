@@ -33,3 +33,11 @@ pub(crate) const LARGEST: f64 = 1e60;
 pub(crate) fn in_contact(field: &'static str, value: f64) -> Result<f64, RangeError> {
     RangeError::check(field, value, value.abs() <= LARGEST, "at most 1e60 in magnitude")
 }
+
+/// Range of the stiffnesses and lengths of a contact, for which no force and no energy leaves the range of numbers.
+const CONSTANTS: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
+
+/// Checks a stiffness or a length that is a constant of a contact.
+pub(crate) fn constant(field: &'static str, value: f64) -> Result<f64, RangeError> {
+    RangeError::check(field, value, CONSTANTS.contains(&value), "from 1e-60 to 1e60")
+}

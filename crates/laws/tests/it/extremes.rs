@@ -1,7 +1,52 @@
 //! Constants, shifts and approaches at the ends of their ranges: loads and energies stay finite, and states come back.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, Dissipative, Shift};
 use carom_laws::memory::{AdhesionMemory, MemoryRegime, ScalarMemory, VectorMemory};
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+
+/// The energies of a soft contact with much friction were infinite, and their product with an energy of zero no number.
+#[test]
+fn energies_of_extreme_constants_are_finite() {
+    for c_x in [1e-60, 1e-30, 1.0, 1e30, 1e60] {
+        for c_z in [1e-60, 1e-30, 1.0, 1e30, 1e60] {
+            let Ok(stiffness) = ContactStiffness::new(c_x, c_x, c_z) else {
+                assert!(!(1e-30..=1e30).contains(&(c_x / c_z)));
+                continue;
+            };
+            for friction in [1e-30, 1.0, 1e30, f64::INFINITY] {
+                let friction = Friction::new(friction).unwrap();
+                finite_energies(&ShiftLaw::with_fixed_direction(stiffness, friction));
+                finite_energies(&ShiftLaw::new(stiffness, friction));
+            }
+        }
+    }
+    let error = ContactStiffness::new(1e-32, 1.0, 1.0).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "c_x = 1e-32 is out of range: must be from 1e-30 to 1e30 times c_z"
+    );
+    let error = ContactStiffness::new(1.0, 1.0, 1e61).unwrap_err();
+    assert_eq!(error.to_string(), "c_z = 1e61 is out of range: must be from 1e-60 to 1e60");
+}
+
+fn finite_energies(fresh: &ShiftLaw<[f64; 2]>) {
+    let mut law = fresh.clone();
+    for [zeta, xi, eta] in
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1e60, 1e60, -1e60], [1e60, -1e60, 1e60]]
+    {
+        let to = Shift { zeta, xi, eta, omega: 0.0 };
+        let heat = law.dissipation(to);
+        assert!(heat.is_finite() && heat >= 0.0, "{heat} {law:?}");
+        if let Ok(load) = law.advance(to) {
+            assert!(load.f_x.is_finite() && load.f_y.is_finite() && load.f_z.is_finite());
+        }
+        let stored = law.stored_energy();
+        assert!(stored.is_finite() && stored >= 0.0, "{stored} {law:?}");
+    }
+}
 
 /// A shift whose square underflows counted as less than the approach, and where the approach did not change as sliding.
 #[test]
@@ -58,4 +103,10 @@ fn the_largest_states_come_back() {
         stuck.pack(&mut numbers).unwrap();
         stuck.clone().unpack(&numbers).unwrap();
     }
+    let stiffness = ContactStiffness::new(3.0, 7.0, 1.1).unwrap();
+    let fresh = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(0.3).unwrap());
+    let mut law = fresh.clone();
+    law.advance(Shift { zeta: 1.0, xi: 1e60, eta: -1e60, omega: 0.0 }).unwrap();
+    law.pack(&mut numbers).unwrap();
+    fresh.clone().unpack(&numbers).unwrap();
 }
