@@ -199,18 +199,24 @@ impl<M: March> Case<M> {
         worst.check("imbalance_of_work", error.abs() / largest, IMBALANCE)
     }
 
-    /// The force on the way, in the middle of each part, times the way.
+    /// The force on the way in contact, in the middle of each part, times the way.
     fn work(&self, to: Place) -> Result<f64, String> {
-        let way = [0, 1].map(|i| to.1[i] - self.at.1[i]);
+        let (from, way) = (self.at.0, [0, 1].map(|i| to.1[i] - self.at.1[i]));
+        let touch = from / (from - to.0);
+        let start = if from < 0.0 { touch } else { 0.0 };
+        let end = if to.0 < 0.0 { touch } else { 1.0 };
+        if from <= 0.0 && to.0 <= 0.0 {
+            return Ok(0.0);
+        }
         let mut sum = 0.0;
         for i in 0..PARTS {
-            let t = (i as f64 + 0.5) / PARTS as f64;
+            let t = start + (end - start) * (i as f64 + 0.5) / PARTS as f64;
             let mix = |a: f64, b: f64| a + t * (b - a);
             let place = (mix(self.at.0, to.0), [0, 1].map(|i| mix(self.at.1[i], to.1[i])));
             let force = self.memory.clone().go(place)?;
             sum += force[0] * way[0] + force[1] * way[1];
         }
-        Ok(sum / PARTS as f64)
+        Ok(sum * (end - start) / PARTS as f64)
     }
 }
 
