@@ -68,7 +68,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         let shift = Shift { zeta, xi, eta, omega };
         shift.check_finite()?;
         RangeError::non_negative("length", length)?;
-        RangeError::non_negative("normal force", normal)?;
+        RangeError::finite("normal force", normal)?;
         for &number in &numbers[HEAD..packed_numbers(N, M)] {
             let holds = number.abs() <= LARGEST_IN_FIELD;
             RangeError::check("slip or traction", number, holds, "at most 1e250 in magnitude")?;
