@@ -64,8 +64,8 @@ fn path(bytes: &mut Bytes<'_>) -> Option<()> {
             }
         }
         _ => {
-            let limits = Limits { normal_error: 1e-2, ..limits };
-            follow(ring_law(friction, stiffness.c_z, bytes)?, bytes, limits);
+            let (law, normal_error) = ring_law(friction, stiffness.c_z, bytes)?;
+            follow(law, bytes, Limits { normal_error, ..limits });
         }
     }
     Some(())
@@ -106,10 +106,16 @@ fn torsion(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<(Torsi
     Some((law, arm))
 }
 
-fn ring_law(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<RingLaw> {
+/// The law of rings, and by how much its normal force may differ from that of Hertz.
+fn ring_law(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<(RingLaw, f64)> {
     // Few materials, whose matrices are kept.
     let kappa = [1.0, 1.2, 1.5][bytes.pick(3)];
-    let gamma = [0.0, 0.1, -0.1, 0.3][bytes.pick(4)];
+    let gamma: f64 = [0.0, 0.1, -0.1, 0.3][bytes.pick(4)];
     let constants = RingConstants { c_z, radius: 1.0, kappa, gamma };
-    RingLaw::from_constants(constants, friction, rings::Tolerance::PARTICLES).ok()
+    let law = RingLaw::from_constants(constants, friction, rings::Tolerance::PARTICLES).ok()?;
+    // Coupled tractions press or pull. Those of much friction would part a part of the contact, which this law does
+    // not follow.
+    let f = friction.coefficient().unwrap_or(1.0);
+    let error = if f > 1.0 { 1e99 } else { 1e-2 + 0.5 * f * gamma.abs() };
+    Some((law, if gamma == 0.0 { 1e-2 } else { error }))
 }

@@ -100,6 +100,17 @@ xflags::xflags! {
             /// How long each target runs, in seconds.
             optional --seconds count: u64
         }
+        /// Takes very many steps of the memories, impacts and drawn contact problems, checks their invariants, and
+        /// appends the worst values to benches/endurance.toml. Stops at the first violation, with the seed that
+        /// meets it again. The jobs are line, fixed-direction, coulomb, impacts and contacts; all of them take days.
+        cmd endurance {
+            /// Only this job.
+            optional job: String
+            /// How many steps, impacts or problems.
+            optional --count count: u64
+            /// The seed of the first case, 1 unless given.
+            optional --seed number: u64
+        }
         /// Builds the C library and installs header, static and shared library, carom.pc and a CMake package below a
         /// prefix. Without a prefix it installs below target/, and builds and runs the examples from there by
         /// pkg-config and CMake.

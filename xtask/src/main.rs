@@ -1,7 +1,7 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `doors`, `taplo`, `fuzz`, `install-c`, `release`, `book`, `generate`, `ci`, `bench`,
-//! `instructions`.
+//! `python`, `lammps`, `doors`, `taplo`, `fuzz`, `endurance`, `install-c`, `release`, `book`, `generate`, `ci`,
+//! `bench`, `instructions`.
 //!
 //! It calls cargo, and reads the sources for `mutants` and `tidy`. It has no numerical dependency, so that it
 //! builds quickly.
@@ -14,6 +14,7 @@ mod changes;
 mod ci;
 mod deny;
 mod doors;
+mod endurance;
 mod flags;
 mod fuzz;
 mod generate;
@@ -78,6 +79,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             let seconds = options.seconds.unwrap_or(fuzz::SECONDS);
             fuzz::run(options.target.as_deref(), seconds)?.accept()?;
         }
+        flags::XtaskCmd::Endurance(options) => endurance::run(&options)?,
         flags::XtaskCmd::Taplo(_) => drop(taplo::run()?.accept()?),
         flags::XtaskCmd::InstallC(options) => match &options.prefix {
             Some(prefix) => install_c::install(prefix)?,

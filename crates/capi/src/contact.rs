@@ -117,7 +117,7 @@ pub unsafe extern "C" fn carom_contact_load(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, load, "load", error, |law| Ok(law.load().into())) }
+    unsafe { ask(pair, contact, load, "load", error, |law| CaromLoad::from(law.load()).checked()) }
 }
 
 /// The elastic energy of the contact, compression included, J.
@@ -131,8 +131,9 @@ pub unsafe extern "C" fn carom_contact_energy(
     energy: *mut f64,
     error: *mut CaromError,
 ) -> CaromStatus {
+    let stored = |law: &Law| Ok(RangeError::finite("energy", law.stored_energy())?);
     // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, energy, "energy", error, |law| Ok(law.stored_energy())) }
+    unsafe { ask(pair, contact, energy, "energy", error, stored) }
 }
 
 /// The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
@@ -151,7 +152,7 @@ pub unsafe extern "C" fn carom_contact_heat(
     let made = |law: &Law| {
         let shift = Shift::from(shift);
         shift.check_finite()?;
-        Ok(law.dissipation(shift))
+        Ok(RangeError::finite("heat", law.dissipation(shift))?)
     };
     // SAFETY: the caller's promise.
     unsafe { ask(pair, contact, heat, "heat", error, made) }

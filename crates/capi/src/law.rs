@@ -3,6 +3,9 @@
 use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::{Fixed, MemoryRegime};
 use carom_laws::shift_law::ShiftLaw;
+use carom_special::RangeError;
+
+use crate::error::Failure;
 
 /// Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -82,6 +85,16 @@ impl From<ContactLoad> for CaromLoad {
     #[inline]
     fn from(ContactLoad { f_x, f_y, f_z, .. }: ContactLoad) -> Self {
         Self { f_x, f_y, f_z }
+    }
+}
+
+impl CaromLoad {
+    /// The load, unless the bytes of the contact were damaged such that a part of it is infinite or no number.
+    pub(crate) fn checked(self) -> Result<Self, Failure> {
+        for part in [self.f_x, self.f_y, self.f_z] {
+            RangeError::finite("load", part)?;
+        }
+        Ok(self)
     }
 }
 

@@ -6,6 +6,7 @@ use carom_laws::grains::{
     Grain, GrainRings, Heats, RING_GRAIN_MARK, Surface, Wall, ring_grain_numbers,
 };
 use carom_laws::rings::Rings;
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, relative_radius};
@@ -279,7 +280,7 @@ pub unsafe extern "C" fn carom_ring_touch_energy(
         let (touch, energy) = (read(touch, "touch")?, write(energy, "energy")?);
         let rings = constants(grains, rings, [radius_1, radius_2])?;
         let stored = |contact: &GrainRings| contact.memory().stored_energy(&rings);
-        *energy = touch.present()?.map_or(0.0, stored);
+        *energy = RangeError::finite("energy", touch.present()?.map_or(0.0, stored))?;
         Ok(())
     };
     // SAFETY: the caller's promise.

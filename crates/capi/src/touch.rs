@@ -330,7 +330,8 @@ pub unsafe extern "C" fn carom_touch_energy(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let contact = read(touch, "touch")?.present()?;
-        *write(energy, "energy")? = contact.map_or(0.0, GrainContact::stored_energy);
+        let stored = contact.map_or(0.0, GrainContact::stored_energy);
+        *write(energy, "energy")? = RangeError::finite("energy", stored)?;
         Ok(())
     };
     // SAFETY: the caller's promise.

@@ -125,7 +125,7 @@ pub unsafe extern "C" fn carom_touch_roll_energy(
         let (rolling, roll) = (read(rolling, "rolling")?, read(roll, "roll")?);
         rolling.check()?;
         roll.check()?;
-        *write(energy, "energy")? = rolling.energy(roll.shift);
+        *write(energy, "energy")? = RangeError::finite("energy", rolling.energy(roll.shift))?;
         Ok(())
     };
     // SAFETY: the caller's promise.
@@ -186,14 +186,21 @@ impl CaromRoll {
         self.check()?;
         let [one, two] = bodies.radii();
         let (meeting, radius) = (bodies.meeting(grains)?, relative_radius(one, two)?);
+        let (mut next, mut made) = (*self, 0.0);
         if dt > 0.0 {
             let normal_force = dot(load.force, meeting.normal).max(0.0);
-            let made = self.turn(rolling, &meeting, radius, dt, normal_force);
-            if let Some(heat) = heat {
-                *heat += made;
-            }
+            made = next.turn(rolling, &meeting, radius, dt, normal_force);
         }
-        Ok(times(cross(meeting.normal, self.force), radius))
+        let torque = times(cross(meeting.normal, next.force), radius);
+        for part in [next.shift, next.force, torque].into_iter().flatten() {
+            RangeError::finite("rolling resistance", part)?;
+        }
+        RangeError::finite("heat", made)?;
+        *self = next;
+        if let Some(heat) = heat {
+            *heat += made;
+        }
+        Ok(torque)
     }
 
     /// The step of the state, with its heat.

@@ -2,6 +2,7 @@
 
 use carom_laws::grains::{Grain, GrainTwist, Heats, Surface, Wall};
 use carom_laws::law::ContactLaw as _;
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, relative_radius};
@@ -112,7 +113,8 @@ pub unsafe extern "C" fn carom_touch_twist_energy(
         let (grains, twist) = (read(grains, "grains")?, read(twist, "twist")?);
         grains.check_constant_friction()?;
         let pair = grains.pair(relative_radius(radius_1, radius_2)?);
-        *write(energy, "energy")? = twist.law(&pair)?.twist_energy();
+        let stored = twist.law(&pair)?.twist_energy();
+        *write(energy, "energy")? = RangeError::finite("energy", stored)?;
         Ok(())
     };
     // SAFETY: the caller's promise.

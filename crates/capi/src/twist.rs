@@ -159,7 +159,8 @@ unsafe fn ask(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let (pair, twist) = (read(pair, "pair")?, read(twist, "twist")?);
-        *write(answer, name)? = question(&twist.law(pair)?)?;
+        let told = question(&twist.law(pair)?)?;
+        *write(answer, name)? = RangeError::finite(name, told)?;
         Ok(())
     };
     // SAFETY: the caller's promise.

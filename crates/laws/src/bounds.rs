@@ -7,8 +7,23 @@ pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeErr
     RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "at most 1e100 in magnitude")
 }
 
+/// Bodies that approach by no more than this do not touch yet: of what is smaller, squares underflow. It is far below
+/// the rounding of any position, and so are the loads at it.
+pub(crate) const LEAST_APPROACH: f64 = 1e-130;
+
+/// A distance with a smaller square is below the rounding of every approach above [`LEAST_APPROACH`].
+pub(crate) const LEAST_SQUARE: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
 /// The largest magnitude in a memory.
 pub(crate) const LARGEST_IN_MEMORY: f64 = 1e100;
+
+/// Anchors and stretches of shifts within [`LARGEST_IN_MEMORY`] are smaller.
+pub(crate) const LARGEST_ANCHOR: f64 = 1e101;
+
+/// Checks a number of a stored memory.
+pub(crate) fn stored_number(value: f64, most: f64) -> Result<f64, RangeError> {
+    RangeError::check("numbers", value, value.abs() <= most, "of a possible state")
+}
 
 /// The largest magnitude in the units of the user.
 pub(crate) const LARGEST: f64 = 1e60;
@@ -17,4 +32,12 @@ pub(crate) const LARGEST: f64 = 1e60;
 /// the radius.
 pub(crate) fn in_contact(field: &'static str, value: f64) -> Result<f64, RangeError> {
     RangeError::check(field, value, value.abs() <= LARGEST, "at most 1e60 in magnitude")
+}
+
+/// Range of the stiffnesses and lengths of a contact, for which no force and no energy leaves the range of numbers.
+const CONSTANTS: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
+
+/// Checks a stiffness or a length that is a constant of a contact.
+pub(crate) fn constant(field: &'static str, value: f64) -> Result<f64, RangeError> {
+    RangeError::check(field, value, CONSTANTS.contains(&value), "from 1e-60 to 1e60")
 }

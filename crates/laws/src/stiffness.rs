@@ -4,6 +4,7 @@ use carom_halfspace::MaterialPair;
 use carom_special::elliptic::complete;
 use carom_special::{AxisRatio, RangeError};
 
+use crate::bounds::constant;
 use crate::curvature::RelativeCurvature;
 
 /// Stiffness coefficients: full adhesion is `dF_i = c_i sqrt(zeta) d(shift_i)` (5.30), and
@@ -22,11 +23,15 @@ impl ContactStiffness {
     /// From given coefficients, for example measured ones.
     ///
     /// # Errors
-    /// [`RangeError`] unless all are positive and at most 1e150.
+    /// [`RangeError`] unless all are from 1e-60 to 1e60, and c_x and c_y from 1e-30 to 1e30 times c_z: the energies
+    /// of a shift are of the order `c_z^2/c_x`.
     pub fn new(c_x: f64, c_y: f64, c_z: f64) -> Result<Self, RangeError> {
         for (field, value) in [("c_x", c_x), ("c_y", c_y), ("c_z", c_z)] {
-            let holds = value > 0.0 && value <= 1e150;
-            RangeError::check(field, value, holds, "> 0 and at most 1e150")?;
+            constant(field, value)?;
+        }
+        for (field, value) in [("c_x", c_x), ("c_y", c_y)] {
+            let holds = (1e-30..=1e30).contains(&(value / c_z));
+            RangeError::check(field, value, holds, "from 1e-30 to 1e30 times c_z")?;
         }
         Ok(Self { c_x, c_y, c_z })
     }

@@ -34,9 +34,10 @@ impl Limits {
         assert!([f_x, f_y, f_z, m_z].iter().all(|part| !part.is_nan()), "{load:?} at {shift:?}");
         let zeta = shift.zeta.max(0.0);
         let normal = 2.0 / 3.0 * self.c_z * zeta * zeta.sqrt();
-        assert!((f_z - normal).abs() <= self.normal_error * normal, "{load:?} at {shift:?}");
-        let Some(f) = self.friction.coefficient() else { return };
         // The smallest numbers have fewer digits.
+        let error = self.normal_error * normal + 1e-300;
+        assert!((f_z - normal).abs() <= error, "{load:?} at {shift:?}");
+        let Some(f) = self.friction.coefficient() else { return };
         let limit = f * f_z * (1.0 + ROUNDING) + 1e-300;
         assert!(f_x.hypot(f_y) <= limit, "{load:?} at {shift:?}: more than {limit}");
         if self.arm.is_finite() {

@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 
 use super::piece::Node;
-use crate::bounds::in_memory;
+use crate::bounds::{LARGEST_ANCHOR, in_memory, stored_number};
 use crate::memory::{Lateral, MemoryRegime as Regime};
 
 /// Version of the format. The first number is `1e4 version + 100 regime + vertices`.
@@ -50,9 +50,9 @@ pub(super) fn check_format(
     let len = len as usize;
     let holds = len <= capacity && numbers.len() >= packed_numbers(len);
     RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
-    for value in &numbers[1..packed_numbers(len)] {
-        in_memory("numbers", *value)?;
-    }
+    let (place, rest) = numbers[1..packed_numbers(len)].split_at(3);
+    place.iter().try_for_each(|value| in_memory("numbers", *value).map(|_| ()))?;
+    rest.iter().try_for_each(|value| stored_number(*value, LARGEST_ANCHOR).map(|_| ()))?;
     let mut below = -1.0;
     for vertex in numbers[HEAD_NUMBERS..].chunks_exact(NUMBERS_PER_VERTEX).take(len) {
         let depth = vertex[0];

@@ -168,7 +168,7 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
 
     /// Makes a straight step to a new approach and shift and returns the force Phi.
     ///
-    /// An approach that is not positive separates the bodies and deletes the memory. In the step
+    /// An approach of at most 1e-130 separates the bodies and deletes the memory. In the step
     /// that closes the gap, the shift at first contact is interpolated.
     ///
     /// # Errors

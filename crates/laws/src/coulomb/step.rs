@@ -7,6 +7,7 @@ use super::energy::{NoObserver, StepObserver};
 use super::fit::{Dragged, MAX_HALVINGS};
 use super::join::{ControlLengths, join_from};
 use super::piece::{End, Node, Piece};
+use crate::bounds::LEAST_APPROACH;
 use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Nodes};
 
 /// Lengths up to these shares of the approach and of the shift count as zero.
@@ -38,8 +39,8 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         shift: V,
         observer: &mut impl StepObserver<V>,
     ) {
-        if zeta <= 0.0 {
-            self.separate(zeta, shift);
+        if zeta <= LEAST_APPROACH {
+            self.separate(zeta.min(0.0), shift);
             return;
         }
         if self.stack.is_empty() {

@@ -5,13 +5,13 @@ use std::mem::offset_of;
 use carom_special::RangeError;
 
 use super::dashpots::Dashpots;
-use super::drag_heat::{DragHeat, middle_of};
-use super::load::{GrainLoad, elastic, load_in};
+use super::drag_heat::{DragHeat, check_heat, middle_of};
+use super::load::{GrainLoad, check_beside, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
 use crate::damping::HertzDamping;
-use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
+use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{Fixed, Growing, VertexStack};
 use crate::shift_law::ShiftLaw;
 
@@ -123,7 +123,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// velocities are those that moved them there; for a leapfrog those at the middle of the step.
     ///
     /// # Errors
-    /// [`RangeError`] for a shift that the law does not allow; the contact is then unchanged.
+    /// [`RangeError`] for a shift that the law does not allow, or an arm or a damping force beyond all range; the
+    /// contact is then unchanged.
     #[inline(always)]
     pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<GrainLoad, RangeError> {
         if self.is_new() {
@@ -133,8 +134,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         if leaves(meeting, dt) {
             return self.leave(meeting, &step, dt);
         }
+        let drag = self.checked_drag(meeting, &step, dt)?;
         let load = self.law.advance(step.to())?;
-        let drag = self.drag(meeting, load.f_z, dt);
         Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y], drag))
     }
 
@@ -160,11 +161,15 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         } else {
             self.law.loss(self.step(meeting, dt).to())
         };
-        let old = self.drag;
-        let load = self.advance(meeting, dt)?;
-        heats.friction += friction;
+        let drag = if is_new { self.first_drag(meeting, dt) } else { self.drag(meeting, dt) };
+        let mut drag_heat = self.drag_heat;
         let speed = dot(meeting.velocity, middle);
-        heats.damping += self.drag_heat.step([old, self.drag], speed, dt, is_new);
+        let damping = drag_heat.step([self.drag, drag], speed, dt, is_new);
+        check_heat(friction + damping)?;
+        let load = self.advance(meeting, dt)?;
+        self.drag_heat = drag_heat;
+        heats.friction += friction;
+        heats.damping += damping;
         Ok(load)
     }
 
@@ -191,8 +196,28 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     }
 
     #[inline(always)]
-    fn drag(&self, meeting: &Meeting, elastic: f64, dt: f64) -> f64 {
-        self.dashpots.force(meeting, self.law.stiffness().c_z, elastic, dt)
+    fn drag(&self, meeting: &Meeting, dt: f64) -> f64 {
+        self.dashpots.force(meeting, self.law.stiffness().c_z, self.elastic(meeting.zeta), dt)
+    }
+
+    fn first_drag(&self, meeting: &Meeting, dt: f64) -> f64 {
+        self.dashpots.first_force(meeting, self.law.stiffness().c_z, self.elastic(meeting.zeta), dt)
+    }
+
+    /// The damping force of a step, if no part of its load overflows.
+    #[inline(always)]
+    fn checked_drag(&self, meeting: &Meeting, step: &Step, dt: f64) -> Result<f64, RangeError> {
+        let drag = self.drag(meeting, dt);
+        match check_beside(meeting.arms, drag) {
+            Ok(()) => Ok(drag),
+            Err(error) => Err(self.first_error(step, error)),
+        }
+    }
+
+    /// The error of the law if it does not allow the step, which comes first.
+    #[cold]
+    fn first_error(&self, step: &Step, error: RangeError) -> RangeError {
+        self.law.check(step.to()).err().unwrap_or(error)
     }
 
     #[inline(always)]
@@ -208,11 +233,12 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
         before.check_finite()?;
         step.to().check_finite()?;
+        let drag = self.first_drag(meeting, dt);
         let mut law = self.law.clone();
         law.advance(before)?;
         let load = law.advance(step.to())?;
+        check_beside(meeting.arms, drag)?;
         self.law = law;
-        let drag = self.dashpots.first_force(meeting, self.law.stiffness().c_z, load.f_z, dt);
         Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y], drag))
     }
 
@@ -222,6 +248,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     fn leave(&mut self, meeting: &Meeting, step: &Step, dt: f64) -> Result<GrainLoad, RangeError> {
         let (from, to) = (self.law.shift(), step.to());
         let between = |part: f64| on_the_way(from, to, part);
+        let drag = self.checked_drag(meeting, step, dt)?;
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
         let past = past.advance(between(0.5))?;
         let load = law.advance(to)?;
@@ -230,7 +257,6 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         self.law = law;
         let friction =
             [mean_about(past.f_x, load.f_x, ahead.f_x), mean_about(past.f_y, load.f_y, ahead.f_y)];
-        let drag = self.drag(meeting, load.f_z, dt);
         Ok(self.keep(meeting, step, load, friction, drag))
     }
 

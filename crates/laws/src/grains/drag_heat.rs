@@ -1,5 +1,7 @@
 //! The heat of the damping of the normal motion.
 
+use carom_special::RangeError;
+
 use super::vector::{Vector, plus, times};
 
 /// What the heat of damping needs of the steps before.
@@ -39,4 +41,9 @@ impl DragHeat {
 /// other, that at the end alone would be off in the first order of the step.
 pub(super) fn middle_of(old: Vector, new: Vector, is_first: bool) -> Vector {
     if is_first { new } else { times(plus(old, new), 0.5) }
+}
+
+/// Checks the heat of a step, which overflows at speeds beyond all range.
+pub(super) fn check_heat(heat: f64) -> Result<(), RangeError> {
+    RangeError::finite("heat", heat).map(|_| ())
 }

@@ -1,5 +1,7 @@
 //! The load of two grains in contact.
 
+use carom_special::RangeError;
+
 use super::number::Number;
 use super::vector::{Vector, cross, minus, plus, times};
 
@@ -46,4 +48,28 @@ pub(super) fn load_in(
 ) -> GrainLoad {
     let [force, torque_1, torque_2] = forces(axes, arms, normal_force, friction);
     GrainLoad { force, torques: [torque_1, torque_2] }
+}
+
+/// The largest arm of a force whose torque cannot overflow.
+pub(super) const LARGEST_ARM: f64 = 1e60;
+/// The largest damping force whose torque and heat cannot overflow.
+pub(super) const LARGEST_DRAG: f64 = 1e150;
+
+/// Checks what else than the law decides on the load of a step, before the law is advanced.
+#[inline(always)]
+pub(super) fn check_beside(arms: [f64; 2], drag: f64) -> Result<(), RangeError> {
+    let [one, two] = arms.map(|arm| arm.abs() <= LARGEST_ARM);
+    if one & two & (drag.abs() <= LARGEST_DRAG) {
+        return Ok(());
+    }
+    name_the_wrong_one(arms, drag)
+}
+
+#[cold]
+fn name_the_wrong_one(arms: [f64; 2], drag: f64) -> Result<(), RangeError> {
+    for arm in arms {
+        RangeError::check("arm", arm, arm.abs() <= LARGEST_ARM, "at most 1e60 in magnitude")?;
+    }
+    let holds = drag.abs() <= LARGEST_DRAG;
+    RangeError::check("damping force", drag, holds, "at most 1e150").map(|_| ())
 }

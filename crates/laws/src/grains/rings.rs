@@ -4,7 +4,7 @@ use carom_special::RangeError;
 
 use super::contact::Heats;
 use super::dashpots::Dashpots;
-use super::drag_heat::{DragHeat, middle_of};
+use super::drag_heat::{DragHeat, check_heat, middle_of};
 use super::load::{GrainLoad, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
@@ -129,6 +129,26 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
+        let mut next = *self;
+        let (load, friction, damping) = next.moved(rings, meeting, dt)?;
+        let parts = [load.force, load.torques[0], load.torques[1]];
+        for part in parts.into_iter().flatten() {
+            RangeError::finite("load", part)?;
+        }
+        check_heat(friction + damping)?;
+        *self = next;
+        heats.friction += friction;
+        heats.damping += damping;
+        Ok(load)
+    }
+
+    /// Advances, and returns the load with the heats of friction and damping.
+    fn moved(
+        &mut self,
+        rings: &Rings<'_, N, M>,
+        meeting: &Meeting,
+        dt: f64,
+    ) -> Result<(GrainLoad, f64, f64), RangeError> {
         let (is_new, old, normal) = (self.is_new(), self.drag, self.normal);
         let (step, given) = match is_new {
             true => self.begin(rings, meeting, dt)?,
@@ -141,10 +161,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             false => self.dashpots.force(meeting, c_z, elastic, dt),
         };
         let load = self.keep(meeting, &step, given.load);
-        heats.friction += given.heat;
         let speed = dot(meeting.velocity, middle_of(normal, meeting.normal, is_new));
-        heats.damping += self.drag_heat.step([old, self.drag], speed, dt, is_new);
-        Ok(load)
+        let damping = self.drag_heat.step([old, self.drag], speed, dt, is_new);
+        Ok((load, given.heat, damping))
     }
 
     /// The load at the end of the last step, for the bodies as given. A contact without a step has

@@ -6,7 +6,7 @@ use carom_special::RangeError;
 
 use super::contact::GrainContact;
 use super::dashpots::Dashpots;
-use super::load::{GrainLoad, elastic, forces};
+use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, check_beside, elastic, forces};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
 use super::step::{Before, Step, parting};
@@ -95,20 +95,21 @@ fn go_on<S: VertexStack<[f64; 2]>>(
 ) -> Result<(), RangeError> {
     let step = before(pairs).step(meeting, dt);
     let to = normalised(pairs, &step)?;
+    let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
+    let elastic = elastic(c_z, meeting.zeta);
+    let dashpots = Dashpots {
+        viscosity: each(pairs, |pair| pair.contact.dashpots.viscosity),
+        ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
+    };
+    let drag = dashpots.force(meeting, c_z, elastic, dt);
+    check_each(meeting.arms, drag)?;
     let mut frictions = [[0.0; 2]; TOGETHER];
     for (i, pair) in pairs.iter_mut().enumerate() {
         meanwhile(i);
         let to = to.map(|lane| lane.to_array()[i]);
         frictions[i] = pair.contact.law.go(lane(&step, i), to);
     }
-    let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
-    let elastic = elastic(c_z, meeting.zeta);
     let friction = from_fn(|k| lanes(|i| frictions[i][k]));
-    let dashpots = Dashpots {
-        viscosity: each(pairs, |pair| pair.contact.dashpots.viscosity),
-        ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
-    };
-    let drag = dashpots.force(meeting, c_z, elastic, dt);
     let axes = [step.tangent, meeting.normal];
     let loads = forces(axes, meeting.arms, elastic + drag, friction);
     for (i, pair) in pairs.iter_mut().enumerate() {
@@ -151,7 +152,6 @@ fn normalised<S: VertexStack<[f64; 2]>>(
     let scale = |k: usize| each(pairs, |pair| pair.contact.law.scale_of_shifts()[k]);
     let [xi, eta] = step.shift;
     let to = [xi * scale(0), eta * scale(1)];
-    let up_to = |lane: Lanes, most: f64| lane.abs().simd_le(Lanes::splat(most));
     let told = up_to(step.zeta, LARGEST) & up_to(xi, LARGEST) & up_to(eta, LARGEST);
     let kept = up_to(to[0], LARGEST_IN_MEMORY) & up_to(to[1], LARGEST_IN_MEMORY);
     if !(told & kept).all() {
@@ -160,6 +160,23 @@ fn normalised<S: VertexStack<[f64; 2]>>(
         }
     }
     Ok(to)
+}
+
+/// Which lanes are at most this in magnitude.
+#[inline(always)]
+fn up_to(lane: Lanes, most: f64) -> Lanes {
+    lane.abs().simd_le(Lanes::splat(most))
+}
+
+/// [`check_beside`] for each of the contacts.
+#[inline(always)]
+fn check_each(arms: [Lanes; 2], drag: Lanes) -> Result<(), RangeError> {
+    let [one, two] = arms.map(|arm| up_to(arm, LARGEST_ARM));
+    if (one & two & up_to(drag, LARGEST_DRAG)).all() {
+        return Ok(());
+    }
+    let ([one, two], drag) = (arms.map(Lanes::to_array), drag.to_array());
+    (0..TOGETHER).try_for_each(|i| check_beside([one[i], two[i]], drag[i]))
 }
 
 /// Advances the contacts one after the other, if one begins or ends.

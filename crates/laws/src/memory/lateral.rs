@@ -51,7 +51,7 @@ pub trait Lateral: sealed::Sealed + Copy + Debug + Default + PartialEq {
 
     /// The distance from the tip at which the cone around the new point cuts a segment, if it is at
     /// most `length`.
-    /// `d` is the distance (not zero) of the new point from the segment's line at the new approach,
+    /// `d` is the distance (above the root of `LEAST_SQUARE`) of the new point from the segment's line at the new approach,
     /// `m` the segment's slope and `q = 1 - m.m`. The cut is measured from the tip, where no
     /// cancellation occurs.
     #[must_use]

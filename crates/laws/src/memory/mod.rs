@@ -39,7 +39,7 @@ pub use stack::{Fixed, FixedStack, Growing, GrowingStack, NodeStack, Nodes, Vert
 
 use carom_special::RangeError;
 
-use crate::bounds::in_memory;
+use crate::bounds::{LEAST_APPROACH, LEAST_SQUARE, in_memory};
 use crate::profile::{Hertzian, NormalProfile};
 use merge::push;
 pub(crate) use threshold::{Threshold, mean_force};
@@ -132,7 +132,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     /// Advances on a straight path to a new approach and shift and returns the force Phi.
     ///
-    /// The bodies separate if the approach is not positive, and the memory is lost. In the step
+    /// The bodies separate if the approach is at most 1e-130, and the memory is lost. In the step
     /// that closes the gap the shift at first contact is interpolated.
     ///
     /// # Errors
@@ -151,8 +151,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// A step whose arguments were checked.
     #[inline]
     pub(crate) fn step(&mut self, zeta: f64, shift: V) {
-        if zeta <= 0.0 {
-            self.separate(zeta, shift);
+        if zeta <= LEAST_APPROACH {
+            self.separate(zeta.min(0.0), shift);
             return;
         }
         if self.stack.is_empty() {
@@ -161,9 +161,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let dz = zeta - self.zeta;
         let dx = shift.minus(self.shift);
         if dz > 0.0 && dx.dot(dx) <= dz * dz {
-            // A growth below the normal numbers has no inverse, and no force of its own.
-            let slope = if dz.is_normal() { dx.times(1.0 / dz) } else { V::default() };
-            self.adhere(zeta, slope);
+            self.adhere(zeta, dx.times(1.0 / dz));
         } else {
             self.cut(zeta, shift);
         }
@@ -228,7 +226,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
                 let d = shift.minus(anchor).minus(segment.slope.times(beyond));
                 // The new point is on the segment's line. It may be beyond the end by rounding
                 // only, or in slip: true growth along an adhering segment is adhesion, not a cut.
-                if d == V::default() {
+                if d.dot(d) < LEAST_SQUARE {
                     self.recede(zeta, i);
                     return;
                 }

@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 
 use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
-use crate::bounds::in_memory;
+use crate::bounds::{LARGEST_ANCHOR, in_memory, stored_number};
 use crate::profile::NormalProfile;
 
 /// The version of the format; the first number is `1e4 version + 100 regime + vertices`. Version 1
@@ -82,7 +82,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let format = (VERSION, EACH, "of version 2");
-        let (regime, len) = check(numbers, format, self.stack.capacity())?;
+        let (regime, len) = check(numbers, format, self.stack.capacity(), LARGEST_ANCHOR)?;
         within_cone::<V, P>(numbers, len, &self.profile)?;
         self.regime = regime;
         self.zeta = numbers[1];
@@ -183,11 +183,12 @@ fn vertex<V: Lateral>(numbers: &[f64], anchor: V, force: V) -> Vertex<V> {
 }
 
 /// The regime and the number of vertices, if the numbers are a state of this version with this many
-/// numbers per vertex.
+/// numbers per vertex, all but the place at most `most`.
 pub(super) fn check(
     numbers: &[f64],
     (version, each, of_version): (f64, usize, &'static str),
     capacity: usize,
+    most: f64,
 ) -> Result<(MemoryRegime, usize), RangeError> {
     let room = numbers.len() as f64;
     RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
@@ -204,9 +205,9 @@ pub(super) fn check(
         holds,
         "at most the number that the storage can hold",
     )?;
-    for value in &numbers[1..HEAD + each * len] {
-        in_memory("numbers", *value)?;
-    }
+    let (place, rest) = numbers[1..HEAD + each * len].split_at(3);
+    place.iter().try_for_each(|value| in_memory("numbers", *value).map(|_| ()))?;
+    rest.iter().try_for_each(|value| stored_number(*value, most).map(|_| ()))?;
     let mut below = -1.0;
     for vertex in numbers[HEAD..].chunks_exact(each).take(len) {
         let depth = vertex[0].abs();

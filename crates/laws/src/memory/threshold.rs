@@ -7,6 +7,7 @@
 //! step leaves it at most once.
 
 use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack, push};
+use crate::bounds::LEAST_APPROACH;
 use crate::profile::{GAUSS, NormalProfile};
 
 /// The drop of friction, and the direction of the traction while all of the contact slides.
@@ -58,7 +59,7 @@ impl Threshold {
         S: VertexStack<f64>,
         P: NormalProfile,
     {
-        if zeta <= 0.0 {
+        if zeta <= LEAST_APPROACH {
             memory.step(zeta, shift);
             self.direction = 0.0;
         } else {

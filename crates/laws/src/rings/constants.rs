@@ -2,6 +2,7 @@
 
 use carom_special::RangeError;
 
+use crate::bounds::constant;
 use crate::hertz::Hertz;
 
 /// Allowed deviation of the axis ratio of a circle from 1.
@@ -48,9 +49,8 @@ impl RingConstants {
     /// # Errors
     /// [`RangeError`] for the first that is not.
     pub fn checked(self) -> Result<Self, RangeError> {
-        let size = |value: f64| value > 0.0 && value <= 1e150;
-        RangeError::check("c_z", self.c_z, size(self.c_z), "> 0 and at most 1e150")?;
-        RangeError::check("radius", self.radius, size(self.radius), "> 0 and at most 1e150")?;
+        constant("c_z", self.c_z)?;
+        constant("radius", self.radius)?;
         let [low, high] = KAPPA;
         let holds = self.kappa >= low - ROUNDING && self.kappa <= high + ROUNDING;
         RangeError::check("kappa", self.kappa, holds, "from 3/4 to 3/2")?;

@@ -65,6 +65,14 @@ impl<const N: usize, const H: usize> Default for Contact<N, H> {
     }
 }
 
+impl Sums {
+    /// Of bodies that just touch: Hertz's force at an approach too small for tractions.
+    pub(super) fn just_touching(zeta: f64) -> Self {
+        let zeta = zeta.max(0.0);
+        Self { normal: 8.0 / 3.0 * (zeta * zeta.sqrt()), ..Self::default() }
+    }
+}
+
 impl Step {
     /// The tangential displacement of the step at the rim of a contact of this radius.
     fn way(&self, radius: f64) -> f64 {

@@ -73,7 +73,7 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingMatrices<N, M, S> {
     /// The constants of a contact with `F_z = (2/3) c_z zeta^(3/2)` and the radius `radius zeta^(1/2)`.
     ///
     /// # Errors
-    /// [`RangeError`] unless both are positive and at most 1e150.
+    /// [`RangeError`] unless both are from 1e-60 to 1e60.
     #[inline]
     pub fn contact(
         &self,

@@ -6,7 +6,7 @@ use super::contact::{Contact, Done, Step, Sums};
 use super::matrices::{RingMatrices, Rings};
 use super::symmetry::Symmetry;
 use super::units::Units;
-use crate::bounds::in_contact;
+use crate::bounds::{LEAST_APPROACH, in_contact};
 use crate::law::{ContactLoad, Shift};
 
 /// The load history of a contact on rings: numbers without pointers, which can be stored as bytes.
@@ -137,9 +137,9 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
     pub(super) fn go<S: Symmetry<M>>(&mut self, rings: &Rings<'_, N, M, S>, to: Shift) -> Done {
         let from = std::mem::replace(&mut self.shift, to);
         let Some(pair) = rings.pair else { return Done::default() };
-        if to.zeta <= 0.0 {
+        if to.zeta <= LEAST_APPROACH {
             self.contact = Contact::default();
-            let heat = std::mem::take(&mut self.sums).stored;
+            let heat = std::mem::replace(&mut self.sums, Sums::just_touching(to.zeta)).stored;
             return Done { heat, ..Done::default() };
         }
         if to == from {

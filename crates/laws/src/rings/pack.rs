@@ -2,13 +2,13 @@
 
 use carom_special::RangeError;
 
-use super::contact::Contact;
+use super::contact::{Contact, Sums};
 use super::matrices::Rings;
 use super::memory::RingMemory;
-use super::pair::Pair;
+use super::pair::{PEAK, Pair};
 use super::symmetry::Symmetry;
 use super::transform::Field;
-use crate::bounds::in_contact;
+use crate::bounds::LEAST_APPROACH;
 use crate::law::Shift;
 
 /// Number of values before the fields: shift, length of the last step, normal force.
@@ -19,6 +19,13 @@ const FIELDS: usize = 3;
 /// in units of the tolerance (at least `FINEST`). In 18 000 steps at each of four tolerances the largest were 6 and 17.
 const OFF: f64 = 40.0;
 const FINEST: f64 = 1e-4;
+/// Rounding of tractions relative to the largest displacement over the approach. It counts where the scale of
+/// tractions is small against it: for large friction.
+const ROUND_OFF: f64 = 1e-9;
+/// Allowed deviation of tractions in full adhesion, which have no scale of their own, relative to the largest.
+const STUCK_OFF: f64 = OFF * FINEST;
+/// Slip and tractions of shifts within their limits are smaller.
+const LARGEST_IN_FIELD: f64 = 1e250;
 
 /// Number of values of a stored state with this many rings and angles: 294 for 6 x 8.
 #[must_use]
@@ -60,9 +67,11 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         let [zeta, xi, eta, omega, length, normal] = std::array::from_fn(|i| numbers[i]);
         let shift = Shift { zeta, xi, eta, omega };
         shift.check_finite()?;
-        in_contact("length", RangeError::non_negative("length", length)?)?;
+        RangeError::non_negative("length", length)?;
+        RangeError::finite("normal force", normal)?;
         for &number in &numbers[HEAD..packed_numbers(N, M)] {
-            in_contact("slip or traction", number)?;
+            let holds = number.abs() <= LARGEST_IN_FIELD;
+            RangeError::check("slip or traction", number, holds, "at most 1e250 in magnitude")?;
         }
         let mut contact = Contact::default();
         let mut fields = [[[[0.0; N]; 2]; M]; FIELDS];
@@ -71,33 +80,38 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
             field.as_flattened_mut().as_flattened_mut().copy_from_slice(part);
         }
         [contact.slip, contact.tractions.z, contact.tractions.y] = fields;
-        let mut sums = super::contact::Sums::default();
-        if let (Some(pair), true) = (rings.pair, zeta > 0.0) {
-            (contact.radius, contact.length) = (zeta.sqrt(), length);
-            pair.follow(&mut contact.tractions);
-            contact.rim = contact.at_rim(pair, zeta);
-            check_tractions(pair, &contact, rings.tolerance)?;
-            sums = contact.sums(pair);
-            let least = sums.force[0].hypot(sums.force[1]) * (1.0 - 1e-9);
-            let off = (normal - sums.normal).abs();
-            let holds =
-                !pair.slips || (normal >= least && off <= room(rings.tolerance) * sums.normal);
-            RangeError::check("normal force", normal, holds, "that of the tractions")?;
-            sums.normal = normal;
-        } else {
-            contact = Contact::default();
+        let mut sums = Sums::default();
+        match rings.pair {
+            Some(pair) if zeta > LEAST_APPROACH => {
+                (contact.radius, contact.length) = (zeta.sqrt(), length);
+                pair.follow(&mut contact.tractions);
+                contact.rim = contact.at_rim(pair, zeta);
+                let u = displacements(pair, &contact);
+                let stuck = pair.sticking_to(&u);
+                let room = room(rings.tolerance).max(beyond_scale(pair, &stuck));
+                check_tractions(pair, &contact, (&u, &stuck), room)?;
+                sums = contact.sums(pair);
+                check_sums(pair, &sums, normal, room)?;
+                sums.normal = normal;
+            }
+            Some(_) => {
+                contact = Contact::default();
+                sums = Sums::just_touching(zeta);
+                let holds = (normal - sums.normal).abs() <= ROUND_OFF * sums.normal;
+                RangeError::check("normal force", normal, holds, "that of the approach")?;
+            }
+            None => contact = Contact::default(),
         }
         *self = Self { contact, sums, shift };
         Ok(())
     }
 }
 
-/// Checks that the tractions are those of the slip and within the friction limit.
-fn check_tractions<const N: usize, const M: usize, S: Symmetry<M>>(
+/// The displacements by the tractions, over the square of the radius.
+fn displacements<const N: usize, const M: usize, S: Symmetry<M>>(
     pair: &Pair<N, M, S>,
     contact: &Contact<N, M>,
-    tolerance: f64,
-) -> Result<(), RangeError> {
+) -> Field<N, M> {
     let square = contact.radius * contact.radius;
     let mut u: Field<N, M> = [[[0.0; N]; 2]; M];
     for (j, [radial, around]) in u.iter_mut().enumerate() {
@@ -106,20 +120,63 @@ fn check_tractions<const N: usize, const M: usize, S: Symmetry<M>>(
             (*radial, *around) = (stretch[0] / square, stretch[1] / square);
         }
     }
-    let stuck = pair.sticking_to(&u);
-    let room = room(tolerance) * pair.scale;
-    for (j, (q, z)) in stuck.iter().zip(&contact.tractions.z).enumerate() {
+    u
+}
+
+/// How many times their usual scale tractions may be off, if they are coupled and friction is so much that the pressures
+/// that they add decide on their limits: after a shift far beyond the approach the iteration may end before they settle.
+/// They are then at most those that would stick.
+fn beyond_scale<const N: usize, const M: usize, S: Symmetry<M>>(
+    pair: &Pair<N, M, S>,
+    stuck: &Field<N, M>,
+) -> f64 {
+    let is_usual = pair.scale >= PEAK || !pair.slips || pair.lift == 0.0;
+    let beyond = if is_usual { 0.0 } else { largest(stuck) / pair.scale };
+    if beyond > 1.0 { beyond } else { 0.0 }
+}
+
+/// Checks that the tractions are those of the slip and within the friction limit.
+fn check_tractions<const N: usize, const M: usize, S: Symmetry<M>>(
+    pair: &Pair<N, M, S>,
+    contact: &Contact<N, M>,
+    (u, stuck): (&Field<N, M>, &Field<N, M>),
+    room: f64,
+) -> Result<(), RangeError> {
+    let tractions = &contact.tractions;
+    let above = room * pair.scale;
+    let apart = match pair.slips {
+        true => above + ROUND_OFF * (largest(u) + pair.spread),
+        false => STUCK_OFF * largest(&tractions.z),
+    };
+    for (j, (q, z)) in stuck.iter().zip(&tractions.z).enumerate() {
         for i in 0..N {
             let off = (q[0][i] - z[0][i]).hypot(q[1][i] - z[1][i]);
-            let size = z[0][i].hypot(z[1][i]);
-            let scale = if pair.slips { room } else { room * (1.0 + size) };
-            RangeError::check("traction", off, off <= scale, "that of the slip")?;
-            let limit = contact.tractions.limit[j][i] + room;
-            let holds = !pair.slips || size <= limit;
+            RangeError::check("traction", off, off <= apart, "that of the slip")?;
+            let (size, limit) = (z[0][i].hypot(z[1][i]), tractions.limit[j][i]);
+            let holds = !pair.slips || size <= limit * (1.0 + ROUND_OFF) + above;
             RangeError::check("traction", size, holds, "within the friction limit")?;
         }
     }
     Ok(())
+}
+
+/// Checks the stored normal force, and that the tractions store a finite energy.
+fn check_sums<const N: usize, const M: usize, S: Symmetry<M>>(
+    pair: &Pair<N, M, S>,
+    sums: &Sums,
+    normal: f64,
+    room: f64,
+) -> Result<(), RangeError> {
+    RangeError::finite("stored energy", sums.stored)?;
+    let least = sums.force[0].hypot(sums.force[1]) * (1.0 - 1e-9);
+    let off = (normal - sums.normal).abs();
+    let holds = !pair.slips || (normal >= least && off <= room * sums.normal);
+    RangeError::check("normal force", normal, holds, "that of the tractions").map(|_| ())
+}
+
+/// The largest size of a component.
+fn largest<const N: usize, const M: usize>(field: &Field<N, M>) -> f64 {
+    field.as_flattened().as_flattened().iter().fold(0.0, |most, part| most.max(part.abs()))
 }
 
 fn room(tolerance: f64) -> f64 {

@@ -32,7 +32,7 @@ pub(super) type RimBlock<const N: usize> = [[[f64; N]; 2]; 2];
 pub(super) type PressBlock<const N: usize> = [[[f64; N]; N]; 2];
 
 /// Hertz's pressure at the centre of a contact of radius 1.
-const PEAK: f64 = 4.0 / std::f64::consts::PI;
+pub(super) const PEAK: f64 = 4.0 / std::f64::consts::PI;
 /// Above this friction the scale of tractions is set by the pressure, not by the friction limit.
 const MOST_CARRIED: f64 = 3.0;
 

@@ -161,7 +161,8 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         if self.lift == 0.0 { [self.layout.pressure; H] } else { self.limits(hat) }
     }
 
-    /// The limits with the pressures that tractions with this spectrum add.
+    /// The limits with the pressures that tractions with this spectrum add. Without slip they limit nothing: what would
+    /// part keeps its tension, so that a shift adds to the normal force nothing that it does not add elsewhere.
     #[inline(never)]
     fn limits(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
         let mut added: Field<N, H> = [[[0.0; N]; 2]; H];
@@ -174,8 +175,9 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
             }
         }
         S::to_angles(&self.waves, &mut added);
+        let least = if self.slips { 0.0 } else { f64::NEG_INFINITY };
         added.map(|[p, _]| {
-            std::array::from_fn(|i| (self.layout.pressure[i] + self.lift * p[i]).max(0.0))
+            std::array::from_fn(|i| (self.layout.pressure[i] + self.lift * p[i]).max(least))
         })
     }
 

@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 
 use super::{ShiftLaw, State, with_memory};
-use crate::bounds::{in_contact, in_memory};
+use crate::bounds::{LARGEST, in_contact, in_memory};
 use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
 
@@ -75,7 +75,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         };
         let [x, y] = self.scale.shift.components();
         let eta = if V::DIMENSION == 1 { 0.0 } else { eta / y };
-        let shift = Shift { zeta, xi: xi / x, eta, omega: 0.0 };
+        let shift = Shift { zeta, xi: rounded_back(xi / x), eta: rounded_back(eta), omega: 0.0 };
         for number in &numbers[1..4] {
             in_memory("numbers", *number)?;
         }
@@ -93,5 +93,13 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let eta = in_contact("shift", numbers[3])?;
         self.shift = Shift { zeta, xi, eta, omega: 0.0 };
         Ok(())
+    }
+}
+
+/// A shift that was multiplied and divided by a scale: at the end of the range it may lie beyond by rounding.
+fn rounded_back(shift: f64) -> f64 {
+    match shift.abs() <= LARGEST * (1.0 + 4.0 * f64::EPSILON) {
+        true => shift.clamp(-LARGEST, LARGEST),
+        false => shift,
     }
 }

@@ -1,6 +1,7 @@
 //! The heat of a step with static friction above kinetic friction.
 
 use super::{LONGEST_PATH, Leg, Slides, StaticMemory};
+use crate::bounds::LEAST_APPROACH;
 use crate::memory::{Lateral, mean_force};
 use crate::profile::Hertzian;
 
@@ -54,7 +55,7 @@ impl<M: Slides> StaticMemory<M> {
             Leg::Rise { onset } => {
                 let (at, place) = self.at(onset, zeta, shift);
                 let mut full = self.memory.clone();
-                if at > 0.0 {
+                if at > LEAST_APPROACH {
                     full.go(at, place);
                 }
                 let drop = (1.0 - self.ratio) * (1.0 + self.ratio) * full.elastic().dot(unit);

@@ -24,6 +24,7 @@ pub(crate) use slides::Slides;
 
 use carom_special::RangeError;
 
+use crate::bounds::LEAST_APPROACH;
 use crate::coulomb::{CoulombMemory, Node};
 use crate::memory::{
     Lateral, Memory, MemoryRegime as Regime, NodeStack, Tangent, VertexStack, cone_exit,
@@ -119,7 +120,7 @@ impl<M: Slides> StaticMemory<M> {
     /// A step whose arguments were checked.
     #[inline(never)]
     pub(crate) fn step(&mut self, zeta: f64, shift: M::V) {
-        if zeta <= 0.0 {
+        if zeta <= LEAST_APPROACH {
             self.memory.go(zeta, shift);
         } else {
             self.follow(zeta, shift, |_, _| ());
@@ -171,7 +172,7 @@ impl<M: Slides> StaticMemory<M> {
     /// Up to a part of a straight step, at which the force drops.
     fn rise(&mut self, onset: f64, zeta: f64, shift: M::V) {
         let (at, place) = self.at(onset, zeta, shift);
-        if at > 0.0 {
+        if at > LEAST_APPROACH {
             self.memory.go(at, place);
         }
         self.memory.set_stage(Regime::Sliding);

@@ -3,7 +3,9 @@
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
-use carom_laws::grains::{Grain, GrainContact, GrainTwist, Meeting, Wall};
+use carom_laws::grains::{
+    Grain, GrainContact, GrainLoad, GrainTwist, Heats, Meeting, Touching, Wall, advance_together,
+};
 use carom_laws::hertz::Hertz;
 use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
@@ -99,4 +101,54 @@ fn the_first_step_of_a_twist_begins_at_touch() {
         }
         assert!((torque / whole - 0.4).abs() < 1e-3, "{}", torque / whole);
     }
+}
+
+/// Damping at speeds beyond all range, and a radius or a share that are none, gave loads that are no numbers.
+#[test]
+fn a_step_whose_load_would_leave_the_numbers_is_refused() {
+    let mut damped = contact(FRICTION, 1e-3);
+    damped.advance(&on_wall(0.01, [0.0; 3], [0.0; 3], [0.0; 3]), 1e-3).unwrap();
+    let before = damped;
+    let fast = on_wall(0.01, [0.0, 0.0, -1e300], [0.0; 3], [0.0; 3]);
+    let mut long = on_wall(0.01, [0.0; 3], [0.0; 3], [0.0; 3]);
+    long.arms[0] = 1e250;
+    let mut none = long;
+    none.arms[1] = f64::NAN;
+    for (meeting, field) in [(fast, "damping force"), (long, "arm"), (none, "arm")] {
+        // Without a duration nothing moves, but forces act.
+        assert_eq!(damped.advance(&meeting, 0.0).unwrap_err().field, field);
+        assert_eq!(damped, before);
+        let mut heats = Heats::default();
+        let refused = damped.advance_accounted(&meeting, 0.0, &mut heats);
+        assert!(refused.is_err());
+        assert_eq!((damped, heats), (before, Heats::default()));
+        let mut fresh = contact(FRICTION, 1e-3);
+        let new = fresh;
+        assert_eq!(fresh.advance(&meeting, 0.0).unwrap_err().field, field);
+        assert_eq!(fresh, new);
+    }
+}
+
+#[test]
+fn of_contacts_advanced_together_none_is_changed_if_one_is_refused() {
+    let below =
+        Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: RADIUS, mass: 1.0 };
+    let above = Grain { place: [0.0, 0.0, 1.99], ..below };
+    let fast = Grain { velocity: [0.0, 0.0, -1e300], ..above };
+    let mut four = [(contact(FRICTION, 1e-3), GrainLoad::default()); 4];
+    let mut step = |third: &Grain| {
+        let mut i = 0;
+        let mut pairs = four.each_mut().map(|(contact, load)| {
+            i += 1;
+            let one = if i == 3 { third } else { &above };
+            Touching { contact, bodies: [one, &below], shares: [0.5; 2], load }
+        });
+        let done = advance_together(&mut pairs, 0.0, |_| {});
+        (done, four)
+    };
+    let (begun, before) = step(&above);
+    begun.unwrap();
+    let (refused, after) = step(&fast);
+    assert_eq!(refused.unwrap_err().field, "damping force");
+    assert_eq!(after, before);
 }

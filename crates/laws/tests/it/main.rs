@@ -12,6 +12,7 @@ mod coulomb_slip;
 mod creep;
 mod energy_balance;
 mod energy_known;
+mod extremes;
 mod field;
 mod field_interior;
 mod field_known;

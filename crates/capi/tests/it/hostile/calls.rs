@@ -132,6 +132,20 @@ pub(crate) fn all_of_bytes(world: &mut World) {
     }
 }
 
+/// What a call has told with success are numbers, unless the bytes of a memory were changed.
+fn told(world: &World, status: CaromStatus, which: usize, numbers: &[f64]) -> CaromStatus {
+    let are_numbers = numbers.iter().all(|number| number.is_finite());
+    let holds = status != CaromStatus::Ok || are_numbers || world.are_damaged;
+    assert!(holds, "{}: {numbers:?}", NAMES[which]);
+    status
+}
+
+/// The numbers of a load, and of what became heat.
+fn parts(load: &CaromGrainLoad, heats: &CaromHeats) -> [f64; 11] {
+    let CaromGrainLoad { force: [a, b, c], torque_1: [d, e, f], torque_2: [g, h, i] } = *load;
+    [a, b, c, d, e, f, g, h, i, heats.friction, heats.damping]
+}
+
 fn contact(world: &mut World, which: usize) -> CaromStatus {
     let (at, of, shift, error) = (world.pick(6), world.pick(5), world.shift(), world.error());
     let state = world.pick(6);
@@ -139,17 +153,18 @@ fn contact(world: &mut World, which: usize) -> CaromStatus {
     let mut report = MaybeUninit::<CaromReport>::uninit();
     let (pair, contact) = (&raw mut world.pairs[of], &raw mut world.contacts[at]);
     let (pair, contact) = (world.point(pair), world.point(contact));
-    let (load, number) = (world.point(&raw mut load), world.point(&raw mut number));
+    let (load_at, number_at) = (world.point(&raw mut load), world.point(&raw mut number));
+    let mut all = [CaromLoad::default(); 6];
     let state = &raw mut world.states[state];
     let (state, size) = (world.point(state), size_of::<CaromContact>());
     let angle = world.number(-4.0, 4.0);
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
-            0 => carom_contact_advance(pair, contact, shift, load, error),
-            1 => carom_contact_load(pair, contact, load, error),
-            2 => carom_contact_energy(pair, contact, number, error),
-            3 => carom_contact_heat(pair, contact, shift, number, error),
+            0 => carom_contact_advance(pair, contact, shift, load_at, error),
+            1 => carom_contact_load(pair, contact, load_at, error),
+            2 => carom_contact_energy(pair, contact, number_at, error),
+            3 => carom_contact_heat(pair, contact, shift, number_at, error),
             4 => reported(&mut report, |report| carom_contact_report(pair, contact, report, error)),
             5 => carom_contact_turn_frame(pair, contact, angle, error),
             6 => carom_contact_pack(pair, contact, state, error),
@@ -164,13 +179,18 @@ fn contact(world: &mut World, which: usize) -> CaromStatus {
                     size,
                     shifts.as_ptr(),
                     24,
-                    null_mut(),
-                    0,
+                    all.as_mut_ptr(),
+                    24,
                     error,
                 )
             }
         }
-    }
+    };
+    let [x, y, z] = all
+        .iter()
+        .chain([&load])
+        .fold([0.0; 3], |[x, y, z], load| [x + load.f_x, y + load.f_y, z + load.f_z]);
+    told(world, status, which, &[number, x, y, z])
 }
 
 /// A report that was told has a regime that is one.
@@ -203,23 +223,30 @@ fn ring_touch(world: &mut World, which: usize) -> CaromStatus {
         (world.point(grains), world.point(touch), world.point(world.rings));
     let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
     let wall = world.point(&raw mut wall);
-    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let heats_at = if world.chance(0.7) { null_mut() } else { &raw mut heats };
     let numbers = &raw mut world.ring_packed[kept];
-    let (load, numbers) = (world.point(&raw mut load), world.point(numbers).cast());
-    let number = world.point(&raw mut number);
+    let (load_at, numbers) = (world.point(&raw mut load), world.point(numbers).cast());
+    let number_at = world.point(&raw mut number);
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
-            9 => carom_ring_touch_grains(grains, rings, touch, one, two, dt, load, heats, error),
-            10 => carom_ring_touch_wall(grains, rings, touch, one, wall, dt, load, heats, error),
-            11 => carom_ring_touch_grains_load(grains, rings, touch, one, two, load, error),
-            12 => carom_ring_touch_wall_load(grains, rings, touch, one, wall, load, error),
-            13 => carom_ring_touch_energy(grains, rings, touch, radius_1, radius_2, number, error),
+            9 => carom_ring_touch_grains(
+                grains, rings, touch, one, two, dt, load_at, heats_at, error,
+            ),
+            10 => {
+                carom_ring_touch_wall(grains, rings, touch, one, wall, dt, load_at, heats_at, error)
+            }
+            11 => carom_ring_touch_grains_load(grains, rings, touch, one, two, load_at, error),
+            12 => carom_ring_touch_wall_load(grains, rings, touch, one, wall, load_at, error),
+            13 => {
+                carom_ring_touch_energy(grains, rings, touch, radius_1, radius_2, number_at, error)
+            }
             14 => reported(&mut report, |to| carom_ring_touch_report(rings, touch, to, error)),
             15 => carom_ring_touch_pack(touch, numbers, error),
             _ => carom_ring_touch_unpack(grains, rings, radius_1, radius_2, numbers, touch, error),
         }
-    }
+    };
+    told(world, status, which, &[parts(&load, &heats).iter().sum(), number])
 }
 
 fn validity(world: &mut World) -> CaromStatus {
@@ -277,9 +304,10 @@ fn impact_time(world: &mut World) -> CaromStatus {
     let grains = &raw mut world.grains[of];
     let (grains, to) = (world.point(grains), world.point(&raw mut time));
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         carom_grains_impact_time(grains, radius_1, radius_2, mass_1, mass_2, velocity, to, error)
-    }
+    };
+    told(world, status, 47, &[time])
 }
 
 fn rings(world: &mut World) -> CaromStatus {
@@ -312,9 +340,7 @@ fn twist(world: &mut World, which: usize) -> CaromStatus {
             _ => carom_twist_heat(pair, twist, zeta, omega, to, error),
         }
     };
-    let is_number = status != CaromStatus::Ok || !number.is_nan() || !world.are_sound[of];
-    assert!(is_number, "{which}: {:?} {:?}", world.twists[at], world.pairs[of]);
-    status
+    told(world, status, which, &[number])
 }
 
 fn touch(world: &mut World, which: usize) -> CaromStatus {
@@ -338,23 +364,24 @@ fn touch(world: &mut World, which: usize) -> CaromStatus {
     let (grains, touch) = (world.point(grains), world.point(touch));
     let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
     let wall = world.point(&raw mut wall);
-    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let heats_at = if world.chance(0.7) { null_mut() } else { &raw mut heats };
     let numbers = &raw mut world.packed[kept];
-    let (load, numbers) = (world.point(&raw mut load), world.point(numbers).cast());
+    let (load_at, numbers) = (world.point(&raw mut load), world.point(numbers).cast());
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
-            20 => carom_touch_grains(grains, touch, one, two, dt, load, heats, error),
-            21 => carom_touch_wall(grains, touch, one, wall, dt, load, heats, error),
-            22 => carom_touch_grains_load(grains, touch, one, two, load, error),
-            23 => carom_touch_wall_load(grains, touch, one, wall, load, error),
+            20 => carom_touch_grains(grains, touch, one, two, dt, load_at, heats_at, error),
+            21 => carom_touch_wall(grains, touch, one, wall, dt, load_at, heats_at, error),
+            22 => carom_touch_grains_load(grains, touch, one, two, load_at, error),
+            23 => carom_touch_wall_load(grains, touch, one, wall, load_at, error),
             24 => carom_touch_energy(touch, world.point(&raw mut number), error),
             25 => reported(&mut report, |report| carom_touch_report(touch, report, error)),
             26 => carom_touch_pack(touch, numbers, error),
             27 => carom_touch_unpack(grains, radius_1, radius_2, numbers, touch, error),
-            _ => many(world, grains, dt, heats, error),
+            _ => many(world, grains, dt, heats_at, error),
         }
-    }
+    };
+    told(world, status, which, &[parts(&load, &heats).iter().sum(), number])
 }
 
 /// # Safety
@@ -374,7 +401,9 @@ unsafe fn many(
     });
     let first = world.point(all.as_mut_ptr());
     // SAFETY: the caller's promise.
-    unsafe { carom_touch_many(first, all.len(), dt, heats, error) }
+    let status = unsafe { carom_touch_many(first, all.len(), dt, heats, error) };
+    let loads = all.each_ref().map(|at| parts(&at.load, &CaromHeats::default()).iter().sum());
+    told(world, status, 28, &loads)
 }
 
 fn touch_twist(world: &mut World, which: usize) -> CaromStatus {
@@ -390,25 +419,26 @@ fn touch_twist(world: &mut World, which: usize) -> CaromStatus {
     let (grains, twist) = (&raw mut world.grains[of], &raw mut world.twists[at]);
     let (grains, twist) = (world.point(grains), world.point(twist));
     let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
-    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
-    let load = world.point(&raw mut load);
+    let heats_at = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let load_at = world.point(&raw mut load);
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
-            29 => carom_touch_twist_grains(grains, twist, one, two, dt, load, heats, error),
+            29 => carom_touch_twist_grains(grains, twist, one, two, dt, load_at, heats_at, error),
             30 => carom_touch_twist_wall(
                 grains,
                 twist,
                 one,
                 world.point(&raw mut wall),
                 dt,
-                load,
-                heats,
+                load_at,
+                heats_at,
                 error,
             ),
             _ => carom_touch_twist_energy(grains, twist, radius_1, radius_2, &mut number, error),
         }
-    }
+    };
+    told(world, status, which, &[parts(&load, &heats).iter().sum(), number])
 }
 
 /// A wall of any shape below a grain, which is moved onto it.
@@ -430,20 +460,23 @@ fn surface(world: &mut World, which: usize) -> CaromStatus {
     let (grains, touch) = (world.point(grains), world.point(touch));
     let (ring_touch, twist) = (world.point(ring_touch), world.point(twist));
     let (one, wall) = (world.point(&raw mut one), world.point(&raw mut wall));
-    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
-    let load = world.point(&raw mut load);
+    let heats_at = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let load_at = world.point(&raw mut load);
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
-            52 => carom_touch_surface(grains, touch, one, wall, dt, load, heats, error),
-            53 => carom_touch_surface_load(grains, touch, one, wall, load, error),
-            54 => carom_touch_twist_surface(grains, twist, one, wall, dt, load, heats, error),
+            52 => carom_touch_surface(grains, touch, one, wall, dt, load_at, heats_at, error),
+            53 => carom_touch_surface_load(grains, touch, one, wall, load_at, error),
+            54 => carom_touch_twist_surface(grains, twist, one, wall, dt, load_at, heats_at, error),
             55 => carom_ring_touch_surface(
-                grains, rings, ring_touch, one, wall, dt, load, heats, error,
+                grains, rings, ring_touch, one, wall, dt, load_at, heats_at, error,
             ),
-            _ => carom_ring_touch_surface_load(grains, rings, ring_touch, one, wall, load, error),
+            _ => {
+                carom_ring_touch_surface_load(grains, rings, ring_touch, one, wall, load_at, error)
+            }
         }
-    }
+    };
+    told(world, status, which, &[parts(&load, &heats).iter().sum()])
 }
 
 fn roll(world: &mut World, which: usize) -> CaromStatus {
@@ -461,16 +494,31 @@ fn roll(world: &mut World, which: usize) -> CaromStatus {
     let (mut heat, mut energy) = (0.0, 0.0);
     let grains = &raw mut world.grains[of];
     let (grains, rolling) = (world.point(grains), world.point(&raw mut rolling));
-    let (roll, load) = (world.point(&raw mut roll), world.point(&raw mut load));
+    let (roll_at, load_at) = (world.point(&raw mut roll), world.point(&raw mut load));
     let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
-    let (wall, heat) = (world.point(&raw mut wall), world.point(&raw mut heat));
+    let (wall, heat_at) = (world.point(&raw mut wall), world.point(&raw mut heat));
+    let given = load.force;
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
-            57 => carom_touch_roll_surface(grains, rolling, roll, one, wall, dt, load, heat, error),
-            58 => carom_touch_roll_grains(grains, rolling, roll, one, two, dt, load, heat, error),
-            _ => carom_touch_roll_energy(rolling, roll, &mut energy, error),
+            57 => carom_touch_roll_surface(
+                grains, rolling, roll_at, one, wall, dt, load_at, heat_at, error,
+            ),
+            58 => carom_touch_roll_grains(
+                grains, rolling, roll_at, one, two, dt, load_at, heat_at, error,
+            ),
+            _ => carom_touch_roll_energy(rolling, roll_at, &mut energy, error),
         }
+    };
+    // The force is the caller's.
+    assert!(load.force.map(f64::to_bits) == given.map(f64::to_bits));
+    let torques = load.torque_1.iter().chain(&load.torque_2);
+    let state = roll.shift.iter().chain(&roll.force);
+    let are_given =
+        [roll.shift, roll.force, roll.normal].as_flattened().iter().all(|x| x.is_finite());
+    match are_given {
+        true => told(world, status, which, &[torques.chain(state).sum(), heat, energy]),
+        false => status,
     }
 }
 
@@ -535,7 +583,7 @@ fn restitution(world: &mut World, which: usize) -> CaromStatus {
     let (mut answer, stride) = ([0.0; 2], world.pick(17));
     let to = world.point(answer.as_mut_ptr());
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
+    let status = unsafe {
         match which {
             36 => carom_restitution(kappa[0], lambda, method, to, error),
             _ => {
@@ -543,7 +591,8 @@ fn restitution(world: &mut World, which: usize) -> CaromStatus {
                 carom_restitution_many(2, kappa.as_ptr(), 8, &lambda, 0, method, to, stride, error)
             }
         }
-    }
+    };
+    told(world, status, which, &answer)
 }
 
 fn dissimilar(world: &mut World) -> CaromStatus {
@@ -641,7 +690,17 @@ fn collide(world: &mut World) -> CaromStatus {
     };
     let options = if world.chance(0.5) { null() } else { &raw const options };
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe { carom_collide(one, two, friction, normal, options, &mut rebound, error) }
+    let status = unsafe { carom_collide(one, two, friction, normal, options, &mut rebound, error) };
+    let vectors = [
+        rebound.body_1_velocity,
+        rebound.body_1_spin,
+        rebound.body_2_velocity,
+        rebound.body_2_spin,
+        rebound.impulse,
+    ];
+    let vectors = vectors.as_flattened().iter().sum();
+    let energies = rebound.energy_after + rebound.energy_dissipated + rebound.energy_lost;
+    told(world, status, 38, &[vectors, energies, rebound.duration, rebound.R_x])
 }
 
 fn words(world: &mut World, which: usize) -> CaromStatus {

@@ -12,8 +12,8 @@ use super::random::Random;
 pub(crate) struct World {
     pub(crate) random: Random,
     pub(crate) pairs: [CaromPair; 5],
-    /// Whether they are as they were made.
-    pub(crate) are_sound: [bool; 5],
+    /// Whether bytes of contacts, of touches or of ring touches were changed: their laws are not checked in each step.
+    pub(crate) are_damaged: bool,
     pub(crate) grains: [CaromGrains; 3],
     pub(crate) contacts: [CaromContact; 6],
     pub(crate) states: [CaromState; 6],
@@ -41,7 +41,7 @@ impl World {
             Self {
                 random: Random::Seed(seed),
                 pairs: zeroed(),
-                are_sound: [true; 5],
+                are_damaged: false,
                 grains: zeroed(),
                 contacts: zeroed(),
                 states: zeroed(),
@@ -113,7 +113,7 @@ impl World {
             (self.packed, self.twists) = (zeroed(), zeroed());
         }
         self.renew_rings();
-        (self.time, self.are_sound) = (0.0, [true; 5]);
+        (self.time, self.are_damaged) = (0.0, false);
     }
 
     /// Begins anew with choices from these bytes.
@@ -229,9 +229,7 @@ impl World {
             [0, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8, 9][self.pick(24)];
         let (first, count, size) = parts[kind];
         let (at, from) = (self.pick(count), self.pick(count));
-        if kind == 0 {
-            self.are_sound[at] = false;
-        }
+        self.are_damaged |= [2, 4, 7].contains(&kind);
         // SAFETY: within the array; all are plain bytes, of which any are values.
         let bytes = unsafe {
             if self.chance(0.05) {

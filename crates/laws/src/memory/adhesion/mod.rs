@@ -165,8 +165,10 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         if !(zeta.is_finite() && shift.is_finite() && zeta < self.zeta) {
             return V::default();
         }
-        let rate = shift.minus(self.shift).times(1.0 / (self.zeta - zeta));
-        self.energy_between(zeta.max(0.0), |s| self.shift.plus(rate.times(self.zeta - s)))
+        // No rate: of the thinnest contacts it is infinite.
+        let (way, thinned) = (shift.minus(self.shift), self.zeta - zeta);
+        let at = |s: f64| self.shift.plus(way.times((self.zeta - s) / thinned));
+        self.energy_between(zeta.max(0.0), at)
     }
 
     /// [`AdhesionMemory::dissipation`] in units of energy per direction.
@@ -286,6 +288,20 @@ mod tests {
             assert!(memory.advance(zeta, 0.0).unwrap() == 0.0, "{zeta}");
         }
         assert!(memory.advance(1.0, 0.1).unwrap() > 0.0);
+    }
+
+    /// The rate of the shift was infinite, and times no way not a number.
+    #[test]
+    fn the_thinnest_contact_releases_a_number() {
+        for (zeta, shift) in [(6e-312, 0.01), (1e-320, 1.0), (1e-250, 1e60)] {
+            let mut memory = AdhesionMemory::<f64>::new();
+            memory.advance(zeta, shift).unwrap();
+            memory.advance(zeta, 0.0).unwrap();
+            let released = memory.dissipation(0.0, 0.0);
+            let stored = memory.stored_energy();
+            assert!(released >= 0.0 && (released - stored).abs() <= 1e-9 * stored, "{released:e}");
+            assert!(memory.dissipation(0.0, shift).is_finite());
+        }
     }
 
     #[test]

@@ -9,6 +9,8 @@ use crate::profile::NormalProfile;
 
 /// The version of the format; the first number is `1e4 version + vertices`.
 const VERSION: f64 = 4.0;
+/// Without slip, slopes and forces have no limit but that of the shifts.
+const LARGEST_SLOPE: f64 = 1e300;
 /// Numbers per vertex.
 const EACH: usize = 9;
 
@@ -46,7 +48,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
     /// the anchors; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let format = (VERSION, EACH, "of version 4");
-        let (_, len) = check(numbers, format, self.stack.capacity())?;
+        let (_, len) = check(numbers, format, self.stack.capacity(), LARGEST_SLOPE)?;
         let vector = |at: usize| V::from_components([numbers[at], numbers[at + 1]]);
         let (zeta, shift, force) = (numbers[1], vector(2), vector(4));
         let vertex = |i: usize| vertex(&numbers[HEAD + EACH * i..]);
@@ -80,7 +82,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         let size = below.force.length() + grown.length() + above.force.length();
         let ways =
             below.anchor.length() + below.anchor_at(above.depth).length() + above.anchor.length();
-        off <= FORCE_TOLERANCE * (size + stiffness * ways)
+        off.is_finite() && off <= FORCE_TOLERANCE * (size + stiffness * ways)
     }
 }
 

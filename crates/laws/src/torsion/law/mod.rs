@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use carom_special::RangeError;
 
-use crate::bounds::in_contact;
+use crate::bounds::{constant, in_contact};
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
@@ -115,22 +115,24 @@ impl TorsionLaw {
     /// A law in its initial state, from the constants of a contact.
     ///
     /// # Errors
-    /// [`RangeError`] for a constant that is not positive and finite, or if the sliding torque is not.
+    /// [`RangeError`] for a constant that is not from 1e-60 to 1e60, or a sliding torque or the twist at which the
+    /// contact slides that are far out of range.
     pub fn from_constants(
         constants: TorsionConstants,
         friction: Friction,
     ) -> Result<Self, RangeError> {
         let TorsionConstants { c_z, stiffness, arm } = constants;
-        RangeError::positive("c_z", c_z)?;
-        RangeError::positive("torsional stiffness", stiffness)?;
-        RangeError::positive("torsional arm", arm)?;
+        constant("c_z", c_z)?;
+        constant("torsional stiffness", stiffness)?;
+        constant("torsional arm", arm)?;
         let (state, per_twist, per_torque) = match friction.coefficient() {
             Some(0.0) => (State::Frictionless, 0.0, 0.0),
             Some(f) => {
                 let sliding = f * 2.0 / 3.0 * c_z * arm;
-                let per_torque =
-                    RangeError::positive("sliding torque", sliding * 32.0 / (3.0 * PI))?;
-                let per_twist = RangeError::positive("twist of sliding", stiffness / per_torque)?;
+                let per_torque = sliding * 32.0 / (3.0 * PI);
+                let holds = (1e-90..=1e90).contains(&per_torque);
+                RangeError::check("sliding torque", per_torque, holds, "from 1e-90 to 1e90")?;
+                let per_twist = constant("twist of sliding", stiffness / per_torque)?;
                 (State::Lubkin(TwistHistory::new()), per_twist, per_torque)
             }
             None => {

@@ -46,3 +46,21 @@ fn stiffness_after_pressing_is_mindlins_and_reissners() {
         assert!(load.f_y.abs() < 1e-16);
     }
 }
+
+/// Where a shift would part the coupled bodies their tension was left out of the normal force, which grew without limit.
+/// The fuzzer found it.
+#[test]
+fn a_shift_without_slip_leaves_the_normal_force() {
+    for gamma in [0.1, 0.3, -0.3] {
+        let fresh = law_of::<6, 8>([1.2, gamma, f64::INFINITY], 1e-2);
+        let pressed = fresh.clone().advance(shift([0.0014, 0.0, 0.0, 0.0])).unwrap().f_z;
+        let mut law = fresh.clone();
+        for at in [[0.0014, 0.005, -0.2, 0.0], [0.0014, 0.3, 0.5, 0.1]] {
+            let f_z = law.advance(shift(at)).unwrap().f_z;
+            assert!((f_z / pressed - 1.0).abs() < 1e-10, "{gamma} {at:?}: {f_z:e} {pressed:e}");
+        }
+        // What sticks while it is pressed is stiffer, by little.
+        let more = pressed / (8.0 / 3.0 * 0.0014_f64.powf(1.5)) - 1.0;
+        assert!(more > 0.0 && more < 0.03, "{gamma}: {more}");
+    }
+}
