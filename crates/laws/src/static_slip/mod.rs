@@ -226,8 +226,7 @@ impl<M: Slides> StaticMemory<M> {
 
     /// Whether sliding goes on at the start of a straight step, and then to its end.
     fn slides_on(&self, zeta: f64, shift: M::V) -> bool {
-        let path = || self.path(zeta, shift);
-        self.slides() && self.is_outward(zeta, shift) && self.all_exceed(zeta, path())
+        self.slides() && self.is_outward(zeta, shift)
     }
 
     /// Whether no traction comes within its limit of f_k where a straight step begins.

@@ -136,13 +136,14 @@ proptest! {
         }
     }
 
-    /// Heat is not made of nothing, and damping does not pull.
+    /// Heat is not made of nothing, but for what the contact gains where it simplifies its memory, and damping does not
+    /// pull.
     #[test]
     fn heats_are_not_negative(walk in prop::collection::vec((vector(1e-2), vector(1e-2)), 1..60)) {
         let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
         let mut contact = fresh(0.5);
         let mut grain = Grain { place: [0.0, 0.0, 0.995], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
-        let mut heats = Heats::default();
+        let (mut heats, mut stored) = (Heats::default(), 0.0_f64);
         for (velocity, spin) in walk {
             (grain.velocity, grain.spin) = (velocity, spin);
             grain.place = plus(grain.place, velocity, 1.0);
@@ -150,7 +151,8 @@ proptest! {
             let (was, drag) = (heats, contact);
             let load = contact.advance_accounted(&meeting, 1.0, &mut heats).unwrap();
             prop_assert!(load.force[2] >= 0.0);
-            prop_assert!(heats.friction >= was.friction - 1e-18, "{heats:?}");
+            stored = stored.max(contact.stored_energy());
+            prop_assert!(heats.friction >= was.friction - 1e-4 * stored, "{heats:?} {was:?} {stored}");
             prop_assert_eq!(load, contact.load(&meeting));
             let mut numbers = [0.0; grain_numbers(12)];
             drag.pack(&mut numbers).unwrap();

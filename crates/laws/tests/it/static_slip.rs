@@ -182,6 +182,28 @@ fn the_force_drops_where_the_last_annulus_slips_not_the_centre() {
     }
 }
 
+/// The limit falls a little faster than the traction: the contact slides on, in one step as in a thousand, in each of which
+/// the difference is below the tolerance of the curve.
+#[test]
+fn slow_slip_in_small_steps_is_no_stick() {
+    let path = [
+        at(0.0, 0.0, -0.850_405_224_2),
+        at(0.887_135_112_8, -0.989_001_591_6, 0.471_129_267_7),
+        at(0.831_642_514_0, -0.897_935_131_2, 0.517_262_190_9),
+    ];
+    let (mut once, mut often) = (law(Coulomb, (F_S, F_K), C_X), law(Coulomb, (F_S, F_K), C_X));
+    for to in path {
+        let from = once.shift();
+        once.advance(to).unwrap();
+        (1..=1000).for_each(|i| {
+            often.advance(between(from, to, f64::from(i) / 1e3)).unwrap();
+        });
+    }
+    assert_eq!([once.regime(), often.regime()], [MemoryRegime::Sliding; 2]);
+    let off = off(once.load(), often.load());
+    assert!(off < 1e-4, "{off:e}");
+}
+
 #[test]
 fn along_a_line_it_is_the_law_of_a_line() {
     for turning in [Coulomb, FixedDirection] {
