@@ -103,6 +103,12 @@ fn the_largest_states_come_back() {
         stuck.pack(&mut numbers).unwrap();
         stuck.clone().unpack(&numbers).unwrap();
     }
+    for (zeta, x) in [(8e-309, 0.1), (1e-320, 0.1), (1e-200, 1e100)] {
+        let mut stuck = AdhesionMemory::<[f64; 2]>::new();
+        stuck.advance(zeta, [x, 0.0]).unwrap();
+        stuck.pack(&mut numbers).unwrap();
+        stuck.clone().unpack(&numbers).unwrap();
+    }
     let stiffness = ContactStiffness::new(3.0, 7.0, 1.1).unwrap();
     let fresh = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(0.3).unwrap());
     let mut law = fresh.clone();

@@ -9,8 +9,8 @@ use crate::profile::NormalProfile;
 
 /// The version of the format; the first number is `1e4 version + vertices`.
 const VERSION: f64 = 4.0;
-/// Without slip, slopes and forces have no limit but that of the shifts.
-const LARGEST_SLOPE: f64 = 1e300;
+/// Without slip a slope may be as large as it is finite.
+const LARGEST_SLOPE: f64 = f64::MAX;
 /// Numbers per vertex.
 const EACH: usize = 9;
 
