@@ -12,10 +12,15 @@ use carom_solver::{CellState, ContactProblem, ContactState, Convergence, Drive, 
 /// zero, the linearised law could rotate it arbitrarily.
 const LARGEST_ROTATION: f64 = 0.5;
 
+/// The directions of slip are approximate in this many rounds at most.
+const APPROXIMATE_ROUNDS: usize = 12;
+
 struct Work<'a, 'b> {
     sets: &'b mut Sets<'a>,
     parameters: Parameters,
     moved: f64,
+    /// Whether the directions of slip are found exactly: no area changed any more at approximate ones.
+    exact: bool,
 }
 
 impl Work<'_, '_> {
@@ -107,14 +112,26 @@ impl Machine for Work<'_, '_> {
     }
 
     fn is_done(&mut self, question: KombiStep, round: usize) -> Result<bool, DirectError> {
+        if round >= self.parameters.rounds {
+            return Ok(true);
+        }
         let turn = self.parameters.turn;
-        let enough = if question == KombiStep::DirectionsStand { turn } else { 0.0 };
-        Ok(self.moved <= enough || round >= self.parameters.rounds)
+        Ok(match question {
+            // While the areas change for the first time, one linear system for each is enough.
+            KombiStep::DirectionsStand => !self.exact || self.moved <= turn,
+            KombiStep::NoneToGrow => {
+                let stands = self.exact && self.moved == 0.0;
+                self.exact |= self.moved == 0.0 || round >= APPROXIMATE_ROUNDS;
+                stands
+            }
+            _ => self.moved == 0.0,
+        })
     }
 }
 
 /// The KOMBI process: NORM and TANG in one linear system, so that dissimilar materials need no
-/// alternation. There are three unknowns in an element that sticks and two in one that slips.
+/// alternation. There are three unknowns in an element that sticks and two in one that slips. While the areas
+/// change, one linear system is solved for each; the directions of slip are found exactly at the end.
 /// Shifts must be prescribed.
 ///
 /// ```
@@ -179,8 +196,9 @@ impl Method for Kombi {
             return Ok(convergence);
         }
         let (mut sets, traces) = scratch.work()?;
+        sets.press(parameters.rounds)?;
         sets.let_the_smooth_slip();
-        let mut machine = Work { sets: &mut sets, parameters, moved: 0.0 };
+        let mut machine = Work { sets: &mut sets, parameters, moved: 0.0, exact: false };
         chart::run(&mut machine, KOMBI, &mut traces.kombi)?;
         let solved = sets.solved;
         let reached = scratch.reached(solved, observer)?;

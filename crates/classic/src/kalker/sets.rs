@@ -39,6 +39,24 @@ impl Sets<'_> {
         Ok(amounts)
     }
 
+    /// Reduces a contact area without tractions to the cells that the pressures alone keep in contact.
+    pub(super) fn press(&mut self, rounds: usize) -> Result<(), DirectError> {
+        if self.outcome.traction.iter().flatten().any(|traction| *traction != 0.0) {
+            return Ok(());
+        }
+        for _ in 0..rounds {
+            self.displace();
+            let touching: Vec<usize> = self.outcome.touching().collect();
+            let unknowns: Vec<Unknown> =
+                touching.into_iter().map(|cell| self.pressure(cell)).collect();
+            self.solve(&unknowns)?;
+            if self.drop_tension() == 0.0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+
     /// The pressure of a cell in contact, at given tangential tractions.
     pub(super) fn pressure(&self, cell: usize) -> Unknown {
         let right = self.overlap(cell);

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel, SlipStress};
-use carom_classic::kalker::{Johnson, Kombi, Panagiotopoulos};
+use carom_classic::kalker::{Johnson, KOMBI, Kombi, Panagiotopoulos};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
@@ -219,4 +219,26 @@ fn random_histories(seed: u64, count: usize) {
 #[test]
 fn all_methods_find_the_same_in_drawn_histories() {
     random_histories(1, 40);
+}
+
+/// One linear system for each area that is tried: with exact directions for each there were 45, 100 and 15
+/// systems, the first ones for all cells that overlap.
+#[test]
+fn kombi_solves_few_linear_systems() {
+    let grid = Grid::new(24, 24, 2.6 / 24.0, 2.6 / 24.0).unwrap();
+    let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+    let [one, two] = [0.0, 0.5].map(|nu| Material::from_shear(1.0, nu).unwrap());
+    let pair = MaterialPair::new(one, two).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.2).unwrap()).unwrap();
+    let method = Kombi::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let mut state = ContactState::apart(grid);
+    for (xi, most) in [(0.0, 16), (0.05, 14), (0.1, 10)] {
+        let before = state.clone();
+        let drive = Drive::by_shift(Shift { zeta: 1.0, xi, ..Shift::default() });
+        let reached =
+            method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+        assert!(reached.iterations <= most, "xi = {xi}: {} systems", reached.iterations);
+        assert!(scratch.traces().kombi.follows(KOMBI));
+    }
 }

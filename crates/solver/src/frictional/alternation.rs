@@ -3,6 +3,7 @@
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 
+use super::coupled::Steps;
 use super::error::converged;
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
@@ -65,7 +66,7 @@ impl Pass<'_> {
             }
             if pass == PASSES_BEFORE_NEWTON
                 && self.slides.is_none()
-                && let Some(reached) = self.solve_together(to, scratch)?
+                && let Some(reached) = self.solve_together(Steps::Full, to, scratch)?
             {
                 return Ok(reached);
             }

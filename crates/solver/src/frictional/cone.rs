@@ -4,17 +4,19 @@
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Stop};
-use crate::frictional::coupled::{Coupled, CoupledTask};
+use crate::frictional::coupled::{Coupled, CoupledTask, Steps};
 use crate::state::ContactState;
 
 /// Passes of the continuation in the friction coefficient. Near a fold, where the solution for a
 /// smaller coefficient ceases to exist, the limits may change slowly for some hundred passes before
 /// they reach another solution.
-const CONTINUATION_PASSES: usize = 400;
-/// Number of passes between trials of Newton's method. It is tried earlier if the limits are off by
-/// less than this fraction of the greatest traction and by half of what they were off when it last
-/// failed.
-const PASSES_BETWEEN_TRIALS: usize = 4;
+const CONTINUATION_PASSES: u32 = 400;
+/// Newton's method is tried after the first pass, and again after this many or this fraction of the
+/// passes made. It is tried earlier if the limits are off by less than `CLOSE` of the greatest traction
+/// and by half of what they were off when it last failed. With damped steps, which take longer, it is tried
+/// each time that the number of passes has doubled.
+const PASSES_BETWEEN_TRIALS: u32 = 4;
+const FRACTION_BETWEEN_TRIALS: f64 = 0.25;
 const CLOSE: f64 = 0.05;
 
 impl Pass<'_> {
@@ -31,7 +33,7 @@ impl Pass<'_> {
         let (least, mut change) = (0.05 * most, 1.0_f64);
         let (what, tolerance) = ("pressures and tractions together", self.method.tolerance);
         scratch.limits.blunt(most);
-        let (mut round, mut near) = (0, CLOSE);
+        let (mut round, mut near, mut full, mut damped) = (0, CLOSE, 1, 1);
         loop {
             let kept = self.keep(to, scratch);
             let inner = (1e-2 * change).clamp(1e-5, 1e-3).max(tolerance);
@@ -50,13 +52,19 @@ impl Pass<'_> {
             }
             round += 1;
             change = scratch.limits.open(to);
-            if change < near || round % PASSES_BETWEEN_TRIALS == 0 {
+            if change < near || round >= full {
                 near = near.min(0.5 * change);
-                let kept = self.keep(to, scratch);
-                if let Some(reached) = self.solve_together(to, scratch)? {
+                let more = (FRACTION_BETWEEN_TRIALS * f64::from(round)) as u32;
+                full = round + more.max(PASSES_BETWEEN_TRIALS);
+                if let Some(reached) = self.try_together(Steps::Full, to, scratch)? {
                     return Ok(reached);
                 }
-                self.go_back(kept, to, scratch);
+            }
+            if round >= damped {
+                damped = 2 * round;
+                if let Some(reached) = self.try_together(Steps::Damped, to, scratch)? {
+                    return Ok(reached);
+                }
             }
             if round == CONTINUATION_PASSES || change.is_nan() {
                 let (products, stop) = (self.cost, Stop::Exhausted);
@@ -66,10 +74,26 @@ impl Pass<'_> {
         }
     }
 
+    /// The same from a copy of all values, which come back if it does not converge.
+    fn try_together(
+        &mut self,
+        steps: Steps,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Option<Convergence>, FrictionalError> {
+        let kept = self.keep(to, scratch);
+        let reached = self.solve_together(steps, to, scratch)?;
+        if reached.is_none() {
+            self.go_back(kept, to, scratch);
+        }
+        Ok(reached)
+    }
+
     /// Solves for pressures and tractions together, starting from their present values; `None` if
     /// that does not converge, and they are then unchanged.
     pub(super) fn solve_together(
         &mut self,
+        steps: Steps,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Option<Convergence>, FrictionalError> {
@@ -92,8 +116,8 @@ impl Pass<'_> {
             traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
             cells: to.cells.values_mut(),
         };
-        let (tolerance, most) = (self.method.tolerance, self.method.iterations);
-        let reached = solver.solve(&mut task, tolerance, most, self.observer)?;
+        let limits = (self.method.tolerance, self.method.iterations);
+        let reached = solver.solve(&mut task, steps, limits, self.observer)?;
         self.cost = self.cost.plus(reached.products);
         if reached.stop == Stop::Converged {
             (to.shift.zeta, self.rigid) = (task.approach, task.rigid);

@@ -24,7 +24,9 @@ use carom_special::RangeError;
 /// last tractions, tractions at these pressures, and so on until both converge (Panagiotopoulos);
 /// one pass suffices if the materials are not coupled. Pressures are found by preconditioned
 /// conjugate gradients on an active set, tractions by Newton's method on the sets of sticking and
-/// slipping cells. Both start from coarser grids if no better start is known.
+/// slipping cells. Both start from coarser grids if no better start is known. Where friction is too
+/// great for that between coupled materials, pressures and tractions are found together by Newton's
+/// method, with damped steps far from the solution.
 ///
 /// Each of the four motions is prescribed as a shift or as a load. A load that friction cannot hold
 /// is an error ([`FrictionalError::Slides`], [`FrictionalError::Turns`]). For dissimilar materials,

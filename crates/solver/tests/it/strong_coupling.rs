@@ -163,3 +163,60 @@ fn no_cell_is_said_to_slip_at_infinite_friction() {
     }
     assert!(dragged > 20, "{dragged}");
 }
+
+/// A body of nu = 0 on a rigid one: the products with the coupling influence of the last step, and its loads.
+fn strong(shape: fn(f64, f64) -> f64, friction: f64, steps: &[[f64; 4]]) -> (f64, [f64; 3]) {
+    let grid = Grid::new(64, 64, 1.0, 1.0).unwrap();
+    let gap = Gap::from_function(grid, shape).unwrap();
+    let pair = MaterialPair::new(Material::from_shear(1.0, 0.0).unwrap(), Material::RIGID).unwrap();
+    let problem =
+        ContactProblem::of_half_spaces(gap, pair, Friction::new(friction).unwrap()).unwrap();
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let (mut state, mut spent) = (ContactState::apart(grid), 0.0);
+    for &[zeta, xi, eta, omega] in steps {
+        let (before, drive) = (state.clone(), Drive::by_shift(Shift { zeta, xi, eta, omega }));
+        let reached = method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ());
+        spent = reached.unwrap().products.coupling;
+        let left = violations(&problem, &before, &state).unwrap();
+        assert!(left.normal < 1e-8 && left.tangential < 1e-8, "{left:?}");
+    }
+    let load = state.load();
+    (spent, [load.f_x, load.f_y, load.f_z])
+}
+
+/// The loads were found before by the continuation in the friction coefficient alone, which took 3800,
+/// 10 400, 30 700 and 23 000 products; a disc took 66 700.
+#[test]
+fn great_friction_takes_few_products() {
+    let bowl = |x: f64, y: f64| 0.00071 * (x * x + y * y);
+    for (friction, most, loads) in [
+        (30.0, 900.0, [19.589_674_51, 6.516_423_894, 26.432_722_64]),
+        (100.0, 1200.0, [19.647_956_09, 6.534_641_695, 26.458_390_15]),
+        (300.0, 2200.0, [19.659_596_74, 6.543_469_732, 26.461_917_38]),
+        (1000.0, 1900.0, [19.671_827_15, 6.548_778_581, 26.468_164_55]),
+    ] {
+        let (spent, got) = strong(bowl, friction, &[[0.5, 0.3, 0.1, 0.0]]);
+        assert!(spent < most, "f = {friction}: {spent} products");
+        for (got, known) in got.iter().zip(loads) {
+            assert!((got - known).abs() < 1e-6, "f = {friction}: {got} {known}");
+        }
+    }
+    let disc = |x: f64, y: f64| if x.hypot(y) <= 24.0 { 0.0 } else { 1e9 };
+    let steps = [[0.5, 0.3, 0.1, 0.0], [0.6, -0.2, 0.3, 0.01], [0.3, 0.5, 0.0, 0.0]];
+    let (spent, got) = strong(disc, 1000.0, &steps);
+    assert!(spent < 1500.0, "{spent} products");
+    for (got, known) in got.iter().zip([48.312_958_72, 0.0, 30.351_174_89]) {
+        assert!((got - known).abs() < 1e-6, "{got} {known}");
+    }
+}
+
+/// A contact that recedes and is shifted back: the continuation alone took 29 000 products and did not
+/// converge.
+#[test]
+fn a_receding_contact_of_infinite_friction_is_found() {
+    let bowl = |x: f64, y: f64| 0.00071 * (x * x + y * y);
+    let steps = [[0.5, 0.3, 0.1, 0.0], [0.6, -0.2, 0.3, 0.01], [0.3, 0.5, 0.0, 0.0]];
+    let (spent, _) = strong(bowl, f64::INFINITY, &steps);
+    assert!(spent < 8000.0, "{spent} products");
+}

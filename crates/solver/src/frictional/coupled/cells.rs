@@ -13,8 +13,13 @@ use crate::tangential::project_to_disc;
 #[derive(Clone)]
 pub(super) struct Cells {
     /// Influences of a cell on itself, normal and tangential.
-    own: [f64; 2],
+    pub(super) own: [f64; 2],
+    /// Damping of the traction along the rays of slipping cells, relative to the influence of a cell on
+    /// itself. With damping cells that come into contact slip first.
+    pub(super) damping: f64,
     pub(super) states: Vec<CellState>,
+    /// The cells that stick or slip, in order.
+    pub(super) active: Vec<usize>,
     /// Directions of the tangential tractions of slipping cells.
     pub(super) rim: [Vec<f64>; 2],
     /// Slip over traction in slipping cells: the stiffness term for turning the traction.
@@ -38,7 +43,9 @@ impl Cells {
         let (own, cells) = (operator.coefficients(0, 0).rows, operator.grid().cells());
         Self {
             own: [own[2][2], 0.5 * (own[0][0] + own[1][1])],
+            damping: 0.0,
             states: vec![CellState::Exterior; cells],
+            active: Vec::new(),
             rim: [vec![0.0; cells], vec![0.0; cells]],
             bend: vec![0.0; cells],
             ray: vec![[1.0, 0.0]; cells],
@@ -62,25 +69,16 @@ impl Cells {
         let (mut normal, mut tangential) = (system.unbalance(task)[0], system.unbalance(task)[1]);
         let (mut depth, mut most, mut reached) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (i, &pressure) in task.pressure.iter().enumerate() {
-            let gap = system.gap[i];
-            let off = if pressure > 0.0 {
-                gap.abs()
-            } else {
-                (-gap).max(-pressure * self.own[0]).max(0.0)
-            };
-            let at = [task.traction[0][i], task.traction[1][i]];
-            let limit = finite_coefficient(task.friction[i]) * pressure.max(0.0);
-            let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
-            let to = project_to_disc(pulled, limit);
-            let distance = (at[0] - to[0]).hypot(at[1] - to[1]);
+            let (off, distance) = self.violations(task, system, i);
             if off.is_nan() || distance.is_nan() {
                 return Residuals { normal: f64::NAN, tangential: f64::NAN };
             }
             (normal, tangential) = (normal.max(off), tangential.max(distance));
             if pressure > 0.0 {
-                depth = depth.max((gap + task.approach - task.heights[i]).abs());
-                most = most.max(limit);
-                reached = reached.max(pressure).max(at[0].hypot(at[1]));
+                depth = depth.max((system.gap[i] + task.approach - task.heights[i]).abs());
+                most = most.max(finite_coefficient(task.friction[i]) * pressure);
+                let size = task.traction[0][i].hypot(task.traction[1][i]);
+                reached = reached.max(pressure).max(size);
             }
         }
         let over = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { value };
@@ -89,6 +87,28 @@ impl Cells {
             normal: if nothing { f64::INFINITY } else { over(normal, depth) },
             tangential: over(tangential, most.min(reached)),
         }
+    }
+
+    /// The norm of all violations, as displacements.
+    pub(super) fn violation(&self, task: &CoupledTask<'_>, system: &System) -> f64 {
+        let square = |i: usize| {
+            let (off, distance) = self.violations(task, system, i);
+            off * off + (self.own[1] * distance).powi(2)
+        };
+        (0..task.cells.len()).map(square).sum::<f64>().sqrt()
+    }
+
+    /// By how much a cell violates the normal conditions, as a displacement, and the friction law, as a
+    /// traction.
+    fn violations(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> (f64, f64) {
+        let (pressure, gap) = (task.pressure[i], system.gap[i]);
+        let off =
+            if pressure > 0.0 { gap.abs() } else { (-gap).max(-pressure * self.own[0]).max(0.0) };
+        let at = [task.traction[0][i], task.traction[1][i]];
+        let limit = finite_coefficient(task.friction[i]) * pressure.max(0.0);
+        let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
+        let to = project_to_disc(pulled, limit);
+        (off, (at[0] - to[0]).hypot(at[1] - to[1]))
     }
 
     /// Sets the states and projects the tractions onto what the states admit. Only this share of
@@ -116,9 +136,13 @@ impl Cells {
             task.pressure[i] = pressure;
             (task.traction[0][i], task.traction[1][i]) = (traction[0], traction[1]);
         }
+        self.active.clear();
         for (i, state) in task.cells.iter().enumerate() {
             self.ray[i] = ray(task.friction[i]);
             self.states[i] = *state;
+            if *state != CellState::Exterior {
+                self.active.push(i);
+            }
         }
     }
 
@@ -187,7 +211,7 @@ impl Cells {
                 let pushed = -system.gap[i] / self.own[0];
                 if pushed.is_nan() || pushed <= 0.0 {
                     nothing(CellState::Exterior)
-                } else if size <= friction * pushed {
+                } else if size <= friction * pushed && self.damping == 0.0 {
                     nothing(CellState::Stick)
                 } else {
                     slips(0.0, friction * pushed)

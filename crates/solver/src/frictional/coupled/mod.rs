@@ -9,9 +9,13 @@
 //! then slips at almost no pressure.
 
 mod cells;
+mod constraints;
+mod damping;
 mod newton;
+mod precondition;
 mod system;
 mod task;
+mod torus;
 
 use std::ops::ControlFlow;
 
@@ -19,6 +23,7 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
 use crate::convergence::{Convergence, Observer, Products, Progress, Stop};
 use cells::Cells;
+use damping::Damping;
 use system::System;
 
 pub(crate) use task::CoupledTask;
@@ -27,8 +32,19 @@ pub(crate) use task::CoupledTask;
 const STEPS_BEFORE_FEWER_CHANGES: usize = 6;
 /// After this many Newton steps without progress the method gives up.
 const STEPS_BEFORE_GIVING_UP: usize = 8;
-/// A start whose gaps exceed this fraction of the greatest displacement is rejected.
-const LARGEST_INITIAL_GAP: f64 = 0.5;
+/// Damped steps without progress before the method gives up.
+const DAMPED_STEPS_BEFORE_GIVING_UP: usize = 30;
+/// A start whose gaps exceed this fraction of the greatest displacement is rejected, unless steps are damped.
+const LARGEST_INITIAL_GAP: f64 = 0.02;
+
+/// How Newton's method approaches the solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Steps {
+    /// By full steps, from a start close to the solution.
+    Full,
+    /// By damped steps, from any start.
+    Damped,
+}
 
 /// The working memory of Newton's method.
 #[derive(Clone)]
@@ -51,13 +67,19 @@ impl Coupled {
     pub(crate) fn solve(
         &mut self,
         task: &mut CoupledTask<'_>,
-        tolerance: f64,
-        iterations: usize,
+        steps: Steps,
+        (tolerance, iterations): (f64, usize),
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         self.products = Products::default();
         self.cells.begin(task);
+        self.cells.damping = 0.0;
         let (mut least, mut since, mut share) = (f64::INFINITY, 0, 1.0_f64);
+        let mut damping = (steps == Steps::Damped).then(Damping::default);
+        let (patience, largest) = match steps {
+            Steps::Full => (STEPS_BEFORE_GIVING_UP, LARGEST_INITIAL_GAP),
+            Steps::Damped => (DAMPED_STEPS_BEFORE_GIVING_UP, f64::INFINITY),
+        };
         let mut iteration = 0;
         loop {
             self.system.displace(task, &mut self.products)?;
@@ -65,10 +87,10 @@ impl Coupled {
             let touching = task.pressure.iter().filter(|pressure| **pressure > 0.0).count();
             let worst = residuals.worst();
             // If no cell is left in contact, the next step may press the bodies together again.
-            let lost = touching > 0 && residuals.normal > LARGEST_INITIAL_GAP;
+            let lost = touching > 0 && residuals.normal > largest;
             let cells = task.pressure.len();
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if worst.is_nan() || since > STEPS_BEFORE_GIVING_UP || lost {
+            let stop = if worst.is_nan() || since > patience || lost {
                 Some(Stop::Stalled)
             } else if worst <= tolerance && iteration > 0 {
                 Some(Stop::Converged)
@@ -86,9 +108,13 @@ impl Coupled {
                 (least, since, share) = (worst, 0, 1.0);
             } else {
                 since += 1;
-                if since % STEPS_BEFORE_FEWER_CHANGES == 0 {
+                if damping.is_none() && since % STEPS_BEFORE_FEWER_CHANGES == 0 {
                     share *= 0.5;
                 }
+            }
+            if let Some(damping) = &mut damping {
+                let violation = self.cells.violation(task, &self.system);
+                self.cells.damping = damping.next(violation);
             }
             iteration += 1;
             self.cells.choose(task, &self.system, share);

@@ -9,6 +9,7 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, SurfaceOperato
 use nalgebra::{Matrix4, Vector4};
 
 use super::cells::Cells;
+use super::constraints::Constraints;
 use super::system::{MOTIONS, System, count, given};
 use super::task::CoupledTask;
 use crate::convergence::Products;
@@ -19,9 +20,6 @@ use crate::state::CellState;
 const LINEAR_RESIDUAL: f64 = 1e-4;
 /// Greatest number of products for one linear system.
 const MOST_PRODUCTS: usize = 240;
-/// Diagonal term of the preconditioner for slipping cells that are treated one by one, relative to
-/// the influence of a cell on itself.
-const ISOLATED_CELL_COMPLIANCE: f64 = 10.0;
 
 impl System {
     /// Makes one Newton step for the given states of the cells.
@@ -31,18 +29,18 @@ impl System {
         cells: &Cells,
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        let n = task.heights.len();
+        let n = cells.active.len();
         let mut right = vec![0.0; 3 * n + MOTIONS];
-        for (i, state) in cells.states.iter().enumerate() {
+        for (right, &i) in right.chunks_exact_mut(3).zip(&cells.active) {
             let slip = [self.slip[0][i], self.slip[1][i]];
-            let rows = equations(cells, i, *state, self.gap[i], slip, 0.0);
-            for (k, row) in rows.into_iter().enumerate() {
-                right[3 * i + k] = -row;
-            }
+            let rows = equations(cells, i, self.gap[i], slip, 0.0);
+            right.copy_from_slice(&rows.map(|row| -row));
         }
         let missing = self.missing(task);
-        let mut map =
-            Newton { system: self, operator: task.operator, cells, given: given(task), products };
+        self.clear();
+        let constraints = self.torus.as_ref().and_then(|torus| Constraints::new(cells, torus));
+        let (operator, given) = (task.operator, given(task));
+        let mut map = Newton { system: self, operator, cells, constraints, given, products };
         map.prepare();
         for k in 0..MOTIONS {
             right[3 * n + k] = map.weight(k) * missing[k];
@@ -50,9 +48,8 @@ impl System {
         let mut step = vec![0.0; 3 * n + MOTIONS];
         let least = LINEAR_RESIDUAL * krylov::norm(&right);
         krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
-        for (i, state) in cells.states.iter().enumerate() {
-            let [t_x, t_y, p] =
-                unknowns(cells, i, *state, [step[3 * i], step[3 * i + 1], step[3 * i + 2]]);
+        for (step, &i) in step.chunks_exact(3).zip(&cells.active) {
+            let [t_x, t_y, p] = unknowns(cells, i, step);
             task.pressure[i] += p;
             task.traction[0][i] += t_x;
             task.traction[1][i] += t_y;
@@ -66,15 +63,8 @@ impl System {
 }
 
 /// The equations of a cell from its gap and slip; `turned` is its traction around the ray.
-fn equations(
-    cells: &Cells,
-    i: usize,
-    state: CellState,
-    gap: f64,
-    slip: [f64; 2],
-    turned: f64,
-) -> [f64; 3] {
-    match state {
+fn equations(cells: &Cells, i: usize, gap: f64, slip: [f64; 2], turned: f64) -> [f64; 3] {
+    match cells.states[i] {
         CellState::Exterior => [0.0; 3],
         CellState::Stick => [gap, slip[0], slip[1]],
         CellState::Slip => {
@@ -85,8 +75,8 @@ fn equations(
 }
 
 /// Tractions x, y and pressure from the unknowns of a cell.
-fn unknowns(cells: &Cells, i: usize, state: CellState, own: [f64; 3]) -> [f64; 3] {
-    match state {
+fn unknowns(cells: &Cells, i: usize, own: &[f64]) -> [f64; 3] {
+    match cells.states[i] {
         CellState::Exterior => [0.0; 3],
         CellState::Stick => [own[1], own[2], own[0]],
         CellState::Slip => {
@@ -98,12 +88,13 @@ fn unknowns(cells: &Cells, i: usize, state: CellState, own: [f64; 3]) -> [f64; 3
 }
 
 /// The linear system for given states of the cells.
-struct Newton<'a> {
-    system: &'a mut System,
+pub(super) struct Newton<'a> {
+    pub(super) system: &'a mut System,
     operator: &'a dyn SurfaceOperator,
-    cells: &'a Cells,
+    pub(super) cells: &'a Cells,
+    pub(super) constraints: Option<Constraints>,
     given: [Option<f64>; MOTIONS],
-    products: &'a mut Products,
+    pub(super) products: &'a mut Products,
 }
 
 impl Newton<'_> {
@@ -111,21 +102,20 @@ impl Newton<'_> {
     fn weight(&self, motion: usize) -> f64 {
         let grid = self.operator.grid();
         let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
-        let touching = self.cells.states.iter().filter(|s| **s != CellState::Exterior).count();
         let over = if motion == 3 { arm } else { 1.0 };
-        self.system.own / (touching.max(1) as f64).sqrt() / over
+        self.system.own / (self.cells.active.len().max(1) as f64).sqrt() / over
     }
 
     /// The equations of a cell in a unit motion.
     fn motion_rows(&self, i: usize, motion: &Vector4<f64>) -> [f64; 3] {
         let (x, y) = (self.system.centres[0][i], self.system.centres[1][i]);
         let slip = [-motion[1] - y * motion[3], -motion[2] + x * motion[3]]; // (12.2)
-        equations(self.cells, i, self.cells.states[i], -motion[0], slip, 0.0)
+        equations(self.cells, i, -motion[0], slip, 0.0)
     }
 
     /// The loads that the preconditioner gives for each unit motion.
     fn prepare(&mut self) {
-        let n = self.cells.states.len();
+        let n = self.cells.active.len();
         self.system.corrections.clear();
         self.system.answers = Matrix4::identity();
         for k in 0..MOTIONS {
@@ -133,9 +123,8 @@ impl Newton<'_> {
             if self.given[k].is_some() {
                 let unit = Vector4::from_fn(|l, _| f64::from(u8::from(l == k)));
                 let mut rows = vec![0.0; 3 * n];
-                for i in 0..n {
-                    let own = self.motion_rows(i, &unit);
-                    rows[3 * i..3 * i + 3].copy_from_slice(&own.map(|row| -row));
+                for (rows, &i) in rows.chunks_exact_mut(3).zip(&self.cells.active) {
+                    rows.copy_from_slice(&self.motion_rows(i, &unit).map(|row| -row));
                 }
                 self.invert(&rows, &mut correction);
                 let loads = self.loads_of(&correction);
@@ -150,66 +139,12 @@ impl Newton<'_> {
 
     fn loads_of(&self, x: &[f64]) -> Vector4<f64> {
         let mut sums = Vector4::zeros();
-        for (i, state) in self.cells.states.iter().enumerate() {
-            let [t_x, t_y, p] =
-                unknowns(self.cells, i, *state, [x[3 * i], x[3 * i + 1], x[3 * i + 2]]);
+        for (x, &i) in x.chunks_exact(3).zip(&self.cells.active) {
+            let [t_x, t_y, p] = unknowns(self.cells, i, x);
             let torque = self.system.centres[1][i] * t_x - self.system.centres[0][i] * t_y;
             sums += Vector4::new(p, t_x, t_y, torque);
         }
         sums
-    }
-
-    /// The preconditioner of the cells: the normal and the tangential inverse on a torus, applied
-    /// separately and weighted in slipping cells.
-    fn invert(&mut self, rows: &[f64], x: &mut [f64]) {
-        let (n, own) = (self.cells.states.len(), self.system.own);
-        let cells = self.cells;
-        let system = &mut *self.system;
-        for i in 0..n {
-            let [gap, a, b] = [rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]];
-            let (t_x, t_y) = match cells.states[i] {
-                CellState::Slip => {
-                    let part = a / (1.0 + cells.bend[i] / own).sqrt();
-                    (-part * cells.rim[1][i], part * cells.rim[0][i])
-                }
-                _ => (a, b),
-            };
-            system.traction[0][i] = t_x;
-            system.traction[1][i] = t_y;
-            system.traction[2][i] = gap;
-        }
-        let [x_out, y_out, p_out] = &mut system.image;
-        let [x_in, y_in, p_in] = &system.traction;
-        if let Some(inverse) = &system.inverse {
-            inverse.pressure(p_in, p_out, &mut system.workspace);
-            inverse.traction(
-                [Some(x_in), Some(y_in)],
-                [Some(x_out), Some(y_out)],
-                &mut system.workspace,
-            );
-            self.products.preconditioner += 2.0;
-        } else {
-            for (out, values) in [(x_out, x_in), (y_out, y_in), (p_out, p_in)] {
-                out.iter_mut().zip(values).for_each(|(out, value)| *out = value / system.own);
-            }
-        }
-        for i in 0..n {
-            let (t_x, t_y, p) = (system.image[0][i], system.image[1][i], system.image[2][i]);
-            let own = match cells.states[i] {
-                CellState::Exterior => [0.0; 3],
-                CellState::Stick => [p, t_x, t_y],
-                CellState::Slip => {
-                    let [cos, sin] = cells.ray[i];
-                    let bend = cells.bend[i];
-                    let sigma = 1.0 / (1.0 + bend / own);
-                    let around = cells.rim[0][i] * t_y - cells.rim[1][i] * t_x;
-                    let direct =
-                        (1.0 - sigma) / (bend + ISOLATED_CELL_COMPLIANCE * own) * rows[3 * i + 1];
-                    [p / cos.hypot(system.gamma * sin), sigma.sqrt() * around + direct, 0.0]
-                }
-            };
-            x[3 * i..3 * i + 3].copy_from_slice(&own);
-        }
     }
 }
 
@@ -217,10 +152,10 @@ impl LinearMap for Newton<'_> {
     type Error = OperatorError;
 
     fn apply(&mut self, x: &[f64], y: &mut [f64]) -> Result<(), OperatorError> {
-        let n = self.cells.states.len();
+        let n = self.cells.active.len();
         let system = &mut *self.system;
-        for (i, state) in self.cells.states.iter().enumerate() {
-            let own = unknowns(self.cells, i, *state, [x[3 * i], x[3 * i + 1], x[3 * i + 2]]);
+        for (x, &i) in x.chunks_exact(3).zip(&self.cells.active) {
+            let own = unknowns(self.cells, i, x);
             for (k, value) in own.into_iter().enumerate() {
                 system.traction[k][i] = value;
             }
@@ -236,14 +171,15 @@ impl LinearMap for Newton<'_> {
         count(self.products);
         let motion =
             Vector4::from_fn(|k, _| if self.given[k].is_some() { x[3 * n + k] } else { 0.0 });
-        for (i, state) in self.cells.states.iter().enumerate() {
-            let (u, v, w) =
-                (self.system.image[0][i], self.system.image[1][i], self.system.image[2][i]);
-            let turned = if *state == CellState::Slip { x[3 * i + 1] } else { 0.0 };
-            let own = equations(self.cells, i, *state, w, [u, v], turned);
+        for ((y, x), &i) in y.chunks_exact_mut(3).zip(x.chunks_exact(3)).zip(&self.cells.active) {
+            let [u, v, w] = [0, 1, 2].map(|k| self.system.image[k][i]);
+            let slips = self.cells.states[i] == CellState::Slip;
+            let (turned, along) = if slips { (x[1], x[0]) } else { (0.0, 0.0) };
+            let damped = self.cells.damping * self.cells.own[0] * along;
+            let own = equations(self.cells, i, w + damped, [u, v], turned);
             let rigid = self.motion_rows(i, &motion);
             for k in 0..3 {
-                y[3 * i + k] = own[k] + rigid[k];
+                y[k] = own[k] + rigid[k];
             }
         }
         let loads = self.loads_of(x);
@@ -255,7 +191,7 @@ impl LinearMap for Newton<'_> {
     }
 
     fn precondition(&mut self, y: &[f64], x: &mut [f64]) {
-        let n = self.cells.states.len();
+        let n = self.cells.active.len();
         self.invert(&y[..3 * n], &mut x[..3 * n]);
         x[3 * n..].fill(0.0);
         let loads = self.loads_of(x);

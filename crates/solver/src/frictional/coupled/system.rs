@@ -8,19 +8,19 @@ use carom_halfspace::operator::{
 use nalgebra::{Matrix4, Vector4};
 
 use super::task::CoupledTask;
+use super::torus::{Space, Torus};
 use crate::convergence::Products;
 use crate::drive::Driven;
 
 /// Motions: approach, two shifts, twist.
 pub(super) const MOTIONS: usize = 4;
 
-/// Three values for each cell.
-type Space = [Vec<f64>; 3];
-
 /// Gaps and slips, with the working memory of the linear system.
 #[derive(Clone)]
 pub(super) struct System {
     pub(super) inverse: Option<Arc<dyn Preconditioner>>,
+    /// The inverse with coupling; none where displacements are not reciprocal.
+    pub(super) torus: Option<Torus>,
     pub(super) workspace: Workspace,
     pub(super) centres: [Vec<f64>; 2],
     /// Influence of a tangential traction on its own cell.
@@ -45,6 +45,7 @@ impl System {
         let beside = operator.coefficients(1, 0).rows[2];
         Self {
             inverse: operator.inverse(),
+            torus: operator.is_reciprocal().then(|| Torus::new(operator)),
             workspace: operator.workspace(),
             centres: [x, y],
             own: 0.5 * (own[0][0] + own[1][1]),
@@ -55,6 +56,13 @@ impl System {
             image: space(),
             corrections: Vec::new(),
             answers: Matrix4::identity(),
+        }
+    }
+
+    /// Empties the tractions of all cells for a linear system.
+    pub(super) fn clear(&mut self) {
+        for values in &mut self.traction {
+            values.fill(0.0);
         }
     }
 
