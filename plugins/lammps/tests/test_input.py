@@ -150,4 +150,5 @@ def test_the_walls_of_the_box_example_carry_its_grains(tmp_path):
     weight = 216 * math.pi / 6 * 0.009**3 * 2500 * 9.81
     assert abs(end["v_weight"] - weight) < 1e-6 * weight
     assert abs(end["v_down"] - weight) < 1e-3 * weight
-    assert abs(end["f_floor[3]"] + weight) > 0.01 * weight, "the side walls carry a part"
+    # Which part of the weight the side walls carry is chance; the grains press on both.
+    assert end["f_west[1]"] < -0.1 * weight and end["f_east[1]"] > 0.1 * weight
