@@ -94,7 +94,6 @@ fn go_on<S: VertexStack<[f64; 2]>>(
     mut meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {
     let step = before(pairs).step(meeting, dt);
-    let to = normalised(pairs, &step)?;
     let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
     let elastic = elastic(c_z, meeting.zeta);
     let dashpots = Dashpots {
@@ -102,7 +101,10 @@ fn go_on<S: VertexStack<[f64; 2]>>(
         ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
     };
     let drag = dashpots.force(meeting, c_z, elastic, dt);
-    check_each(meeting.arms, drag)?;
+    let to = normalised(pairs, &step);
+    if !(allowed(&step, to) & allowed_beside(meeting.arms, drag)).all() {
+        refuse(pairs, &step, meeting.arms, drag)?;
+    }
     let mut frictions = [[0.0; 2]; TOGETHER];
     for (i, pair) in pairs.iter_mut().enumerate() {
         meanwhile(i);
@@ -143,23 +145,9 @@ fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
     }
 }
 
-/// The normalised shifts, if the laws allow them.
 #[inline(always)]
-fn normalised<S: VertexStack<[f64; 2]>>(
-    pairs: &Pairs<'_, S>,
-    step: &Step<Lanes>,
-) -> Result<[Lanes; 2], RangeError> {
-    let scale = |k: usize| each(pairs, |pair| pair.contact.law.scale_of_shifts()[k]);
-    let [xi, eta] = step.shift;
-    let to = [xi * scale(0), eta * scale(1)];
-    let told = up_to(step.zeta, LARGEST) & up_to(xi, LARGEST) & up_to(eta, LARGEST);
-    let kept = up_to(to[0], LARGEST_IN_MEMORY) & up_to(to[1], LARGEST_IN_MEMORY);
-    if !(told & kept).all() {
-        for (i, pair) in pairs.iter().enumerate() {
-            pair.contact.law.reachable(lane(step, i))?;
-        }
-    }
-    Ok(to)
+fn normalised<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>, step: &Step<Lanes>) -> [Lanes; 2] {
+    from_fn(|k| step.shift[k] * each(pairs, |pair| pair.contact.law.scale_of_shifts()[k]))
 }
 
 /// Which lanes are at most this in magnitude.
@@ -168,15 +156,35 @@ fn up_to(lane: Lanes, most: f64) -> Lanes {
     lane.abs().simd_le(Lanes::splat(most))
 }
 
-/// [`check_beside`] for each of the contacts.
+/// Which steps, with these normalised shifts, the laws allow.
 #[inline(always)]
-fn check_each(arms: [Lanes; 2], drag: Lanes) -> Result<(), RangeError> {
-    let [one, two] = arms.map(|arm| up_to(arm, LARGEST_ARM));
-    if (one & two & up_to(drag, LARGEST_DRAG)).all() {
-        return Ok(());
+fn allowed(step: &Step<Lanes>, to: [Lanes; 2]) -> Lanes {
+    let [xi, eta] = step.shift;
+    let told = up_to(step.zeta, LARGEST) & up_to(xi, LARGEST) & up_to(eta, LARGEST);
+    told & up_to(to[0], LARGEST_IN_MEMORY) & up_to(to[1], LARGEST_IN_MEMORY)
+}
+
+/// Of which contacts [`check_beside`] allows the rest of the load.
+#[inline(always)]
+fn allowed_beside([one, two]: [Lanes; 2], drag: Lanes) -> Lanes {
+    up_to(one, LARGEST_ARM) & up_to(two, LARGEST_ARM) & up_to(drag, LARGEST_DRAG)
+}
+
+/// The error of the first contact whose step is not allowed.
+#[cold]
+#[inline(never)]
+fn refuse<S: VertexStack<[f64; 2]>>(
+    pairs: &Pairs<'_, S>,
+    step: &Step<Lanes>,
+    arms: [Lanes; 2],
+    drag: Lanes,
+) -> Result<(), RangeError> {
+    let (arms, drag) = (arms.map(Lanes::to_array), drag.to_array());
+    for (i, pair) in pairs.iter().enumerate() {
+        pair.contact.law.reachable(lane(step, i))?;
+        check_beside(arms.map(|arm| arm[i]), drag[i])?;
     }
-    let ([one, two], drag) = (arms.map(Lanes::to_array), drag.to_array());
-    (0..TOGETHER).try_for_each(|i| check_beside([one[i], two[i]], drag[i]))
+    Ok(())
 }
 
 /// Advances the contacts one after the other, if one begins or ends.
