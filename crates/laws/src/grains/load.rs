@@ -35,8 +35,8 @@ pub(super) fn forces<T: Number>(
     // normal x tangent is the second axis, normal x second axis is minus the tangent; the torque on
     // body 1 is - arm normal x force.
     let couple = minus(times(tangent, y), times(along, x));
-    let [torque_1, torque_2] = arms.map(|arm| times(couple, arm));
-    [plus(times(normal, normal_force), friction), torque_1, torque_2]
+    let force = plus(times(normal, normal_force), friction);
+    [force, times(couple, arms[0]), times(couple, arms[1])]
 }
 
 #[inline]
@@ -58,11 +58,9 @@ pub(super) const LARGEST_DRAG: f64 = 1e150;
 /// Checks what else than the law decides on the load of a step, before the law is advanced.
 #[inline(always)]
 pub(super) fn check_beside(arms: [f64; 2], drag: f64) -> Result<(), RangeError> {
-    let [one, two] = arms.map(|arm| arm.abs() <= LARGEST_ARM);
-    if one & two & (drag.abs() <= LARGEST_DRAG) {
-        return Ok(());
-    }
-    name_the_wrong_one(arms, drag)
+    let [one, two] = arms;
+    let holds = (one.abs() <= LARGEST_ARM) & (two.abs() <= LARGEST_ARM);
+    if holds & (drag.abs() <= LARGEST_DRAG) { Ok(()) } else { name_the_wrong_one(arms, drag) }
 }
 
 #[cold]

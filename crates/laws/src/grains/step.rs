@@ -50,12 +50,12 @@ impl<T: Number> Before<T> {
         let lead = match dt > 0.0 {
             true => {
                 let by = T::of(dt * (1.0 / 12.0));
-                [0, 1].map(|k| (velocity[k] - self.velocity[k]) * by)
+                both(|k| (velocity[k] - self.velocity[k]) * by)
             }
             false => self.lead,
         };
-        let by = velocity.map(|v| v * T::of(dt));
-        let shift = [0, 1].map(|k| self.shift[k] + (by[k] + (lead[k] - self.lead[k])));
+        let dt = T::of(dt);
+        let shift = both(|k| self.shift[k] + (velocity[k] * dt + (lead[k] - self.lead[k])));
         Step { tangent, zeta: meeting.zeta, shift, velocity, lead }
     }
 
@@ -83,6 +83,12 @@ impl<T: Number> Before<T> {
 fn slip<T: Number>(meeting: &Meeting<T>, growth: T, normal: Vector<T>) -> Vector<T> {
     let lost = times(meeting.rolling_decrease, growth * T::of(0.5));
     plus(meeting.velocity, cross(plus(meeting.rolling, lost), normal))
+}
+
+/// What a function gives for either of the two directions.
+#[inline(always)]
+fn both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
+    [of(0), of(1)]
 }
 
 /// Whether the gap opens within a few steps.

@@ -7,6 +7,7 @@
 /// overshoot at the edge, where L is small. One step of the contact may take an annulus through a
 /// whole thin slip annulus; the integrators are therefore of order three or four, each with an
 /// error of about `accurate`, in radians.
+#[inline]
 pub(super) fn turned(e: [f64; 2], length: f64, pull: &Pull, accurate: f64) -> [f64; 2] {
     const MAX_TURNS: usize = 4000;
     let (mut e, mut left) = (e, length);
@@ -46,6 +47,7 @@ impl Pull {
     // One step of at most this length: the angle, and the length covered. Exponential Rosenbrock
     // methods (Hochbruck and Ostermann 2010): exprb32 if its correction is small, otherwise
     // exprb43.
+    #[inline]
     fn turn(&self, e: [f64; 2], left: f64, accurate: f64) -> (f64, f64) {
         const LARGEST: f64 = 0.3;
         // Farther from its limit a stiff step would be too coarse.

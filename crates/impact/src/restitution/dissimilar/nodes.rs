@@ -172,8 +172,8 @@ impl Nodes {
         Some(self.across(&planes, [ratio, kappa, square]))
     }
 
-    /// The weighted sum of planes at places of the other coordinates.
-    #[inline]
+    /// The weighted sum of planes at places of the other coordinates. Inside its caller its sums would leave the registers.
+    #[inline(never)]
     fn across(
         &self,
         planes: &[(&[f32; PLANE], f32); PLANES],
