@@ -199,6 +199,8 @@ void PairCarom::set_space()
   };
   set(rolls, "rolling", &carom::Material::rolls);
   set(slips, "slip_friction", &carom::Material::slips);
+  weighs = std::any_of(coefficients.begin(), coefficients.end(),
+                       [](const carom::Material &material) { return material.restitution < 1.0; });
 }
 
 double PairCarom::init_one(int i, int j)
@@ -223,7 +225,7 @@ double PairCarom::init_one(int i, int j)
 PairCarom::Bodies PairCarom::bodies() const
 {
   return {atom->x[0],  atom->v[0],      atom->omega[0], atom->radius,
-          masses.all(atom), atom->mask, frozen,         atom->f[0],
+          weighs ? masses.all(atom) : nullptr, atom->mask, frozen, atom->f[0],
           atom->torque[0], atom->type,  atom->ntypes + 1,
           static_cast<std::size_t>(atom->nlocal + (force->newton_pair ? atom->nghost : 0))};
 }
@@ -234,7 +236,7 @@ inline void PairCarom::Bodies::set(carom_grain &grain, std::size_t i) const
   memcpy(grain.velocity, v + 3 * i, sizeof grain.velocity);
   memcpy(grain.spin, w + 3 * i, sizeof grain.spin);
   grain.radius = radius[i];
-  grain.mass = mask[i] & frozen ? HEAVY * mass[i] : mass[i];
+  if (mass) grain.mass = mask[i] & frozen ? HEAVY * mass[i] : mass[i];
 }
 
 // A grain of another rank gets its forces there, unless newton is on.
@@ -330,6 +332,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
   }
   const double dt = moves ? update->dt : 0.0;
   const Bodies all = bodies();
+  const double *mass = masses.all(atom);
   for (int k = 0; k < count; k++) {
     const Close &pair = close[k];
     const int one = one_of(pair), two = two_of(pair);
@@ -339,7 +342,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     all.set(met.one, one);
     all.set(met.two, two);
     if (is_new[k] && update->whichflag == 1)
-      limits.begins(*met.grains, met.one, all.mass[one], met.two, all.mass[two], update->dt);
+      limits.begins(*met.grains, met.one, mass[one], met.two, mass[two], update->dt);
   }
   if (moves && limits.looks(update->ntimestep)) limits.look(encounters, count);
   if (!moves || account || law_.by_rings()) {
@@ -508,7 +511,7 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   const bool i_is_1 = atom->tag[i] < atom->tag[j];
   const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
   const carom::Constants &its = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
-  carom_grain body_1, body_2;
+  carom_grain body_1 = {}, body_2 = {};
   const Bodies all = bodies();
   all.set(body_1, one);
   all.set(body_2, two);

@@ -101,7 +101,8 @@ class PairCarom : public Pair {
   void set_space();
   // The host's arrays of grains, in the layout of the library.
   struct Bodies {
-    const double *x, *v, *w, *radius, *mass;
+    const double *x, *v, *w, *radius;
+    const double *mass;    // null where no force depends on it
     const int *mask;
     int frozen;
     double *f, *torque;
@@ -113,6 +114,7 @@ class PairCarom : public Pair {
   };
   Bodies bodies() const;
   int frozen = 0;    // the groups of fix freeze
+  bool weighs = false;    // whether a restitution needs the masses
   // A grain that does not move, as one of a great mass, so that two of them have a reduced mass.
   static constexpr double HEAVY = 1e12;
   carom::Touch touch_of(double *slot, int body_1, int body_2);
@@ -127,7 +129,7 @@ class PairCarom : public Pair {
   };
   static constexpr int TOGETHER = 64;
   Close close[TOGETHER];
-  carom_encounter encounters[TOGETHER];
+  carom_encounter encounters[TOGETHER] = {};
   static int one_of(const Close &pair) { return pair.i_is_1 ? pair.i : pair.j; }
   static int two_of(const Close &pair) { return pair.i_is_1 ? pair.j : pair.i; }
   void step_alone(const Close &pair, carom_encounter &met, double dt, bool steps);
