@@ -1,15 +1,16 @@
 //! A substep in which several disjoint slip annuli may occur.
 //!
-//! The solutions with one slip annulus are tried first and checked against the friction law on
-//! rings of finite width: tractions within their limits, and slip in their direction. If none
+//! If [`super::within`] does not decide, the solutions with one slip annulus are tried and checked against the
+//! friction law on rings of finite width: tractions within their limits, and slip in their direction. If none
 //! satisfies it, the rings themselves are solved for any pattern of slip, and their densities
 //! replace those of the stack.
 
 use super::complementarity::RingSolution;
 use super::heat::{Meter, RingHeat};
 use super::history::{SlipPath, TwistHistory};
+use super::mesh::Mesh;
 use super::recede::lowest_rate;
-use super::rings::Rings;
+use super::rings::{Rings, dot};
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist};
 
@@ -46,17 +47,19 @@ impl TwistHistory {
         twist: f64,
         meter: &mut impl Meter,
     ) -> Option<bool> {
-        let mut lowest = RING_MARGIN * self.innermost_slip().min(radius).min(self.stick);
+        let inside = radius.min(self.stick);
+        let mut lowest = RING_MARGIN * self.kept(inside).calm_inside(radius.min(self.radius));
         loop {
-            let rings = Rings::new(radius, lowest.max(INNERMOST_RING * radius), self.level);
-            let before = Cells::averaged(rings.edges(), self);
-            if let Some(solution) = self.single_annulus(&rings, &before, radius, twist) {
+            let mesh = Mesh::new(radius, lowest.max(INNERMOST_RING * radius), self.level);
+            let before = Cells::averaged(mesh.edges(), self);
+            if let Some(solution) = self.single_annulus(&mesh, &before, radius, twist) {
                 match solution {
                     SingleAnnulus::Path(path) => self.metered(path, radius, twist, meter),
                     SingleAnnulus::Growth => self.grow(radius, twist, meter),
                 }
                 return Some(false);
             }
+            let rings = Rings::new(&mesh);
             let solution = rings.turn(&before.densities, twist - before.below[0])?;
             if solution.slips[solution.slips.len() - 3..].iter().any(|slip| *slip != 0.0)
                 && lowest > INNERMOST_RING * radius
@@ -65,24 +68,19 @@ impl TwistHistory {
                 continue;
             }
 
-            let slips = rings.slips(&solution.changes, solution.core);
+            let slip = |i| rings.slip(i, &solution.changes, solution.core);
+            let slips: Vec<f64> = (0..mesh.len()).map(slip).collect();
             let signs = &solution.slips;
-            meter.slides(RingHeat { rings: &rings, from: self.radius, signs, slips: &slips });
-            self.set_ring_densities(&rings, &before, &solution, twist);
+            meter.slides(RingHeat { mesh: &mesh, from: self.radius, signs, slips: &slips });
+            self.set_ring_densities(&mesh, &before, &solution, twist);
             return Some(true);
         }
-    }
-
-    /// The radius outside which slip may continue while the contact recedes.
-    fn innermost_slip(&self) -> f64 {
-        let calm = self.segments.partition_point(|segment| segment.demand < self.radius);
-        self.segments.get(calm).map_or(self.stick, |segment| segment.from)
     }
 
     /// A solution with one slip annulus that satisfies the friction law on rings, if there is one.
     fn single_annulus(
         &self,
-        rings: &Rings,
+        mesh: &Mesh,
         before: &Cells,
         radius: f64,
         twist: f64,
@@ -90,7 +88,7 @@ impl TwistHistory {
         if radius > self.radius {
             let mut grown = self.clone();
             grown.grow(radius, twist, &mut super::heat::Unmetered);
-            return grown.obeys(rings, before).then_some(SingleAnnulus::Growth);
+            return grown.obeys(mesh, before).then_some(SingleAnnulus::Growth);
         }
         let inward = self.slip_sign().filter(|sign| {
             let back = -sign * (twist - self.twist) / (self.radius - radius);
@@ -100,28 +98,17 @@ impl TwistHistory {
         let path = inward.map_or(SlipPath::FromRim, SlipPath::Inward);
         let mut moved = self.clone();
         moved.follow(path, radius, twist);
-        moved.obeys(rings, before).then_some(SingleAnnulus::Path(path))
+        moved.obeys(mesh, before).then_some(SingleAnnulus::Path(path))
     }
 
     /// Whether this state, following that of the cells, satisfies the friction law.
-    fn obeys(&self, rings: &Rings, before: &Cells) -> bool {
+    fn obeys(&self, mesh: &Mesh, before: &Cells) -> bool {
         if !self.is_admissible() {
             return false;
         }
-        let after = Cells::averaged(rings.edges(), self);
-        let tractions = rings.tractions(&after.densities);
-        let within =
-            |(traction, limit): (&f64, &f64)| traction.abs() <= (1.0 + TRACTION_TOLERANCE) * limit;
-        if !tractions.iter().zip(rings.limits()).all(within) {
-            return false;
-        }
-        let Some(sign) = self.slip_sign() else { return true };
-        let changes: Vec<f64> =
-            after.densities.iter().zip(&before.densities).map(|(a, b)| a - b).collect();
-        let core = after.core() - before.core();
-        let slips = rings.slips(&changes, core);
-        let most = slips.iter().fold(0.0_f64, |most, slip| most.max(slip.abs()));
-        slips.iter().all(|slip| sign * slip >= -SLIP_TOLERANCE * most)
+        let after = Cells::averaged(mesh.edges(), self);
+        after.are_within_friction(mesh)
+            && self.slip_sign().is_none_or(|sign| after.slip_forward(mesh, before, sign))
     }
 
     /// Sets new densities on the rings. In the outer slip annulus the sliding density itself is
@@ -129,12 +116,12 @@ impl TwistHistory {
     /// an annulus narrower than a ring is represented.
     fn set_ring_densities(
         &mut self,
-        rings: &Rings,
+        mesh: &Mesh,
         before: &Cells,
         solution: &RingSolution,
         twist: f64,
     ) {
-        let edges = rings.edges();
+        let edges = mesh.edges();
         let changed = solution.changes.iter().rposition(|change| change.abs() > NEGLIGIBLE_CHANGE);
         let lowest = changed.map_or(0, |i| i + 1);
         let outer = outer_ring(&solution.slips).min(lowest);
@@ -142,14 +129,14 @@ impl TwistHistory {
         let (mut below, mut torque) = (before.below[lowest], old.torque_below(edges[lowest]));
         if lowest == solution.slips.len() && solution.core != 0.0 {
             below += solution.core;
-            torque = self.slip_in_core(below, rings);
+            torque = self.slip_in_core(below, mesh);
         }
         self.truncate(edges[lowest]);
         let mut start = (below, torque);
         let mut ring = |next: &mut Self, i: usize| {
             let (from, to) = (edges[i + 1], edges[i]);
             let density = before.densities[i] + solution.changes[i];
-            let demand = demand_of(density.abs(), rings.sliding()[i], rings.radius(), to);
+            let demand = demand_of(density.abs(), mesh.sliding()[i], mesh.radius(), to);
             let laid = Density::Stick(density);
             next.push(Segment { from, density: laid, twist: below, torque, demand });
             below += density * (to - from);
@@ -161,7 +148,7 @@ impl TwistHistory {
             start = ring(self, i);
         }
         self.copy_densities(&old, edges[lowest.min(outer + 1)], start);
-        let radius = rings.radius();
+        let radius = mesh.radius();
         if outer == 0 {
             return self.follow(SlipPath::FromRim, radius, twist);
         }
@@ -205,8 +192,8 @@ impl TwistHistory {
 
     /// Inside the rings slip extends down to a stick radius that gives the required twist. Returns
     /// the torque of that part.
-    fn slip_in_core(&mut self, twist: f64, rings: &Rings) -> f64 {
-        let (radius, edge) = (rings.radius(), rings.edges()[rings.edges().len() - 1]);
+    fn slip_in_core(&mut self, twist: f64, mesh: &Mesh) -> f64 {
+        let (radius, edge) = (mesh.radius(), mesh.edges()[mesh.edges().len() - 1]);
         let sign = 1.0_f64.copysign(twist - self.twist_below(edge));
         self.cut(radius, twist + sign * sliding_twist(edge, radius), sign, edge);
         self.torque_below(edge)
@@ -256,5 +243,36 @@ impl Cells {
     /// The twist inside all rings.
     fn core(&self) -> f64 {
         self.below[self.below.len() - 1]
+    }
+
+    /// Whether all tractions are within their limits, those of the sliding densities.
+    fn are_within_friction(&self, mesh: &Mesh) -> bool {
+        let both = || self.densities.iter().zip(mesh.sliding()).map(|(b, limit)| [*b, *limit]);
+        let before = std::iter::once([0.0; 2]).chain(both());
+        let jumps: Vec<[f64; 2]> =
+            both().zip(before).map(|(b, out)| [b[0] - out[0], b[1] - out[1]]).collect();
+        (0..mesh.len()).all(|i| {
+            let [traction, limit] = mesh.tractions_of_jumps(i, &jumps);
+            traction.abs() <= (1.0 + TRACTION_TOLERANCE) * limit
+        })
+    }
+
+    /// Whether rings slip in no other direction than this, from densities before.
+    fn slip_forward(&self, mesh: &Mesh, before: &Self, sign: f64) -> bool {
+        let mut changes: Vec<f64> =
+            self.densities.iter().zip(&before.densities).map(|(a, b)| a - b).collect();
+        let changed = changes.iter().rposition(|change| *change != 0.0).map_or(0, |i| i + 1);
+        changes.truncate(changed);
+        let core = self.core() - before.core();
+        let mut row = vec![0.0; changed];
+        let slip = |i: usize| {
+            let row = &mut row[i..];
+            mesh.slips(i, row);
+            sign * (core + dot(row, &changes[i..]))
+        };
+        let slips = (0..changed).map(slip).chain(std::iter::once(sign * core));
+        let range = |(least, most): (f64, f64), slip: f64| (least.min(slip), most.max(slip.abs()));
+        let (least, most) = slips.fold((f64::INFINITY, 0.0_f64), range);
+        least >= -SLIP_TOLERANCE * most
     }
 }

@@ -11,7 +11,7 @@ use carom_special::quadrature::FixedRule;
 
 use super::front::Front;
 use super::history::{SlipPath, TwistHistory};
-use super::rings::Rings;
+use super::mesh::Mesh;
 use super::sliding::{heat_of_growth, heat_of_twist, mean_of_fourth_powers};
 
 /// Gauss nodes and weights on (0, 1).
@@ -119,7 +119,7 @@ fn by_parts(before: &TwistHistory, after: &TwistHistory, way: SlipPath) -> f64 {
 
 /// Slipping rings, and the contact radius at the start.
 pub(super) struct RingHeat<'a> {
-    pub(super) rings: &'a Rings,
+    pub(super) mesh: &'a Mesh,
     pub(super) from: f64,
     pub(super) signs: &'a [f64],
     pub(super) slips: &'a [f64],
@@ -127,7 +127,7 @@ pub(super) struct RingHeat<'a> {
 
 impl RingHeat<'_> {
     fn sum(&self) -> f64 {
-        let (edges, middles) = (self.rings.edges(), self.rings.middles());
+        let (edges, middles) = (self.mesh.edges(), self.mesh.middles());
         let limit = |al: f64, rho: f64| ((al - rho) * (al + rho)).max(0.0).sqrt();
         (0..middles.len())
             .map(|i| {
@@ -142,7 +142,7 @@ impl RingHeat<'_> {
                     }
                     limit(al, rho) * (outer.powi(3) - inner.powi(3)) / 3.0
                 };
-                let mean = 0.5 * (area(self.rings.radius()) + area(self.from));
+                let mean = 0.5 * (area(self.mesh.radius()) + area(self.from));
                 1.5 * mean * (self.signs[i] * self.slips[i]).max(0.0)
             })
             .sum()

@@ -5,6 +5,7 @@ use carom_special::RangeError;
 use super::heat::Meter;
 use super::history::{SlipPath, TwistHistory};
 use super::sliding::{sliding_limit, sliding_twist, threshold};
+use super::within::{Annulus, Kept};
 
 /// An upper bound of [`threshold`].
 const GREATEST_THRESHOLD: f64 = 1.103;
@@ -80,7 +81,7 @@ impl TwistHistory {
             return true;
         }
         if grown > 0.0 {
-            let sure = self.demand() <= self.radius;
+            let sure = self.demand() <= self.radius || self.single_annulus_grows(radius, twist);
             if sure {
                 self.grow(radius, twist, meter);
             }
@@ -103,15 +104,14 @@ impl TwistHistory {
             let short = radius >= self.next_rim();
             return (short && self.demand() <= radius).then_some(SlipPath::FromRim);
         };
-        // The contact inside the slip annulus stays within friction.
-        let below = self.segments.len().checked_sub(2).map_or(0.0, |i| self.segments[i].demand);
-        if below > radius {
-            return None;
+        if self.annulus_vanishes(radius, twist, sign) {
+            return Some(SlipPath::FromRim);
         }
         let back = -sign * (twist - self.twist) / (self.radius - radius);
         if back < GREATEST_THRESHOLD {
             let sure = back <= lowest_rate(back, self.stick / self.radius)
                 && self.goes_on_slipping(radius, twist, sign)
+                && self.stays_within_friction(radius, twist, sign)
                 && (back <= 1.0 || {
                     let mut after = self.clone();
                     after.follow(SlipPath::Inward(sign), radius, twist);
@@ -123,7 +123,77 @@ impl TwistHistory {
         // and its limit as al/sqrt(al^2 - rho^2): the annulus would continue to slip only inside
         // al/back.
         let sticks = back * self.stick >= self.radius && radius >= self.stick;
-        sticks.then_some(SlipPath::FromRim)
+        let kept = self.kept(self.stick);
+        let sure = sticks
+            && kept.below_sliding(0.0, radius, sign)
+            && kept.below_sliding(0.0, radius, -sign);
+        sure.then_some(SlipPath::FromRim)
+    }
+
+    /// Whether a receding edge passes the annulus of the present sign while the contact twists back more slowly than
+    /// the edge recedes. An annulus of the other sign then begins at the edge, where the constant density
+    /// is below the rate of the twist.
+    fn annulus_vanishes(&self, radius: f64, twist: f64, sign: f64) -> bool {
+        let back = -sign * (twist - self.twist) / (self.radius - radius);
+        let kept = self.kept(radius);
+        let slow = radius < self.stick && (0.0..=1.0).contains(&back);
+        slow && kept.ends_in_stick()
+            && !self.goes_on_slipping(radius, twist, sign)
+            && [1.0, -1.0].iter().all(|sign| kept.below_sliding(0.0, radius, *sign))
+    }
+
+    /// Whether the contact inside the annulus of the present sign stays within friction while it recedes.
+    fn stays_within_friction(&self, radius: f64, twist: f64, sign: f64) -> bool {
+        let kept = self.kept(radius.min(self.stick));
+        let calm = [sign, -sign].map(|sign| kept.below_sliding(0.0, radius, sign));
+        if calm == [true; 2] {
+            return true;
+        }
+        let mut after = self.clone();
+        after.follow(SlipPath::Inward(sign), radius, twist);
+        (calm[0] || self.slips_over(&after, kept, radius, sign))
+            && (calm[1] || self.annulus_balances(&after, sign))
+    }
+
+    /// Whether the annulus of a receding contact balances densities above the sliding one in the other
+    /// direction. Its width is a concave function of time while it spreads over one piece, since twists are convex
+    /// functions of both radii; the excess of density increases linearly. Both ends of a short step
+    /// therefore suffice.
+    fn annulus_balances(&self, after: &Self, sign: f64) -> bool {
+        if after.radius < (1.0 - LARGEST_SUBSTEP) * self.radius {
+            return false;
+        }
+        let kept = self.kept(self.stick);
+        let balances = |state: &Self, width: f64| {
+            let annulus = Annulus { width, radius: self.radius };
+            kept.with_annulus(annulus).balance(state.radius, -sign)
+        };
+        if after.kept(after.stick).len() == kept.len() && kept.twist_is_convex(sign) {
+            return [self, after].iter().all(|state| balances(state, state.radius - state.stick));
+        }
+        balances(after, (after.radius - self.stick).max(0.0))
+    }
+
+    /// Whether a growing contact that slips has a single slip annulus.
+    fn single_annulus_grows(&self, radius: f64, twist: f64) -> bool {
+        let sign = 1.0_f64.copysign(twist - self.twist);
+        let slips = self.slip_sign();
+        let kept = self.kept(if slips.is_some() { self.stick } else { self.radius });
+        let annulus = Annulus { width: self.radius - self.stick, radius: self.radius };
+        let other = if slips == Some(sign) { kept.with_annulus(annulus) } else { kept };
+        other.balance(self.radius, -sign)
+            && (kept.below_sliding(0.0, self.radius, sign) || {
+                let mut after = self.clone();
+                after.grow(radius, twist, &mut super::heat::Unmetered);
+                self.slips_over(&after, kept, self.radius, sign)
+            })
+    }
+
+    /// Whether an annulus spread only over densities below the sliding one in its own direction, of those
+    /// of `kept`, and what is above inside is balanced.
+    fn slips_over(&self, after: &Self, kept: Kept<'_>, radius: f64, sign: f64) -> bool {
+        let inside = after.kept(after.stick).inside_front();
+        kept.below_sliding(inside.swept_from(), radius, sign) && inside.balance(radius, sign)
     }
 
     /// Whether the annulus of the present sign continues to slip inwards.

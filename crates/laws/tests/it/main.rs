@@ -43,6 +43,7 @@ mod torsion_apart;
 mod torsion_balance;
 mod torsion_heat;
 mod torsion_rings;
+mod torsion_shaken;
 mod turned_stiffness;
 mod twist_known;
 mod twist_packed;

@@ -9,7 +9,7 @@ use carom_laws::torsion::lubkin::Lubkin;
 use crate::common::Random;
 
 /// Tractions of rings in equal spacing, and the rotations that they cause.
-struct Rings {
+pub(crate) struct Rings {
     edges: Vec<f64>,
     middles: Vec<f64>,
     traction: Vec<Vec<f64>>,
@@ -21,7 +21,7 @@ fn dot(row: &[f64], values: &[f64]) -> f64 {
 }
 
 impl Rings {
-    fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         let edges: Vec<f64> = (0..=count).map(|i| i as f64 / count as f64).collect();
         let middles: Vec<f64> = edges.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
         let arc = |s: f64, rho: f64| (s / rho).max(1.0).acosh();
@@ -61,38 +61,65 @@ impl Rings {
         };
         let density: Vec<f64> =
             self.edges.windows(2).map(|s| (below(s[1]) - below(s[0])) * n as f64).collect();
-        let mut traction: Vec<f64> = self.traction.iter().map(|row| dot(row, &density)).collect();
-        let slip = |traction: &[f64], twist: f64| -> Vec<f64> {
-            self.compliance.iter().map(|row| twist - dot(row, traction)).collect()
-        };
-        let mut slips = slip(&traction, twist);
-        for step in 1..=steps {
+        let traction: Vec<f64> = self.traction.iter().map(|row| dot(row, &density)).collect();
+        let mut state = RingState { slips: self.slips(&traction, twist), rings: self, traction };
+        (1..=steps).fold(0.0, |_, step| {
             let lost = (1.0 - radius) * f64::from(step) / f64::from(steps);
-            let (edge, turned) = (1.0 - lost, twist - rate * lost);
-            let limits: Vec<f64> =
-                self.middles.iter().map(|rho| (edge * edge - rho * rho).max(0.0).sqrt()).collect();
-            loop {
-                let mut change = 0.0_f64;
-                for i in 0..n {
-                    let rest = turned - dot(&self.compliance[i], &traction) - slips[i];
-                    let free = traction[i] + rest / self.compliance[i][i];
-                    let next = free.clamp(-limits[i], limits[i]);
-                    change = change.max((next - traction[i]).abs());
-                    traction[i] = next;
-                }
-                if change < 1e-9 {
-                    break;
-                }
+            state.advance(1.0 - lost, twist - rate * lost)
+        })
+    }
+
+    /// Two bodies at first contact.
+    pub(crate) fn at_rest(&self) -> RingState<'_> {
+        let none = vec![0.0; self.middles.len()];
+        RingState { rings: self, traction: none.clone(), slips: none }
+    }
+
+    fn slips(&self, traction: &[f64], twist: f64) -> Vec<f64> {
+        self.compliance.iter().map(|row| twist - dot(row, traction)).collect()
+    }
+}
+
+/// The state of the rings.
+pub(crate) struct RingState<'a> {
+    rings: &'a Rings,
+    traction: Vec<f64>,
+    slips: Vec<f64>,
+}
+
+impl RingState<'_> {
+    /// The torque after a step to a contact radius up to 1 and a twist, by Gauss-Seidel sweeps.
+    pub(crate) fn advance(&mut self, radius: f64, twist: f64) -> f64 {
+        let Rings { middles, compliance, .. } = self.rings;
+        let limit = |rho: &f64| (radius * radius - rho * rho).max(0.0).sqrt();
+        let limits: Vec<f64> = middles.iter().map(limit).collect();
+        loop {
+            let mut change = 0.0_f64;
+            for i in 0..middles.len() {
+                let rest = twist - dot(&compliance[i], &self.traction) - self.slips[i];
+                let free = self.traction[i] + rest / compliance[i][i];
+                let next = free.clamp(-limits[i], limits[i]);
+                change = change.max((next - self.traction[i]).abs());
+                self.traction[i] = next;
             }
-            slips = slip(&traction, turned);
+            if change < 1e-9 {
+                break;
+            }
         }
+        self.slips = self.rings.slips(&self.traction, twist);
+        self.torque()
+    }
+
+    fn torque(&self) -> f64 {
+        let Rings { edges, traction, .. } = self.rings;
+        let n = self.traction.len();
         let mut density = vec![0.0; n];
         for i in (0..n).rev() {
-            let known = dot(&self.traction[i][i + 1..], &density[i + 1..]);
-            density[i] = (traction[i] - known) / self.traction[i][i];
+            let known = dot(&traction[i][i + 1..], &density[i + 1..]);
+            density[i] = (self.traction[i] - known) / traction[i][i];
         }
         let moment = |s: f64| 0.25 * s.powi(4);
-        self.edges.windows(2).zip(&density).map(|(s, b)| b * (moment(s[1]) - moment(s[0]))).sum()
+        edges.windows(2).zip(&density).map(|(s, b)| b * (moment(s[1]) - moment(s[0]))).sum()
     }
 }
 

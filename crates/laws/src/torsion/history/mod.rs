@@ -13,7 +13,7 @@ pub use pack::packed_numbers;
 use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;
 
-use crate::torsion::rings;
+use crate::torsion::mesh;
 use crate::torsion::segment::{Density, Segment};
 pub use crate::torsion::sliding::sliding_limit;
 use crate::torsion::sliding::{sliding_torque, sliding_twist};
@@ -53,12 +53,12 @@ pub(in crate::torsion) enum SlipPath {
 /// adhesion and with slip, and for a receding contact whose twist continues or reverses slowly. In
 /// other cases two disjoint slip annuli may occur: after receding while the twist reverses at 1 to
 /// `1/k'` times the speed of the edge (more exactly from a threshold between 1 and 1.1023), or over
-/// older slip. Then the solution with one annulus is checked against the friction law on rings, and
-/// if it fails the rings are solved ([`TwistHistory::with_ring_width`],
-/// [`TwistHistory::ring_steps`]). For 200 random paths, one step and a hundred steps differed by at
+/// older slip. Most of these steps have one annulus, as bounds of the densities show; that of the others is
+/// checked against the friction law on rings, and if it fails the rings are solved
+/// ([`TwistHistory::with_ring_width`], [`TwistHistory::ring_steps`]). For 200 random paths, one step and a hundred steps differed by at
 /// most 4e-4 of the sliding torque; for 300 paths just above the threshold, where the outer annulus
-/// is thin, one step and a thousand differed by at most 1e-3. Such a step takes about 0.2 ms for
-/// each fortieth of the radius; all others take 0.5 us.
+/// is thin, one step and a thousand differed by at most 1e-3. Such a step takes 0.02 to
+/// 0.2 ms for each fortieth of the radius, a check 0.01 to 0.03 ms; all others take 0.5 us.
 ///
 /// ```
 /// use carom_laws::torsion::history::TwistHistory;
@@ -84,7 +84,7 @@ pub struct TwistHistory {
 
 impl Default for TwistHistory {
     fn default() -> Self {
-        Self::at_level(rings::USUAL_LEVEL)
+        Self::at_level(mesh::USUAL_LEVEL)
     }
 }
 
@@ -107,9 +107,9 @@ impl TwistHistory {
     /// # Errors
     /// [`RangeError`] for a width outside 1/256 to 1/4.
     pub fn with_ring_width(width: f64) -> Result<Self, RangeError> {
-        let holds = (rings::NARROWEST..=0.25).contains(&width);
+        let holds = (mesh::NARROWEST..=0.25).contains(&width);
         RangeError::check("width", width, holds, "from 1/256 to 1/4")?;
-        Ok(Self::at_level((width / rings::NARROWEST).log2() as usize))
+        Ok(Self::at_level((width / mesh::NARROWEST).log2() as usize))
     }
 
     const fn at_level(level: usize) -> Self {

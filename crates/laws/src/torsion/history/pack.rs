@@ -1,13 +1,12 @@
 //! Stores the state of a twist as plain numbers.
 
-use std::f64::consts::FRAC_PI_2;
-
 use carom_special::RangeError;
 
 use super::TwistHistory;
 use crate::bounds::in_contact;
-use crate::torsion::rings;
+use crate::torsion::mesh;
 use crate::torsion::segment::{Density, Segment};
+use crate::torsion::within::demand_inside;
 
 /// The version of the format; the first number is `1e4 version + level of the rings`.
 const VERSION: f64 = 5.0;
@@ -104,7 +103,7 @@ impl TwistHistory {
             return Ok(());
         }
         let level = numbers[0] - 1e4 * VERSION;
-        let known = (0.0..=rings::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
+        let known = (0.0..=mesh::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
         RangeError::check("mark", numbers[0], known, "of version 5")?;
         let count = numbers[1];
         let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
@@ -158,9 +157,17 @@ impl TwistHistory {
             };
             self.segments[i] = self.joined(i);
             self.segments.remove(i + 1);
+            self.raise_demands(i);
             worst = worst.max(jump);
         }
         worst
+    }
+
+    /// Demands do not decrease outwards.
+    fn raise_demands(&mut self, from: usize) {
+        let least = self.segments[from].demand;
+        let outside = self.segments[from + 1..].iter_mut();
+        outside.take_while(|piece| piece.demand < least).for_each(|piece| piece.demand = least);
     }
 
     /// The end of the piece above another one.
@@ -174,8 +181,7 @@ impl TwistHistory {
         let end = self.end_above(i);
         let (twist, torque) = (lower.twist_to(lower.from), lower.torque_to(lower.from));
         let density = (upper.twist_to(end) - twist) / (end - lower.from);
-        // bF(s) >= (2/pi) al/s: from this radius on it covers the density.
-        let demand = lower.demand.max(upper.demand).max(FRAC_PI_2 * density.abs() * end);
+        let demand = lower.demand.max(upper.demand).max(demand_inside(end, density));
         Segment { from: lower.from, density: Density::Stick(density), twist, torque, demand }
     }
 
