@@ -198,3 +198,39 @@ fn separated_bodies_have_no_stick_radius() {
         }
     }
 }
+
+/// Steps by many orders of magnitude were divided in proportion to the radius and took seconds. What the smaller contact
+/// remembers does not count.
+#[test]
+fn a_step_to_or_from_a_tiny_contact_is_one_by_the_last_of_its_orders() {
+    let mut back = TwistHistory::new();
+    for (radius, twist) in [(1.0, 0.0), (1.0, 3.0), (1.0, -0.5), (0.9, 0.4)] {
+        back.advance(radius, twist).unwrap();
+    }
+    let twist_at = |radius: f64| 0.4 + 1.3 * (0.9 - radius);
+    let heat_to = |radii: &[f64]| -> f64 {
+        let mut history = back.clone();
+        let heat = |radius: &f64| {
+            let heat = history.dissipation(*radius, twist_at(*radius));
+            history.advance(*radius, twist_at(*radius)).unwrap();
+            assert!(history.torque().abs() <= sliding_limit(*radius));
+            heat
+        };
+        radii.iter().map(heat).sum()
+    };
+    let far = heat_to(&[1e-60]);
+    let near = heat_to(&[2e-3]);
+    assert!(far > 0.01 && (far / near - 1.0).abs() < 1e-8, "{far} {near}");
+    // And back: the path from the tiny contact is that from first contact.
+    let mut tiny = back.clone();
+    for k in 1..=30 {
+        let radius = 0.9 * 0.1_f64.powi(k);
+        tiny.advance(radius, twist_at(radius)).unwrap();
+    }
+    let mut fresh = TwistHistory::new();
+    fresh.advance(0.0, tiny.twist()).unwrap();
+    for history in [&mut tiny, &mut fresh] {
+        history.advance(1.0, 4.0).unwrap();
+    }
+    assert!((tiny.torque() - fresh.torque()).abs() < 1e-11, "{tiny:?} {fresh:?}");
+}

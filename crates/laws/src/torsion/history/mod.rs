@@ -229,7 +229,7 @@ impl TwistHistory {
         let (segment, stick) = loop {
             i -= 1;
             let segment = self.segments[i];
-            if segment.from < upper {
+            if segment.from < upper || i == 0 {
                 let excess = sign * (twist - segment.twist_to(segment.from))
                     - sliding_twist(segment.from, radius);
                 if excess <= 0.0 || i == 0 {
