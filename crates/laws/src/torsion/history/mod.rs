@@ -215,7 +215,8 @@ impl TwistHistory {
             return self.cut(radius, twist, 1.0_f64.copysign(rest), shared);
         }
         self.truncate(shared);
-        self.torque = self.segments.last().map_or(0.0, |last| last.torque_to(shared));
+        let torque = self.segments.last().map_or(0.0, |last| last.torque_to(shared));
+        self.set_torque(torque, radius);
         self.stick = radius;
     }
 
