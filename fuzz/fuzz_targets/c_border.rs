@@ -2,7 +2,7 @@
 //! with a panic inside.
 #![no_main]
 
-#[path = "../../crates/capi/tests/it/hostile/calls.rs"]
+#[path = "../../crates/capi/tests/it/hostile/calls/mod.rs"]
 mod calls;
 #[path = "../../crates/capi/tests/it/hostile/random.rs"]
 mod random;

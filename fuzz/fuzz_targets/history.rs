@@ -17,6 +17,9 @@ use carom_laws::turning_law::TurningLaw;
 use followed::{Limits, follow};
 use libfuzzer_sys::fuzz_target;
 
+/// Relative error of the forces of rings, by their tolerance.
+const OF_RINGS: f64 = 1e-2;
+
 /// A law in the plane, its memory of fixed size.
 type Particle = ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>;
 
@@ -64,8 +67,8 @@ fn path(bytes: &mut Bytes<'_>) -> Option<()> {
             }
         }
         _ => {
-            let (law, normal_error) = ring_law(friction, stiffness.c_z, bytes)?;
-            follow(law, bytes, Limits { normal_error, ..limits });
+            let (law, normal) = ring_law(friction, stiffness.c_z, bytes)?;
+            follow(law, bytes, Limits { normal, ..limits });
         }
     }
     Some(())
@@ -106,16 +109,28 @@ fn torsion(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<(Torsi
     Some((law, arm))
 }
 
-/// The law of rings, and by how much its normal force may differ from that of Hertz.
-fn ring_law(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<(RingLaw, f64)> {
+/// The law of rings, and the least and the greatest normal force, over that of Hertz.
+fn ring_law(friction: Friction, c_z: f64, bytes: &mut Bytes<'_>) -> Option<(RingLaw, [f64; 2])> {
     // Few materials, whose matrices are kept.
     let kappa = [1.0, 1.2, 1.5][bytes.pick(3)];
     let gamma: f64 = [0.0, 0.1, -0.1, 0.3][bytes.pick(4)];
     let constants = RingConstants { c_z, radius: 1.0, kappa, gamma };
     let law = RingLaw::from_constants(constants, friction, rings::Tolerance::PARTICLES).ok()?;
-    // Coupled tractions press or pull. Those of much friction would part a part of the contact, which this law does
-    // not follow.
-    let f = friction.coefficient().unwrap_or(1.0);
-    let error = if f > 1.0 { 1e99 } else { 1e-2 + 0.5 * f * gamma.abs() };
-    Some((law, if gamma == 0.0 { 1e-2 } else { error }))
+    Some((law, normal_forces(friction, gamma.abs())))
+}
+
+/// By reciprocity a radial traction adds at most `2 gamma/pi` times itself to the normal force: the radial displacement of
+/// a rigid punch of unit approach is `(2 gamma/pi) (a - sqrt(a^2 - r^2))/r`. All tractions together are at most f F_z.
+/// Much friction may part a part of the contact, whose tension is left out: then there is no upper bound. Without slip
+/// the contact is at most as stiff as punches that stick.
+fn normal_forces(friction: Friction, gamma: f64) -> [f64; 2] {
+    let Some(f) = friction.coefficient() else {
+        return [1.0, if gamma > 0.0 { gamma.atanh() / gamma } else { 1.0 }];
+    };
+    if gamma == 0.0 || f == 0.0 {
+        return [1.0; 2];
+    }
+    let share = std::f64::consts::FRAC_2_PI * f * gamma;
+    let most = if f > 1.0 { f64::INFINITY } else { (1.0 + OF_RINGS) / (1.0 - share) };
+    [(1.0 - OF_RINGS) / (1.0 + share), most]
 }

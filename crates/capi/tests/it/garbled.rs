@@ -80,7 +80,32 @@ fn ask_all(pair: &CaromPair, garbled: &CaromContact) -> usize {
             carom_contact_advance_many(pair, 1, &mut many, size, &shift, 0, null_mut(), 0, error),
         ]
     };
+    assert!(!statuses.contains(&CaromStatus::Internal), "{statuses:?}");
     statuses.into_iter().filter(|status| *status == CaromStatus::Ok).count()
+}
+
+/// With a lowest vertex above the approach a step that recedes looked for one below it, and panicked inside.
+#[test]
+fn a_vertex_at_another_depth_is_a_status_and_no_panic() {
+    let mut refused = 0;
+    for (law, friction) in [(0, 0.4), (1, 0.4), (0, f64::INFINITY)] {
+        let pair = pair(law, friction);
+        let whole = contact(&pair);
+        for at in 0..CAROM_CONTACT_WORDS {
+            for depth in [9.5e-8_f64, -1e-7, 1.0, f64::NAN] {
+                let mut garbled = whole;
+                garbled.words[at] = MaybeUninit::new(depth.to_bits());
+                let back = CaromShift { zeta: 9e-8, xi: 1e-8, eta: 0.0 };
+                // SAFETY: all pointers are references or null.
+                let status = unsafe {
+                    carom_contact_advance(&pair, &mut garbled, back, null_mut(), null_mut())
+                };
+                assert_ne!(status, CaromStatus::Internal, "{law} {friction} {at} {depth}");
+                refused += usize::from(status == CaromStatus::BadState);
+            }
+        }
+    }
+    assert!(refused >= 12, "{refused}");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::memory::Lateral;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct Node<V> {
-    pub(super) depth: f64,
+    pub(crate) depth: f64,
     /// The square root of the depth.
     pub(super) root: f64,
     pub(super) anchor: V,

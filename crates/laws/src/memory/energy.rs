@@ -31,7 +31,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// In one direction it is in closed form, a sum of terms that are not negative. In two it is an
     /// adaptive quadrature over the step: the balance holds to 1e-11 of its largest term, in most
     /// cases to 1e-12; for one direction alone mostly to 1e-10, with one step in 150 000 at 4e-8. A
-    /// merge of a [`super::Fixed`] stack changes the state outside a step and is in no balance.
+    /// merge of a [`super::Fixed`] stack changes the state outside a step and is in no balance; [`Memory::loss`]
+    /// contains it.
     ///
     /// Zero for arguments that are not finite.
     #[must_use]

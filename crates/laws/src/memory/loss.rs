@@ -17,8 +17,15 @@ const ERROR_OF_LIMIT: f64 = 1e-14;
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// The work of the force in a straight step less the increase of the stored energy, in the given units of energy
-    /// per direction. It is the heat unless segments were merged; then it may be negative.
-    pub(crate) fn loss(&self, zeta: f64, shift: V, unit: V) -> f64 {
+    /// per direction. It is the scalar product of [`Memory::dissipation`] and the units unless segments of a
+    /// [`super::Fixed`] stack were merged, in the step or before; then it may be negative. The state does not change.
+    ///
+    /// Zero for arguments that are not finite.
+    #[must_use]
+    pub fn loss(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        if !(zeta.is_finite() && shift.is_finite()) {
+            return 0.0;
+        }
         if self.stack.capacity() == usize::MAX {
             return self.heat(zeta, shift, unit); // nothing is ever merged
         }

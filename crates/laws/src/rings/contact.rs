@@ -4,7 +4,7 @@
 //! the modulus (1 - nu)/G = 1, so that Hertz's pressure `(4/pi) sqrt(a^2 - r^2)` is the friction limit.
 //! Vectors have a radial and a circumferential component. Twists are counter-clockwise.
 
-use super::pair::Pair;
+use super::pair::{HERTZ, Pair};
 use super::solve::{Share, Tractions};
 use super::symmetry::Symmetry;
 use super::transform::Field;
@@ -69,7 +69,7 @@ impl Sums {
     /// Of bodies that just touch: Hertz's force at an approach too small for tractions.
     pub(super) fn just_touching(zeta: f64) -> Self {
         let zeta = zeta.max(0.0);
-        Self { normal: 8.0 / 3.0 * (zeta * zeta.sqrt()), ..Self::default() }
+        Self { normal: HERTZ * (zeta * zeta.sqrt()), ..Self::default() }
     }
 }
 
@@ -270,6 +270,15 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         [spread - self.slip[j][0][i], -self.slip[j][1][i]]
     }
 
+    /// The normal force of a contact of radius 1 by the pressures at its places.
+    pub(super) fn normal_by_pressures<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> f64 {
+        let of = |limit: &[f64; N]| -> f64 {
+            limit.iter().zip(&pair.layout.area).map(|(p, area)| p * area).sum()
+        };
+        let limits = self.tractions.limit.iter().enumerate();
+        limits.map(|(j, limit)| S::weight(j) * of(limit)).sum::<f64>() / S::ANGLES as f64
+    }
+
     /// Loads, and the energy stored by the tangential tractions.
     pub(super) fn sums<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Sums {
         let mut sums = Sums::default();
@@ -298,7 +307,8 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         let part = a * a * a / S::ANGLES as f64;
         sums.force = sums.force.map(|f| part * f);
         sums.torque *= part * a;
-        sums.normal *= part;
+        sums.normal =
+            if pair.slips { part * sums.normal } else { a * a * a * pair.normal_without_slip };
         sums.stored = (0.5 * part * sums.stored).max(0.0);
         sums
     }

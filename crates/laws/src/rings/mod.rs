@@ -37,6 +37,7 @@ mod solve;
 mod symmetry;
 mod transform;
 mod units;
+mod without_slip;
 
 pub use constants::{RingConstants, Tolerance};
 pub use law::RingLaw;

@@ -92,7 +92,9 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
                 check_tractions(pair, &contact, (&u, &stuck), room)?;
                 sums = contact.sums(pair);
                 check_sums(pair, &sums, normal, room)?;
-                sums.normal = normal;
+                if pair.slips {
+                    sums.normal = normal;
+                }
             }
             Some(_) => {
                 contact = Contact::default();
@@ -168,9 +170,13 @@ fn check_sums<const N: usize, const M: usize, S: Symmetry<M>>(
     room: f64,
 ) -> Result<(), RangeError> {
     RangeError::finite("stored energy", sums.stored)?;
-    let least = sums.force[0].hypot(sums.force[1]) * (1.0 - 1e-9);
+    // Without slip F_z limits no force.
+    let least = match pair.slips {
+        true => sums.force[0].hypot(sums.force[1]) * (1.0 - 1e-9),
+        false => 0.0,
+    };
     let off = (normal - sums.normal).abs();
-    let holds = !pair.slips || (normal >= least && off <= room * sums.normal);
+    let holds = normal >= least && off <= room * sums.normal;
     RangeError::check("normal force", normal, holds, "that of the tractions").map(|_| ())
 }
 

@@ -33,6 +33,8 @@ pub(super) type PressBlock<const N: usize> = [[[f64; N]; N]; 2];
 
 /// Hertz's pressure at the centre of a contact of radius 1.
 pub(super) const PEAK: f64 = 4.0 / std::f64::consts::PI;
+/// Hertz's force on a contact of radius 1.
+pub(super) const HERTZ: f64 = 8.0 / 3.0;
 /// Above this friction the scale of tractions is set by the pressure, not by the friction limit.
 const MOST_CARRIED: f64 = 3.0;
 
@@ -70,6 +72,8 @@ pub(super) struct Pair<const N: usize, const H: usize, S: Symmetry<H> = Whole> {
     pub(super) scale: f64,
     /// Whether friction is finite.
     pub(super) slips: bool,
+    /// The normal force of a contact of radius 1 that never slips.
+    pub(super) normal_without_slip: f64,
 }
 
 impl<const N: usize, const H: usize, S: Symmetry<H>> Deref for Pair<N, H, S> {
@@ -91,7 +95,12 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         let (spread, lift) =
             if slips { (gamma / friction, gamma * friction) } else { (gamma, gamma) };
         let scale = PEAK * (MOST_CARRIED / friction).min(1.0);
-        Self { matrices: Matrices::shared(kappa, gamma), spread, lift, scale, slips }
+        let matrices = Matrices::shared(kappa, gamma);
+        let mut pair = Self { matrices, spread, lift, scale, slips, normal_without_slip: HERTZ };
+        if !slips && lift != 0.0 {
+            pair.normal_without_slip = pair.pressed_without_slip();
+        }
+        pair
     }
 }
 

@@ -161,8 +161,8 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         if self.lift == 0.0 { [self.layout.pressure; H] } else { self.limits(hat) }
     }
 
-    /// The limits with the pressures that tractions with this spectrum add. Without slip they limit nothing: what would
-    /// part keeps its tension, so that a shift adds to the normal force nothing that it does not add elsewhere.
+    /// The limits with the pressures that tractions with this spectrum add. Without slip they limit nothing, and what
+    /// would part keeps its tension.
     #[inline(never)]
     fn limits(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
         let mut added: Field<N, H> = [[[0.0; N]; 2]; H];

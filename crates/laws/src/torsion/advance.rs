@@ -37,7 +37,7 @@ impl TwistHistory {
         check(radius, twist)?;
         let mut heat = Heat::default();
         if radius > 0.0 {
-            self.travel(radius, twist, &mut heat)?;
+            self.travel_far(radius, twist, &mut heat)?;
             return Ok(heat.0);
         }
         let turned = twist - self.twist;
@@ -74,7 +74,7 @@ impl TwistHistory {
             self.separate(twist);
             return Ok(0.0);
         }
-        self.travel(radius, twist, &mut Unmetered)?;
+        self.travel_far(radius, twist, &mut Unmetered)?;
         Ok(self.torque)
     }
 }

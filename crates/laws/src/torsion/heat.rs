@@ -26,6 +26,8 @@ pub(super) trait Meter {
     fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: SlipPath);
     /// A part that was solved by rings.
     fn slides(&mut self, heat: RingHeat<'_>);
+    /// The history of a contact so small that it no longer counts.
+    fn forgets(&mut self, last: &TwistHistory);
 }
 
 /// Ignores all parts.
@@ -36,6 +38,7 @@ impl Meter for Unmetered {
 
     fn follows(&mut self, _: &TwistHistory, _: &TwistHistory, _: SlipPath) {}
     fn slides(&mut self, _: RingHeat<'_>) {}
+    fn forgets(&mut self, _: &TwistHistory) {}
 }
 
 /// Sums up the heat.
@@ -55,6 +58,10 @@ impl Meter for Heat {
 
     fn slides(&mut self, heat: RingHeat<'_>) {
         self.0 += heat.sum();
+    }
+
+    fn forgets(&mut self, last: &TwistHistory) {
+        self.0 += last.stored_energy();
     }
 }
 

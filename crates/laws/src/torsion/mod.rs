@@ -10,6 +10,7 @@ mod check;
 mod complementarity;
 mod disjoint_annuli;
 pub mod ellipse;
+mod far;
 mod front;
 mod grow;
 mod heat;

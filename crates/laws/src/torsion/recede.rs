@@ -74,7 +74,12 @@ impl TwistHistory {
     }
 
     /// Makes a step if it is known to have a single slip annulus. Returns whether it was made.
-    fn try_single_annulus(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
+    pub(super) fn try_single_annulus(
+        &mut self,
+        radius: f64,
+        twist: f64,
+        meter: &mut impl Meter,
+    ) -> bool {
         let (grown, turned) = (radius - self.radius, twist - self.twist);
         if grown > 0.0 && turned.abs() <= LARGEST_ADHESION_RATE * grown {
             self.metered(SlipPath::Adhere, radius, twist, meter);

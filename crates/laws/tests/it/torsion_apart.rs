@@ -10,7 +10,7 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
-use carom_laws::torsion::law::TorsionLaw;
+use carom_laws::torsion::law::{TorsionConstants, TorsionLaw};
 
 use crate::common::Random;
 
@@ -196,5 +196,64 @@ fn separated_bodies_have_no_stick_radius() {
             apart.advance(Shift { zeta, omega: 0.1, ..Shift::default() }).unwrap();
             assert_eq!(apart.stick_radius(), 0.0, "f = {friction}, zeta = {zeta}");
         }
+    }
+}
+
+/// Steps by many orders of magnitude were divided in proportion to the radius and took seconds. What the smaller contact
+/// remembers does not count.
+#[test]
+fn a_step_to_or_from_a_tiny_contact_is_one_by_the_last_of_its_orders() {
+    let mut back = TwistHistory::new();
+    for (radius, twist) in [(1.0, 0.0), (1.0, 3.0), (1.0, -0.5), (0.9, 0.4)] {
+        back.advance(radius, twist).unwrap();
+    }
+    let twist_at = |radius: f64| 0.4 + 1.3 * (0.9 - radius);
+    let heat_to = |radii: &[f64]| -> f64 {
+        let mut history = back.clone();
+        let heat = |radius: &f64| {
+            let heat = history.dissipation(*radius, twist_at(*radius));
+            history.advance(*radius, twist_at(*radius)).unwrap();
+            assert!(history.torque().abs() <= sliding_limit(*radius));
+            heat
+        };
+        radii.iter().map(heat).sum()
+    };
+    let far = heat_to(&[1e-60]);
+    let near = heat_to(&[2e-3]);
+    assert!(far > 0.01 && (far / near - 1.0).abs() < 1e-8, "{far} {near}");
+    // And back: the path from the tiny contact is that from first contact.
+    let mut tiny = back.clone();
+    for k in 1..=30 {
+        let radius = 0.9 * 0.1_f64.powi(k);
+        tiny.advance(radius, twist_at(radius)).unwrap();
+    }
+    let mut fresh = TwistHistory::new();
+    fresh.advance(0.0, tiny.twist()).unwrap();
+    for history in [&mut tiny, &mut fresh] {
+        history.advance(1.0, 4.0).unwrap();
+    }
+    assert!((tiny.torque() - fresh.torque()).abs() < 1e-11, "{tiny:?} {fresh:?}");
+}
+
+/// After a twist of 1e25 the rest of it is rounding, and so was the torque of a contact that recedes: it exceeded that of
+/// sliding. The fuzzer found it.
+#[test]
+fn the_torque_after_a_vast_twist_is_at_most_that_of_sliding() {
+    let constants = TorsionConstants { c_z: 1.2, stiffness: 1.3, arm: 0.6 };
+    let mut law = TorsionLaw::from_constants(constants, Friction::new(0.3).unwrap()).unwrap();
+    let vast = 2.325_765_513_201_874e25;
+    for (zeta, omega) in [
+        (1.0, 0.0),
+        (0.0, 0.0),
+        (0.007_720_947_265_625, 0.0),
+        (0.246_002_197_265_625, 0.0),
+        (1.890_625, 0.0),
+        (1.890_625, vast),
+        (0.002_319_335_937_5, vast),
+        (0.957_031_25, vast),
+    ] {
+        let load = law.advance(Shift { zeta, omega, ..Shift::default() }).unwrap();
+        let limit = 0.3 * load.f_z * 0.6 * zeta.sqrt();
+        assert!(load.m_z.abs() <= limit * (1.0 + 1e-12), "{zeta}: {} {limit}", load.m_z);
     }
 }

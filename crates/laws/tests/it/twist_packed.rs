@@ -143,8 +143,10 @@ fn numbers_that_are_no_state_are_refused() {
         (2, 0.0, "radius"),
         (2, f64::INFINITY, "numbers"),
         (5, 2.0, "stick radius"),
+        (5, 0.0, "stick radius"),
         (6, -1.0, "ring steps"),
         (7, 1.5, "piece"),
+        (7, 0.1, "piece"),
         (8, -1.0, "slip radius"),
     ] {
         let mut wrong = numbers;

@@ -215,7 +215,8 @@ impl TwistHistory {
             return self.cut(radius, twist, 1.0_f64.copysign(rest), shared);
         }
         self.truncate(shared);
-        self.torque = self.segments.last().map_or(0.0, |last| last.torque_to(shared));
+        let torque = self.segments.last().map_or(0.0, |last| last.torque_to(shared));
+        self.set_torque(torque, radius);
         self.stick = radius;
     }
 
@@ -229,7 +230,7 @@ impl TwistHistory {
         let (segment, stick) = loop {
             i -= 1;
             let segment = self.segments[i];
-            if segment.from < upper {
+            if segment.from < upper || i == 0 {
                 let excess = sign * (twist - segment.twist_to(segment.from))
                     - sliding_twist(segment.from, radius);
                 if excess <= 0.0 || i == 0 {

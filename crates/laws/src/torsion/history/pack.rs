@@ -124,14 +124,14 @@ impl TwistHistory {
         let [radius, twist, torque, stick, ring_steps] =
             [numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]];
         RangeError::check("radius", radius, (radius > 0.0) == (count > 0), "> 0 in contact")?;
-        let within = (0.0..=radius).contains(&stick);
-        RangeError::check("stick radius", stick, within, "from 0 to the radius")?;
+        let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
+        RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
         let counts = (0.0..=f64::from(u32::MAX)).contains(&ring_steps);
         RangeError::check("ring steps", ring_steps, counts, "a number of steps")?;
         let mut segments = Vec::with_capacity(count);
         let mut below = 0.0;
-        for piece in numbers[HEAD..].chunks_exact(EACH).take(count) {
-            let rises = piece[0] >= below && piece[0] < radius;
+        for (i, piece) in numbers[HEAD..].chunks_exact(EACH).take(count).enumerate() {
+            let rises = piece[0] >= below && piece[0] < radius && (i > 0 || piece[0] == 0.0);
             RangeError::check("piece", piece[0], rises, "rising from 0 to below the radius")?;
             below = piece[0];
             segments.push(piece_of(piece)?);

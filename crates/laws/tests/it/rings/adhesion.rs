@@ -2,6 +2,7 @@
 
 use super::common::{alike, law, law_of, shift};
 use carom_laws::law::ContactLaw;
+use carom_laws::rings::RingLaw;
 
 /// In adhesion dF = c_x zeta^(1/2) dxi, whatever the step: two thirds of the stiffness where the shift grows
 /// with the approach.
@@ -62,5 +63,32 @@ fn a_shift_without_slip_leaves_the_normal_force() {
         // What sticks while it is pressed is stiffer, by little.
         let more = pressed / (8.0 / 3.0 * 0.0014_f64.powf(1.5)) - 1.0;
         assert!(more > 0.0 && more < 0.03, "{gamma}: {more}");
+    }
+}
+
+/// Without slip the axisymmetric part of the contact is similar to itself at each radius: F_z is Hertz's force times a
+/// constant, on any path. The pressures by a shift have no mean; far beyond the approach their rounding exceeded F_z. The
+/// fuzzer found it.
+#[test]
+fn without_slip_the_normal_force_is_hertzs_times_a_constant() {
+    for gamma in [0.1_f64, 0.3, -0.3, 0.5] {
+        let fresh = law_of::<6, 8>([1.2, gamma, f64::INFINITY], 1e-2);
+        let over_hertz = |at: [f64; 4], law: &mut RingLaw<6, 8>| {
+            law.advance(shift(at)).unwrap().f_z / (8.0 / 3.0 * at[0] * at[0].sqrt())
+        };
+        let pressed = over_hertz([1.0, 0.0, 0.0, 0.0], &mut fresh.clone());
+        // Punches that stick, of growing radius, would be stiffer by atanh(gamma)/gamma.
+        assert!(pressed > 1.0 && pressed < gamma.atanh() / gamma, "{gamma}: {pressed}");
+        let mut law = fresh.clone();
+        for at in [
+            [0.3, 0.0, 0.0, 0.0],
+            [0.3, 1e36, -3e35, 1e36],
+            [0.7, 1e36, 2e35, 0.0],
+            [0.01, 1.0, 0.0, 0.0],
+            [0.02, 1.0, 0.0, 1e20],
+        ] {
+            let now = over_hertz(at, &mut law);
+            assert!((now / pressed - 1.0).abs() < 1e-14, "{gamma} {at:?}: {now} {pressed}");
+        }
     }
 }
