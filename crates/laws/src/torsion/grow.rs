@@ -89,7 +89,10 @@ impl TwistHistory {
     pub(super) fn move_outwards(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
         let ratio = libm::exp(-depth);
         // No contact sticks at the centre alone, however deep it slips.
-        let (start, end) = (ratio * self.radius, (ratio * radius).max(f64::MIN_POSITIVE));
+        let [start, end] = [self.radius, radius].map(|al| match al > 0.0 {
+            true => (ratio * al).max(f64::MIN_POSITIVE),
+            false => 0.0,
+        });
         let density = Density::Stick(sign * FRAC_2_PI * with_ratio(ratio, complete::e) / ratio);
         let below = if self.radius == 0.0 { self.twist } else { self.twist_below(start) };
         let (twist_to, torque_to) = (below, self.torque_below(start));

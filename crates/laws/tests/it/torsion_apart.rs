@@ -218,9 +218,14 @@ fn a_step_to_or_from_a_tiny_contact_is_one_by_the_last_of_its_orders() {
         };
         radii.iter().map(heat).sum()
     };
+    // What a contact of 2e-3 has left is of the order of its fifth power.
+    let (near, on) = (heat_to(&[2e-3]), heat_to(&[2e-3, 1e-60]));
+    assert!(near > 0.01 && (on / near - 1.0).abs() < 1e-8, "{on} {near}");
+    // The heat of rings is right to 1e-3 in steps of any length.
     let far = heat_to(&[1e-60]);
-    let near = heat_to(&[2e-3]);
-    assert!(far > 0.01 && (far / near - 1.0).abs() < 1e-8, "{far} {near}");
+    let radii: Vec<f64> = (1..=400).map(|k| 0.9 - 0.898 * f64::from(k) / 400.0).collect();
+    let by_steps = heat_to(&radii);
+    assert!((far / by_steps - 1.0).abs() < 1e-3, "{far} {by_steps}");
     // And back: the path from the tiny contact is that from first contact.
     let mut tiny = back.clone();
     for k in 1..=30 {

@@ -147,6 +147,8 @@ fn numbers_that_are_no_state_are_refused() {
         (6, -1.0, "ring steps"),
         (7, 1.5, "piece"),
         (7, 0.1, "piece"),
+        (13, 0.0, "piece"),
+        (8, 1.0, "slip radius"),
         (8, -1.0, "slip radius"),
     ] {
         let mut wrong = numbers;

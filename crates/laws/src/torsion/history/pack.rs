@@ -131,8 +131,10 @@ impl TwistHistory {
         let mut segments = Vec::with_capacity(count);
         let mut below = 0.0;
         for (i, piece) in numbers[HEAD..].chunks_exact(EACH).take(count).enumerate() {
-            let rises = piece[0] >= below && piece[0] < radius && (i > 0 || piece[0] == 0.0);
+            let rises = piece[0] >= below && piece[0] < radius && (i == 0) == (piece[0] == 0.0);
             RangeError::check("piece", piece[0], rises, "rising from 0 to below the radius")?;
+            let sticks = i > 0 || piece[1] == 0.0;
+            RangeError::check("slip radius", piece[1], sticks, "0 at the centre")?;
             below = piece[0];
             segments.push(piece_of(piece)?);
         }
