@@ -9,7 +9,7 @@ use crate::arrays::{Numbers, same_length};
 use crate::error::Fault;
 use crate::hertz::Given;
 use crate::show::{self, Quantity, repr};
-use crate::walked::{Constants, VERTICES, Walked};
+use crate::walked::{Arguments, Constants, VERTICES, Walked};
 
 const QUANTITIES: &[Quantity] = &[
     ("regime", "", "regime of the last step"),
@@ -23,8 +23,10 @@ const QUANTITIES: &[Quantity] = &[
 
 /// A contact with memory: rigid shifts in, loads out.
 ///
-/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, heat=True): `stiffness` is a Hertz contact or
-/// (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip).
+/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, static_friction=None, heat=True): `stiffness` is a
+/// Hertz contact or (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). With a `static_friction`
+/// above it the contact sticks or slips in part up to f_s F_z, and slides as a whole with f_k = `friction`; not
+/// for law 'rings'.
 ///
 /// `law='coulomb'` applies the exact return mapping at each depth of the contact, to a `tolerance` of the
 /// friction limit. `law='fixed-direction'` gives a slip annulus one direction of traction. On straight paths
@@ -49,17 +51,21 @@ pub(crate) struct Contact {
 impl Contact {
     #[new]
     #[pyo3(
-        signature = (stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, *, heat=true),
-        text_signature = "(stiffness, friction, law='coulomb', tolerance=0.001, *, heat=True)"
+        signature = (
+            stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, static_friction=None, *, heat=true
+        ),
+        text_signature =
+            "(stiffness, friction, law='coulomb', tolerance=0.001, static_friction=None, *, heat=True)"
     )]
     fn new(
         stiffness: Given,
         friction: f64,
         law: String,
         tolerance: f64,
+        static_friction: Option<f64>,
         heat: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { given: stiffness, friction, law, tolerance };
+        let constants = Constants { given: stiffness, friction, law, tolerance, static_friction };
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
         Ok(Self { constants, law })
     }
@@ -196,7 +202,7 @@ impl Contact {
         self.clone()
     }
 
-    fn __getnewargs__(&self) -> (Given, f64, String, f64) {
+    fn __getnewargs__(&self) -> Arguments {
         self.constants.arguments()
     }
 

@@ -54,18 +54,21 @@ pub(crate) struct Contacts {
 impl Contacts {
     #[new]
     #[pyo3(signature = (
-        count, stiffness, friction, law="coulomb".to_owned(), tolerance=1e-2, directions=2, threads=false
+        count, stiffness, friction, law="coulomb".to_owned(), tolerance=1e-2, static_friction=None, directions=2,
+        threads=false
     ))]
+    #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         count: usize,
         stiffness: Given,
         friction: f64,
         law: String,
         tolerance: f64,
+        static_friction: Option<f64>,
         directions: i64,
         threads: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { given: stiffness, friction, law, tolerance };
+        let constants = Constants { given: stiffness, friction, law, tolerance, static_friction };
         let laws = match directions {
             1 => Laws::Line(equal(&constants.law()?, count)?),
             2 if constants.is_of_rings() => Laws::Rings(equal(&constants.rings()?, count)?),
@@ -156,10 +159,10 @@ impl Contacts {
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`
-    fn __getnewargs__(&self) -> (usize, Given, f64, String, f64, usize, bool) {
-        let (stiffness, friction, law, tolerance) = self.constants.arguments();
+    fn __getnewargs__(&self) -> (usize, Given, f64, String, f64, Option<f64>, usize, bool) {
+        let (stiffness, friction, law, tolerance, at_rest) = self.constants.arguments();
         let directions = if matches!(self.laws, Laws::Line(_)) { 1 } else { 2 };
-        (self.__len__(), stiffness, friction, law, tolerance, directions, self.threads)
+        (self.__len__(), stiffness, friction, law, tolerance, at_rest, directions, self.threads)
     }
 
     fn __getstate__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {

@@ -18,11 +18,17 @@ pub(crate) fn checked(
     if let Some([a, b, c]) = by_speed {
         return SlipSpeedFriction::new(a, b, c).map(Into::into);
     }
-    let kinetic = Friction::new(coefficient)?;
-    let Some(threshold) = at_rest else { return Ok(kinetic.into()) };
+    match at_rest {
+        None => Friction::new(coefficient).map(Into::into),
+        Some(threshold) => with_threshold(coefficient, threshold).map(Into::into),
+    }
+}
+
+/// Friction with a threshold of sliding above it.
+pub(crate) fn with_threshold(kinetic: f64, threshold: f64) -> Result<StaticFriction, RangeError> {
+    let kinetic = Friction::new(kinetic)?;
     let named = |error: RangeError| RangeError::new("static_friction", threshold, error.allowed);
-    let threshold = Friction::new(threshold).map_err(named)?;
-    StaticFriction::new(threshold, kinetic).map(Into::into)
+    StaticFriction::new(Friction::new(threshold).map_err(named)?, kinetic)
 }
 
 /// What an impact is told beside a coefficient: friction by the slip speed, and static friction.

@@ -14,6 +14,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::Fault;
+use crate::friction::with_threshold;
 use crate::hertz::Given;
 
 /// Capacity of the history of one contact, in load reversals.
@@ -35,7 +36,11 @@ pub(crate) struct Constants {
     pub(crate) friction: f64,
     pub(crate) law: String,
     pub(crate) tolerance: f64,
+    pub(crate) static_friction: Option<f64>,
 }
+
+/// The arguments of `__new__` that a contact is made of: stiffness, friction, law, tolerance and static friction.
+pub(crate) type Arguments = (Given, f64, String, f64, Option<f64>);
 
 impl Constants {
     pub(crate) fn is_of_rings(&self) -> bool {
@@ -43,16 +48,25 @@ impl Constants {
     }
 
     pub(crate) fn law<V: Lateral, S: VertexStack<V>>(&self) -> PyResult<ShiftLaw<V, S>> {
-        let friction = Friction::new(self.friction).map_err(Fault::from)?;
         let law = turning_law(&self.law)?;
         let tolerance = match law {
             TurningLaw::Coulomb => Tolerance::new(self.tolerance).map_err(Fault::from)?,
             TurningLaw::FixedDirection => Tolerance::FINE,
         };
-        Ok(ShiftLaw::chosen(law, self.given.stiffness(), friction, tolerance))
+        let stiffness = self.given.stiffness();
+        if let Some(threshold) = self.static_friction {
+            let friction = with_threshold(self.friction, threshold).map_err(Fault::from)?;
+            return Ok(ShiftLaw::with_static_friction(law, stiffness, friction, tolerance));
+        }
+        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        Ok(ShiftLaw::chosen(law, stiffness, friction, tolerance))
     }
 
     pub(crate) fn rings(&self) -> PyResult<RingLaw> {
+        if self.static_friction.is_some() {
+            let text = "static_friction: not for law = 'rings', whose rings have one coefficient";
+            return Err(PyValueError::new_err(text));
+        }
         let Given::Hertz(hertz) = &self.given else {
             let text = "law = 'rings': stiffness must be a Hertz contact, since the law needs the materials";
             return Err(PyValueError::new_err(text));
@@ -85,8 +99,8 @@ impl Constants {
     }
 
     /// The arguments of `__new__` that make the same contact, for pickling.
-    pub(crate) fn arguments(&self) -> (Given, f64, String, f64) {
-        (self.given, self.friction, self.law.clone(), self.tolerance)
+    pub(crate) fn arguments(&self) -> Arguments {
+        (self.given, self.friction, self.law.clone(), self.tolerance, self.static_friction)
     }
 }
 

@@ -363,3 +363,34 @@ def test_what_rings_do_not_do_is_named():
         carom.Contact(hertz, 0.3).advance(1e-7, 0.0, 0.0, 1e-5)
     with pytest.raises(ValueError, match="omega"):
         carom.Contacts(2, hertz, 0.3).advance(1e-7, omega=1e-5)
+
+
+@pytest.mark.parametrize("law", ["coulomb", "fixed-direction"])
+def test_static_friction_holds_up_to_its_limit(law):
+    """Up to f_s F_z as with f_s; beyond, sliding with f_k; in a pickle, and in many contacts too."""
+    c_x, _, c_z = HERTZ.stiffness
+    held, zeta = 1.5 * F, 1e-6
+    reach = c_z * zeta / c_x
+    contact = carom.Contact(HERTZ, F, law, static_friction=held)
+    high = carom.Contact(HERTZ, held, law)
+    for one in (contact, high):
+        one.advance(zeta)
+    xi = 0.99 * held * reach
+    assert contact.advance(zeta, xi) == pytest.approx(high.advance(zeta, xi), rel=1e-12)
+    assert contact.load[0] > 1.4 * F * contact.load[2]
+    again = pickle.loads(pickle.dumps(contact))
+    for one in (contact, again):
+        f_x, _, f_z = one.advance(zeta, 1.01 * held * reach)
+        assert f_x == pytest.approx(F * f_z, rel=1e-9)
+    many = carom.Contacts(3, HERTZ, F, law=law, static_friction=held, directions=1)
+    many.advance(zeta)
+    loads = pickle.loads(pickle.dumps(many)).advance(zeta, xi=np.array([xi, xi, 1.01 * held * reach]))
+    assert loads[:, 0] / (F * loads[:, 2]) == pytest.approx([loads[0, 0] / (F * f_z)] * 2 + [1.0], rel=1e-9)
+    assert loads[0, 0] > 1.4 * F * f_z
+
+
+def test_static_friction_that_is_not_allowed_is_named():
+    with pytest.raises(carom.RangeError, match=r"static_friction = 0\.1"):
+        carom.Contact(HERTZ, 0.2, static_friction=0.1)
+    with pytest.raises(ValueError, match="static_friction: not for law = 'rings'"):
+        carom.Contacts(2, HERTZ, 0.2, law="rings", static_friction=0.3)

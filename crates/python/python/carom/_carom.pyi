@@ -127,6 +127,7 @@ class Contact:
         friction: float,
         law: _Law = "coulomb",
         tolerance: float = 1e-3,
+        static_friction: float | None = None,
         *,
         heat: bool = True,
     ) -> Contact: ...
@@ -169,6 +170,7 @@ class Contacts:
         friction: float,
         law: str = "coulomb",
         tolerance: float = 1e-2,
+        static_friction: float | None = None,
         directions: int = 2,
         threads: bool = False,
     ) -> Contacts: ...

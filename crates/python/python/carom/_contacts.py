@@ -23,7 +23,8 @@ class Contacts:
     `stiffness` is a Hertz contact or (c_x, c_y, c_z), N/m^1.5. `law` is 'coulomb', to a `tolerance` of the
     friction limit, or 'fixed-direction', with one direction of traction in a slip annulus: faster, and
     exact on straight paths. `directions=1` allows only xi; the law is then exact and fastest. `threads`
-    uses all cores and gives the same bits.
+    uses all cores and gives the same bits. With a `static_friction` above `friction` a contact sticks or slips in
+    part up to f_s F_z, and slides as a whole with f_k = `friction`; not for law 'rings'.
 
     These laws neglect the coupling of dissimilar materials, which may change R_x of an impact by
     `coupling_bound`, and do not take a twist. `law='rings'` includes both, for circular Hertz contacts; a
@@ -46,11 +47,12 @@ class Contacts:
         *,
         law: str = "coulomb",
         tolerance: float = 1e-2,
+        static_friction: float | None = None,
         directions: int = 2,
         threads: bool = False,
     ) -> None:
         self._native = _carom.Contacts(
-            counted("count", count), stiffness, friction, law, tolerance, directions, threads
+            counted("count", count), stiffness, friction, law, tolerance, static_friction, directions, threads
         )
         self._about = (stiffness, float(friction), law, directions)
 
