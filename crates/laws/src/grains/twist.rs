@@ -43,9 +43,7 @@ impl GrainTwist {
     /// # Errors
     /// [`RangeError`] for a twist that the law does not allow; the state is then unchanged.
     pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<[f64; 3], RangeError> {
-        let (mut law, to) = self.step(meeting, dt)?;
-        law.advance(to)?;
-        self.law = law;
+        self.step(meeting, dt, |law, to| law.advance(to).map(|_| ()))?;
         Ok(self.torque(meeting))
     }
 
@@ -60,20 +58,30 @@ impl GrainTwist {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<[f64; 3], RangeError> {
-        let (mut law, to) = self.step(meeting, dt)?;
-        heats.friction += law.advance_with_heat(to)?;
-        self.law = law;
+        heats.friction += self.step(meeting, dt, TorsionLaw::advance_with_heat)?;
         Ok(self.torque(meeting))
     }
 
-    /// The law before the step, and the shift at its end.
-    fn step(&self, meeting: &Meeting, dt: f64) -> Result<(TorsionLaw, Shift), RangeError> {
-        let mut law = self.law.clone();
-        if law.shift().zeta <= 0.0 {
-            let by = dot(meeting.velocity, meeting.normal) * dt;
-            law.advance(Shift { zeta: meeting.zeta - by, ..Shift::default() })?;
+    /// Moves the law to the end of a step by `advance`.
+    fn step<T>(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        advance: impl Fn(&mut TorsionLaw, Shift) -> Result<T, RangeError>,
+    ) -> Result<T, RangeError> {
+        let turned = dot(meeting.twisting, meeting.normal) * dt;
+        let shift = self.law.shift();
+        if shift.zeta > 0.0 {
+            // A law that refuses a step is unchanged.
+            let omega = shift.omega + turned;
+            return advance(&mut self.law, Shift { zeta: meeting.zeta, omega, ..Shift::default() });
         }
-        let omega = law.shift().omega + dot(meeting.twisting, meeting.normal) * dt;
-        Ok((law, Shift { zeta: meeting.zeta, omega, ..Shift::default() }))
+        let mut law = self.law.clone();
+        let by = dot(meeting.velocity, meeting.normal) * dt;
+        law.advance(Shift { zeta: meeting.zeta - by, ..Shift::default() })?;
+        let omega = law.shift().omega + turned;
+        let told = advance(&mut law, Shift { zeta: meeting.zeta, omega, ..Shift::default() })?;
+        self.law = law;
+        Ok(told)
     }
 }

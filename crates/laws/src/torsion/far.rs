@@ -31,6 +31,21 @@ impl TwistHistory {
         if self.try_single_annulus(radius, twist, meter) {
             return Ok(());
         }
+        let start = self.clone();
+        let gone = self.travel_through_far(radius, twist, meter);
+        if gone.is_err() {
+            *self = start;
+        }
+        gone
+    }
+
+    /// A step between radii that are far apart, which must be divided.
+    fn travel_through_far(
+        &mut self,
+        radius: f64,
+        twist: f64,
+        meter: &mut impl Meter,
+    ) -> Result<(), RangeError> {
         let rate = (twist - self.twist) / (radius - self.radius);
         if radius > self.radius {
             meter.forgets(self);

@@ -5,7 +5,8 @@
 //! sliding one. A density that is above it by up to e between p and q is balanced by a spare d between
 //! u and v further outside: since `1/sqrt(s^2 - rho^2)` grows faster with rho the smaller s is, the ratio of
 //! their integrals is greatest at rho = p, where it is at most
-//! `e sqrt(2 (q - p)/p) sqrt(v^2 - p^2) / (d (v - u))`. If these ratios add up to 1 at most, D is nowhere
+//! `e sqrt(2 (q - p)/p) sqrt(v^2 - p^2) / (d (v - u))`. A constant density is above the sliding one only outside
+//! the radius at which they meet, which is then p: without it a piece from the centre is never balanced. If these ratios add up to 1 at most, D is nowhere
 //! negative.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4};
@@ -108,8 +109,9 @@ impl<'a> Kept<'a> {
         self.inwards(radius).skip(usize::from(self.known)).all(|(piece, end)| {
             let over = piece.density.above_sliding(piece.from, end, radius, sign);
             if over > 0.0 {
-                let spare = self.spare(piece.from, end, radius, sign);
-                used += over * (2.0 * (end - piece.from) / piece.from).sqrt() / spare;
+                let from = piece.from.max(piece.density.covered_inside(radius));
+                let spare = self.spare(from, end, radius, sign);
+                used += over * (2.0 * (end - from) / from).sqrt() / spare;
             }
             used <= 1.0
         })
@@ -158,6 +160,14 @@ impl Density {
         }
     }
 
+    /// A radius inside which the density is below the sliding one of a contact radius.
+    fn covered_inside(self, radius: f64) -> f64 {
+        match self {
+            Self::Stick(density) => radius / demand_inside(1.0, density),
+            Self::Slip { .. } => 0.0,
+        }
+    }
+
     /// How far the density is below the sliding one inside a radius, at least.
     fn below_sliding(self, end: f64, radius: f64, sign: f64) -> f64 {
         match self {
@@ -196,6 +206,9 @@ mod tests {
             for density in [0.3, 1.0, 1.2, 2.0, 9.0] {
                 let covers = Density::Slip { sign: 1.0, radius: demand_inside(s, density) }.at(s);
                 assert!(covers >= density * (1.0 - 1e-12) || density < 1.0, "{s} {density}");
+                let covered = Density::Stick(density).covered_inside(s);
+                let covers = Density::Slip { sign: 1.0, radius: s }.at(covered);
+                assert!(covers >= density * (1.0 - 1e-12), "{s} {density} {covered}");
             }
             for radius in [1.001, 1.1, 2.0] {
                 let bound = Density::Slip { sign: 1.0, radius }.above_sliding(s, 1.0, 1.0, 1.0);

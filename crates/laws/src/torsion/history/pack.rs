@@ -16,6 +16,8 @@ const HEAD: usize = 7;
 const EACH: usize = 6;
 /// Least number of pieces that a stored state must have room for.
 const FEWEST_PIECES: usize = 4;
+/// Room for the pieces that most steps add, so that they need no other place in memory.
+const PIECES_OF_A_STEP: usize = 4;
 
 /// Number of values of a stored twist with this many pieces of density, [`TwistHistory::pack`].
 #[must_use]
@@ -96,54 +98,39 @@ impl TwistHistory {
     /// [`RangeError`] for another version, too few numbers, radii that do not increase, invalid
     /// signs, a torque above that of sliding, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        *self = Self::read(numbers)?;
+        Ok(())
+    }
+
+    /// The state of [`TwistHistory::unpack`].
+    pub(in crate::torsion) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
         let room = numbers.len() as f64;
-        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 7")?;
-        if numbers[..HEAD].iter().all(|number| *number == 0.0) {
-            *self = Self::new();
-            return Ok(());
+        let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
+            return RangeError::check("numbers", room, false, ">= 7").map(|_| Self::new());
+        };
+        if *head == [0.0; HEAD] {
+            return Ok(Self::new());
         }
-        let level = numbers[0] - 1e4 * VERSION;
+        let [mark, count, radius, twist, torque, stick, ring_steps] = *head;
+        let level = mark - 1e4 * VERSION;
         let known = (0.0..=mesh::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
-        RangeError::check("mark", numbers[0], known, "of version 5")?;
-        let count = numbers[1];
+        RangeError::check("mark", mark, known, "of version 5")?;
         let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
         RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
-        let count = count as usize;
-        let (head, pieces) = numbers[..HEAD + EACH * count].split_at(HEAD);
         for number in head {
             in_contact("numbers", *number)?;
         }
-        for piece in pieces.chunks_exact(EACH) {
-            let [from, radius, density, rest @ ..] = piece else { continue };
-            // At the centre of a contact that slid completely, a density may have any magnitude.
-            RangeError::finite("density", *density)?;
-            for number in [from, radius].into_iter().chain(rest) {
-                in_contact("numbers", *number)?;
-            }
-        }
-        let [radius, twist, torque, stick, ring_steps] =
-            [numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]];
-        RangeError::check("radius", radius, (radius > 0.0) == (count > 0), "> 0 in contact")?;
+        RangeError::check("radius", radius, (radius > 0.0) == (count > 0.0), "> 0 in contact")?;
         let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
         RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
         let counts = (0.0..=f64::from(u32::MAX)).contains(&ring_steps);
         RangeError::check("ring steps", ring_steps, counts, "a number of steps")?;
-        let mut segments = Vec::with_capacity(count);
-        let mut below = 0.0;
-        for (i, piece) in numbers[HEAD..].chunks_exact(EACH).take(count).enumerate() {
-            let rises = piece[0] >= below && piece[0] < radius && (i == 0) == (piece[0] == 0.0);
-            RangeError::check("piece", piece[0], rises, "rising from 0 to below the radius")?;
-            let sticks = i > 0 || piece[1] == 0.0;
-            RangeError::check("slip radius", piece[1], sticks, "0 at the centre")?;
-            below = piece[0];
-            segments.push(piece_of(piece)?);
-        }
+        let segments = read_pieces(rest, count as usize, radius)?;
         let ring_steps = ring_steps as u32;
         let level = level as usize;
         let read = Self { radius, twist, torque, stick, segments, ring_steps, level };
         read.check_meaning()?;
-        *self = read;
-        Ok(())
+        Ok(read)
     }
 
     /// Joins neighbouring pieces, those with the least effect first, until this many are left.
@@ -195,9 +182,30 @@ impl TwistHistory {
     }
 }
 
+/// The first pieces that numbers represent, inside a contact radius, with room for those of a step.
+fn read_pieces(numbers: &[f64], count: usize, radius: f64) -> Result<Vec<Segment>, RangeError> {
+    let mut segments = Vec::with_capacity(count + PIECES_OF_A_STEP);
+    let mut below = 0.0;
+    for piece in numbers.as_chunks::<EACH>().0.iter().take(count) {
+        let [from, slid, ..] = *piece;
+        let is_first = segments.is_empty();
+        let rises = from >= below && from < radius && is_first == (from == 0.0);
+        RangeError::check("piece", from, rises, "rising from 0 to below the radius")?;
+        RangeError::check("slip radius", slid, !is_first || slid == 0.0, "0 at the centre")?;
+        below = from;
+        segments.push(piece_of(piece)?);
+    }
+    Ok(segments)
+}
+
 /// The piece that six numbers represent.
-fn piece_of(numbers: &[f64]) -> Result<Segment, RangeError> {
-    let (radius, value) = (numbers[1], numbers[2]);
+fn piece_of(numbers: &[f64; EACH]) -> Result<Segment, RangeError> {
+    let [from, radius, value, twist, torque, demand] = *numbers;
+    for number in [from, radius, twist, torque, demand] {
+        in_contact("numbers", number)?;
+    }
+    // At the centre of a contact that slid completely, a density may have any magnitude.
+    RangeError::finite("density", value)?;
     RangeError::non_negative("slip radius", radius)?;
     let density = if radius == 0.0 {
         Density::Stick(value)
@@ -205,11 +213,5 @@ fn piece_of(numbers: &[f64]) -> Result<Segment, RangeError> {
         RangeError::check("sign", value, value.abs() == 1.0, "1 or -1")?;
         Density::Slip { sign: value, radius }
     };
-    Ok(Segment {
-        from: numbers[0],
-        density,
-        twist: numbers[3],
-        torque: numbers[4],
-        demand: numbers[5],
-    })
+    Ok(Segment { from, density, twist, torque, demand })
 }

@@ -196,8 +196,7 @@ impl TorsionLaw {
         match &mut self.state {
             State::Frictionless => {}
             State::Lubkin(history) => {
-                let mut read = history.clone();
-                read.unpack(rest)?;
+                let read = TwistHistory::read(rest)?;
                 check_approach(shift.zeta, read.radius())?;
                 *history = read;
             }
