@@ -1151,7 +1151,7 @@ carom_status carom_twist_heat(const struct carom_pair *pair,
  * which may be null.
  *
  * The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
- * except for a new contact. Where the grains separate, the history is lost. It costs tens of times as much
+ * except for a new contact. Where the grains separate, the history is lost. It costs about ten times as much
  * as a touch. */
 carom_status carom_touch_twist_grains(const struct carom_grains *grains,
                                       struct carom_twist *twist,

@@ -14,7 +14,7 @@ use crate::twist::CaromTwist;
 /// which may be null.
 ///
 /// The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
-/// except for a new contact. Where the grains separate, the history is lost. It costs tens of times as much
+/// except for a new contact. Where the grains separate, the history is lost. It costs about ten times as much
 /// as a touch.
 ///
 /// # Safety
