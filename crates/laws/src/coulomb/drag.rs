@@ -19,7 +19,7 @@ pub(crate) struct Step<V> {
     pub(super) round_off_length: f64,
     /// `dz/length`, and `1 - slope^2`.
     pub(super) slope: f64,
-    curve: f64,
+    pub(super) curve: f64,
 }
 
 /// Above this ratio of |dz| to the shift increment, the direction of the increment is round-off.

@@ -1,6 +1,6 @@
 //! Heat and work of one annulus in a straight step.
 
-use super::drag::{LimitPoint, Step, cross, log_tangent_decrease};
+use super::drag::{LimitPoint, Step, cross, log_tangent_decrease, round_off_length};
 use crate::memory::Lateral;
 use crate::profile::GAUSS;
 
@@ -121,12 +121,15 @@ impl<V: Lateral> Step<V> {
         self.slip(depth, anchor).is_some_and(|slip| slip.met.grazes)
     }
 
-    /// The step up to the separation of the annulus of a depth.
+    /// The step up to the separation of the annulus of a depth. Its direction is that of the whole step: from the
+    /// difference of two shifts it would have the round-off of a shift over a short way, another for each annulus.
     fn until_separation(&self, depth: f64) -> Self {
         let start = self.zeta - self.dz;
         let before = self.shift.minus(self.ahead.times(self.length));
-        let part = (start - depth) / -self.dz;
-        Self::new((start, before), (depth, before.plus(self.ahead.times(part * self.length))))
+        let length = (start - depth) / -self.dz * self.length;
+        let shift = before.plus(self.ahead.times(length));
+        let round_off_length = round_off_length(depth, shift);
+        Self { zeta: depth, shift, dz: depth - start, length, round_off_length, ..*self }
     }
 
     /// The slip of an annulus that is in contact at the end of the step, if it slips.

@@ -262,3 +262,23 @@ fn the_torque_after_a_vast_twist_is_at_most_that_of_sliding() {
         assert!(load.m_z.abs() <= limit * (1.0 + 1e-12), "{zeta}: {} {limit}", load.m_z);
     }
 }
+
+/// A first contact that turns a thousand radii slides as a whole, and its torque has the sign of the turning. It took
+/// the sign of the twist, and had no densities if that became zero; the next step panicked.
+#[test]
+fn a_first_contact_that_turns_far_slides_the_way_it_turns() {
+    let torque = |from: f64, to: f64| {
+        let mut history = TwistHistory::new();
+        history.advance(0.0, from).unwrap();
+        let torque = history.advance(1e-3, to).unwrap();
+        history.advance(0.9e-3, to + 1e-5).unwrap();
+        history.advance(1.1e-3, to - 1e-5).unwrap();
+        torque
+    };
+    let forth = torque(0.0, 1.0);
+    assert!(forth > 0.0);
+    for (from, to) in [(1.0, 0.0), (2.0, 1.0), (-1.0, -2.0)] {
+        assert!((torque(from, to) + forth).abs() <= 1e-12 * forth, "{from} {to}");
+        assert!((torque(-from, -to) - forth).abs() <= 1e-12 * forth, "{from} {to}");
+    }
+}

@@ -210,7 +210,9 @@ impl TwistHistory {
 
     fn slip_from_rim(&mut self, radius: f64, twist: f64) {
         let shared = radius.min(self.radius);
-        let rest = twist - self.twist_below(shared);
+        // Bodies that just touch have no densities yet.
+        let below = if self.radius == 0.0 { self.twist } else { self.twist_below(shared) };
+        let rest = twist - below;
         if rest != 0.0 {
             return self.cut(radius, twist, 1.0_f64.copysign(rest), shared);
         }
