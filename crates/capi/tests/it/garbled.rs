@@ -108,6 +108,36 @@ fn a_vertex_at_another_depth_is_a_status_and_no_panic() {
     assert!(refused >= 12, "{refused}");
 }
 
+/// A contact without vertices whose regime and approach said that it touched was asked for its last vertex.
+#[test]
+fn a_separated_contact_that_claims_to_touch_is_a_status_and_no_panic() {
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
+        let pair = pair(law, 0.4);
+        let mut whole = contact(&pair);
+        let apart = CaromShift { zeta: -1e-8, xi: 0.0, eta: 0.0 };
+        // SAFETY: all pointers are references or null.
+        let status =
+            unsafe { carom_contact_advance(&pair, &mut whole, apart, null_mut(), null_mut()) };
+        assert_eq!(status, CaromStatus::Ok);
+        for at in 0..CAROM_CONTACT_WORDS {
+            let mut touching = whole;
+            touching.words[at] = MaybeUninit::new(1e-7_f64.to_bits());
+            for other in (0..CAROM_CONTACT_WORDS).filter(|other| *other != at) {
+                for regime in 1..8 {
+                    let mut garbled = touching;
+                    garbled.words[other] = MaybeUninit::new(0x0101_0101_0101_0101 * regime);
+                    let mut report = MaybeUninit::<CaromReport>::uninit();
+                    // SAFETY: all pointers are references or null.
+                    let status = unsafe {
+                        carom_contact_report(&pair, &garbled, report.as_mut_ptr(), null_mut())
+                    };
+                    assert_ne!(status, CaromStatus::Internal, "{law} {at} {other} {regime}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_changed_tag_of_a_contact_is_a_status_and_no_jump() {
     let mut refused = 0;

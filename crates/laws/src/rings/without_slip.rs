@@ -10,12 +10,26 @@ use super::contact::{Contact, Step};
 use super::pair::Pair;
 use super::symmetry::Symmetry;
 
+/// The number of steps in which the contact grows, and the ratio of approaches in each.
+const GROWTHS: i32 = 16;
+const GROWTH: f64 = 1.25;
+
 impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
-    /// The normal force at the radius 1 after pressing in one step from first contact.
+    /// The normal force at the radius 1 of a contact that grew. One step from first contact misses 1.2e-5 of it with
+    /// eight rings, since what enters in a step is not yet similar to itself; sixteen miss 2e-8.
     pub(super) fn pressed_without_slip(&self) -> f64 {
-        let press = Step { approach: 1.0, approached: 1.0, shifted: [0.0; 2], twisted: 0.0 };
         let mut contact = Contact::<N, H>::default();
-        contact.advance(self, 0.0, &press);
+        let mut before = 0.0;
+        for k in (0..GROWTHS).rev() {
+            let approach = GROWTH.powi(-k);
+            let approached = approach - before;
+            contact.advance(
+                self,
+                0.0,
+                &Step { approach, approached, shifted: [0.0; 2], twisted: 0.0 },
+            );
+            before = approach;
+        }
         contact.normal_by_pressures(self)
     }
 }

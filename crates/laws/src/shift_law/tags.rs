@@ -42,16 +42,20 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
         byte(memory + regime) < MemoryRegime::COUNT
     }
 
-    /// Whether the number of vertices is at most the capacity, and zero only for separated bodies, and the lowest vertex
-    /// is the deepest part of the contact, below every approach. It can be false only if the bytes were changed
-    /// elsewhere.
+    /// Whether the number of vertices is at most the capacity, and zero for separated bodies only, by their approach and
+    /// by their regime, and the lowest vertex is the deepest part of the contact, below every approach. It can be false
+    /// only if the bytes were changed elsewhere.
     #[inline(always)]
     #[must_use]
     pub fn fits(&self) -> bool {
         with_memory!(&self.state, memory => {
             let stack = memory.stack();
-            let len = stack.len();
-            len <= N && (len == 0) != (memory.zeta() > 0.0) && stack.get(0).depth == 0.0
+            let (len, is_apart) = (stack.len(), memory.regime() == MemoryRegime::Separated);
+            let is_empty = len == 0;
+            len <= N
+                && is_empty == is_apart
+                && is_empty != (memory.zeta() > 0.0)
+                && stack.get(0).depth == 0.0
         }, else true)
     }
 }
