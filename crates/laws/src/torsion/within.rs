@@ -203,6 +203,8 @@ mod tests {
             let (got, want) = (lower_sliding_density(s), slid(1.0));
             assert!(got <= want * (1.0 + 1e-14), "{s}: {got} {want}");
             assert!(s < 0.5 || want - got < 1e-5, "{s}: {got} {want}");
+            // Slip in the other direction has minus the sliding density.
+            assert!(2.0 * want >= SPARE_IN_ANNULUS, "{s}: {want}");
             for density in [0.3, 1.0, 1.2, 2.0, 9.0] {
                 let covers = Density::Slip { sign: 1.0, radius: demand_inside(s, density) }.at(s);
                 assert!(covers >= density * (1.0 - 1e-12) || density < 1.0, "{s} {density}");
