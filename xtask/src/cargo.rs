@@ -3,6 +3,7 @@
 use crate::root::root;
 use anyhow::{Context as _, bail};
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// All packages but the benches, whose framework selects other features of common dependencies: with it,
@@ -40,11 +41,15 @@ fn finish(command: &mut Command, arguments: &[&str]) -> anyhow::Result<()> {
 /// workspace; an exit code other than 0 is an error. Built alone, the package might select other
 /// features of a dependency, which would then be compiled again.
 pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::Result<()> {
+    let mut program = Command::new(built(kind, name)?);
+    finish(program.args(arguments).current_dir(root()), &[&[name], arguments].concat())
+}
+
+/// The path of a binary or example, built as by [`run_built`].
+pub(crate) fn built(kind: &str, name: &str) -> anyhow::Result<PathBuf> {
     run(&[&["build", "--release", "--quiet", kind, name], WITHOUT_BENCHES].concat())?;
     let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
-    let root = root();
-    let mut program = Command::new(root.join(folder).join(name));
-    finish(program.args(arguments).current_dir(root), &[&[name], arguments].concat())
+    Ok(root().canonicalize()?.join(folder).join(name))
 }
 
 /// Runs carom-verify with these arguments at the root of the workspace; returns its exit code.

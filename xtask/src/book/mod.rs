@@ -4,6 +4,7 @@ mod links;
 mod look;
 
 use crate::browse;
+use crate::cargo;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use crate::tools::MDBOOK;
@@ -13,6 +14,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const SOURCES: &str = "docs/book/src";
+/// The variable with the program that mdBook calls for the formulas, in place of the one in `book.toml`, for which
+/// cargo would compile the dependencies again with fewer features.
+const FORMULAS: &str = "MDBOOK_PREPROCESSOR__FORMULAS__COMMAND";
 
 /// Checks the book and, if mdBook is installed, builds its pages in target/book/ and looks at them
 /// in a browser.
@@ -21,8 +25,9 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     if !MDBOOK.is_there()? {
         return Ok(Outcome::skipped(Part::BookPages, MDBOOK.advice()));
     }
-    let status =
-        Command::new("mdbook").arg("build").current_dir(root().join("docs/book")).status()?;
+    let mut mdbook = Command::new("mdbook");
+    mdbook.arg("build").env(FORMULAS, cargo::built("--bin", "carom-formulas")?);
+    let status = mdbook.current_dir(root().join("docs/book")).status()?;
     ensure!(status.success(), "`mdbook build` failed ({status})");
     let page = std::fs::read_to_string(root().join("target/book/theory/impact.html"))?;
     ensure!(page.contains("<math"), "target/book/theory/impact.html contains no formula");
