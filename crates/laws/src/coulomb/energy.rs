@@ -109,7 +109,7 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     #[must_use]
     pub fn work(&self, zeta: f64, shift: V) -> f64 {
         let unit = V::from_components([1.0, 1.0]);
-        self.over_annuli(zeta, shift, |step, depth, anchor| step.work(depth, anchor, unit))
+        self.over_annuli(zeta, shift, unit, |step, depth, anchor| step.work(depth, anchor, unit))
     }
 
     /// [`CoulombMemory::work`] less the increase of [`CoulombMemory::stored_energy`], in the given units of energy per
@@ -125,8 +125,8 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         if after.regime == Regime::Adhesion && !joins {
             return 0.0;
         }
-        let work =
-            self.over_annuli(zeta, shift, |step, depth, anchor| step.work(depth, anchor, unit));
+        let work = self
+            .over_annuli(zeta, shift, unit, |step, depth, anchor| step.work(depth, anchor, unit));
         work - after.stored_energy().minus(self.stored_energy()).dot(unit)
     }
 
@@ -149,12 +149,13 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
 
     /// The scalar product of [`CoulombMemory::dissipation`] and the energies `unit`.
     pub(crate) fn heat(&self, zeta: f64, shift: V, unit: V) -> f64 {
-        self.over_annuli(zeta, shift, |step, depth, anchor| step.heat(depth, anchor, unit))
+        self.over_annuli(zeta, shift, unit, |step, depth, anchor| step.heat(depth, anchor, unit))
     }
 
     /// The elastic energy after a step if the return mapping is exact for every annulus.
     fn exact_energy(&self, zeta: f64, shift: V) -> f64 {
-        self.over_annuli(zeta, shift, |step, depth, anchor| {
+        let unit = V::from_components([1.0, 1.0]);
+        self.over_annuli(zeta, shift, unit, |step, depth, anchor| {
             if depth >= step.zeta {
                 return 0.0;
             }
@@ -163,9 +164,15 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         })
     }
 
-    /// The integral of `f` over all annuli that are in contact at some time of the step,
-    /// `int F'' f ds`.
-    fn over_annuli(&self, zeta: f64, shift: V, f: impl Fn(&Step<V>, f64, V) -> f64) -> f64 {
+    /// The integral of the energy `f`, in the given units per direction, over all annuli that are in contact at some
+    /// time of the step, `int F'' f ds`.
+    fn over_annuli(
+        &self,
+        zeta: f64,
+        shift: V,
+        unit: V,
+        f: impl Fn(&Step<V>, f64, V) -> f64,
+    ) -> f64 {
         if !zeta.is_finite() || !shift.is_finite() || (self.zeta <= 0.0 && zeta <= 0.0) {
             return 0.0;
         }
@@ -179,7 +186,8 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         }
         let step = Step::new((before.zeta, before.shift), end);
         let stretch = before.extent.max(end.1.minus(before.shift).length());
-        let size = before.zeta.max(end.0).sqrt() * stretch * stretch;
+        let [unit_x, unit_y] = unit.components().map(f64::abs);
+        let size = before.zeta.max(end.0).sqrt() * stretch * stretch * unit_x.max(unit_y);
         let mut sum = 0.0;
         for piece in before.chain() {
             sum += over_piece(&piece, &step, size, &f);

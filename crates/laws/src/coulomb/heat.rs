@@ -1,18 +1,22 @@
 //! Heat and work of one annulus in a straight step.
 
-use super::drag::{LimitPoint, Step, cross, log_tangent_decrease, round_off_length};
+use super::drag::{
+    LimitPoint, Step, cross, exp_of_negative, log_tangent_decrease, round_off_length,
+};
 use crate::memory::Lateral;
 use crate::profile::GAUSS;
+use carom_special::quadrature::FixedRule;
 
 /// Below this log `tan(theta/2)` slip is parallel to the step to round-off.
 const ALIGNED_LOG_TANGENT: f64 = -18.0;
 /// Widest panel of the quadrature over log `tan(theta/2)`: the directions have poles at the
 /// distance pi/2, so that eight points have an error of 1e-14.
 const MAX_PANEL_WIDTH: f64 = 0.8;
-
-/// Number of panels over a decreasing limit, and ratio of successive limits.
-const STEEP_PANELS: u32 = 20;
-const LIMIT_RATIO_OF_PANELS: f64 = 0.5;
+/// The width up to which four points have that error.
+const MAX_WIDTH_OF_FOUR_POINTS: f64 = 0.1;
+const FOUR_POINTS: [(f64, f64); 4] = FixedRule::parts();
+/// Decrease of log r from which on an annulus has no traction: what is left of its heat is below 1e-17 of it.
+const MAX_LOG_DECREASE: f64 = 20.0;
 
 /// The energy of a unit of heat for each direction of traction.
 struct Units<V> {
@@ -55,30 +59,27 @@ impl<V: Lateral> Step<V> {
             let direction = Units { unit, ahead: stretch.times(1.0 / square.sqrt()) };
             return 0.5 * (square - limit * limit) * direction.of(1.0, 0.0);
         }
-        if self.grazes(depth, anchor) {
-            let (settled, before) =
-                (self.settled(depth, anchor), self.shift.minus(self.ahead.times(self.length)));
-            let [from, to] = [anchor, settled].map(|anchor| before.minus(anchor));
-            let direction = Units { unit, ahead: from.times(1.0 / from.length()) };
-            let snap = 0.5 * (from.dot(from) - to.dot(to)).max(0.0);
-            return snap * direction.of(1.0, 0.0) + self.slip_heat(depth, settled, unit);
+        let Some(slip) = self.slip(depth, anchor) else { return 0.0 };
+        if !slip.met.grazes {
+            return self.slip_heat(&slip, unit);
         }
-        self.slip_heat(depth, anchor, unit)
+        let (settled, before) =
+            (self.settled(depth, anchor), self.shift.minus(self.ahead.times(self.length)));
+        let [from, to] = [anchor, settled].map(|anchor| before.minus(anchor));
+        let direction = Units { unit, ahead: from.times(1.0 / from.length()) };
+        let snap = 0.5 * (from.dot(from) - to.dot(to)).max(0.0);
+        let slip = self.slip(depth, settled);
+        snap * direction.of(1.0, 0.0) + slip.map_or(0.0, |slip| self.slip_heat(&slip, unit))
     }
 
     /// The heat of an annulus that is in contact at the end and was within its limit.
-    fn slip_heat(&self, depth: f64, anchor: V, unit: V) -> f64 {
+    fn slip_heat(&self, slip: &Slip, unit: V) -> f64 {
         let units = Units { unit, ahead: self.ahead };
         let rate = |cos: f64, sin: f64| (cos - self.slope).max(0.0) * units.of(cos, sin);
-        self.slip(depth, anchor).map_or(0.0, |slip| {
-            let Slip { met, across, beyond, .. } = &slip;
-            let snap = if *beyond > 0.0 {
-                beyond * units.of(met.at / met.arm, across / met.arm)
-            } else {
-                0.0
-            };
-            snap + self.over_slip(&slip, rate)
-        })
+        let Slip { met, across, beyond, .. } = slip;
+        let snap =
+            if *beyond > 0.0 { beyond * units.of(met.at / met.arm, across / met.arm) } else { 0.0 };
+        snap + self.over_slip(slip, rate)
     }
 
     /// The work of an annulus on the shift, in the given units of energy per direction: elastic until it slips, then
@@ -89,7 +90,12 @@ impl<V: Lateral> Step<V> {
         }
         let lever = self.ahead.by_component(unit);
         let [along, across] = [self.ahead.dot(lever), cross(self.ahead, lever)];
-        let anchor = if self.grazes(depth, anchor) { self.settled(depth, anchor) } else { anchor };
+        let mut slip = self.slip(depth, anchor);
+        let mut anchor = anchor;
+        if slip.as_ref().is_some_and(|slip| slip.met.grazes) {
+            anchor = self.settled(depth, anchor);
+            slip = self.slip(depth, anchor);
+        }
         let stretch = self.shift.minus(anchor);
         let elastic = |path: f64, rest: f64| {
             // The work from the start up to the length `rest` before the end: length times mean
@@ -103,7 +109,7 @@ impl<V: Lateral> Step<V> {
         } else {
             self.length
         };
-        match self.slip(depth, anchor) {
+        match slip {
             None => elastic(path, 0.0),
             Some(slip) => {
                 let before = elastic((path - slip.met.rest).max(0.0), slip.met.rest);
@@ -153,58 +159,89 @@ impl<V: Lateral> Step<V> {
             let cos = if met.at < 0.0 { -1.0 } else { 1.0 };
             return straight(met.rest, 0.5 * (met.limit + limit), cos);
         };
-        let tangent = far / near;
+        let turn = Turn { limit: met.limit, tangent: far / near };
         if self.slope <= -1.0 {
-            return self.over_steep_slip(tangent, [*limit, met.limit], rate);
+            let length = libm::log(met.limit / limit).min(MAX_LOG_DECREASE);
+            let of_limit = -1.0 / self.slope;
+            return of_limit * turn.over(length, [of_limit, -1.0], rate);
         }
-        // In x = log tan(theta/2): dx = -dl/r, r = r_0 exp(slope (x_0 - x)).
-        let first = libm::log(tangent.abs());
-        let log_tangent_decrease = log_tangent_decrease(met.rest, [met.limit, *limit], self.slope);
-        let last = (first - log_tangent_decrease).max(ALIGNED_LOG_TANGENT.min(first));
-        let limit_at = |x: f64| met.limit * libm::exp(self.slope * (first - x));
-        let at = |x: f64| {
-            let (tangent, limit) = (libm::exp(x).copysign(tangent), limit_at(x));
-            let [cos, sin] = directions(tangent);
-            limit * limit * rate(cos, sin)
-        };
-        let panels = ((first - last) / MAX_PANEL_WIDTH).ceil().max(1.0);
-        let width = (first - last) / panels;
-        let mut sum = 0.0;
-        for panel in 0..panels as usize {
-            let from = last + panel as f64 * width;
-            sum += GAUSS.iter().map(|(x, w)| w * at(from + x * width)).sum::<f64>() * width;
+        let decrease = log_tangent_decrease(met.rest, [met.limit, *limit], self.slope);
+        let until_aligned = (libm::log(turn.tangent.abs()) - ALIGNED_LOG_TANGENT).max(0.0);
+        if decrease <= until_aligned {
+            return turn.over(decrease, [1.0, self.slope], rate);
         }
-        let aligned = limit_at(last);
+        let aligned = met.limit * exp(self.slope * until_aligned);
         let path = if self.slope == 0.0 {
-            met.rest - met.limit * (first - last)
+            met.rest - met.limit * until_aligned
         } else {
             met.rest - (aligned - met.limit) / self.slope
         };
-        sum + straight(path.max(0.0), 0.5 * (aligned + limit), 1.0)
+        turn.over(until_aligned, [1.0, self.slope], &rate)
+            + straight(path.max(0.0), 0.5 * (aligned + limit), 1.0)
     }
+}
 
-    /// The same if the limit decreases faster than the shift moves: over the limit r, in panels
-    /// that shrink in proportion, `tan(theta/2) ~ r^(-1/slope)`.
-    fn over_steep_slip(
+/// The traction of an annulus at the point at which it begins to slip.
+struct Turn {
+    limit: f64,
+    /// `tan(theta/2)`, theta the angle from the step to the traction.
+    tangent: f64,
+}
+
+impl Turn {
+    /// The integral of `r^2 rate(cos theta, sin theta)` over a variable y, from zero to a length, with which
+    /// `log tan(theta/2)` decreases and log r increases by these rates.
+    ///
+    /// In slip `dl = -r dx`, `x = log tan(theta/2)`: y is the decrease of x or, if the limit decreases faster than the
+    /// shift moves, that of log r. The directions have poles at the distance pi/2 or more.
+    fn over(
         &self,
-        tangent: f64,
-        [last, first]: [f64; 2],
+        length: f64,
+        [turning, growth]: [f64; 2],
         rate: impl Fn(f64, f64) -> f64,
     ) -> f64 {
-        let at = |limit: f64| {
-            let [cos, sin] = directions(tangent * libm::pow(limit / first, -1.0 / self.slope));
-            limit * rate(cos, sin) / -self.slope
-        };
-        let (mut high, mut sum) = (first, 0.0);
-        for panel in 1..=STEEP_PANELS {
-            let low =
-                if panel == STEEP_PANELS { last } else { (LIMIT_RATIO_OF_PANELS * high).max(last) };
-            let width = high - low;
-            sum += GAUSS.iter().map(|(x, w)| w * at(low + x * width)).sum::<f64>() * width;
-            high = low;
+        if length <= MAX_WIDTH_OF_FOUR_POINTS {
+            return self.over_panels(&FOUR_POINTS, (1, length), [turning, growth], rate);
         }
-        sum
+        let panels = (length / MAX_PANEL_WIDTH).ceil();
+        let width = length / panels;
+        self.over_panels(&GAUSS, (panels as usize, width), [turning, growth], rate)
     }
+
+    /// The same by panels of one width and a rule of nodes and weights on (0, 1).
+    #[inline]
+    fn over_panels<const N: usize>(
+        &self,
+        rule: &[(f64, f64); N],
+        (panels, width): (usize, f64),
+        [turning, growth]: [f64; 2],
+        rate: impl Fn(f64, f64) -> f64,
+    ) -> f64 {
+        // Tangent and squared limit at the nodes of a panel, over those where it begins.
+        let tangents = rule.map(|(part, _)| exp(-turning * width * part));
+        let squares = rule.map(|(part, weight)| weight * exp(2.0 * growth * width * part));
+        let [turned, grown] = [exp(-turning * width), exp(2.0 * growth * width)];
+        let (mut tangent, mut square, mut sum) = (self.tangent, self.limit * self.limit, 0.0);
+        for _ in 0..panels {
+            let mut of_panel = 0.0;
+            for (tangent_at, square_at) in tangents.iter().zip(&squares) {
+                let [cos, sin] = directions(tangent * tangent_at);
+                of_panel += square_at * rate(cos, sin);
+            }
+            sum += square * of_panel;
+            tangent *= turned;
+            square *= grown;
+        }
+        sum * width
+    }
+}
+
+/// `exp(x)`, to some units in the last place, for magnitudes up to 60.
+#[inline(always)]
+fn exp(x: f64) -> f64 {
+    let [small, large] = exp_of_negative(x.abs());
+    let (over, under) = if x > 0.0 { (large, small) } else { (small, large) };
+    over / under
 }
 
 /// Cosine and sine of an angle from the tangent of its half.
@@ -224,15 +261,52 @@ mod tests {
         0.5 * (UNIT[0] * x * x + UNIT[1] * y * y)
     }
 
-    #[test]
-    fn work_of_a_ring_is_stored_or_heat() {
+    /// Random numbers between 0 and 1.
+    fn drawn() -> impl FnMut() -> f64 {
         let mut state = 1_u64;
-        let mut unit = || {
+        move || {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
             (state >> 11) as f64 / (1_u64 << 53) as f64
-        };
+        }
+    }
+
+    /// The limit may decrease faster than the shift moves, also to zero.
+    #[test]
+    fn heat_is_traction_times_slip_of_many_small_steps() {
+        const PARTS: usize = 2000;
+        let mut unit = drawn();
+        let mut slipped = 0;
+        for case in 0..300 {
+            let (zeta, length) = (0.2 + unit(), 10_f64.powf(1.5 * unit() - 1.0));
+            let angle = std::f64::consts::TAU * unit();
+            let start = [zeta * angle.cos(), zeta * angle.sin()].times(unit());
+            let slope = [0.0, 0.9, -0.9, -1.0, -4.0, -30.0][case % 6] * unit();
+            let to = ((zeta + slope * length).max(0.0), [length, 0.0]);
+            let heat = Step::new((zeta, [0.0; 2]), to).heat(0.0, start, [1.0, 1.0]);
+            let at = |part: usize| {
+                let share = part as f64 / PARTS as f64;
+                (zeta + (to.0 - zeta) * share, to.1.times(share))
+            };
+            let (mut anchor, mut sum) = (start, 0.0);
+            for part in 0..PARTS {
+                let (from, to) = (at(part), at(part + 1));
+                let end = Step::new(from, to).drag(0.0, anchor);
+                let stretches = from.1.minus(anchor).plus(to.1.minus(end));
+                sum += 0.5 * stretches.dot(end.minus(anchor));
+                anchor = end;
+            }
+            let error = (heat - sum).abs() / (zeta * (zeta + length));
+            assert!(error < 3e-6, "{case}: {heat} {sum}, {zeta} {start:?} {to:?}");
+            slipped += usize::from(heat > 0.0);
+        }
+        assert!(slipped > 200, "{slipped} slip");
+    }
+
+    #[test]
+    fn work_of_a_ring_is_stored_or_heat() {
+        let mut unit = drawn();
         let mut worst = 0.0_f64;
         for case in 0..200_000 {
             let (zeta, depth) = (0.2 + unit(), 0.15 * unit());

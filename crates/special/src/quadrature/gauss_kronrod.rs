@@ -58,8 +58,13 @@ pub fn adaptive(
     mut function: impl FnMut(f64) -> f64,
 ) -> Result<Integral, QuadratureError> {
     check_bounds(lower, upper)?;
+    let whole = Piece::over(lower, upper, &mut function)?;
+    let integral = total(&[whole]);
+    if tolerance.allows(integral) {
+        return Ok(integral);
+    }
     let mut pieces = [Piece::default(); MOST_PIECES];
-    pieces[0] = Piece::over(lower, upper, &mut function)?;
+    pieces[0] = whole;
     let (mut count, mut halvings) = (1, Halvings::default());
     loop {
         let integral = total(&pieces[..count]);
