@@ -80,14 +80,19 @@ fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     powers
 }
 
-/// A polynomial and its derivative.
+/// A polynomial and its derivative: even and odd powers side by side, since each step of Horner's scheme waits for
+/// the one before.
 fn horner(piece: &Piece, t: f64) -> (f64, f64) {
-    let (mut value, mut slope) = (0.0, 0.0);
-    for &coefficient in piece.iter().rev() {
-        slope = slope * t + value;
-        value = value * t + coefficient;
+    let square = t * t;
+    let (mut values, mut slopes) = ([0.0; 2], [0.0; 2]);
+    for pair in piece.as_chunks::<2>().0.iter().rev() {
+        for parity in 0..2 {
+            slopes[parity] = slopes[parity] * square + values[parity];
+            values[parity] = values[parity] * square + pair[parity];
+        }
     }
-    (value, slope)
+    let [even, odd] = values;
+    (even + t * odd, odd + 2.0 * (t * slopes[0] + square * slopes[1]))
 }
 
 /// A value and its derivative in v.
@@ -122,7 +127,7 @@ fn torque_of_depth(v: f64) -> f64 {
 fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
     let piece = v as usize;
     let t = 2.0 * (v - piece as f64) - 1.0;
-    let value = pieces[piece].iter().rev().fold(0.0, |sum, term| sum * t + term);
+    let (value, _) = horner(&pieces[piece], t);
     if piece == 0 { v.powi(order) * value } else { value }
 }
 
