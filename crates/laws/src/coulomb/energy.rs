@@ -226,6 +226,12 @@ fn over_piece<V: Lateral>(
         let part = ((root - low) * (root + low) / length).clamp(0.0, 1.0);
         1.5 * f(step, piece.depth_at(part), piece.at(part))
     };
+    if piece.sticks(step) {
+        // A polynomial of degree 8 at most.
+        let [from, width] = [low, piece.high.root - low];
+        return GAUSS.iter().map(|(part, weight)| weight * at(from + part * width)).sum::<f64>()
+            * width;
+    }
     let excess = |part: f64| step.excess(piece.depth_at(part), piece.at(part));
     let before = |part: f64| step.excess_before(piece.depth_at(part), piece.at(part));
     let grazes = |part: f64| f64::from(step.grazes(piece.depth_at(part), piece.at(part)));

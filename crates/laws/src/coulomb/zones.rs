@@ -26,6 +26,16 @@ impl<V: Lateral> Piece<V> {
         square > 0.0 && !(excess < 0.0 && excess * excess >= 4.0 * limit * limit * square)
     }
 
+    /// Whether all annuli of a piece are in contact and within their limit at the end of a step.
+    pub(super) fn sticks(&self, step: &Step<V>) -> bool {
+        let middle = step.excess(self.middle_depth(), self.middle());
+        let ends = [self.low, self.high].map(|end| step.excess(end.depth, end.anchor));
+        self.high.depth <= step.zeta
+            && middle <= 0.0
+            && ends.iter().all(|excess| *excess <= 0.0)
+            && !self.may_slip(step, middle)
+    }
+
     /// Two fractions of a piece, of which the first sticks and the second slips, if the piece
     /// leaves the friction cone although its lower end and its middle stick.
     #[cold]
