@@ -14,6 +14,7 @@ mod known_solutions;
 mod large;
 mod law;
 mod loads;
+mod lubricated;
 mod memory;
 mod near_the_limit;
 mod normal;

@@ -9,6 +9,10 @@ use crate::friction::finite_coefficient;
 use crate::state::CellState;
 use crate::tangential::project_to_disc;
 
+/// The greatest stiffness for turning the traction of a slipping cell, relative to the influence of a cell on
+/// itself. Without friction it is infinite: no traction remains.
+const STIFFEST: f64 = 1e9;
+
 /// The states of the cells, and the cone rays of those that slip.
 #[derive(Clone)]
 pub(super) struct Cells {
@@ -38,6 +42,13 @@ struct Wanted {
     bend: f64,
 }
 
+impl Wanted {
+    /// A cell that does not slip.
+    const fn of(state: CellState) -> Self {
+        Self { state, rim: [0.0; 2], length: 0.0, bend: 0.0 }
+    }
+}
+
 impl Cells {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
         let (own, cells) = (operator.coefficients(0, 0).rows, operator.grid().cells());
@@ -52,9 +63,13 @@ impl Cells {
         }
     }
 
-    /// The rays of the initial tractions.
-    pub(super) fn begin(&mut self, task: &CoupledTask<'_>) {
+    /// The rays of the initial tractions. Pressed cells without friction slip; the tangential solver counts
+    /// them as separated.
+    pub(super) fn begin(&mut self, task: &mut CoupledTask<'_>) {
         for i in 0..task.cells.len() {
+            if task.cells[i] == CellState::Exterior && task.pressure[i] > 0.0 {
+                task.cells[i] = CellState::Slip;
+            }
             let at = [task.traction[0][i], task.traction[1][i]];
             let size = at[0].hypot(at[1]);
             let rim = if size > 0.0 { at.map(|t| t / size) } else { [1.0, 0.0] };
@@ -106,8 +121,7 @@ impl Cells {
             if pressure > 0.0 { gap.abs() } else { (-gap).max(-pressure * self.own[0]).max(0.0) };
         let at = [task.traction[0][i], task.traction[1][i]];
         let limit = finite_coefficient(task.friction[i]) * pressure.max(0.0);
-        let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
-        let to = project_to_disc(pulled, limit);
+        let to = project_to_disc(self.pulled(task, system, i), limit);
         (off, (at[0] - to[0]).hypot(at[1] - to[1]))
     }
 
@@ -170,7 +184,7 @@ impl Cells {
                 (self.own[0] * (cos * size - sin * task.pressure[i])).max(0.0)
             }
             CellState::Slip => {
-                let along = system.slip[0][i] * self.rim[0][i] + system.slip[1][i] * self.rim[1][i];
+                let along = dot(system.slip(i), self.rim(i));
                 along.max(-self.own[0] * self.length(task, i)).max(0.0)
             }
         }
@@ -187,32 +201,28 @@ impl Cells {
     /// The component of a cell's traction along its ray.
     fn length(&self, task: &CoupledTask<'_>, i: usize) -> f64 {
         let [cos, sin] = ray(task.friction[i]);
-        let along = task.traction[0][i] * self.rim[0][i] + task.traction[1][i] * self.rim[1][i];
+        let along = dot([task.traction[0][i], task.traction[1][i]], self.rim(i));
         cos * task.pressure[i] + sin * along
     }
 
     fn wanted(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> Wanted {
-        let nothing = |state| Wanted { state, rim: [0.0; 2], length: 0.0, bend: 0.0 };
         let friction = finite_coefficient(task.friction[i]);
+        if friction == 0.0 {
+            return self.wanted_without_friction(task, system, i);
+        }
         let [cos, sin] = ray(friction);
-        let slip = [system.slip[0][i], system.slip[1][i]];
         let at = [task.traction[0][i], task.traction[1][i]];
-        let pulled = [0, 1].map(|axis| at[axis] - slip[axis] / self.own[1]);
-        let size = pulled[0].hypot(pulled[1]);
         let pressure = task.pressure[i];
-        let slips = |length: f64, limit: f64| {
-            let rim = pulled.map(|t| t / size);
-            let along = slip[0] * rim[0] + slip[1] * rim[1];
-            let bend = (-along).max(0.0) / limit;
-            Wanted { state: CellState::Slip, rim, length, bend }
-        };
+        let slips = |length, limit| self.slipping(task, system, i, [length, limit]);
+        let [x, y] = self.pulled(task, system, i);
+        let size = x.hypot(y);
         match task.cells[i] {
             CellState::Exterior => {
                 let pushed = -system.gap[i] / self.own[0];
                 if pushed.is_nan() || pushed <= 0.0 {
-                    nothing(CellState::Exterior)
+                    Wanted::of(CellState::Exterior)
                 } else if size <= friction * pushed && self.damping == 0.0 {
-                    nothing(CellState::Stick)
+                    Wanted::of(CellState::Stick)
                 } else {
                     slips(0.0, friction * pushed)
                 }
@@ -220,28 +230,70 @@ impl Cells {
             CellState::Stick => {
                 let size_now = at[0].hypot(at[1]);
                 if size_now <= friction * pressure {
-                    return nothing(CellState::Stick);
+                    return Wanted::of(CellState::Stick);
                 }
                 let length = cos * pressure + sin * size_now;
-                if length > 0.0 && size > 0.0 && friction > 0.0 {
+                if length > 0.0 {
                     slips(length, sin * length)
                 } else {
-                    nothing(CellState::Exterior)
+                    Wanted::of(CellState::Exterior)
                 }
             }
             CellState::Slip => {
                 let length = self.length(task, i);
-                let along = slip[0] * self.rim[0][i] + slip[1] * self.rim[1][i];
+                let along = dot(system.slip(i), self.rim(i));
                 if length <= 0.0 {
-                    nothing(CellState::Exterior)
-                } else if (along > 0.0 && friction > 0.0) || size == 0.0 {
-                    nothing(CellState::Stick)
+                    Wanted::of(CellState::Exterior)
+                } else if along > 0.0 || size == 0.0 {
+                    Wanted::of(CellState::Stick)
                 } else {
-                    slips(length, (sin * length).max(f64::MIN_POSITIVE))
+                    slips(length, sin * length)
                 }
             }
         }
     }
+
+    /// A cell without friction slips while it is pressed.
+    fn wanted_without_friction(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> Wanted {
+        let enters = task.cells[i] == CellState::Exterior;
+        let (length, pressed) =
+            if enters { (0.0, -system.gap[i]) } else { (task.pressure[i], task.pressure[i]) };
+        if pressed > 0.0 {
+            self.slipping(task, system, i, [length, 0.0])
+        } else {
+            Wanted::of(CellState::Exterior)
+        }
+    }
+
+    /// Slip with this traction along the ray and this friction limit.
+    fn slipping(
+        &self,
+        task: &CoupledTask<'_>,
+        system: &System,
+        i: usize,
+        [length, limit]: [f64; 2],
+    ) -> Wanted {
+        let pulled = self.pulled(task, system, i);
+        let size = pulled[0].hypot(pulled[1]);
+        let rim = if size > 0.0 { pulled.map(|t| t / size) } else { self.rim(i) };
+        let slip = (-dot(system.slip(i), rim)).max(0.0);
+        let stiffest = STIFFEST * self.own[1];
+        let bend = if slip < stiffest * limit { slip / limit } else { stiffest };
+        Wanted { state: CellState::Slip, rim, length, bend }
+    }
+
+    /// The traction that a cell would have if it stuck and no other traction changed.
+    fn pulled(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> [f64; 2] {
+        [0, 1].map(|axis| task.traction[axis][i] - system.slip[axis][i] / self.own[1])
+    }
+
+    fn rim(&self, i: usize) -> [f64; 2] {
+        [self.rim[0][i], self.rim[1][i]]
+    }
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
 }
 
 /// (cos, sin) of the half angle of Coulomb's cone.

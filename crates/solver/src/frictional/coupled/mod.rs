@@ -15,6 +15,8 @@ mod newton;
 mod precondition;
 mod system;
 mod task;
+#[cfg(test)]
+mod tests;
 mod torus;
 
 use std::ops::ControlFlow;

@@ -32,8 +32,7 @@ impl System {
         let n = cells.active.len();
         let mut right = vec![0.0; 3 * n + MOTIONS];
         for (right, &i) in right.chunks_exact_mut(3).zip(&cells.active) {
-            let slip = [self.slip[0][i], self.slip[1][i]];
-            let rows = equations(cells, i, self.gap[i], slip, 0.0);
+            let rows = equations(cells, i, self.gap[i], self.slip(i), 0.0);
             right.copy_from_slice(&rows.map(|row| -row));
         }
         let missing = self.missing(task);

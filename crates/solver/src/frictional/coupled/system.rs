@@ -66,6 +66,11 @@ impl System {
         }
     }
 
+    /// The slip of a cell.
+    pub(super) fn slip(&self, i: usize) -> [f64; 2] {
+        [self.slip[0][i], self.slip[1][i]]
+    }
+
     /// Computes gaps and slips from the tractions of a task.
     pub(super) fn displace(
         &mut self,
