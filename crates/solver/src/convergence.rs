@@ -116,6 +116,25 @@ impl Observer for () {
     }
 }
 
+/// An observer whose `Break` lasts: what ends one iteration ends the step.
+pub(crate) struct Lasting<'a> {
+    observer: &'a mut dyn Observer,
+    ended: bool,
+}
+
+impl<'a> Lasting<'a> {
+    pub(crate) fn new(observer: &'a mut dyn Observer) -> Self {
+        Self { observer, ended: false }
+    }
+}
+
+impl Observer for Lasting<'_> {
+    fn see(&mut self, progress: &Progress) -> ControlFlow<()> {
+        self.ended = self.ended || self.observer.see(progress).is_break();
+        if self.ended { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 impl<F: FnMut(&Progress) -> ControlFlow<()> + Send> Observer for F {
     fn see(&mut self, progress: &Progress) -> ControlFlow<()> {
         self(progress)

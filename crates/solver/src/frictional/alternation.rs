@@ -4,7 +4,7 @@
 use carom_halfspace::operator::{DisplacementField, TractionField};
 
 use super::coupled::Steps;
-use super::error::converged;
+use super::error::{TOGETHER, converged};
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Residuals, Stop};
@@ -61,8 +61,7 @@ impl Pass<'_> {
                 let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
                 let products = self.cost;
                 let reached = Convergence { iterations, products, residuals, stop };
-                let what = "pressures and tractions together";
-                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+                return Err(FrictionalError::NotConverged { what: TOGETHER, tolerance, reached });
             }
             if pass == PASSES_BEFORE_NEWTON
                 && self.slides.is_none()

@@ -121,7 +121,7 @@ impl Pass<'_> {
         if greatest <= strong {
             let start = self.keep(to, scratch);
             match self.alternate_to_convergence(fresh, tolerance, to, scratch) {
-                Err(FrictionalError::NotConverged { .. }) => self.go_back(start, to, scratch),
+                Err(error) if error.lets_others_try() => self.go_back(start, to, scratch),
                 done => return done,
             }
         }
