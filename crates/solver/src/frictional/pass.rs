@@ -1,5 +1,6 @@
 //! One step with friction: repeats until no further cell changes to kinetic friction.
 
+use super::coupling::coupling;
 use super::{Frictional, FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Observer, Products};
 use crate::drive::{Drive, Driven};
@@ -116,8 +117,10 @@ impl Pass<'_> {
         if !self.problem.operator().is_coupled() {
             return self.alternate_to_convergence(fresh, tolerance, to, scratch);
         }
-        let (greatest, strong) =
-            (scratch.limits.greatest_friction(), STRONG_COUPLING / self.gamma());
+        let (greatest, strong) = (
+            scratch.limits.greatest_friction(),
+            STRONG_COUPLING / coupling(self.problem.operator()),
+        );
         if greatest <= strong {
             let start = self.keep(to, scratch);
             match self.alternate_to_convergence(fresh, tolerance, to, scratch) {
@@ -126,12 +129,6 @@ impl Pass<'_> {
             }
         }
         self.continue_in_friction(strong.min(0.5 * greatest), fresh, to, scratch)
-    }
-
-    /// The coupling of pressures and tractions, relative to the compliance.
-    fn gamma(&self) -> f64 {
-        let [x, _, z] = self.problem.operator().coefficients(1, 0).rows[2];
-        if x == 0.0 { 0.0 } else { (x / z).abs() }
     }
 
     pub(super) fn keep(&self, to: &ContactState, scratch: &FrictionalScratch) -> Kept {

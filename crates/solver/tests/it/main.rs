@@ -32,4 +32,5 @@ mod slender_periods;
 mod strong_coupling;
 mod summary;
 mod torque;
+mod turned;
 mod two_frictions;

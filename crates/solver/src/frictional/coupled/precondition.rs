@@ -106,7 +106,7 @@ impl Newton<'_> {
                     let sigma = 1.0 / (1.0 + bend / own);
                     let around = cells.rim[0][i] * t_y - cells.rim[1][i] * t_x;
                     let direct = (1.0 - sigma) / (bend + ISOLATED_CELL_COMPLIANCE * own) * rows[1];
-                    [p / cos.hypot(system.gamma * sin), sigma.sqrt() * around + direct, 0.0]
+                    [p / cos.hypot(system.coupling * sin), sigma.sqrt() * around + direct, 0.0]
                 }
             };
             x.copy_from_slice(&own);

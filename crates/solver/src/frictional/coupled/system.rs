@@ -11,6 +11,7 @@ use super::task::CoupledTask;
 use super::torus::{Space, Torus};
 use crate::convergence::Products;
 use crate::drive::Driven;
+use crate::frictional::coupling::coupling;
 
 /// Motions: approach, two shifts, twist.
 pub(super) const MOTIONS: usize = 4;
@@ -25,8 +26,8 @@ pub(super) struct System {
     pub(super) centres: [Vec<f64>; 2],
     /// Influence of a tangential traction on its own cell.
     pub(super) own: f64,
-    /// Ratio of the coupling influence to the normal one.
-    pub(super) gamma: f64,
+    /// Coupling of tangential tractions and normal displacements.
+    pub(super) coupling: f64,
     pub(super) gap: Vec<f64>,
     pub(super) slip: [Vec<f64>; 2],
     pub(super) traction: Space,
@@ -42,14 +43,13 @@ impl System {
         let zero = vec![0.0; grid.cells()];
         let space = || [zero.clone(), zero.clone(), zero.clone()];
         let (x, y) = grid.centres().unzip();
-        let beside = operator.coefficients(1, 0).rows[2];
         Self {
             inverse: operator.inverse(),
             torus: operator.is_reciprocal().then(|| Torus::new(operator)),
             workspace: operator.workspace(),
             centres: [x, y],
             own: 0.5 * (own[0][0] + own[1][1]),
-            gamma: if beside[2] == 0.0 { 0.0 } else { (beside[0] / beside[2]).abs() },
+            coupling: coupling(operator),
             gap: zero.clone(),
             slip: [zero.clone(), zero.clone()],
             traction: space(),
