@@ -41,10 +41,20 @@ fn together(
     known: &ContactState,
     loaded: [bool; 4],
 ) -> (ContactState, Convergence) {
+    let pressed = Shift { zeta: known.shift.zeta, ..Shift::default() };
+    let start = stepped(&problem.clone().without_friction(), pressed);
+    together_from(start, problem, known, loaded)
+}
+
+/// The same from any pressures and tractions.
+fn together_from(
+    mut to: ContactState,
+    problem: &ContactProblem,
+    known: &ContactState,
+    loaded: [bool; 4],
+) -> (ContactState, Convergence) {
     let (grid, shift, load) = (problem.grid(), known.shift, known.load());
     let area = grid.cell_area();
-    let pressed = Shift { zeta: shift.zeta, ..Shift::default() };
-    let mut to = stepped(&problem.clone().without_friction(), pressed);
     let given = |k: usize, value: f64| if loaded[k] { 0.0 } else { value };
     let [xi, eta, omega] = [given(1, shift.xi), given(2, shift.eta), given(3, shift.omega)];
     let along = Field::from_function(grid, |_, y| -xi - y * omega);
@@ -106,6 +116,18 @@ fn a_lubricated_patch_keeps_its_pressures() {
     let patch = problem.grid().centres().zip(found.cells.values());
     let mut patch = patch.filter(|((x, y), _)| (x - 0.2).hypot(*y) < 0.35);
     assert!(patch.all(|(_, cell)| *cell == CellState::Slip));
+}
+
+/// Nothing pulls at the cells of bodies that are only pressed: those that come into contact under damping had
+/// a traction that is no number.
+#[test]
+fn bodies_without_pressures_are_pressed_by_damped_steps() {
+    let problem = problem(|_, _| 1.5);
+    let known = stepped(&problem, Shift { zeta: 0.5, ..Shift::default() });
+    let apart = ContactState::apart(problem.grid());
+    let (found, reached) = together_from(apart, &problem, &known, [false; 4]);
+    assert_eq!(reached.stop, Stop::Converged, "{reached:?}");
+    agree(&known, &found);
 }
 
 #[test]
