@@ -92,7 +92,8 @@ fn cycle<M: LinearMap>(
         if target[k + 1].abs() <= least || beyond <= 1e-14 * length {
             break;
         }
-        basis.push(image.iter().map(|value| value / beyond).collect());
+        image.iter_mut().for_each(|value| *value /= beyond);
+        basis.push(image);
     }
     let parts = back(&columns, &target);
     let mut sum = vec![0.0; rest.len()];
