@@ -80,7 +80,8 @@ pub enum Stop {
 /// How the solution of a step ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
-    /// Iterations on the finest grid.
+    /// Iterations on the finest grid, or on the box around the contact: of all pressures, of all tractions and
+    /// of Newton's method on both.
     pub iterations: usize,
     /// Products on all grids, in units of the finest.
     pub products: Products,
@@ -93,7 +94,8 @@ pub struct Convergence {
 /// One iteration, as reported to an observer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Its number on this grid, from 1.
+    /// Its number in this solve, from 1; Newton's method on pressures and tractions together also reports its
+    /// start, as 0.
     pub iteration: usize,
     /// Cells of this grid, or of the box around the contact.
     pub cells: usize,

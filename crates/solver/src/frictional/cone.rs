@@ -57,37 +57,21 @@ impl Pass<'_> {
                 near = near.min(0.5 * change);
                 let more = (FRACTION_BETWEEN_TRIALS * f64::from(round)) as u32;
                 full = round + more.max(PASSES_BETWEEN_TRIALS);
-                if let Some(reached) = self.try_together(Steps::Full, to, scratch)? {
+                if let Some(reached) = self.solve_together(Steps::Full, to, scratch)? {
                     return Ok(reached);
                 }
             }
             if round >= damped {
                 damped = 2 * round;
-                if let Some(reached) = self.try_together(Steps::Damped, to, scratch)? {
+                if let Some(reached) = self.solve_together(Steps::Damped, to, scratch)? {
                     return Ok(reached);
                 }
             }
             if round == CONTINUATION_PASSES || change.is_nan() {
-                let (products, stop) = (self.cost, Stop::Exhausted);
-                let reached = Convergence { products, stop, ..reached };
+                let reached = self.so_far(reached.residuals, Stop::Exhausted);
                 return Err(FrictionalError::NotConverged { what: TOGETHER, tolerance, reached });
             }
         }
-    }
-
-    /// The same from a copy of all values, which come back if it does not converge.
-    fn try_together(
-        &mut self,
-        steps: Steps,
-        to: &mut ContactState,
-        scratch: &mut FrictionalScratch,
-    ) -> Result<Option<Convergence>, FrictionalError> {
-        let kept = self.keep(to, scratch);
-        let reached = self.solve_together(steps, to, scratch)?;
-        if reached.is_none() {
-            self.go_back(kept, to, scratch);
-        }
-        Ok(reached)
     }
 
     /// Solves for pressures and tractions together, starting from their present values; `None` if
@@ -123,15 +107,14 @@ impl Pass<'_> {
         let tolerance = self.method.tolerance;
         let limits = (tolerance, self.method.iterations);
         let reached = solver.solve(&mut task, steps, limits, self.observer)?;
-        self.cost = self.cost.plus(reached.products);
         if reached.stop == Stop::Converged {
             (to.shift.zeta, self.rigid) = (task.approach, task.rigid);
             self.together = true;
-            return Ok(Some(Convergence { products: self.cost, ..reached }));
+            return Ok(Some(self.count(reached)));
         }
         *to = start;
+        let reached = self.count(reached);
         if reached.stop == Stop::Observer {
-            let reached = Convergence { products: self.cost, ..reached };
             return Err(FrictionalError::NotConverged { what: TOGETHER, tolerance, reached });
         }
         Ok(None)

@@ -2,7 +2,7 @@
 
 use super::coupling::coupling;
 use super::{Frictional, FrictionalError, FrictionalScratch};
-use crate::convergence::{Convergence, Observer, Products};
+use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::drive::{Drive, Driven};
 use crate::friction::COEFFICIENT_FOR_INFINITE;
 use crate::problem::ContactProblem;
@@ -29,6 +29,8 @@ pub(super) struct Pass<'a> {
     pub(super) rigid: Rigid,
     pub(super) observer: &'a mut dyn Observer,
     pub(super) cost: Products,
+    /// Iterations of all solves on the finest grid so far.
+    pub(super) iterations: usize,
     /// Whether pressures and tractions were solved together.
     pub(super) together: bool,
     /// The error to report if the bodies slide under the pressures of the last pass.
@@ -55,9 +57,7 @@ impl Pass<'_> {
         }
         let mut convergence = self.alternate_or_continue(true, to, scratch)?;
         while self.switch_to_kinetic_friction(to, scratch) {
-            let more = self.alternate_or_continue(false, to, scratch)?;
-            convergence =
-                Convergence { iterations: convergence.iterations + more.iterations, ..more };
+            convergence = self.alternate_or_continue(false, to, scratch)?;
         }
         self.finish(to, scratch)?;
         self.mark_dragged(CellState::Stick, to);
@@ -131,6 +131,18 @@ impl Pass<'_> {
         self.continue_in_friction(strong.min(0.5 * greatest), fresh, to, scratch)
     }
 
+    /// Adds the iterations and the products of a solve, and returns its report with the sums so far.
+    pub(super) fn count(&mut self, reached: Convergence) -> Convergence {
+        self.iterations += reached.iterations;
+        self.cost = self.cost.plus(reached.products);
+        self.so_far(reached.residuals, reached.stop)
+    }
+
+    /// The report with all iterations and products of the step so far.
+    pub(super) const fn so_far(&self, residuals: Residuals, stop: Stop) -> Convergence {
+        Convergence { iterations: self.iterations, products: self.cost, residuals, stop }
+    }
+
     pub(super) fn keep(&self, to: &ContactState, scratch: &FrictionalScratch) -> Kept {
         (self.rigid, to.clone(), scratch.by_traction.clone())
     }
@@ -166,9 +178,19 @@ impl Frictional {
         };
         let loads = [load(drive.x), load(drive.y), load(drive.twist)];
         let (cost, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
-        let (together, slides) = (false, None);
-        let mut pass =
-            Pass { method: self, problem, from, drive, rigid, observer, cost, together, slides };
+        let (iterations, together, slides) = (0, false, None);
+        let mut pass = Pass {
+            method: self,
+            problem,
+            from,
+            drive,
+            rigid,
+            observer,
+            cost,
+            iterations,
+            together,
+            slides,
+        };
         pass.solve_with_static_friction(to, scratch)
     }
 }
