@@ -8,6 +8,7 @@ use crate::convergence::{Convergence, Products, Residuals, Stop};
 use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
 use crate::state::{CellState, ContactState};
+use crate::tangential::displacement;
 
 /// A load counts as below the friction limit only if it is smaller by more than this fraction.
 const ROUNDING: f64 = 1e-12;
@@ -87,7 +88,7 @@ impl Pass<'_> {
         let cells = along.iter_mut().zip(across).zip(to.cells.values_mut());
         let places = self.problem.grid().centres().zip(&scratch.limits.values);
         for (((t_x, t_y), cell), ((x, y), &limit)) in cells.zip(places) {
-            let [u, v] = [motion[0] + y * motion[2], motion[1] - x * motion[2]]; // (12.2)
+            let [u, v] = displacement(motion, x, y);
             let speed = u.hypot(v);
             let part = if speed > 0.0 { limit / speed } else { 0.0 };
             (*t_x, *t_y) = (part * u, part * v);

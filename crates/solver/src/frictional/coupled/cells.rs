@@ -7,16 +7,16 @@ use super::task::CoupledTask;
 use crate::convergence::Residuals;
 use crate::friction::finite_coefficient;
 use crate::state::CellState;
-use crate::tangential::project_to_disc;
+use crate::tangential::{half_diagonal, project_to_disc};
 
 /// The greatest stiffness for turning the traction of a slipping cell, relative to the influence of a cell on
 /// itself. Without friction it is infinite: no traction remains.
-const STIFFEST: f64 = 1e9;
+const STIFFEST: f64 = 1e6;
 
 /// The states of the cells, and the cone rays of those that slip.
 #[derive(Clone)]
 pub(super) struct Cells {
-    /// Influences of a cell on itself, normal and tangential.
+    /// Influences of a cell on itself: normal, and the mean of both tangential ones.
     pub(super) own: [f64; 2],
     /// Damping of the traction along the rays of slipping cells, relative to the influence of a cell on
     /// itself. With damping cells that come into contact slip first.
@@ -30,6 +30,14 @@ pub(super) struct Cells {
     pub(super) bend: Vec<f64>,
     /// (cos, sin) of the half angle of the friction cone, from the normal to its rays.
     pub(super) ray: Vec<[f64; 2]>,
+}
+
+/// Which cells take the state that they should have.
+#[derive(Clone, Copy)]
+pub(super) enum Changes {
+    All,
+    /// The half of them with the greatest violation.
+    GreaterHalf,
 }
 
 /// The state that a cell should have.
@@ -81,7 +89,7 @@ impl Cells {
     /// relative to the greatest limit, or to the greatest pressure or traction if these are
     /// smaller. The normal one is infinite if no cell is in contact.
     pub(super) fn residuals(&self, task: &CoupledTask<'_>, system: &System) -> Residuals {
-        let (mut normal, mut tangential) = (system.unbalance(task)[0], system.unbalance(task)[1]);
+        let [mut normal, mut tangential] = self.unbalance(task, system);
         let (mut depth, mut most, mut reached) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (i, &pressure) in task.pressure.iter().enumerate() {
             let (off, distance) = self.violations(task, system, i);
@@ -102,6 +110,15 @@ impl Cells {
             normal: if nothing { f64::INFINITY } else { over(normal, depth) },
             tangential: over(tangential, most.min(reached)),
         }
+    }
+
+    /// The errors of the loads for each cell in contact, as a displacement (normal) and as a traction
+    /// (tangential).
+    fn unbalance(&self, task: &CoupledTask<'_>, system: &System) -> [f64; 2] {
+        let (missing, arm) = (system.missing(task), half_diagonal(task.operator.grid()));
+        let touching = task.pressure.iter().filter(|p| **p > 0.0).count().max(1) as f64;
+        let tangential = missing[1].abs().max(missing[2].abs()).max(missing[3].abs() / arm);
+        [self.own[1] * missing[0].abs() / touching, tangential / touching]
     }
 
     /// The norm of all violations, as displacements.
@@ -125,12 +142,14 @@ impl Cells {
         (off, (at[0] - to[0]).hypot(at[1] - to[1]))
     }
 
-    /// Sets the states and projects the tractions onto what the states admit. Only this share of
-    /// the changes is made, those with the greatest violation.
-    pub(super) fn choose(&mut self, task: &mut CoupledTask<'_>, system: &System, share: f64) {
+    /// Sets the states and projects the tractions onto what the states admit.
+    pub(super) fn choose(&mut self, task: &mut CoupledTask<'_>, system: &System, changes: Changes) {
         let wanted: Vec<Wanted> =
             (0..task.cells.len()).map(|i| self.wanted(task, system, i)).collect();
-        let bar = if share < 1.0 { self.bar(task, system, &wanted, share) } else { 0.0 };
+        let bar = match changes {
+            Changes::All => 0.0,
+            Changes::GreaterHalf => self.middle(task, system, &wanted),
+        };
         for (i, wanted) in wanted.iter().enumerate() {
             let changes = wanted.state != task.cells[i];
             if changes && self.pressing(task, system, i) < bar {
@@ -190,12 +209,12 @@ impl Cells {
         }
     }
 
-    fn bar(&self, task: &CoupledTask<'_>, system: &System, wanted: &[Wanted], share: f64) -> f64 {
+    /// The least violation in the greater half of the cells that should change.
+    fn middle(&self, task: &CoupledTask<'_>, system: &System, wanted: &[Wanted]) -> f64 {
         let changing = wanted.iter().enumerate().filter(|(i, w)| w.state != task.cells[*i]);
         let mut sizes: Vec<f64> = changing.map(|(i, _)| self.pressing(task, system, i)).collect();
         sizes.sort_by(f64::total_cmp);
-        let most = ((share * sizes.len() as f64) as usize).max(1);
-        if sizes.len() > most { sizes[sizes.len() - most] } else { 0.0 }
+        sizes.get(sizes.len().div_ceil(2)).copied().unwrap_or(0.0)
     }
 
     /// The component of a cell's traction along its ray.

@@ -15,6 +15,7 @@ use super::task::CoupledTask;
 use crate::convergence::Products;
 use crate::krylov::{self, LinearMap};
 use crate::state::CellState;
+use crate::tangential::{displacement, half_diagonal};
 
 /// Relative residual to which each linear system is solved.
 const LINEAR_RESIDUAL: f64 = 1e-4;
@@ -99,16 +100,14 @@ pub(super) struct Newton<'a> {
 impl Newton<'_> {
     /// The factor that turns a load equation into a displacement.
     fn weight(&self, motion: usize) -> f64 {
-        let grid = self.operator.grid();
-        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
-        let over = if motion == 3 { arm } else { 1.0 };
-        self.system.own / (self.cells.active.len().max(1) as f64).sqrt() / over
+        let over = if motion == 3 { half_diagonal(self.operator.grid()) } else { 1.0 };
+        self.cells.own[1] / (self.cells.active.len().max(1) as f64).sqrt() / over
     }
 
     /// The equations of a cell in a unit motion.
     fn motion_rows(&self, i: usize, motion: &Vector4<f64>) -> [f64; 3] {
-        let (x, y) = (self.system.centres[0][i], self.system.centres[1][i]);
-        let slip = [-motion[1] - y * motion[3], -motion[2] + x * motion[3]]; // (12.2)
+        let [x, y] = [0, 1].map(|axis| self.system.centres[axis][i]);
+        let slip = displacement(&motion.fixed_rows::<3>(1).into(), x, y).map(|moved| -moved);
         equations(self.cells, i, -motion[0], slip, 0.0)
     }
 
@@ -137,13 +136,8 @@ impl Newton<'_> {
     }
 
     fn loads_of(&self, x: &[f64]) -> Vector4<f64> {
-        let mut sums = Vector4::zeros();
-        for (x, &i) in x.chunks_exact(3).zip(&self.cells.active) {
-            let [t_x, t_y, p] = unknowns(self.cells, i, x);
-            let torque = self.system.centres[1][i] * t_x - self.system.centres[0][i] * t_y;
-            sums += Vector4::new(p, t_x, t_y, torque);
-        }
-        sums
+        let cells = x.chunks_exact(3).zip(&self.cells.active);
+        cells.map(|(x, &i)| self.system.loads_of(i, unknowns(self.cells, i, x))).sum()
     }
 }
 
