@@ -27,12 +27,15 @@ fn a_single_break_ends_the_step_and_leaves_the_state() {
         let to = |xi: f64| Drive::by_shift(Shift { zeta: 0.5, xi, ..Shift::default() });
         let [mut own, mut other] = [history(friction), history(friction)];
         let mut seen = 0_usize;
-        let mut count = |_: &Progress| {
+        let mut starts = 0;
+        let mut count = |progress: &Progress| {
             seen += 1;
+            starts += usize::from(progress.iteration == 0);
             ControlFlow::Continue(())
         };
         other.step(&to(0.0), &mut ()).unwrap();
-        other.step(&to(0.1), &mut count).unwrap();
+        let reached = other.step(&to(0.1), &mut count).unwrap();
+        assert_eq!(reached.iterations, seen - starts, "f = {friction}: iterations told and seen");
         own.step(&to(0.0), &mut ()).unwrap();
         let before = own.state().clone();
         let mut ended = 0;
