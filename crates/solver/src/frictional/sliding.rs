@@ -15,6 +15,8 @@ const ROUNDING: f64 = 1e-12;
 /// From this fraction of the limit on, loads of coupled bodies are found by iterating on the
 /// shifts. There the shifts depend on the loads only through uneven displacements by the pressures.
 const NEAR_LIMIT: f64 = 0.99;
+/// The bounds of a smaller coefficient of friction are raised at most so many times.
+const RAISES: usize = 20;
 
 impl Pass<'_> {
     /// The tractions of rigid sliding, if friction cannot hold the prescribed loads under these
@@ -52,8 +54,28 @@ impl Pass<'_> {
                 scratch.tangential.find_by_motions();
             }
         }
-        scratch.limits.hold(to.pressure.values(), loads[0].hypot(loads[1]));
+        if !scratch.limits.is_sharp() {
+            self.raise_limits(&loads, to, scratch);
+        }
         Ok(None)
+    }
+
+    /// Raises the bounds of a smaller coefficient of friction until they hold the prescribed loads.
+    fn raise_limits(
+        &self,
+        loads: &Vector3<f64>,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) {
+        for _ in 0..RAISES {
+            let cells = self.problem.grid().centres().zip(&scratch.limits.values);
+            let cells = cells.map(|((x, y), limit)| [x, y, *limit]);
+            scratch.surface.take(cells, &self.rigid.loads);
+            let part = scratch.surface.used(loads).part;
+            if !scratch.limits.hold(to.pressure.values(), part) {
+                break;
+            }
+        }
     }
 
     /// Whether the friction limit is final: no further pass can change it.
