@@ -80,7 +80,8 @@ pub enum Stop {
 /// How the solution of a step ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
-    /// Iterations on the finest grid.
+    /// Iterations on the finest grid, or on the box around the contact: of all pressures, of all tractions and
+    /// of Newton's method on both.
     pub iterations: usize,
     /// Products on all grids, in units of the finest.
     pub products: Products,
@@ -93,7 +94,8 @@ pub struct Convergence {
 /// One iteration, as reported to an observer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Its number on this grid, from 1.
+    /// Its number in this solve, from 1; Newton's method on pressures and tractions together also reports its
+    /// start, as 0.
     pub iteration: usize,
     /// Cells of this grid, or of the box around the contact.
     pub cells: usize,
@@ -113,6 +115,25 @@ pub trait Observer: Send {
 impl Observer for () {
     fn see(&mut self, _: &Progress) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+}
+
+/// An observer whose `Break` lasts: what ends one iteration ends the step.
+pub(crate) struct Lasting<'a> {
+    observer: &'a mut dyn Observer,
+    ended: bool,
+}
+
+impl<'a> Lasting<'a> {
+    pub(crate) fn new(observer: &'a mut dyn Observer) -> Self {
+        Self { observer, ended: false }
+    }
+}
+
+impl Observer for Lasting<'_> {
+    fn see(&mut self, progress: &Progress) -> ControlFlow<()> {
+        self.ended = self.ended || self.observer.see(progress).is_break();
+        if self.ended { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

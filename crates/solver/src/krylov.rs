@@ -2,6 +2,7 @@
 
 /// GMRES restarts after at most this number of directions.
 const DIRECTIONS: usize = 240;
+/// The greatest number of values of all directions together; thirty directions are always kept.
 const VALUES: usize = 10_000_000;
 
 /// A linear map with an approximate inverse.
@@ -15,8 +16,9 @@ pub(crate) trait LinearMap {
     fn precondition(&mut self, y: &[f64], x: &mut [f64]);
 }
 
-/// Solves `map x = right`, starting from zero, until the residual is at most `least` in norm or
-/// after at most this many products. Returns the norm of the residual.
+/// Solves `map x = right`, starting from zero, until the residual is at most `least` in norm, a restart makes no
+/// progress, or this many products are spent; the last one, for the residual, may come on top. Returns the norm of
+/// the residual.
 ///
 /// # Errors
 /// The errors of the map.
@@ -92,7 +94,8 @@ fn cycle<M: LinearMap>(
         if target[k + 1].abs() <= least || beyond <= 1e-14 * length {
             break;
         }
-        basis.push(image.iter().map(|value| value / beyond).collect());
+        image.iter_mut().for_each(|value| *value /= beyond);
+        basis.push(image);
     }
     let parts = back(&columns, &target);
     let mut sum = vec![0.0; rest.len()];

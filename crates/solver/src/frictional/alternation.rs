@@ -4,7 +4,7 @@
 use carom_halfspace::operator::{DisplacementField, TractionField};
 
 use super::coupled::Steps;
-use super::error::converged;
+use super::error::{TOGETHER, converged};
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Residuals, Stop};
@@ -31,7 +31,7 @@ impl Pass<'_> {
     ) -> Result<Convergence, FrictionalError> {
         let coupled = self.problem.operator().is_coupled();
         let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
-        let (mut iterations, mut last_change, mut mixes) = (0, f64::INFINITY, false);
+        let (mut last_change, mut mixes) = (f64::INFINITY, false);
         let mut least = (0, f64::INFINITY);
         scratch.mixing.clear();
         let mut pass = 0;
@@ -40,7 +40,6 @@ impl Pass<'_> {
             let first = fresh && pass == 1;
             let normal_part = self.solve_normal(inner, first, to, scratch)?;
             let tangential_part = self.solve_tangential(inner, first, to, scratch)?;
-            iterations += normal_part.iterations + tangential_part.iterations;
             let change = if coupled { self.change(to, scratch)? } else { 0.0 };
             let residuals = Residuals {
                 normal: normal_part.residuals.normal.max(change),
@@ -50,8 +49,7 @@ impl Pass<'_> {
                 if let Some(slides) = self.slides.take() {
                     return Err(slides);
                 }
-                let (products, stop) = (self.cost, Stop::Converged);
-                return Ok(Convergence { iterations, products, residuals, stop });
+                return Ok(self.so_far(residuals, Stop::Converged));
             }
             if change < 0.5 * least.1 {
                 least = (pass, change);
@@ -59,10 +57,8 @@ impl Pass<'_> {
             let stalls = !change.is_finite() || pass > least.0 + PASSES_WITHOUT_PROGRESS;
             if stalls || pass >= self.method.passes {
                 let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
-                let products = self.cost;
-                let reached = Convergence { iterations, products, residuals, stop };
-                let what = "pressures and tractions together";
-                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+                let reached = self.so_far(residuals, stop);
+                return Err(FrictionalError::NotConverged { what: TOGETHER, tolerance, reached });
             }
             if pass == PASSES_BEFORE_NEWTON
                 && self.slides.is_none()
@@ -101,9 +97,9 @@ impl Pass<'_> {
             self.cost = self.cost.plus(scratch.normal.start(operator, driven, target)?);
         }
         let (approach, reached) = scratch.normal.solve(operator, driven, target, self.observer)?;
-        self.cost = self.cost.plus(reached.products);
         to.shift.zeta = approach;
         to.pressure.values_mut().copy_from_slice(scratch.normal.pressure());
+        self.count(reached);
         converged("pressures", tolerance, reached)
     }
 
@@ -150,8 +146,8 @@ impl Pass<'_> {
             self.cost = self.cost.plus(started);
         }
         let reached = scratch.tangential.solve(&mut task, tolerance, iterations, self.observer)?;
-        self.cost = self.cost.plus(reached.products);
         self.rigid = task.rigid;
+        self.count(reached);
         converged("tractions", tolerance, reached)
     }
 

@@ -12,7 +12,7 @@ use carom_halfspace::operator::{DisplacementField, SurfaceOperator, TractionFiel
 use super::cut::Cut;
 use super::scratch::Boxed;
 use super::{Frictional, FrictionalError, FrictionalScratch};
-use crate::convergence::{Convergence, Observer, Products, Stop};
+use crate::convergence::{Convergence, Observer, Products};
 use crate::drive::{Drive, Driven};
 use crate::friction::SurfaceFriction;
 use crate::gap::Gap;
@@ -210,7 +210,7 @@ impl Frictional {
 /// not fit into the box, the pressures and with them the friction limit are different.
 fn may_depend_on_the_box(error: &FrictionalError) -> bool {
     match error {
-        FrictionalError::NotConverged { reached, .. } => reached.stop != Stop::Observer,
+        FrictionalError::NotConverged { .. } => error.lets_others_try(),
         FrictionalError::Slides { .. } | FrictionalError::Turns { .. } => true,
         FrictionalError::Range(_) | FrictionalError::Operator(_) | FrictionalError::Period(_) => {
             false

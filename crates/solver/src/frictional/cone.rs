@@ -1,6 +1,7 @@
 //! Strong coupling: continuation in the friction coefficient, and Newton's method on both problems
 //! together.
 
+use super::error::TOGETHER;
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Stop};
@@ -31,7 +32,7 @@ impl Pass<'_> {
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
         let (least, mut change) = (0.05 * most, 1.0_f64);
-        let (what, tolerance) = ("pressures and tractions together", self.method.tolerance);
+        let tolerance = self.method.tolerance;
         scratch.limits.blunt(most);
         let (mut round, mut near, mut full, mut damped) = (0, CLOSE, 1, 1);
         loop {
@@ -39,7 +40,7 @@ impl Pass<'_> {
             let inner = (1e-2 * change).clamp(1e-5, 1e-3).max(tolerance);
             let reached =
                 match self.alternate_to_convergence(fresh && round == 0, inner, to, scratch) {
-                    Err(FrictionalError::NotConverged { .. }) if most > least => {
+                    Err(error) if most > least && error.lets_others_try() => {
                         self.go_back(kept, to, scratch);
                         most *= 0.5;
                         scratch.limits.blunt(most);
@@ -56,41 +57,28 @@ impl Pass<'_> {
                 near = near.min(0.5 * change);
                 let more = (FRACTION_BETWEEN_TRIALS * f64::from(round)) as u32;
                 full = round + more.max(PASSES_BETWEEN_TRIALS);
-                if let Some(reached) = self.try_together(Steps::Full, to, scratch)? {
+                if let Some(reached) = self.solve_together(Steps::Full, to, scratch)? {
                     return Ok(reached);
                 }
             }
             if round >= damped {
                 damped = 2 * round;
-                if let Some(reached) = self.try_together(Steps::Damped, to, scratch)? {
+                if let Some(reached) = self.solve_together(Steps::Damped, to, scratch)? {
                     return Ok(reached);
                 }
             }
             if round == CONTINUATION_PASSES || change.is_nan() {
-                let (products, stop) = (self.cost, Stop::Exhausted);
-                let reached = Convergence { products, stop, ..reached };
-                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+                let reached = self.so_far(reached.residuals, Stop::Exhausted);
+                return Err(FrictionalError::NotConverged { what: TOGETHER, tolerance, reached });
             }
         }
     }
 
-    /// The same from a copy of all values, which come back if it does not converge.
-    fn try_together(
-        &mut self,
-        steps: Steps,
-        to: &mut ContactState,
-        scratch: &mut FrictionalScratch,
-    ) -> Result<Option<Convergence>, FrictionalError> {
-        let kept = self.keep(to, scratch);
-        let reached = self.solve_together(steps, to, scratch)?;
-        if reached.is_none() {
-            self.go_back(kept, to, scratch);
-        }
-        Ok(reached)
-    }
-
     /// Solves for pressures and tractions together, starting from their present values; `None` if
     /// that does not converge, and they are then unchanged.
+    ///
+    /// # Errors
+    /// [`FrictionalError::NotConverged`] only if the observer ends the iterations.
     pub(super) fn solve_together(
         &mut self,
         steps: Steps,
@@ -116,15 +104,19 @@ impl Pass<'_> {
             traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
             cells: to.cells.values_mut(),
         };
-        let limits = (self.method.tolerance, self.method.iterations);
+        let tolerance = self.method.tolerance;
+        let limits = (tolerance, self.method.iterations);
         let reached = solver.solve(&mut task, steps, limits, self.observer)?;
-        self.cost = self.cost.plus(reached.products);
         if reached.stop == Stop::Converged {
             (to.shift.zeta, self.rigid) = (task.approach, task.rigid);
             self.together = true;
-            return Ok(Some(Convergence { products: self.cost, ..reached }));
+            return Ok(Some(self.count(reached)));
         }
         *to = start;
+        let reached = self.count(reached);
+        if reached.stop == Stop::Observer {
+            return Err(FrictionalError::NotConverged { what: TOGETHER, tolerance, reached });
+        }
         Ok(None)
     }
 }

@@ -2,16 +2,18 @@
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_laws::law::Shift;
+use nalgebra::Vector3;
 
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::state::{CellState, ContactState};
+use crate::tangential::displacement;
 
 impl Pass<'_> {
     /// The offset c: displacements due to the pressure, minus those before the step and the rigid
     /// shift of the step.
     pub(super) fn offsets(&self, scratch: &mut FrictionalScratch) {
-        let [dx, dy, turn] = self.moved();
+        let moved = Vector3::from(self.moved());
         let grid = self.problem.grid();
         let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
         for row in 0..grid.ny() {
@@ -20,8 +22,9 @@ impl Pass<'_> {
             let (along, across) = (&mut along[cells.clone()], &mut across[cells.clone()]);
             let before = before.map(|values| &values[cells.clone()]);
             for (column, (u, v)) in along.iter_mut().zip(across.iter_mut()).enumerate() {
-                *u = -before[0][column] - (dx + y * turn); // (12.2)
-                *v = -before[1][column] - (dy - grid.centred_x(column) * turn);
+                let rigid = displacement(&moved, grid.centred_x(column), y);
+                *u = -before[0][column] - rigid[0];
+                *v = -before[1][column] - rigid[1];
             }
             if self.problem.operator().is_coupled() {
                 for (own, pressed) in [along, across].into_iter().zip(&scratch.by_pressure) {

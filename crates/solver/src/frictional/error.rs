@@ -59,6 +59,16 @@ pub enum FrictionalError {
     },
 }
 
+/// What is solved for when pressures and tractions are in equilibrium with each other.
+pub(super) const TOGETHER: &str = "pressures and tractions together";
+
+impl FrictionalError {
+    /// Whether iterations ended on their own without a solution, so that others may find one.
+    pub(super) fn lets_others_try(&self) -> bool {
+        matches!(self, Self::NotConverged { reached, .. } if reached.stop != Stop::Observer)
+    }
+}
+
 pub(super) fn converged(
     what: &'static str,
     tolerance: f64,

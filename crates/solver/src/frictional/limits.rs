@@ -14,9 +14,9 @@ use crate::state::ContactState;
 /// The greatest factor by which a step of the cohesion is extrapolated.
 const LARGEST_EXTRAPOLATION: f64 = 30.0;
 
-/// The bounds are raised until they hold this many times a prescribed force, if friction can hold
-/// it.
-const FORCE_RESERVE: f64 = 1.05;
+/// The bounds are raised until they hold this many times the prescribed loads, if friction can hold
+/// them.
+const RESERVE: f64 = 1.05;
 
 /// The traction bounds of a step, cell by cell.
 #[derive(Clone)]
@@ -91,24 +91,24 @@ impl FrictionLimits {
         }
     }
 
-    /// Raises the bounds in proportion to the pressures if they could not hold a prescribed force.
-    pub(crate) fn hold(&mut self, pressure: &[f64], force: f64) {
-        if self.cone.is_none() {
-            return;
-        }
-        let missing = FORCE_RESERVE * force - self.values.iter().sum::<f64>();
+    /// Raises the cohesion in proportion to the pressures if the prescribed loads use too great a part of the
+    /// bounds, so that they hold a force; a torque may need more. Returns whether it raised it.
+    pub(crate) fn hold(&mut self, pressure: &[f64], part: f64) -> bool {
+        let Some(cone) = &mut self.cone else { return false };
+        let missing = (RESERVE * part - 1.0) * self.values.iter().sum::<f64>();
         let all: f64 = pressure.iter().filter(|p| **p > 0.0).sum();
-        if missing <= 0.0 || all <= 0.0 {
-            return;
+        if missing.is_nan() || missing <= 0.0 || all <= 0.0 {
+            return false;
         }
-        for ((value, pressure), friction) in
-            self.values.iter_mut().zip(pressure).zip(&self.friction)
-        {
+        for (i, (value, pressure)) in self.values.iter_mut().zip(pressure).enumerate() {
             if *pressure > 0.0 {
                 let raised = *value + missing / all * pressure;
-                *value = raised.min(friction * pressure).max(*value);
+                let raised = raised.min(self.friction[i] * pressure).max(*value);
+                cone.cohesion[i] += raised - *value;
+                *value = raised;
             }
         }
+        true
     }
 
     /// Updates the cohesion towards the value that makes the bounds f p. Returns its error relative

@@ -5,6 +5,7 @@ mod anderson;
 mod boxed;
 mod cone;
 mod coupled;
+mod coupling;
 mod cut;
 mod displacements;
 mod error;

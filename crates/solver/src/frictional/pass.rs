@@ -1,7 +1,8 @@
 //! One step with friction: repeats until no further cell changes to kinetic friction.
 
+use super::coupling::coupling;
 use super::{Frictional, FrictionalError, FrictionalScratch};
-use crate::convergence::{Convergence, Observer, Products};
+use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::drive::{Drive, Driven};
 use crate::friction::COEFFICIENT_FOR_INFINITE;
 use crate::problem::ContactProblem;
@@ -28,6 +29,8 @@ pub(super) struct Pass<'a> {
     pub(super) rigid: Rigid,
     pub(super) observer: &'a mut dyn Observer,
     pub(super) cost: Products,
+    /// Iterations of all solves on the finest grid so far.
+    pub(super) iterations: usize,
     /// Whether pressures and tractions were solved together.
     pub(super) together: bool,
     /// The error to report if the bodies slide under the pressures of the last pass.
@@ -54,9 +57,7 @@ impl Pass<'_> {
         }
         let mut convergence = self.alternate_or_continue(true, to, scratch)?;
         while self.switch_to_kinetic_friction(to, scratch) {
-            let more = self.alternate_or_continue(false, to, scratch)?;
-            convergence =
-                Convergence { iterations: convergence.iterations + more.iterations, ..more };
+            convergence = self.alternate_or_continue(false, to, scratch)?;
         }
         self.finish(to, scratch)?;
         self.mark_dragged(CellState::Stick, to);
@@ -116,22 +117,30 @@ impl Pass<'_> {
         if !self.problem.operator().is_coupled() {
             return self.alternate_to_convergence(fresh, tolerance, to, scratch);
         }
-        let (greatest, strong) =
-            (scratch.limits.greatest_friction(), STRONG_COUPLING / self.gamma());
+        let (greatest, strong) = (
+            scratch.limits.greatest_friction(),
+            STRONG_COUPLING / coupling(self.problem.operator()),
+        );
         if greatest <= strong {
             let start = self.keep(to, scratch);
             match self.alternate_to_convergence(fresh, tolerance, to, scratch) {
-                Err(FrictionalError::NotConverged { .. }) => self.go_back(start, to, scratch),
+                Err(error) if error.lets_others_try() => self.go_back(start, to, scratch),
                 done => return done,
             }
         }
         self.continue_in_friction(strong.min(0.5 * greatest), fresh, to, scratch)
     }
 
-    /// The coupling of pressures and tractions, relative to the compliance.
-    fn gamma(&self) -> f64 {
-        let [x, _, z] = self.problem.operator().coefficients(1, 0).rows[2];
-        if x == 0.0 { 0.0 } else { (x / z).abs() }
+    /// Adds the iterations and the products of a solve, and returns its report with the sums so far.
+    pub(super) fn count(&mut self, reached: Convergence) -> Convergence {
+        self.iterations += reached.iterations;
+        self.cost = self.cost.plus(reached.products);
+        self.so_far(reached.residuals, reached.stop)
+    }
+
+    /// The report with all iterations and products of the step so far.
+    pub(super) const fn so_far(&self, residuals: Residuals, stop: Stop) -> Convergence {
+        Convergence { iterations: self.iterations, products: self.cost, residuals, stop }
     }
 
     pub(super) fn keep(&self, to: &ContactState, scratch: &FrictionalScratch) -> Kept {
@@ -169,9 +178,19 @@ impl Frictional {
         };
         let loads = [load(drive.x), load(drive.y), load(drive.twist)];
         let (cost, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
-        let (together, slides) = (false, None);
-        let mut pass =
-            Pass { method: self, problem, from, drive, rigid, observer, cost, together, slides };
+        let (iterations, together, slides) = (0, false, None);
+        let mut pass = Pass {
+            method: self,
+            problem,
+            from,
+            drive,
+            rigid,
+            observer,
+            cost,
+            iterations,
+            together,
+            slides,
+        };
         pass.solve_with_static_friction(to, scratch)
     }
 }

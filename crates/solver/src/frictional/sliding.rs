@@ -8,12 +8,15 @@ use crate::convergence::{Convergence, Products, Residuals, Stop};
 use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
 use crate::state::{CellState, ContactState};
+use crate::tangential::displacement;
 
 /// A load counts as below the friction limit only if it is smaller by more than this fraction.
 const ROUNDING: f64 = 1e-12;
 /// From this fraction of the limit on, loads of coupled bodies are found by iterating on the
 /// shifts. There the shifts depend on the loads only through uneven displacements by the pressures.
 const NEAR_LIMIT: f64 = 0.99;
+/// The bounds of a smaller coefficient of friction are raised at most so many times.
+const RAISES: usize = 20;
 
 impl Pass<'_> {
     /// The tractions of rigid sliding, if friction cannot hold the prescribed loads under these
@@ -51,8 +54,28 @@ impl Pass<'_> {
                 scratch.tangential.find_by_motions();
             }
         }
-        scratch.limits.hold(to.pressure.values(), loads[0].hypot(loads[1]));
+        if !scratch.limits.is_sharp() {
+            self.raise_limits(&loads, to, scratch);
+        }
         Ok(None)
+    }
+
+    /// Raises the bounds of a smaller coefficient of friction until they hold the prescribed loads.
+    fn raise_limits(
+        &self,
+        loads: &Vector3<f64>,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) {
+        for _ in 0..RAISES {
+            let cells = self.problem.grid().centres().zip(&scratch.limits.values);
+            let cells = cells.map(|((x, y), limit)| [x, y, *limit]);
+            scratch.surface.take(cells, &self.rigid.loads);
+            let part = scratch.surface.used(loads).part;
+            if !scratch.limits.hold(to.pressure.values(), part) {
+                break;
+            }
+        }
     }
 
     /// Whether the friction limit is final: no further pass can change it.
@@ -87,7 +110,7 @@ impl Pass<'_> {
         let cells = along.iter_mut().zip(across).zip(to.cells.values_mut());
         let places = self.problem.grid().centres().zip(&scratch.limits.values);
         for (((t_x, t_y), cell), ((x, y), &limit)) in cells.zip(places) {
-            let [u, v] = [motion[0] + y * motion[2], motion[1] - x * motion[2]]; // (12.2)
+            let [u, v] = displacement(motion, x, y);
             let speed = u.hypot(v);
             let part = if speed > 0.0 { limit / speed } else { 0.0 };
             (*t_x, *t_y) = (part * u, part * v);

@@ -6,7 +6,7 @@ use super::Frictional;
 use super::boxed::InBox;
 use super::error::FrictionalError;
 use super::scratch::FrictionalScratch;
-use crate::convergence::{Convergence, Observer, Stop};
+use crate::convergence::{Convergence, Lasting, Observer, Stop};
 use crate::drive::{Drive, Driven};
 use crate::method::Method;
 use crate::nested;
@@ -42,6 +42,7 @@ impl Method for Frictional {
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
         problem.check_approach(drive.normal)?;
+        let observer = &mut Lasting::new(observer);
         parts::within(problem.operator().threads(), || {
             match self.step_in_a_box(problem, from, drive, to, scratch, observer)? {
                 InBox::Solved(convergence) => Ok(convergence),

@@ -96,8 +96,7 @@ impl ActiveSet {
             return 0.0;
         }
         let (excess, touching) = (self.excess(task), touching as f64);
-        let grid = task.operator.grid();
-        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
+        let arm = rigid::half_diagonal(task.operator.grid());
         (excess[0].abs().max(excess[1].abs()).max(excess[2].abs() / arm)) / touching
     }
 }

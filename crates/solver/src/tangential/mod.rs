@@ -35,7 +35,7 @@ use task::Limits;
 
 pub(crate) use law::project_to_disc;
 pub(crate) use limit_surface::LimitSurface;
-pub(crate) use rigid::Rigid;
+pub(crate) use rigid::{Rigid, displacement, half_diagonal};
 pub(crate) use task::TangentialTask;
 
 /// The iteration on coarse grids stops when a correction changes the tractions by less than this

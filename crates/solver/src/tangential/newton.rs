@@ -249,8 +249,7 @@ impl<'a> Newton<'a> {
         task: &'a TangentialTask<'_>,
         state: &'a mut IterationState,
     ) -> Self {
-        let grid = task.operator.grid();
-        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
+        let arm = rigid::half_diagonal(task.operator.grid());
         let weight = set.own / (task.limits.len().max(1) as f64).sqrt();
         let given = task.rigid.loads.map(|load| load.is_some());
         let (weights, answers) = ([weight, weight, weight / arm], Matrix3::identity());

@@ -1,5 +1,6 @@
 //! Rigid shifts and twist whose loads are prescribed.
 
+use carom_halfspace::Grid;
 use nalgebra::{Matrix3, Vector3};
 
 use super::plane::Plane;
@@ -37,9 +38,14 @@ impl Rigid {
     }
 }
 
-/// Displacement of a rigid motion.
-pub(super) fn displacement(motion: &Vector3<f64>, x: f64, y: f64) -> [f64; 2] {
+/// Displacement of a rigid motion (12.2).
+pub(crate) fn displacement(motion: &Vector3<f64>, x: f64, y: f64) -> [f64; 2] {
     [motion[0] + y * motion[2], motion[1] - x * motion[2]]
+}
+
+/// Half the diagonal of a grid, the arm that turns torques into forces.
+pub(crate) fn half_diagonal(grid: Grid) -> f64 {
+    0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy())
 }
 
 /// Sums of a field times the displacements of the three motions.

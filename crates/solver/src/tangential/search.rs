@@ -265,7 +265,5 @@ impl ActiveSet {
 
 /// Lengths that convert loads to forces: the radius of the grid for the torque.
 fn arms(task: &TangentialTask<'_>) -> Vector3<f64> {
-    let grid = task.operator.grid();
-    let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
-    Vector3::new(1.0, 1.0, arm)
+    Vector3::new(1.0, 1.0, rigid::half_diagonal(task.operator.grid()))
 }

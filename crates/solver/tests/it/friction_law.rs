@@ -11,7 +11,11 @@ use carom_solver::{
 use proptest::prelude::*;
 
 /// The greatest violations: gaps relative to the approach, slips and friction relative to f p_max.
-fn violations(problem: &ContactProblem, before: &ContactState, after: &ContactState) -> [f64; 2] {
+pub(crate) fn violations(
+    problem: &ContactProblem,
+    before: &ContactState,
+    after: &ContactState,
+) -> [f64; 2] {
     let operator = problem.operator();
     let cells = problem.grid().cells();
     let [mut u, mut v, mut w] = [(); 3].map(|()| vec![0.0; cells]);

@@ -3,7 +3,8 @@
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
-    ContactProblem, ContactState, Drive, Driven, Estimated, Estimates, Frictional, Gap, Method as _,
+    ContactProblem, ContactState, Drive, Driven, Estimated, Estimates, Frictional, Gap,
+    Method as _, violations,
 };
 
 /// A body of nu = 0 on a rigid one: normal and tangential displacements are coupled, and with large
@@ -81,6 +82,42 @@ fn a_given_torque_turns_dissimilar_bodies_as_far_as_the_twist_that_makes_it() {
             }
             // Both continue from the same state.
             by_torque = by_shift.clone();
+        }
+    }
+}
+
+/// The bounds of the smaller coefficients, from which the solution begins, hold less than these torques: they
+/// are raised. Before, no torque of more than half of the limit was found.
+#[test]
+fn torques_up_to_near_their_limit_are_found_at_great_friction() {
+    for friction in [10.0, 30.0] {
+        let problem = problem(friction);
+        let (method, apart) = (Frictional::default(), ContactState::apart(problem.grid()));
+        let mut scratch = method.scratch(&problem).unwrap();
+        let (mut pressed, mut turned) = (apart.clone(), apart.clone());
+        let drive = Drive { normal: Driven::Shift(0.5), ..Drive::default() };
+        method.step(&problem, &apart, &drive, &mut pressed, &mut scratch, &mut ()).unwrap();
+        // All cells slip.
+        let slides = Drive { twist: Driven::Shift(50.0), ..drive };
+        method.step(&problem, &pressed, &slides, &mut turned, &mut scratch, &mut ()).unwrap();
+        let (limit, f_z) = (sums(&turned)[3], sums(&pressed)[2]);
+        let mut last = 0.0;
+        for part in [0.3, 0.6, 0.75, 0.89] {
+            let given = part * limit;
+            for normal in [Driven::Load(f_z), Driven::Shift(0.5)] {
+                let drive = Drive { normal, twist: Driven::Load(given), ..drive };
+                let mut to = apart.clone();
+                method
+                    .step(&problem, &pressed, &drive, &mut to, &mut scratch, &mut ())
+                    .unwrap_or_else(|error| panic!("f = {friction}, {part}, {normal:?}: {error}"));
+                let left = violations(&problem, &pressed, &to).unwrap();
+                assert!(left.normal < 1e-8 && left.tangential < 1e-7, "{part}: {left:?}");
+                assert!((sums(&to)[3] - given).abs() < 1e-7 * limit, "{part}: {}", sums(&to)[3]);
+                if normal == Driven::Shift(0.5) {
+                    assert!(to.shift.omega > last, "{part}: {} {last}", to.shift.omega);
+                    last = to.shift.omega;
+                }
+            }
         }
     }
 }

@@ -12,7 +12,7 @@ use super::cells::Cells;
 use super::torus::{Space, Torus};
 use crate::state::CellState;
 
-/// The greatest number of constraints, whose matrix takes 32 MB.
+/// The greatest number of constraints. Their matrix takes 32 MB, its factors as much again each.
 const MOST: usize = 2000;
 
 /// A condition on the tractions of a cell, and the displacement that enforces it.
@@ -85,4 +85,69 @@ fn of_cell(cells: &Cells, cell: usize) -> impl Iterator<Item = Constraint> + use
     let traction = damping * (sin * along + cos * normal);
     let damped = Constraint { cell, traction, displacement: normal, own: 1.0 };
     [on_ray, turned].into_iter().chain((damping > 0.0).then_some(damped))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_halfspace::operator::{HalfSpaceOperator, SurfaceOperator as _};
+    use carom_halfspace::{Grid, Material, MaterialPair};
+
+    const SLIPPING: [usize; 4] = [3, 7, 8, 17];
+
+    /// All cells stick, but for a few that slip in various directions at various stiffnesses.
+    fn cells(operator: &HalfSpaceOperator, damping: f64) -> Cells {
+        let mut cells = Cells::new(operator);
+        cells.damping = damping;
+        cells.active = (0..operator.grid().cells()).collect();
+        cells.states.fill(CellState::Stick);
+        for (number, at) in SLIPPING.into_iter().enumerate() {
+            let angle = 0.7 + 1.9 * number as f64;
+            cells.states[at] = CellState::Slip;
+            (cells.rim[0][at], cells.rim[1][at]) = (angle.cos(), angle.sin());
+            cells.bend[at] = [0.0, 0.3, 2.0, 1e6][number] * cells.own[1];
+            cells.ray[at] = [[0.9_f64, 0.5, 0.1, 1e-9][number]; 2];
+            cells.ray[at][1] = (1.0 - cells.ray[at][0].powi(2)).sqrt();
+        }
+        cells
+    }
+
+    /// The equations of slipping cells, one by one; those that stick keep their displacements.
+    #[test]
+    fn slipping_cells_have_their_tractions_on_the_ray() {
+        let pair =
+            MaterialPair::new(Material::from_shear(2.0, 0.1).unwrap(), Material::RIGID).unwrap();
+        let operator = HalfSpaceOperator::new(pair, Grid::new(5, 4, 0.3, 0.2).unwrap()).unwrap();
+        let (mut torus, n) = (Torus::new(&operator), operator.grid().cells());
+        let wave = |k: f64| (0..n).map(|i| (k * (i * i + 1) as f64).sin()).collect::<Vec<_>>();
+        for damping in [0.0, 0.4] {
+            let cells = cells(&operator, damping);
+            let given: Space = [wave(0.3), wave(0.7), wave(1.1)];
+            let (mut moved, mut traction) = (given.clone(), given.clone());
+            torus.invert(&given, &mut traction);
+            Constraints::new(&cells, &torus).unwrap().enforce(&traction, &mut moved);
+            torus.invert(&moved, &mut traction);
+            let at = |field: &Space, i: usize| [0, 1, 2].map(|k| field[k][i]);
+            for i in 0..n {
+                let ([u, v, w], given) = (at(&moved, i), at(&given, i));
+                if !SLIPPING.contains(&i) {
+                    assert_eq!([u, v, w], given);
+                    continue;
+                }
+                let ([cos, sin], [t_x, t_y, p]) = (cells.ray[i], at(&traction, i));
+                let [x, y] = [cells.rim[0][i], cells.rim[1][i]];
+                let (along, around) = (x * t_x + y * t_y, x * t_y - y * t_x);
+                let scale = t_x.abs() + t_y.abs() + p.abs();
+                assert!((cos * along - sin * p).abs() < 1e-10 * scale, "{i}: off the ray");
+                let turned = (x * v - y * u) + cells.bend[i] * around;
+                let wanted = x * given[1] - y * given[0];
+                // A stiff cell multiplies the rounding of its traction.
+                let rounding = 1e-12 * (1.0 + cells.bend[i] * scale);
+                assert!((turned - wanted).abs() < rounding, "{i}: {turned} {wanted}");
+                let length = cos * p + sin * along;
+                let gap = w + damping * cells.own[0] * length;
+                assert!((gap - given[2]).abs() < 1e-10, "{i}: {gap} {}", given[2]);
+            }
+        }
+    }
 }

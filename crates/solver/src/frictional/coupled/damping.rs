@@ -3,7 +3,7 @@
 //! At great friction a cell that slips at the edge closes its gap by the tractions around it, hardly by
 //! its own, and the wrong set of such cells makes tractions of any size. A damped step adds to the gap of
 //! each slipping cell a displacement in proportion to the change of its traction along the ray: it is a
-//! step in time of a contact with viscous resistance. The damping follows the violation of the conditions.
+//! step in time of a contact with viscous resistance. The damping falls and rises with the violation of the conditions.
 
 /// The first and greatest damping, relative to the influence of a cell on itself.
 const GREATEST: f64 = 1.0;
@@ -20,7 +20,8 @@ pub(super) struct Damping {
 }
 
 impl Damping {
-    /// The damping of the next step, in proportion to the violation.
+    /// The damping of the next step. It changes by the factor by which the violation has changed, within
+    /// bounds.
     pub(super) fn next(&mut self, violation: f64) -> f64 {
         let damping = match self.last {
             None => GREATEST,

@@ -15,6 +15,8 @@ mod newton;
 mod precondition;
 mod system;
 mod task;
+#[cfg(test)]
+mod tests;
 mod torus;
 
 use std::ops::ControlFlow;
@@ -22,20 +24,22 @@ use std::ops::ControlFlow;
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
 use crate::convergence::{Convergence, Observer, Products, Progress, Stop};
-use cells::Cells;
+use cells::{Cells, Changes};
 use damping::Damping;
 use system::System;
 
 pub(crate) use task::CoupledTask;
 
-/// After this many Newton steps without progress half as many cells may change at once.
+/// A step is without progress if the least residual is not halved. After this many full steps in a row without
+/// progress only half of the cells that should change do, those with the greatest violation.
 const STEPS_BEFORE_FEWER_CHANGES: usize = 6;
-/// After this many Newton steps without progress the method gives up.
+/// After more full steps in a row without progress the method gives up.
 const STEPS_BEFORE_GIVING_UP: usize = 8;
-/// Damped steps without progress before the method gives up.
+/// The same for damped steps.
 const DAMPED_STEPS_BEFORE_GIVING_UP: usize = 30;
-/// A start whose gaps exceed this fraction of the greatest displacement is rejected, unless steps are damped.
-const LARGEST_INITIAL_GAP: f64 = 0.02;
+/// Full steps end if gaps in the contact or overlaps outside exceed this fraction of the greatest
+/// displacement: they start close to the solution.
+const LARGEST_GAP: f64 = 0.02;
 
 /// How Newton's method approaches the solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,10 +78,10 @@ impl Coupled {
         self.products = Products::default();
         self.cells.begin(task);
         self.cells.damping = 0.0;
-        let (mut least, mut since, mut share) = (f64::INFINITY, 0, 1.0_f64);
+        let (mut least, mut since) = (f64::INFINITY, 0);
         let mut damping = (steps == Steps::Damped).then(Damping::default);
         let (patience, largest) = match steps {
-            Steps::Full => (STEPS_BEFORE_GIVING_UP, LARGEST_INITIAL_GAP),
+            Steps::Full => (STEPS_BEFORE_GIVING_UP, LARGEST_GAP),
             Steps::Damped => (DAMPED_STEPS_BEFORE_GIVING_UP, f64::INFINITY),
         };
         let mut iteration = 0;
@@ -105,19 +109,21 @@ impl Coupled {
                 return Ok(Convergence { iterations: iteration, products, residuals, stop });
             }
             if worst < 0.5 * least {
-                (least, since, share) = (worst, 0, 1.0);
+                (least, since) = (worst, 0);
             } else {
                 since += 1;
-                if damping.is_none() && since % STEPS_BEFORE_FEWER_CHANGES == 0 {
-                    share *= 0.5;
-                }
             }
+            let changes = if damping.is_none() && since >= STEPS_BEFORE_FEWER_CHANGES {
+                Changes::GreaterHalf
+            } else {
+                Changes::All
+            };
             if let Some(damping) = &mut damping {
                 let violation = self.cells.violation(task, &self.system);
                 self.cells.damping = damping.next(violation);
             }
             iteration += 1;
-            self.cells.choose(task, &self.system, share);
+            self.cells.choose(task, &self.system, changes);
             self.system.displace(task, &mut self.products)?;
             self.system.newton_step(task, &self.cells, &mut self.products)?;
         }

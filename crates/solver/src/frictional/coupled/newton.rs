@@ -15,9 +15,12 @@ use super::task::CoupledTask;
 use crate::convergence::Products;
 use crate::krylov::{self, LinearMap};
 use crate::state::CellState;
+use crate::tangential::{displacement, half_diagonal};
 
 /// Relative residual to which each linear system is solved.
 const LINEAR_RESIDUAL: f64 = 1e-4;
+/// Motions that make less than this fraction of the greatest load are left out of the preconditioner.
+const LEAST_LOAD: f64 = 1e-8;
 /// Greatest number of products for one linear system.
 const MOST_PRODUCTS: usize = 240;
 
@@ -32,8 +35,7 @@ impl System {
         let n = cells.active.len();
         let mut right = vec![0.0; 3 * n + MOTIONS];
         for (right, &i) in right.chunks_exact_mut(3).zip(&cells.active) {
-            let slip = [self.slip[0][i], self.slip[1][i]];
-            let rows = equations(cells, i, self.gap[i], slip, 0.0);
+            let rows = equations(cells, i, self.gap[i], self.slip(i), 0.0);
             right.copy_from_slice(&rows.map(|row| -row));
         }
         let missing = self.missing(task);
@@ -87,6 +89,18 @@ fn unknowns(cells: &Cells, i: usize, own: &[f64]) -> [f64; 3] {
     }
 }
 
+/// The motions that make a load, from the loads that each motion makes. A motion that hardly makes a load,
+/// as that along which all cells slip, remains zero. Torques and twists count by this arm.
+fn motions_of(loads: &Matrix4<f64>, arm: f64) -> Matrix4<f64> {
+    let scale = Matrix4::from_diagonal(&Vector4::new(1.0, 1.0, 1.0, 1.0 / arm));
+    let scaled = scale * loads * scale;
+    if !scaled.iter().all(|load| load.is_finite()) {
+        return Matrix4::zeros();
+    }
+    let motions = scaled.pseudo_inverse(LEAST_LOAD * scaled.norm());
+    motions.map_or_else(|_| Matrix4::zeros(), |motions| scale * motions * scale)
+}
+
 /// The linear system for given states of the cells.
 pub(super) struct Newton<'a> {
     pub(super) system: &'a mut System,
@@ -100,16 +114,14 @@ pub(super) struct Newton<'a> {
 impl Newton<'_> {
     /// The factor that turns a load equation into a displacement.
     fn weight(&self, motion: usize) -> f64 {
-        let grid = self.operator.grid();
-        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
-        let over = if motion == 3 { arm } else { 1.0 };
-        self.system.own / (self.cells.active.len().max(1) as f64).sqrt() / over
+        let over = if motion == 3 { half_diagonal(self.operator.grid()) } else { 1.0 };
+        self.cells.own[1] / (self.cells.active.len().max(1) as f64).sqrt() / over
     }
 
     /// The equations of a cell in a unit motion.
     fn motion_rows(&self, i: usize, motion: &Vector4<f64>) -> [f64; 3] {
-        let (x, y) = (self.system.centres[0][i], self.system.centres[1][i]);
-        let slip = [-motion[1] - y * motion[3], -motion[2] + x * motion[3]]; // (12.2)
+        let [x, y] = [0, 1].map(|axis| self.system.centres[axis][i]);
+        let slip = displacement(&motion.fixed_rows::<3>(1).into(), x, y).map(|moved| -moved);
         equations(self.cells, i, -motion[0], slip, 0.0)
     }
 
@@ -117,7 +129,7 @@ impl Newton<'_> {
     fn prepare(&mut self) {
         let n = self.cells.active.len();
         self.system.corrections.clear();
-        self.system.answers = Matrix4::identity();
+        let mut answers = Matrix4::zeros();
         for k in 0..MOTIONS {
             let mut correction = vec![0.0; 3 * n];
             if self.given[k].is_some() {
@@ -129,22 +141,17 @@ impl Newton<'_> {
                 self.invert(&rows, &mut correction);
                 let loads = self.loads_of(&correction);
                 for l in (0..MOTIONS).filter(|&l| self.given[l].is_some()) {
-                    self.system.answers[(l, k)] = loads[l];
+                    answers[(l, k)] = loads[l];
                 }
             }
             self.system.corrections.push(correction);
         }
-        self.system.answers = self.system.answers.try_inverse().unwrap_or_else(Matrix4::zeros);
+        self.system.answers = motions_of(&answers, half_diagonal(self.operator.grid()));
     }
 
     fn loads_of(&self, x: &[f64]) -> Vector4<f64> {
-        let mut sums = Vector4::zeros();
-        for (x, &i) in x.chunks_exact(3).zip(&self.cells.active) {
-            let [t_x, t_y, p] = unknowns(self.cells, i, x);
-            let torque = self.system.centres[1][i] * t_x - self.system.centres[0][i] * t_y;
-            sums += Vector4::new(p, t_x, t_y, torque);
-        }
-        sums
+        let cells = x.chunks_exact(3).zip(&self.cells.active);
+        cells.map(|(x, &i)| self.system.loads_of(i, unknowns(self.cells, i, x))).sum()
     }
 }
 
@@ -204,5 +211,30 @@ impl LinearMap for Newton<'_> {
             let corrections = &self.system.corrections[k];
             x[..3 * n].iter_mut().zip(corrections).for_each(|(x, own)| *x += motion[k] * own);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The approach, the shift along y and the twist keep their motions if no load changes along x.
+    #[test]
+    fn a_motion_without_load_leaves_the_others() {
+        let arm = 20.0;
+        let loads = Matrix4::new(
+            2.0, 0.0, 0.3, 1.0, //
+            1.5, 0.0, 0.1, 0.0, //
+            0.2, 0.0, 3.0, 4.0, //
+            9.0, 0.0, 2.0, 700.0,
+        );
+        let motion = Vector4::new(0.7, 0.0, -0.4, 0.05);
+        let back = motions_of(&loads, arm) * (loads * motion);
+        assert!((back - motion).norm() < 1e-10, "{back}");
+        let without = Matrix4::from_diagonal(&Vector4::new(4.0, 0.0, 5.0, 0.0));
+        let wanted = Matrix4::from_diagonal(&Vector4::new(0.25, 0.0, 0.2, 0.0));
+        assert!((motions_of(&without, arm) - wanted).norm() < 1e-12);
+        let unknown = Matrix4::from_element(f64::NAN);
+        assert_eq!(motions_of(&unknown, arm), Matrix4::zeros());
     }
 }

@@ -1,8 +1,8 @@
 //! The preconditioner of a Newton step: the inverse on a torus.
 //!
 //! With the coupling of normal and tangential displacements and the constraints of slipping cells it
-//! needs a dense system of two unknowns for each slipping cell. Where friction is great, few cells slip,
-//! and it leaves some 25 products for a Newton step, where the inverse without coupling needs 200: a
+//! needs a dense system of two unknowns for each slipping cell, three if the step is damped. Where friction
+//! is great, few cells slip, and it leaves some 25 products for a Newton step, where the inverse without coupling needs 200: a
 //! slipping cell then closes its gap by the tangential tractions around it. Where too many cells slip, the
 //! normal and the tangential inverse are applied separately.
 
@@ -64,8 +64,8 @@ impl Newton<'_> {
     /// The normal and the tangential inverse on a torus, applied separately and weighted in slipping
     /// cells.
     fn invert_separately(&mut self, rows: &[f64], x: &mut [f64]) {
-        let own = self.system.own;
         let cells = self.cells;
+        let own = cells.own[1];
         let system = &mut *self.system;
         for (rows, &i) in rows.chunks_exact(3).zip(&cells.active) {
             let [gap, a, b] = [rows[0], rows[1], rows[2]];
@@ -92,7 +92,7 @@ impl Newton<'_> {
             self.products.preconditioner += 2.0;
         } else {
             for (out, values) in [(x_out, x_in), (y_out, y_in), (p_out, p_in)] {
-                out.iter_mut().zip(values).for_each(|(out, value)| *out = value / system.own);
+                out.iter_mut().zip(values).for_each(|(out, value)| *out = value / own);
             }
         }
         for ((x, rows), &i) in x.chunks_exact_mut(3).zip(rows.chunks_exact(3)).zip(&cells.active) {
@@ -106,7 +106,7 @@ impl Newton<'_> {
                     let sigma = 1.0 / (1.0 + bend / own);
                     let around = cells.rim[0][i] * t_y - cells.rim[1][i] * t_x;
                     let direct = (1.0 - sigma) / (bend + ISOLATED_CELL_COMPLIANCE * own) * rows[1];
-                    [p / cos.hypot(system.gamma * sin), sigma.sqrt() * around + direct, 0.0]
+                    [p / cos.hypot(system.coupling * sin), sigma.sqrt() * around + direct, 0.0]
                 }
             };
             x.copy_from_slice(&own);

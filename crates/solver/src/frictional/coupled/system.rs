@@ -5,12 +5,14 @@ use std::sync::Arc;
 use carom_halfspace::operator::{
     DisplacementField, OperatorError, Preconditioner, SurfaceOperator, TractionField, Workspace,
 };
-use nalgebra::{Matrix4, Vector4};
+use nalgebra::{Matrix4, Vector3, Vector4};
 
 use super::task::CoupledTask;
 use super::torus::{Space, Torus};
 use crate::convergence::Products;
 use crate::drive::Driven;
+use crate::frictional::coupling::coupling;
+use crate::tangential::displacement;
 
 /// Motions: approach, two shifts, twist.
 pub(super) const MOTIONS: usize = 4;
@@ -23,10 +25,8 @@ pub(super) struct System {
     pub(super) torus: Option<Torus>,
     pub(super) workspace: Workspace,
     pub(super) centres: [Vec<f64>; 2],
-    /// Influence of a tangential traction on its own cell.
-    pub(super) own: f64,
-    /// Ratio of the coupling influence to the normal one.
-    pub(super) gamma: f64,
+    /// Coupling of tangential tractions and normal displacements.
+    pub(super) coupling: f64,
     pub(super) gap: Vec<f64>,
     pub(super) slip: [Vec<f64>; 2],
     pub(super) traction: Space,
@@ -38,18 +38,16 @@ pub(super) struct System {
 
 impl System {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
-        let (grid, own) = (operator.grid(), operator.coefficients(0, 0).rows);
+        let grid = operator.grid();
         let zero = vec![0.0; grid.cells()];
         let space = || [zero.clone(), zero.clone(), zero.clone()];
         let (x, y) = grid.centres().unzip();
-        let beside = operator.coefficients(1, 0).rows[2];
         Self {
             inverse: operator.inverse(),
             torus: operator.is_reciprocal().then(|| Torus::new(operator)),
             workspace: operator.workspace(),
             centres: [x, y],
-            own: 0.5 * (own[0][0] + own[1][1]),
-            gamma: if beside[2] == 0.0 { 0.0 } else { (beside[0] / beside[2]).abs() },
+            coupling: coupling(operator),
             gap: zero.clone(),
             slip: [zero.clone(), zero.clone()],
             traction: space(),
@@ -66,6 +64,11 @@ impl System {
         }
     }
 
+    /// The slip of a cell.
+    pub(super) fn slip(&self, i: usize) -> [f64; 2] {
+        [self.slip[0][i], self.slip[1][i]]
+    }
+
     /// Computes gaps and slips from the tractions of a task.
     pub(super) fn displace(
         &mut self,
@@ -77,42 +80,31 @@ impl System {
         let displacements = DisplacementField::full(u, v, w);
         task.operator.apply(tractions, displacements, &mut self.workspace)?;
         count(products);
-        let [dx, dy, turn] = task.rigid.moved;
+        let moved = Vector3::from(task.rigid.moved);
         for i in 0..task.heights.len() {
-            let (x, y) = (self.centres[0][i], self.centres[1][i]);
+            let rigid = displacement(&moved, self.centres[0][i], self.centres[1][i]);
             self.gap[i] = self.image[2][i] + task.heights[i] - task.approach;
-            self.slip[0][i] = self.image[0][i] + task.offset[0][i] - dx - y * turn; // (12.2)
-            self.slip[1][i] = self.image[1][i] + task.offset[1][i] - dy + x * turn;
+            for (axis, rigid) in rigid.into_iter().enumerate() {
+                self.slip[axis][i] = self.image[axis][i] + task.offset[axis][i] - rigid;
+            }
         }
         Ok(())
     }
 
-    /// The loads of tractions divided by the area of a cell, F_z first.
-    fn loads(&self, pressure: &[f64], traction: [&[f64]; 2]) -> Vector4<f64> {
-        let mut sums = Vector4::zeros();
-        for (i, pressure) in pressure.iter().enumerate() {
-            let (t_x, t_y) = (traction[0][i], traction[1][i]);
-            let torque = self.centres[1][i] * t_x - self.centres[0][i] * t_y;
-            sums += Vector4::new(*pressure, t_x, t_y, torque);
-        }
-        sums
+    /// The loads of a cell from its tractions x, y and pressure, divided by its area, F_z first.
+    pub(super) fn loads_of(&self, i: usize, [t_x, t_y, p]: [f64; 3]) -> Vector4<f64> {
+        let torque = self.centres[1][i] * t_x - self.centres[0][i] * t_y;
+        Vector4::new(p, t_x, t_y, torque)
     }
 
     /// Prescribed loads minus those of the tractions; zero where the shift is prescribed.
     pub(super) fn missing(&self, task: &CoupledTask<'_>) -> Vector4<f64> {
         let given = given(task);
-        let now = self.loads(task.pressure, [task.traction[0], task.traction[1]]);
+        let [x, y] = [&task.traction[0], &task.traction[1]];
+        let cells = 0..task.pressure.len();
+        let now: Vector4<f64> =
+            cells.map(|i| self.loads_of(i, [x[i], y[i], task.pressure[i]])).sum();
         Vector4::from_fn(|k, _| given[k].map_or(0.0, |load| load - now[k]))
-    }
-
-    /// The errors of the loads, as a displacement (normal) and as a traction (tangential).
-    pub(super) fn unbalance(&self, task: &CoupledTask<'_>) -> [f64; 2] {
-        let missing = self.missing(task);
-        let touching = task.pressure.iter().filter(|p| **p > 0.0).count().max(1) as f64;
-        let grid = task.operator.grid();
-        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
-        let tangential = missing[1].abs().max(missing[2].abs()).max(missing[3].abs() / arm);
-        [self.own * missing[0].abs() / touching, tangential / touching]
     }
 }
 

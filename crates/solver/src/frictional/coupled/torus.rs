@@ -20,6 +20,13 @@ pub(super) type Space = [Vec<f64>; 3];
 /// mean on a periodic surface.
 const NO_RESPONSE: f64 = 1e-12;
 
+/// The working memory of a transform: a field, and what the transforms of its rows and columns need.
+#[derive(Clone)]
+struct TransformSpace {
+    field: Vec<Complex64>,
+    lines: Vec<Complex64>,
+}
+
 /// Tractions from displacements on a torus.
 #[derive(Clone)]
 pub(super) struct Torus {
@@ -33,7 +40,7 @@ pub(super) struct Torus {
     answers: Vec<Matrix3<f64>>,
     /// Normal as real part and along x as imaginary part; along y.
     lanes: [Vec<Complex64>; 2],
-    spare: Vec<Complex64>,
+    space: TransformSpace,
 }
 
 impl Torus {
@@ -41,14 +48,18 @@ impl Torus {
         let (grid, mut planner) = (operator.grid(), FftPlanner::new());
         let [nx, ny] = [grid.nx(), grid.ny()];
         let zero = vec![Complex64::ZERO; grid.cells()];
+        let forward = [planner.plan_fft_forward(nx), planner.plan_fft_forward(ny)];
+        let back = [planner.plan_fft_inverse(nx), planner.plan_fft_inverse(ny)];
+        let needs = forward.iter().chain(&back).map(|plan| plan.get_inplace_scratch_len());
+        let lines = vec![Complex64::ZERO; needs.max().unwrap_or(0)];
         let mut own = Self {
             grid,
-            forward: [planner.plan_fft_forward(nx), planner.plan_fft_forward(ny)],
-            back: [planner.plan_fft_inverse(nx), planner.plan_fft_inverse(ny)],
+            forward,
+            back,
             waves: vec![Matrix3::zeros(); grid.cells()],
             answers: vec![Matrix3::zeros(); grid.cells()],
             lanes: [zero.clone(), zero.clone()],
-            spare: zero,
+            space: TransformSpace { field: zero, lines },
         };
         own.transform_influence(operator);
         own.invert_waves();
@@ -69,7 +80,7 @@ impl Torus {
             for (value, matrix) in self.lanes[0].iter_mut().zip(&influence) {
                 *value = matrix[entry].into();
             }
-            transform(&self.forward, self.grid, &mut self.lanes[0], &mut self.spare);
+            transform(&self.forward, self.grid, &mut self.lanes[0], &mut self.space);
             for (wave, value) in self.waves.iter_mut().zip(&self.lanes[0]) {
                 wave[entry] = *value;
             }
@@ -95,7 +106,7 @@ impl Torus {
             for (value, wave) in self.lanes[0].iter_mut().zip(&self.waves) {
                 *value = wave[entry];
             }
-            transform_back(&self.back, self.grid, &mut self.lanes[0], &mut self.spare);
+            transform_back(&self.back, self.grid, &mut self.lanes[0], &mut self.space);
             for (answer, value) in self.answers.iter_mut().zip(&self.lanes[0]) {
                 answer[entry] = value.re;
             }
@@ -118,12 +129,12 @@ impl Torus {
             *value = Complex64::new(z[i], x[i]);
             second[i] = y[i].into();
         }
-        transform(&self.forward, self.grid, first, &mut self.spare);
-        transform(&self.forward, self.grid, second, &mut self.spare);
+        transform(&self.forward, self.grid, first, &mut self.space);
+        transform(&self.forward, self.grid, second, &mut self.space);
         self.multiply();
         let [first, second] = &mut self.lanes;
-        transform_back(&self.back, self.grid, first, &mut self.spare);
-        transform_back(&self.back, self.grid, second, &mut self.spare);
+        transform_back(&self.back, self.grid, first, &mut self.space);
+        transform_back(&self.back, self.grid, second, &mut self.space);
         let [x, y, z] = traction;
         for (i, value) in first.iter().enumerate() {
             (x[i], y[i], z[i]) = (value.im, second[i].re, value.re);
@@ -189,12 +200,12 @@ fn transform(
     [along, across]: &[Arc<dyn Fft<f64>>; 2],
     grid: Grid,
     values: &mut Vec<Complex64>,
-    spare: &mut Vec<Complex64>,
+    TransformSpace { field, lines }: &mut TransformSpace,
 ) {
-    along.process(values);
-    transpose(values, spare, grid.nx());
-    across.process(spare);
-    std::mem::swap(values, spare);
+    along.process_with_scratch(values, lines);
+    transpose(values, field, grid.nx());
+    across.process_with_scratch(field, lines);
+    std::mem::swap(values, field);
 }
 
 /// The converse of [`transform`].
@@ -202,12 +213,12 @@ fn transform_back(
     [along, across]: &[Arc<dyn Fft<f64>>; 2],
     grid: Grid,
     values: &mut Vec<Complex64>,
-    spare: &mut Vec<Complex64>,
+    TransformSpace { field, lines }: &mut TransformSpace,
 ) {
-    across.process(values);
-    transpose(values, spare, grid.ny());
-    along.process(spare);
-    std::mem::swap(values, spare);
+    across.process_with_scratch(values, lines);
+    transpose(values, field, grid.ny());
+    along.process_with_scratch(field, lines);
+    std::mem::swap(values, field);
 }
 
 /// Writes the rows of a given length as columns.
@@ -223,13 +234,55 @@ fn transpose(values: &[Complex64], to: &mut [Complex64], length: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_halfspace::operator::{DisplacementField, PeriodicOperator, Threads, TractionField};
+    use carom_halfspace::operator::{
+        DisplacementField, HalfSpaceOperator, PeriodicOperator, Threads, TractionField,
+    };
     use carom_halfspace::{Material, MaterialPair};
 
+    fn pair() -> MaterialPair {
+        MaterialPair::new(Material::from_shear(2.0, 0.1).unwrap(), Material::RIGID).unwrap()
+    }
+
     fn operator() -> PeriodicOperator {
-        let pair =
-            MaterialPair::new(Material::from_shear(2.0, 0.1).unwrap(), Material::RIGID).unwrap();
-        PeriodicOperator::new(pair, Grid::new(10, 8, 0.3, 0.2).unwrap(), Threads::One).unwrap()
+        PeriodicOperator::new(pair(), Grid::new(10, 8, 0.3, 0.2).unwrap(), Threads::One).unwrap()
+    }
+
+    /// The displacements of all cells of a half-space due to a unit traction on one cell.
+    fn displaced(operator: &HalfSpaceOperator, axis: usize, cell: usize) -> Space {
+        let zero = || vec![0.0; operator.grid().cells()];
+        let [mut load, mut moved]: [Space; 2] =
+            [[zero(), zero(), zero()], [zero(), zero(), zero()]];
+        load[axis][cell] = 1.0;
+        let [u, v, w] = &mut moved;
+        let tractions = TractionField::full(&load[0], &load[1], &load[2]);
+        let displacements = DisplacementField::full(u, v, w);
+        operator.apply(tractions, displacements, &mut operator.workspace()).unwrap();
+        moved
+    }
+
+    /// The mean over all pairs of cells of a half-space whose offset is one on the torus, pair by pair.
+    #[test]
+    fn the_influence_of_the_torus_is_the_mean_over_pairs_of_cells() {
+        let (nx, ny) = (5, 4);
+        let operator =
+            HalfSpaceOperator::new(pair(), Grid::new(nx, ny, 0.3, 0.2).unwrap()).unwrap();
+        let mut mean = vec![Matrix3::zeros(); nx * ny];
+        for (of, axis) in (0..nx * ny).flat_map(|of| [(of, 0), (of, 1), (of, 2)]) {
+            let moved = displaced(&operator, axis, of);
+            for at in 0..nx * ny {
+                let column = (at % nx + nx - of % nx) % nx;
+                let row = (at / nx + ny - of / nx) % ny;
+                for (k, values) in moved.iter().enumerate() {
+                    mean[row * nx + column][(k, axis)] += values[at] / (nx * ny) as f64;
+                }
+            }
+        }
+        let counts = [nx as i32, ny as i32];
+        for (at, mean) in mean.iter().enumerate() {
+            let offset = [at % nx, at / nx].map(|count| count as i32);
+            let off = (mean_influence(&operator, offset, counts) - mean).norm();
+            assert!(off < 1e-12 * mean.norm(), "{offset:?}: {off:e} of {mean}");
+        }
     }
 
     /// On a periodic surface the inverse is exact, but for the mean.
