@@ -113,9 +113,11 @@ impl CaromGrains {
         let allowed = "0 for law rings, and beside static friction";
         let holds = self.unit.law != CAROM_LAW_RINGS && self.unit.static_friction == 0.0;
         RangeError::check("b", b, holds || b == 0.0, allowed)?;
-        let [at_rest, fast] = [friction.at(0.0)?, Friction::new(a)?];
-        let bound = |friction| coupling_bound(self.unit.gamma, friction);
-        let coupling_bound = bound(at_rest).max(bound(fast));
+        let [at_rest, fast] = [friction.at(0.0)?, Friction::new(a)?].map(Friction::get);
+        // The bound grows as friction falls, also where that tends to zero; it is 0 without friction alone.
+        let smallest = if b == 0.0 { 0.0 } else { 1e-30 };
+        let least = Friction::new(at_rest.min(fast).max(smallest))?;
+        let coupling_bound = coupling_bound(self.unit.gamma, least);
         self.unit = CaromPair { friction: a, coupling_bound, ..self.unit };
         (self.slip_friction_b, self.slip_friction_c) = (b, c);
         Ok(())

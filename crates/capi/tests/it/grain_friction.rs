@@ -242,6 +242,31 @@ fn packed_contacts_go_on_with_their_friction_to_the_bit() {
     }
 }
 
+/// What coupling changes at most is asked at every speed: also where friction grows with it, or falls towards nothing.
+#[test]
+fn the_bound_of_coupling_holds_at_every_slip_speed() {
+    let rubber = CaromMaterial { young_modulus: 1e7, poisson: 0.45, yield_stress: 0.0 };
+    for [a, b] in [[0.1, 0.4], [0.4, -0.3], [0.0, 0.4], [0.3, -0.3]] {
+        // SAFETY: plain numbers; all pointers are references or null.
+        let of: CaromGrains = unsafe {
+            let (mut of, law) = (zeroed(), CAROM_LAW_COULOMB);
+            carom_grains_of(&GLASS, &rubber, F_K, law, 0.0, 0.0, &mut of, null_mut());
+            let status = carom_grains_slip_friction(&mut of, a, b, 1.0, null_mut());
+            assert_eq!(status, CaromStatus::Ok);
+            of
+        };
+        let speeds =
+            (0..400).map(|i| if i == 0 { 0.0 } else { 10_f64.powf(0.03 * f64::from(i) - 10.0) });
+        let largest = speeds.map(|speed| a + b * f64::exp(-speed)).filter(|f| *f > 0.0).map(|f| {
+            let ratio = of.unit.gamma / f;
+            ratio * ratio / (4.0 + ratio * ratio) + of.unit.gamma * of.unit.gamma
+        });
+        let largest = largest.fold(0.0, f64::max);
+        let told = of.unit.coupling_bound;
+        assert!(largest > 0.0 && (told / largest - 1.0).abs() < 1e-9, "{a} {b}: {told} {largest}");
+    }
+}
+
 #[test]
 fn what_cannot_be_is_refused_by_name() {
     let law = CAROM_LAW_FIXED_DIRECTION;

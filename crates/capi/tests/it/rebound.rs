@@ -160,3 +160,36 @@ fn what_cannot_be_met_is_refused() {
         assert!(said.contains(part), "{said}");
     }
 }
+
+/// A mass that a restitution cannot use is refused in an array as it is alone.
+#[test]
+fn masses_are_asked_in_arrays_too() {
+    let grains = grains(&RUBBER, 0.5);
+    let [mut one, two] = meeting();
+    one.place[2] -= 1e-6;
+    let pressed = || {
+        let (mut touch, mut load) = (apart(), CaromGrainLoad::default());
+        // SAFETY: all pointers are references or null.
+        let status = unsafe {
+            let (load, none) = (&mut load, null_mut());
+            carom_touch_grains(&grains, &mut touch, &one, &two, 1e-6, load, none, null_mut())
+        };
+        assert_eq!(status, CaromStatus::Ok);
+        touch
+    };
+    for mass in [0.0, -1.0, f64::NAN] {
+        let mut touches = [(); 4].map(|()| pressed());
+        let mut many = touches.each_mut().map(|touch| CaromEncounter {
+            grains: &raw const grains,
+            touch,
+            one,
+            two,
+            load: CaromGrainLoad::default(),
+        });
+        many[2].two.mass = mass;
+        // SAFETY: the encounters are in one array, their touches distinct.
+        let status =
+            unsafe { carom_touch_many(many.as_mut_ptr(), 4, 1e-6, null_mut(), null_mut()) };
+        assert_eq!(status, CaromStatus::OutOfRange, "{mass}");
+    }
+}

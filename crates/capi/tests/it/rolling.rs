@@ -93,7 +93,13 @@ fn it_slips_at_its_limit() {
     let mut work = 0.0;
     for k in 0..2000 {
         let before = if k == 0 { 0.0 } else { load.torque_1[1] };
+        let shift = roll.shift;
         load = step(&mut roll, &ROLLING, [[0.0, rate, 0.0], [0.0; 3]], DT, &mut heat);
+        // Spring and dashpot carry the force together, also while it slips.
+        for (i, force) in roll.force.into_iter().enumerate() {
+            let dashpot = ROLLING.damping * (roll.shift[i] - shift[i]) / DT;
+            assert!((force + ROLLING.stiffness * roll.shift[i] + dashpot).abs() < 1e-9, "{roll:?}");
+        }
         work -= 0.5 * (before + load.torque_1[1]) * rate * DT;
         let mut energy = 0.0;
         // SAFETY: all pointers are references or null.

@@ -179,11 +179,21 @@ fn twists_of_ellipses_and_with_shifts_carry_warnings() {
         String::from_utf8(output.stderr).unwrap()
     };
     assert!(stderr(&file).contains("shift and twist are computed independently"));
+    // The mirror image turns the other way.
+    let mirrored = case("mirrored.toml", &text.replace("1e-7, 2e-3", "-1e-7, -2e-3"));
+    assert_eq!(stderr(&mirrored).replace("mirrored", "both"), stderr(&file));
     let ellipse = case("ellipse.toml", &text.replacen("radii = 0.01", "radii = [0.01, 0.03]", 1));
     assert!(stderr(&ellipse).contains("the contact is not circular"));
     let rows = json(&["history", &ellipse, "--tractions", "5"]);
     assert!(rows[1]["M_z"].as_f64().unwrap() > 0.0);
     assert!(rows[1]["tractions"][2].get("t_twist").is_none());
+    // The stick area has the shape of the contact.
+    let part = |axis: &str| {
+        let [stick, whole] = [format!("twist_stick_{axis}"), axis.to_owned()];
+        rows[1][stick].as_f64().unwrap() / rows[1][whole].as_f64().unwrap()
+    };
+    let [a, b] = ["semi_axis_a", "semi_axis_b"].map(part);
+    assert!(a > 0.0 && a < 1.0 && (a - b).abs() < 1e-14, "{a} {b}");
     // Infinite friction sticks, none lets go.
     for (friction, regime) in [("inf", "adhesion"), ("0", "sliding")] {
         let case = history("limit.toml", friction, steps);

@@ -161,6 +161,20 @@ fn bolt_holes_and_a_thin_wall_are_read_where_they_are() {
     assert!(turn(&pried) > straight, "{straight}");
 }
 
+/// Outward and inward, a pried flange has six different greatest values.
+#[test]
+fn greatest_values_of_a_flange_are_those_of_its_places() {
+    let pried = std::fs::read_to_string(example("shell_flange_pried.toml")).unwrap();
+    let found = solved("greatest.toml", &pried);
+    let places = found["places"].as_array().unwrap();
+    for name in ["radial", "axial", "rotation", "in_plane", "out_of_plane", "torsion"] {
+        let values = places.iter().map(|place| place[name].as_f64().unwrap().abs());
+        let greatest = values.fold(0.0, f64::max);
+        assert!(greatest > 0.0);
+        assert_eq!(found[format!("maximal_{name}")], greatest, "{name}");
+    }
+}
+
 #[test]
 fn prying_by_the_half_momentless_theory_is_warned_of() {
     let pried = std::fs::read_to_string(example("shell_flange_pried.toml")).unwrap();

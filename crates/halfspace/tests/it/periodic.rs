@@ -64,6 +64,17 @@ fn coefficients_are_the_entries_of_the_product() {
     );
 }
 
+/// A coarser period has an even number of cells too, along both axes.
+#[test]
+fn a_period_is_coarser_where_both_counts_allow_it() {
+    for ([nx, ny], is) in [([8, 4], true), ([8, 6], false), ([6, 8], false)] {
+        let grid = Grid::new(nx, ny, 0.3, 0.2).unwrap();
+        let operator = PeriodicOperator::new(pair(), grid, Threads::One).unwrap();
+        let coarser = operator.coarser().map(|coarser| coarser.unwrap().grid());
+        assert_eq!(coarser, is.then(|| grid.coarser().unwrap()), "{nx} {ny}");
+    }
+}
+
 /// Every entry for every offset, in a grid without symmetry: the product with a load in one cell.
 #[test]
 fn all_coefficients_are_the_entries_of_the_product() {

@@ -245,3 +245,21 @@ fn what_overflows_is_refused() {
     }
     assert!(solve(1e200, 1.0).is_ok());
 }
+
+/// The validity compares the long semi-axis with the same radius as the approach.
+#[test]
+fn an_oblong_contact_is_as_large_as_it_is_long() {
+    let shape = carom_geometry::Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+    let inertia = shape.solid(0.3).unwrap();
+    let body = Body::new(shape, steel(), inertia);
+    let rebound = solve(
+        body.moving(Motion::new([0.1, 0.0, -1.0], [0.0; 3]).unwrap()),
+        Body::plane(steel()),
+        0.3,
+    );
+    let contact = rebound.maximal_contact;
+    let [short, long] = [contact.semi_axis_a(), contact.semi_axis_b()];
+    let by_approach = rebound.validity.approach_over_radius / rebound.maximal_approach;
+    let by_contact = rebound.validity.semi_axis_over_radius / short.max(long);
+    assert!(long > 1.2 * short && (by_contact / by_approach - 1.0).abs() < 1e-12);
+}

@@ -216,3 +216,28 @@ fn where_nothing_sticks_slip_is_that_of_rigid_surfaces() {
     let vanishing = by_rings(&collision([ALUMINA, GLASS], 1e-30, 45.0, 0.0), 1e-2);
     assert!(vanishing[0] == -1.0 && vanishing[1] < 1e-20, "{vanishing:?}");
 }
+
+/// The sign of a regime counts from where the impact came, in any direction: an impact turned by a right angle has the
+/// same history.
+#[test]
+fn regimes_have_the_sign_of_their_own_direction() {
+    let regimes = |quarters: usize| {
+        let along = collision([ALUMINA, GLASS], 0.1, 15.0, 0.0);
+        let [ball, plane] = along.bodies().clone();
+        let v = ball.motion().velocity;
+        // Without round-off across the path.
+        let velocity = (0..quarters).fold([v.x, v.y, v.z], |[x, y, z], _| [-y, x, z]);
+        let ball = ball.moving(Motion::new(velocity, [0.0; 3]).unwrap());
+        let turned = Collision::new(ball, plane, along.friction()).unwrap();
+        let history = RingImpact::new(&turned).within(1e-2).unwrap().history(200).unwrap();
+        history.iter().map(|point| point.regime.name()).collect::<Vec<_>>()
+    };
+    let along_x = regimes(0);
+    assert!(
+        along_x.iter().any(|name| name.ends_with('-'))
+            && along_x.iter().any(|name| name.ends_with('+'))
+    );
+    for quarters in [1, 2, 3] {
+        assert_eq!(regimes(quarters), along_x, "{quarters}");
+    }
+}

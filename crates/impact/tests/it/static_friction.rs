@@ -406,3 +406,18 @@ fn in_space_it_is_a_body_on_bristles() {
         assert!(error < 1e-4, "{before}: {} {bristles}", outcome.velocity);
     }
 }
+
+#[test]
+fn friction_is_infinite_where_it_never_lets_go() {
+    let of = |f: f64| Friction::new(f).unwrap();
+    let both = |f_s: f64, f_k: f64| StaticFriction::new(of(f_s), of(f_k)).unwrap().into();
+    let infinite = f64::INFINITY;
+    for (friction, is) in [
+        (ImpactFriction::from(of(infinite)), true),
+        (of(1e30).into(), false),
+        (both(infinite, infinite), true),
+        (both(1e30, 0.2), false),
+    ] {
+        assert_eq!(friction.is_infinite(), is, "{friction:?}");
+    }
+}

@@ -101,6 +101,24 @@ fn the_law_changes_where_a_bound_meets_the_tolerance_and_the_result_by_less() {
     }
 }
 
+/// The share of a spin that is left out is what friction would take of it alone: of slow spins that stick, and of fast
+/// ones that slide.
+#[test]
+fn the_share_left_out_is_what_friction_takes() {
+    let mut closest = [0.0_f64; 2];
+    for k in -6..=6 {
+        let collision = alike(0.3, 0.2, 0.0, 10_f64.powf(0.5 * f64::from(k)));
+        let rebound = |collision: Collision| collision.solve().unwrap().rebound().unwrap().clone();
+        let share =
+            rebound(collision.clone().with_torsion_mode(TorsionMode::LeftOut)).validity.spin_share;
+        let taken = 1.0 - rebound(collision.with_torsion()).torsion.unwrap().spin_ratio;
+        assert!(taken > 0.0 && taken <= 1.005 * share, "{k}: {taken} {share}");
+        let of = &mut closest[usize::from(k > 0)];
+        *of = of.max(taken / share);
+    }
+    assert!(closest.iter().all(|part| *part > 0.98), "{closest:?}");
+}
+
 #[test]
 fn a_spin_alone_is_exact() {
     let collision = alike(0.3, 0.2, 0.0, 0.5);

@@ -4,10 +4,12 @@ use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{
-    Grain, GrainContact, GrainLoad, GrainTwist, Heats, Meeting, Touching, Wall, advance_together,
+    Grain, GrainContact, GrainLoad, GrainRings, GrainTwist, Heats, Meeting, Surface, Touching,
+    Wall, advance_together,
 };
 use carom_laws::hertz::Hertz;
 use carom_laws::memory::Fixed;
+use carom_laws::rings::{RingMatrices, Tolerance};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::TorsionLaw;
@@ -66,6 +68,108 @@ fn friction_of_parting_grains_is_the_mean_over_a_step() {
         }
     }
     assert!(means >= 2, "{means}");
+}
+
+/// A grain that is pressed, pulled and parted, and the same turned about the normal by a right angle: the axes of the
+/// contact stay, so that what was along one of them is along the other.
+#[test]
+fn a_scene_turned_about_the_normal_has_its_loads_turned() {
+    let turned = |[x, y, z]: [f64; 3]| [-y, x, z];
+    let matrices = RingMatrices::<6, 8>::new(1.2, 0.25, Friction::new(FRICTION).unwrap()).unwrap();
+    let rings = matrices.contact(C_Z, RADIUS, Tolerance::PARTICLES).unwrap();
+    let ring = GrainRings::new(&rings, 0.1).unwrap();
+    let [mut sticks, mut slips] =
+        [f64::INFINITY, FRICTION].map(|f| [(); 2].map(|()| contact(f, 0.1)));
+    let mut by_rings = [ring; 2];
+    let (dt, mut zeta, mut friction) = (0.01, 0.0, 0.0_f64);
+    for step in 0..40 {
+        let speed = if step < 12 { 0.2 } else { -0.1 };
+        zeta += speed * dt;
+        let (along, spin) = ([0.01, -0.004, -speed], [0.005, 0.002, 0.0]);
+        let meeting = |turn: bool| {
+            let [along, spin] = [along, spin].map(|v| if turn { turned(v) } else { v });
+            on_wall(zeta, along, spin, [0.0; 3])
+        };
+        let meetings = [false, true].map(meeting);
+        let mut loads = vec![];
+        for contacts in [&mut sticks, &mut slips] {
+            loads.push([0, 1].map(|i| contacts[i].advance(&meetings[i], dt).unwrap()));
+        }
+        loads.push([0, 1].map(|i| by_rings[i].advance(&rings, &meetings[i], dt).unwrap()));
+        for [load, other] in loads {
+            let pairs = [(load.force, other.force), (load.torques[0], other.torques[0])];
+            for (own, other) in pairs {
+                let off = [0, 1, 2].map(|k| (turned(own)[k] - other[k]).abs());
+                assert!(off.iter().all(|off| *off < 1e-13), "{step}: {own:?} {other:?}");
+            }
+            friction = friction.max(load.force[0].hypot(load.force[1]));
+        }
+    }
+    assert!(zeta < 0.0 && friction > 1e-5, "{friction}");
+}
+
+/// The slip speed is that of the two surfaces across the normal: none for gears and for a rolling grain, however fast
+/// they approach, twice that of each surface where both turn alike.
+#[test]
+fn slip_is_between_the_surfaces() {
+    let rate = 0.3;
+    let one = Grain {
+        place: [0.0, 0.0, 1.9 * RADIUS],
+        velocity: [0.0, 0.0, -7.0],
+        spin: [0.0, rate, 0.0],
+        radius: RADIUS,
+        mass: 1.0,
+    };
+    let two = Grain { place: [0.0; 3], velocity: [0.0; 3], ..one };
+    let gear = Grain { spin: [0.0, -rate, 0.0], ..two };
+    let slip = |two: &Grain| Meeting::of_spheres(&one, two, [0.5; 2]).unwrap().slip_speed();
+    assert!(slip(&gear) < 1e-13);
+    // The contact lies half of the approach below both surfaces.
+    assert!((slip(&two) - 2.0 * 0.95 * RADIUS * rate).abs() < 1e-13);
+    // Below the centre of a grain with the spin w_y the surface moves by -w_y r along x.
+    let (zeta, arm) = (0.1, RADIUS - 0.5 * 0.1);
+    for (velocity, expected) in
+        [(arm * rate, 0.0), (0.0, arm * rate), (-arm * rate, 2.0 * arm * rate)]
+    {
+        let meeting = on_wall(zeta, [velocity, 0.0, -7.0], [0.0, rate, 0.0], [0.0; 3]);
+        assert!((meeting.slip_speed() - expected).abs() < 1e-13, "{velocity}");
+    }
+}
+
+/// As the approach grows the arms of spins shorten, and slip changes by what `rolling_decrease` says.
+#[test]
+fn arms_shorten_as_the_approach_grows() {
+    let (spin, share) = ([0.3, -0.7, 0.2], 0.35);
+    let grain = |zeta: f64| Grain {
+        place: [0.0, 0.0, RADIUS - zeta],
+        velocity: [0.1, 0.2, 0.0],
+        spin,
+        radius: RADIUS,
+        mass: 1.0,
+    };
+    let (place, normal, velocity) = ([0.0; 3], [0.0, 0.0, 1.0], [0.0; 3]);
+    let below = Grain { place: [0.0, 0.0, -0.6], radius: 0.6, spin: [0.4, 0.1, 0.9], ..grain(0.0) };
+    let wall = Wall { place, normal, velocity };
+    let surface = Surface { place, normal, velocity, spin: [0.4, 0.1, 0.9], axis: [0.0; 3] };
+    let meetings = |zeta: f64| {
+        let one = grain(zeta);
+        [
+            Meeting::of_spheres(&one, &below, [share, 1.0 - share]).unwrap(),
+            Meeting::on_wall(&one, &wall, share),
+            Meeting::on_surface(&one, &surface, share),
+        ]
+    };
+    // Slip is v + r x n: along x and y.
+    let slip = |m: &Meeting| [m.velocity[0] + m.rolling[1], m.velocity[1] - m.rolling[0]];
+    let [shallow, deep] = [0.05, 0.15].map(meetings);
+    for (before, after) in shallow.iter().zip(&deep) {
+        let [[x, y], [to_x, to_y]] = [before, after].map(slip);
+        let [by_x, by_y, _] = after.rolling_decrease;
+        let growth = after.zeta - before.zeta;
+        assert!((growth - 0.1).abs() < 1e-15 && (by_x * by_y).abs() > 1e-3);
+        assert!((to_x - x + growth * by_y).abs() < 1e-15, "{before:?}");
+        assert!((to_y - y - growth * by_x).abs() < 1e-15, "{before:?}");
+    }
 }
 
 /// In the first step the approach grows from touch while the grain turns: the torque is that of a twist laid

@@ -303,6 +303,16 @@ fn what_slides_from_the_first_touch_has_kinetic_friction_alone() {
             assert!(off(one, two) < 1e-5, "{turning} {to:?}: {one:?} {two:?}");
             assert_relative_eq!(law.stored_energy(), plain.stored_energy(), max_relative = 1e-4);
             assert_relative_eq!(law.dissipated(), plain.dissipated(), max_relative = 1e-4);
+            let (own, other) = (law.law().tangent(), plain.law().tangent());
+            for (own, other) in own.iter().flatten().zip(other.iter().flatten()) {
+                assert!((own - other).abs() < 1e-4, "{turning} {to:?}: {own} {other}");
+            }
+            // Tractions count over the greatest limit, f_s p_max and f_k p_max.
+            for q in [0.0, 0.5, 0.99] {
+                let [own, other] = [&law, &plain].map(|law| law.law().traction(q).unwrap());
+                let off = |k: usize| (F_S * own[k] - F_K * other[k]).abs();
+                assert!(off(0).max(off(1)) < 1e-4, "{turning} {to:?} {q}: {own:?} {other:?}");
+            }
         }
     }
 }
@@ -324,6 +334,9 @@ fn the_drop_has_its_heat() {
         let drop = (1.0 - (F_K / F_S) * (F_K / F_S)) * stored;
         assert_relative_eq!(after - before, drop, max_relative = 2e-4);
         assert!(!law.jumps(up(0.999 * high)) && law.jumps(up(1.001 * high)));
+        // Also for who asks the account of it.
+        let accounted = Accounted::new(law.clone());
+        assert!(!accounted.jumps(up(0.999 * high)) && accounted.jumps(up(1.001 * high)));
         let held = law.advance(up((1.0 - 1e-6) * high)).unwrap();
         assert!(held.f_x.hypot(held.f_y) > 0.7 * F_S * f_z);
         let slid = law.advance(up(1.001 * high)).unwrap();
@@ -341,6 +354,25 @@ fn the_drop_has_its_heat() {
         assert_ne!(law.regime(), MemoryRegime::Sliding);
         let again = law.advance(up(1.2 * high + 0.3 * onset)).unwrap();
         assert!(again.f_x.hypot(again.f_y) > 1.1 * F_K * f_z);
+    }
+}
+
+/// Sliding far in one step, while the bodies approach, heats as much as in steps so short that tractions notice each.
+#[test]
+fn a_long_slide_heats_as_in_many_steps() {
+    for turning in [Coulomb, FixedDirection] {
+        let [mut whole, mut parts] =
+            [(); 2].map(|()| Accounted::new(law(turning, (F_S, F_K), C_X)));
+        let [from, to] = [at(0.5, 2.0, 1.0), at(1.0, 102.0, 41.0)];
+        for law in [&mut whole, &mut parts] {
+            law.advance(at(0.5, 0.0, 0.0)).unwrap();
+            law.advance(from).unwrap();
+        }
+        whole.advance(to).unwrap();
+        for i in 1..=20 {
+            parts.advance(between(from, to, f64::from(i) / 20.0)).unwrap();
+        }
+        assert_relative_eq!(whole.dissipated(), parts.dissipated(), max_relative = 1e-9);
     }
 }
 

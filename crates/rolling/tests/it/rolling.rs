@@ -267,6 +267,22 @@ fn rolling_that_makes_no_sense_is_named() {
         let error = roll_steadily(&problem, Driven::Shift(1.0), distance, creepage).unwrap_err();
         assert!(matches!(error, RollingError::Range(e) if e.field == "rolling distance"));
     }
+    // It may be longer than the grid is the other way.
+    for (cells, direction, fits) in [
+        ([16, 4], 0.0, true),
+        ([16, 4], 0.5 * PI, false),
+        ([4, 16], 0.5 * PI, true),
+        ([4, 16], 0.0, false),
+    ] {
+        let grid = Grid::new(cells[0], cells[1], 0.2, 0.2).unwrap();
+        let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+        let body = Material::from_shear(1.0, 0.3).unwrap();
+        let (pair, friction) =
+            (MaterialPair::new(body, body).unwrap(), Friction::new(FRICTION).unwrap());
+        let oblong = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+        let way = Way::new(10.0 * grid.dx()).unwrap().towards(direction).unwrap();
+        assert_eq!(RollingContact::new(&oblong, way).is_ok(), fits, "{cells:?} {direction}");
+    }
     let broken = Creepage { spin: f64::NAN, ..creepage };
     let error = roll_steadily(&problem, Driven::Shift(1.0), 0.1, broken).unwrap_err();
     assert!(matches!(error, RollingError::Range(e) if e.field == "spin"));
@@ -395,6 +411,41 @@ fn where_creepages_vary_each_part_slides_its_own_way() {
         assert!(load.m_z > 0.0);
         let heat = rolled.heat / (10.0 * FRICTION * load.f_z);
         assert!((heat - 1.0).abs() < 1e-3, "{heat}");
+    }
+}
+
+/// The motion of a rigid body, told cell by cell, has the forces and the heat of its three creepages.
+#[test]
+fn a_rigid_motion_may_be_told_by_cell() {
+    let problem = sphere(12, [0.0, 0.5]);
+    let (grid, still) = (problem.grid(), Creepage::default());
+    for (along, across, spin) in
+        [(0.05, 0.0, 0.0), (0.0, 0.05, 0.0), (0.0, 0.0, 0.2), (0.03, -0.04, 0.1)]
+    {
+        let contact = || {
+            let contact = SteadyContact::new(&problem, Way::new(grid.dx()).unwrap()).unwrap();
+            contact.within(1e-10).unwrap()
+        };
+        let by_cell = contact().with_local_creepage(
+            Field::from_function(grid, |_, y| along + spin * y),
+            Field::from_function(grid, |x, _| across - spin * x),
+        );
+        let [one, two] = [(contact(), Creepage { along, across, spin }), (by_cell.unwrap(), still)]
+            .map(|(mut contact, creepage)| {
+                let drive = RollingDrive::by_creepage(Driven::Shift(1.0), creepage);
+                contact.roll(&drive, &mut ()).unwrap()
+            });
+        let (load, other) = (one.state.load(), two.state.load());
+        let size = FRICTION * load.f_z;
+        for off in [load.f_x - other.f_x, load.f_y - other.f_y, load.m_z - other.m_z] {
+            assert!(off.abs() < 1e-7 * size, "{load:?} {other:?}");
+        }
+        assert!(
+            one.heat > 0.0 && (one.heat - two.heat).abs() < 1e-6 * one.heat,
+            "{} {}",
+            one.heat,
+            two.heat
+        );
     }
 }
 

@@ -89,12 +89,13 @@ impl Drawn {
         Self { pair, friction, power, centre, ratio, ridge, cells, steps }
     }
 
+    fn height(&self, x: f64, y: f64) -> f64 {
+        let (x, y) = (x - self.centre[0], (y - self.centre[1]) / self.ratio);
+        x.abs().powf(self.power) + y.abs().powf(self.power) + self.ridge * x * x
+    }
+
     fn problem(&self, grid: Grid) -> Result<ContactProblem, ProblemError> {
-        let height = |x: f64, y: f64| {
-            let (x, y) = (x - self.centre[0], (y - self.centre[1]) / self.ratio);
-            x.abs().powf(self.power) + y.abs().powf(self.power) + self.ridge * x * x
-        };
-        let gap = Gap::from_function(grid, height).unwrap();
+        let gap = Gap::from_function(grid, |x, y| self.height(x, y)).unwrap();
         ContactProblem::of_half_spaces(gap, self.pair, self.friction)
     }
 
@@ -207,4 +208,38 @@ fn bars_cover_the_errors_of_drawn_histories() {
 #[ignore = "takes a minute"]
 fn bars_cover_the_errors_of_two_hundred_histories() {
     check(1000..1200);
+}
+
+/// The same problem in units of length 1024 times as large, at the same moduli: forces have the square of it, torques the
+/// cube, and all numbers the same bits but for exponents.
+#[test]
+fn bars_have_the_units_of_their_values() {
+    let size = 1.0 / 1024.0;
+    for seed in [6, 7] {
+        let drawn = Drawn::of(seed);
+        let (mut own, cells) = (drawn.history(1), drawn.cells);
+        let grid = Grid::new(cells, cells, 2.4 * size / cells as f64, 2.4 * size / cells as f64);
+        let make = |grid: Grid| {
+            let gap = Gap::from_function(grid, |x, y| size * drawn.height(x / size, y / size));
+            ContactProblem::of_half_spaces(gap.unwrap(), drawn.pair, drawn.friction)
+        };
+        let mut other = NestedHistory::new(Frictional::default(), grid.unwrap(), make).unwrap();
+        let times = |driven: Driven, dimensions: [i32; 2]| match driven {
+            Driven::Shift(shift) => Driven::Shift(shift * size.powi(dimensions[0])),
+            Driven::Load(load) => Driven::Load(load * size.powi(dimensions[1])),
+        };
+        for drive in &drawn.steps {
+            own.step(drive, &mut ()).unwrap();
+            let [normal, x, y] = [drive.normal, drive.x, drive.y].map(|by| times(by, [1, 2]));
+            let twist = times(drive.twist, [0, 3]);
+            other.step(&Drive { normal, x, y, twist }, &mut ()).unwrap();
+            let (one, two) = (own.estimates().unwrap(), other.estimates().unwrap());
+            let dimensions = [2, 2, 2, 3, 1, 1, 1, 0, 0, 2, 2];
+            let (one, two) = (pairs(&one, own.state()), pairs(&two, other.state()));
+            for (((name, one, _), (_, two, _)), length) in one.iter().zip(&two).zip(dimensions) {
+                let expected = one.error * size.powi(length);
+                assert!((two.error - expected).abs() <= 1e-9 * expected, "{name} {seed}");
+            }
+        }
+    }
 }

@@ -5,7 +5,7 @@ use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
-use carom_solver::{ContactState, NumericalLaw};
+use carom_solver::{ContactState, Estimates, MeshOrder, NumericalLaw};
 
 fn law(cells: usize) -> NumericalLaw {
     let body = |poisson| Material::from_shear(1.0, poisson).unwrap();
@@ -70,5 +70,38 @@ fn the_peak_between_cells_is_found_along_both_axes() {
             "{x_0} {y_0}: {}",
             state.peak_pressure()
         );
+    }
+}
+
+/// States on three grids, the same with x and y exchanged if asked: a cap, and a block whose pressure is greatest at the
+/// two edges across y.
+fn on_three_grids(is_cap: bool, is_exchanged: bool) -> Estimates {
+    let states = [(24, 0.0), (12, 0.003), (6, 0.012)].map(|(cells, more)| {
+        let pressure = |x: f64, y: f64| match is_cap {
+            true => (1.0 + more - x * x - 0.3 * y * y).max(0.0),
+            false if x.abs() < 0.8 && y.abs() < 0.8 => 1.0 + more + 0.1 * y * y - 0.2 * x * x,
+            false => 0.0,
+        };
+        let mut state = ContactState::apart(
+            Grid::new(cells, cells, 2.4 / cells as f64, 2.4 / cells as f64).unwrap(),
+        );
+        state.pressure = Field::from_function(state.pressure.grid(), |x, y| {
+            if is_exchanged { pressure(y, x) } else { pressure(x, y) }
+        });
+        state.shift.zeta = 1.0 + more;
+        state
+    });
+    Estimates::of(states.each_ref(), MeshOrder::Second)
+}
+
+#[test]
+fn bars_of_exchanged_axes_are_the_same() {
+    for is_cap in [true, false] {
+        let [one, two] = [false, true].map(|is_exchanged| on_three_grids(is_cap, is_exchanged));
+        let bars =
+            |all: &Estimates| [all.f_z, all.zeta, all.peak, all.contact_area].map(|of| of.error);
+        for (one, two) in bars(&one).iter().zip(bars(&two)) {
+            assert!(*one > 0.0 && (one - two).abs() <= 1e-9 * one, "{is_cap}: {one} {two}");
+        }
     }
 }
