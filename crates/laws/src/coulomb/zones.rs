@@ -26,13 +26,15 @@ impl<V: Lateral> Piece<V> {
         square > 0.0 && !(excess < 0.0 && excess * excess >= 4.0 * limit * limit * square)
     }
 
-    /// Whether all annuli of a piece are in contact and within their limit at the end of a step.
+    /// Whether all annuli of a piece are in contact at the end of a step and exceed their limit by no more than
+    /// round-off.
     pub(super) fn sticks(&self, step: &Step<V>) -> bool {
         let middle = step.excess(self.middle_depth(), self.middle());
-        let ends = [self.low, self.high].map(|end| step.excess(end.depth, end.anchor));
+        let is_within = |end: End<V>| !step.is_beyond_limit(end.depth, end.anchor);
         self.high.depth <= step.zeta
-            && middle <= 0.0
-            && ends.iter().all(|excess| *excess <= 0.0)
+            && is_within(self.low)
+            && is_within(self.high)
+            && !step.exceeds_round_off(middle, self.middle_depth())
             && !self.may_slip(step, middle)
     }
 
