@@ -9,6 +9,7 @@ use super::{CoulombMemory, Node, Regime};
 use crate::bounds::in_memory;
 use crate::memory::{Lateral, NodeStack};
 use crate::profile::GAUSS;
+use crate::work_by_forces::work_by_forces;
 
 /// Largest error of an integral over the annuli: relative, and over the energy at the largest
 /// stretch.
@@ -112,10 +113,10 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         self.over_annuli(zeta, shift, unit, |step, depth, anchor| step.work(depth, anchor, unit))
     }
 
-    /// [`CoulombMemory::work`] less the increase of [`CoulombMemory::stored_energy`], in the given units of energy per
+    /// The work of the force less the increase of [`CoulombMemory::stored_energy`], in the given units of energy per
     /// direction: the heat, and what fitting and joining parabolas loses or gains. Zero in adhesion in which nothing is
-    /// joined.
-    pub(crate) fn loss(&self, zeta: f64, shift: V, unit: V) -> f64 {
+    /// joined. In small steps the work is that of the forces within the step, in others [`CoulombMemory::work`].
+    pub(crate) fn lost(&self, zeta: f64, shift: V, unit: V) -> f64 {
         if !zeta.is_finite() || !shift.is_finite() {
             return 0.0;
         }
@@ -125,8 +126,24 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         if after.regime == Regime::Adhesion && !joins {
             return 0.0;
         }
-        let work = self
-            .over_annuli(zeta, shift, unit, |step, depth, anchor| step.work(depth, anchor, unit));
+        let by_forces = match self.stack.is_empty() || zeta <= 0.0 {
+            true => None, // contact begins or ends
+            false => work_by_forces(
+                [self.force, after.force],
+                shift.minus(self.shift).by_component(unit),
+                |time| {
+                    let mut part = self.clone();
+                    let way = shift.minus(self.shift).times(time);
+                    part.step(self.zeta + time * (zeta - self.zeta), self.shift.plus(way));
+                    part.force
+                },
+            ),
+        };
+        let work = by_forces.unwrap_or_else(|| {
+            self.over_annuli(zeta, shift, unit, |step, depth, anchor| {
+                step.work(depth, anchor, unit)
+            })
+        });
         work - after.stored_energy().minus(self.stored_energy()).dot(unit)
     }
 

@@ -89,7 +89,7 @@ impl<V: Lateral, S: NodeStack<Node<V>>> Slides for CoulombMemory<V, S> {
     }
 
     fn loss_of(&self, zeta: f64, shift: V, unit: V) -> f64 {
-        self.loss(zeta, shift, unit)
+        self.lost(zeta, shift, unit)
     }
 
     fn traction_at(&self, q: f64) -> V {

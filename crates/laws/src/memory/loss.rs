@@ -10,6 +10,7 @@ use super::energy::Path;
 use super::slip_in_plane::Edge;
 use super::{Lateral, Memory, VertexStack};
 use crate::profile::{GAUSS, NormalProfile};
+use crate::work_by_forces::work_by_forces;
 
 /// Allowed error of the work of a part of the step, relative to it, and over friction limit times motion.
 const ERROR_OF_PART: f64 = 1e-12;
@@ -36,6 +37,30 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
         let gain = after.stored_energy().minus(self.stored_energy());
         self.work(zeta, shift, unit) - gain.dot(unit)
+    }
+
+    /// [`Memory::loss`]; in small steps, whose forces have no kink, with the work of the forces within the step.
+    pub(crate) fn lost(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        if !(zeta.is_finite() && shift.is_finite()) {
+            return 0.0;
+        }
+        let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
+        let adheres = dz > 0.0 && dx.dot(dx) <= dz * dz;
+        let begins_or_ends = self.stack.is_empty() || zeta <= 0.0;
+        let merges = self.stack.capacity() < usize::MAX;
+        if V::DIMENSION == 1 || !merges || adheres || begins_or_ends {
+            return self.loss(zeta, shift, unit);
+        }
+        let after = |time: f64| {
+            let mut after = self.clone();
+            after.step(self.zeta + time * dz, self.shift.plus(dx.times(time)));
+            after
+        };
+        let end = after(1.0);
+        let way = dx.by_component(unit);
+        let work = work_by_forces([self.force, end.force], way, |time| after(time).force);
+        let gain = || end.stored_energy().minus(self.stored_energy()).dot(unit);
+        work.map_or_else(|| self.loss(zeta, shift, unit), |work| work - gain())
     }
 
     /// Whether a segment stands for several.

@@ -86,7 +86,7 @@ impl<V: Lateral, S: VertexStack<V>> Slides for Memory<V, S, Hertzian> {
     }
 
     fn loss_of(&self, zeta: f64, shift: V, unit: V) -> f64 {
-        self.loss(zeta, shift, unit)
+        self.lost(zeta, shift, unit)
     }
 
     fn traction_at(&self, q: f64) -> V {

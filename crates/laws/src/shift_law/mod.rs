@@ -419,7 +419,7 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn loss(&self, to: Shift) -> f64 {
         let unit = self.scale_of_energies();
         let Ok(x) = self.reachable(to) else { return 0.0 };
-        with_memory!(&self.state, memory => memory.loss(to.zeta, x, unit), else 0.0)
+        with_memory!(&self.state, memory => memory.lost(to.zeta, x, unit), else 0.0)
     }
 }
 

@@ -13,7 +13,7 @@ impl<M: Slides> StaticMemory<M> {
     }
 
     /// [`StaticMemory::heat`], and what simplifying the memory loses or gains.
-    pub(crate) fn loss(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
+    pub(crate) fn lost(&self, zeta: f64, shift: M::V, unit: M::V) -> f64 {
         self.over_legs(zeta, shift, unit, |memory, zeta, to| memory.loss_of(zeta, to, unit))
     }
 

@@ -178,7 +178,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
 
     /// The work of the force in a straight step less the increase of the stored energy, in units of energy per
     /// direction: the heat, and what merged segments lose or gain.
-    pub(crate) fn loss(&self, zeta: f64, shift: V, unit: V) -> f64 {
+    pub(crate) fn lost(&self, zeta: f64, shift: V, unit: V) -> f64 {
         let stack = &self.stack;
         if stack.capacity() == usize::MAX {
             return self.heat(zeta, shift, unit); // nothing is ever merged
