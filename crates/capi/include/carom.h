@@ -938,7 +938,7 @@ carom_status carom_restitution_many(size_t count,
  * - CAROM_EXACT: gamma = 0, with the bits of `carom_restitution`, or no friction.
  * - CAROM_BY_TABLE: in half a microsecond, for kappa from 1, lambda to 8, f to 1, |gamma|/f to 12 and
  *   mobility_ratio from 1 to 6.
- * - CAROM_BY_RINGS: elsewhere. */
+ * - CAROM_BY_RINGS: elsewhere, by time steps, in milliseconds to seconds. */
 carom_status carom_restitution_dissimilar(double kappa,
                                           double gamma,
                                           double friction,

@@ -87,7 +87,7 @@ pub unsafe extern "C" fn carom_restitution_many(
 /// - CAROM_EXACT: gamma = 0, with the bits of `carom_restitution`, or no friction.
 /// - CAROM_BY_TABLE: in half a microsecond, for kappa from 1, lambda to 8, f to 1, |gamma|/f to 12 and
 ///   mobility_ratio from 1 to 6.
-/// - CAROM_BY_RINGS: elsewhere.
+/// - CAROM_BY_RINGS: elsewhere, by time steps, in milliseconds to seconds.
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.
