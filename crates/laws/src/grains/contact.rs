@@ -142,6 +142,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// As [`GrainContact::advance`], and adds the dissipated energy to `heats`. The energy of
     /// damping is integrated to the fourth order of the step; in the steps in which contact begins and
     /// ends, to the order 2.5.
+    /// Friction gets the work of its force less the increase of the stored energy; in a step in which the force has a
+    /// kink, to 1e-4 of that work.
     ///
     /// # Errors
     /// As [`GrainContact::advance`].

@@ -54,6 +54,8 @@ const MOST_DROPS: usize = 8;
 /// Sliding by this many approaches in the units of f_k aligns all tractions with the path, to the
 /// last bit: what is left of the tangent of half their angle is below exp(-100).
 const LONGEST_PATH: f64 = 100.0;
+/// A shift of more approaches has less than ten digits for a stretch.
+const FAR: f64 = 1e6;
 /// Cosine of the angle between traction and path that counts as zero.
 const LEAST_COSINE: f64 = 1e-9;
 
@@ -181,6 +183,10 @@ impl<M: Slides> StaticMemory<M> {
     /// Slides to the end of a straight step.
     fn slide(&mut self, zeta: f64, shift: M::V) {
         let path = self.path(zeta, shift);
+        if self.shift().length() > FAR * zeta {
+            // A path of some approaches has the round-off of the shift, or is lost in it: it is made at the origin.
+            self.memory.move_by(self.shift().times(-1.0));
+        }
         self.memory.go(zeta, self.shift().plus(path));
         self.memory.move_by(shift.minus(self.memory.place()));
         if zeta > 0.0 {

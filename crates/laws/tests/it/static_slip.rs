@@ -464,6 +464,28 @@ fn a_failed_step_leaves_the_state() {
 }
 
 /// Shifts and approaches of any size give numbers.
+/// Where a shift has no digits for a stretch, a slide back kept the traction of the way there, and its stored state was
+/// refused.
+#[test]
+fn a_slide_back_from_afar_turns_the_traction() {
+    let (approach, room) = (0.12, packed_numbers(100));
+    for turning in [FixedDirection, Coulomb] {
+        for far in [1e3, 1e12, 1e15, 1e16, 1e17, 1e20, 7e38] {
+            let mut law = law(turning, (F_S, F_K), C_X);
+            law.advance(at(approach, -0.11, 0.0)).unwrap();
+            for (to, sign) in [(far, 1.0), (0.0, -1.0), (far, 1.0), (-far, -1.0), (-0.5 * far, 1.0)]
+            {
+                let load = law.advance(at(approach, -0.11, to)).unwrap();
+                assert_relative_eq!(load.f_y, sign * F_K * load.f_z, max_relative = 1e-6);
+                assert!(load.f_x.abs() < 1e-2 * load.f_z, "{far:e} {to:e}: {load:?}");
+                let mut numbers = vec![0.0; room];
+                law.pack(&mut numbers).unwrap();
+                law.unpack(&numbers).unwrap();
+            }
+        }
+    }
+}
+
 #[test]
 fn extremes_give_numbers() {
     for turning in [Coulomb, FixedDirection] {
