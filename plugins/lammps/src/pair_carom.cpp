@@ -243,11 +243,11 @@ inline void PairCarom::Bodies::set(carom_grain &grain, std::size_t i) const
 inline void PairCarom::Bodies::add(std::size_t i, const double *force_i, const double *torque_i) const
 {
   if (i >= moved) return;
-  double *__restrict f_i = f + 3 * i, *__restrict torque_of_i = torque + 3 * i;
-  for (int k = 0; k < 3; k++) {
-    f_i[k] += force_i[k];
-    torque_of_i[k] += torque_i[k];
-  }
+  double *f_i = f + 3 * i, *torque_of_i = torque + 3 * i;
+  const double sums[6] = {f_i[0] + force_i[0], f_i[1] + force_i[1], f_i[2] + force_i[2],
+                          torque_of_i[0] + torque_i[0], torque_of_i[1] + torque_i[1], torque_of_i[2] + torque_i[2]};
+  memcpy(f_i, sums, sizeof(double[3]));
+  memcpy(torque_of_i, sums + 3, sizeof(double[3]));
 }
 
 const carom::Constants &PairCarom::constants_of(int body_1, int body_2) const
@@ -286,6 +286,7 @@ void PairCarom::compute(int eflag, int vflag)
   grain_heat.begin(heat_readers, atom->nlocal + atom->nghost);
   const double *x = atom->nlocal ? atom->x[0] : nullptr, *radius = atom->radius;
   const tagint *tag = atom->tag;
+  const int size = numbers();
   int found = 0;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii], count = list->numneigh[i];
@@ -302,10 +303,11 @@ void PairCarom::compute(int eflag, int vflag)
       if (apart && !flags[jj]) continue;
       Close &pair = close[found];
       pair.flag = flags + jj;
-      pair.slot = slots + numbers() * jj;
-      pair.i = i;
-      pair.j = j;
+      pair.slot = slots + size * jj;
+      // Without a branch: which of both is body 1 cannot be foreseen.
       pair.i_is_1 = tag[i] < tag[j];
+      pair.bodies[!pair.i_is_1] = i;
+      pair.bodies[pair.i_is_1] = j;
       pair.apart = apart;
       if (apart && !moves) {
         end(pair);
@@ -404,7 +406,7 @@ void PairCarom::roll(const Close &pair, carom_encounter &met, double dt)
 
 void PairCarom::book(const Close &pair, const carom::HeatSums &made)
 {
-  const double share = share_of(pair.j);
+  const double share = share_of(j_of(pair));
   heats.friction += share * made.friction;
   heats.damping += share * made.damping;
   heats.rolling += share * made.rolling;
@@ -414,8 +416,8 @@ void PairCarom::book(const Close &pair, const carom::HeatSums &made)
   of_contact[1] += made_here;
   if (!grain_heat.is_wanted()) return;
   // Half to each grain; another rank counts that of its own, unless newton is on.
-  grain_heat.add(pair.i, 0.5 * made_here);
-  if (share == 1.0) grain_heat.add(pair.j, 0.5 * made_here);
+  grain_heat.add(i_of(pair), 0.5 * made_here);
+  if (share == 1.0) grain_heat.add(j_of(pair), 0.5 * made_here);
 }
 
 // The elastic energy of a contact, its twist included.
@@ -432,8 +434,8 @@ double PairCarom::energy_of(double *slot, const carom::Touch &touch, int body_1,
 
 void PairCarom::tally(const Close &pair, double energy, const double *force_1, double sign)
 {
-  const double *x = atom->x[pair.i], *y = atom->x[pair.j];
-  ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, energy, 0.0, sign * force_1[0],
+  const double *x = atom->x[i_of(pair)], *y = atom->x[j_of(pair)];
+  ev_tally_xyz(i_of(pair), j_of(pair), atom->nlocal, force->newton_pair, energy, 0.0, sign * force_1[0],
                sign * force_1[1], sign * force_1[2], x[0] - y[0], x[1] - y[1], x[2] - y[2]);
 }
 

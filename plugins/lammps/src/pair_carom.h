@@ -124,14 +124,17 @@ class PairCarom : public Pair {
   struct Close {
     int *flag;
     double *slot;
-    int i, j;
+    int bodies[2];    // body 1, body 2
     bool apart, i_is_1;
   };
   static constexpr int TOGETHER = 64;
   Close close[TOGETHER];
   carom_encounter encounters[TOGETHER] = {};
-  static int one_of(const Close &pair) { return pair.i_is_1 ? pair.i : pair.j; }
-  static int two_of(const Close &pair) { return pair.i_is_1 ? pair.j : pair.i; }
+  static int one_of(const Close &pair) { return pair.bodies[0]; }
+  static int two_of(const Close &pair) { return pair.bodies[1]; }
+  // The grain of the host's list, and its neighbor.
+  static int i_of(const Close &pair) { return pair.bodies[!pair.i_is_1]; }
+  static int j_of(const Close &pair) { return pair.bodies[pair.i_is_1]; }
   void step_alone(const Close &pair, carom_encounter &met, double dt, bool steps);
   void twist(const Close &pair, carom_encounter &met, double dt);
   void roll(const Close &pair, carom_encounter &met, double dt);

@@ -98,6 +98,8 @@ class Touches {
 
   Touch touch(int place)
   {
+    // Without rings a contact's index in its pool is that of its place, which need not be read.
+    if (rings.empty()) return {&plain[place], nullptr};
     const Place &its = places[place];
     if (its.by_rings) return {nullptr, &rings[its.at]};
     return {&plain[its.at], nullptr};

@@ -208,7 +208,12 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     /// The damping force of a step, if no part of its load overflows.
     #[inline(always)]
-    fn checked_drag(&self, meeting: &Meeting, step: &Step, dt: f64) -> Result<f64, RangeError> {
+    pub(super) fn checked_drag(
+        &self,
+        meeting: &Meeting,
+        step: &Step,
+        dt: f64,
+    ) -> Result<f64, RangeError> {
         let drag = self.drag(meeting, dt);
         match check_beside(meeting.arms, drag) {
             Ok(()) => Ok(drag),
@@ -223,7 +228,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     }
 
     #[inline(always)]
-    fn step(&self, meeting: &Meeting, dt: f64) -> Step {
+    pub(super) fn step(&self, meeting: &Meeting, dt: f64) -> Step {
         let Shift { zeta, xi, eta, .. } = self.law.shift();
         let (tangent, normal, velocity, lead) =
             (self.tangent, self.normal, self.velocity, self.lead);

@@ -6,10 +6,11 @@ use carom_special::RangeError;
 
 use super::contact::GrainContact;
 use super::dashpots::Dashpots;
-use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, check_beside, elastic, forces};
+use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, elastic, forces};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
 use super::step::{Before, Step, parting};
+use super::vector::dot;
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
 use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;
@@ -28,6 +29,13 @@ pub struct Touching<'a, S: VertexStack<[f64; 2]>> {
     pub shares: [f64; 2],
     /// The load on body 1 at the end of the step; output.
     pub load: &'a mut GrainLoad,
+}
+
+impl<S: VertexStack<[f64; 2]>> Touching<'_, S> {
+    fn meeting(&self) -> Result<Meeting, RangeError> {
+        let [one, two] = self.bodies;
+        Meeting::of_spheres(one, two, self.shares)
+    }
 }
 
 /// Advances several pairs of spheres by a step of duration `dt` and writes the load of each. The
@@ -66,13 +74,14 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
 ) -> Result<(), RangeError> {
     let shares = from_fn(|k| each(pairs, |pair| pair.shares[k]));
     let bodies = from_fn(|k| from_fn(|i| pairs[i].bodies[k]));
-    let meeting = Meeting::of_pairs(bodies, shares)?;
-    let [part, zeta] = [parting(&meeting, dt), meeting.zeta].map(Lanes::to_array);
-    let goes_on = |i: usize| part[i] >= -zeta[i] && !pairs[i].contact.is_new();
-    if (0..TOGETHER).all(goes_on) {
-        go_on(pairs, &meeting, dt, meanwhile)
+    let (meeting, before) = (Meeting::of_pairs(bodies, shares)?, before(pairs));
+    // A new contact has no tangent.
+    let has_begun = dot(before.tangent, before.tangent).simd_gt(Lanes::splat(0.0));
+    let stays = parting(&meeting, dt).simd_ge(Lanes::splat(0.0) - meeting.zeta);
+    if (has_begun & stays).all() {
+        go_on(pairs, &meeting, &before, dt, meanwhile)
     } else {
-        one_by_one(pairs, &meeting, dt)
+        one_by_one(pairs, dt)
     }
 }
 
@@ -90,10 +99,11 @@ fn each<S: VertexStack<[f64; 2]>>(
 fn go_on<S: VertexStack<[f64; 2]>>(
     pairs: &mut Pairs<'_, S>,
     meeting: &Meeting<Lanes>,
+    before: &Before<Lanes>,
     dt: f64,
     mut meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {
-    let step = before(pairs).step(meeting, dt);
+    let step = before.step(meeting, dt);
     let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
     let elastic = elastic(c_z, meeting.zeta);
     let dashpots = Dashpots {
@@ -103,7 +113,7 @@ fn go_on<S: VertexStack<[f64; 2]>>(
     let drag = dashpots.force(meeting, c_z, elastic, dt);
     let to = normalised(pairs, &step);
     if !(allowed(&step, to) & allowed_beside(meeting.arms, drag)).all() {
-        refuse(pairs, &step, meeting.arms, drag)?;
+        refuse(pairs, dt)?;
     }
     let mut frictions = [[0.0; 2]; TOGETHER];
     for (i, pair) in pairs.iter_mut().enumerate() {
@@ -170,19 +180,14 @@ fn allowed_beside([one, two]: [Lanes; 2], drag: Lanes) -> Lanes {
     up_to(one, LARGEST_ARM) & up_to(two, LARGEST_ARM) & up_to(drag, LARGEST_DRAG)
 }
 
-/// The error of the first contact whose step is not allowed.
+/// The error of the first contact whose step is not allowed. It computes the steps again, so that they need not be in
+/// memory where all are allowed.
 #[cold]
 #[inline(never)]
-fn refuse<S: VertexStack<[f64; 2]>>(
-    pairs: &Pairs<'_, S>,
-    step: &Step<Lanes>,
-    arms: [Lanes; 2],
-    drag: Lanes,
-) -> Result<(), RangeError> {
-    let (arms, drag) = (arms.map(Lanes::to_array), drag.to_array());
-    for (i, pair) in pairs.iter().enumerate() {
-        pair.contact.law.reachable(lane(step, i))?;
-        check_beside(arms.map(|arm| arm[i]), drag[i])?;
+fn refuse<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>, dt: f64) -> Result<(), RangeError> {
+    for pair in pairs {
+        let meeting = pair.meeting()?;
+        pair.contact.checked_drag(&meeting, &pair.contact.step(&meeting, dt), dt)?;
     }
     Ok(())
 }
@@ -192,13 +197,12 @@ fn refuse<S: VertexStack<[f64; 2]>>(
 #[inline(never)]
 fn one_by_one<S: VertexStack<[f64; 2]>>(
     pairs: &mut Pairs<'_, S>,
-    meeting: &Meeting<Lanes>,
     dt: f64,
 ) -> Result<(), RangeError> {
     let before: [_; TOGETHER] = from_fn(|i| pairs[i].contact.clone());
     let mut loads = [GrainLoad::default(); TOGETHER];
-    for (i, load) in loads.iter_mut().enumerate() {
-        match pairs[i].contact.advance(&meeting.lane(i), dt) {
+    for (pair, load) in pairs.iter_mut().zip(&mut loads) {
+        match pair.meeting().and_then(|meeting| pair.contact.advance(&meeting, dt)) {
             Ok(exerted) => *load = exerted,
             Err(error) => {
                 for (pair, before) in pairs.iter_mut().zip(before) {
