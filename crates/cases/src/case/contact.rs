@@ -55,6 +55,15 @@ pub(super) const STATIC_FRICTION: Field = Field::number(
 )
 .may("that of `friction`")
 .such_as("0.3");
+/// Static friction of a history of shifts, whose laws all have it.
+pub(super) const SHIFT_STATIC_FRICTION: Field = Field::number(
+    STATIC_FRICTION.name,
+    Range::Friction.pure(),
+    "coefficient of static friction f_s, at least `friction`: the contact sticks or slips in part up to f_s F_z, and slides \
+     as a whole with `friction`; for steps without a twist",
+)
+.may("that of `friction`")
+.such_as("0.3");
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[
@@ -149,16 +158,22 @@ pub(super) fn impact_friction(section: &Section<'_>) -> Result<ImpactFriction, C
             .map(ImpactFriction::from)
             .map_err(|error| table.refused(error));
     }
+    let friction = static_friction(section, &STATIC_FRICTION)?;
+    let is_one = !section.has(&STATIC_FRICTION);
+    Ok(if is_one { friction.kinetic().into() } else { friction.into() })
+}
+
+/// Reads a coefficient of friction, and that of static friction beside it, which is the same without its field.
+pub(super) fn static_friction(
+    section: &Section<'_>,
+    threshold: &'static Field,
+) -> Result<StaticFriction, CaseError> {
     let coefficient = |field: &'static Field| {
         Friction::new(section.number(field)?).map_err(|error| section.refused(error))
     };
     let kinetic = coefficient(&FRICTION)?;
-    if !section.has(&STATIC_FRICTION) {
-        return Ok(kinetic.into());
-    }
-    StaticFriction::new(coefficient(&STATIC_FRICTION)?, kinetic)
-        .map(ImpactFriction::from)
-        .map_err(|error| section.refused(error))
+    let threshold = if section.has(threshold) { coefficient(threshold)? } else { kinetic };
+    StaticFriction::new(threshold, kinetic).map_err(|error| section.refused(error))
 }
 
 /// Rejects laws and torsion that have one coefficient of friction.

@@ -1,6 +1,8 @@
 //! The case file of `carom history`.
 
-use super::contact::{COULOMB, FRICTION, LAWS_OF_SHIFTS, turning_law};
+use super::contact::{
+    COULOMB, FRICTION, LAWS_OF_SHIFTS, SHIFT_STATIC_FRICTION, static_friction, turning_law,
+};
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Rows};
 use super::kind::CaseKind;
@@ -9,10 +11,11 @@ use super::range::Range;
 use super::section::{Section, parse, survey};
 use super::unit::{Dimension, Measure};
 use carom_laws::coulomb::Tolerance;
-use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::turning_law::TurningLaw;
+use carom_special::RangeError;
 use std::path::PathBuf;
 
 const LAW: Field = Field::new(
@@ -29,7 +32,7 @@ const TOLERANCE: Field = Field::number(
 .default(Default::Number(1e-3));
 const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[ANGLE, FRICTION, LAW, TOLERANCE]),
+    Form::Table(&[ANGLE, FRICTION, SHIFT_STATIC_FRICTION, LAW, TOLERANCE]),
     "orientation of the bodies, and friction",
 );
 const LENGTH: Measure = Range::Finite.of(Dimension::Length);
@@ -66,8 +69,8 @@ pub struct HistoryCase {
     pub hertz: Hertz,
     /// The smallest radius of curvature of both bodies, m; infinite for planes.
     pub smallest_radius: f64,
-    /// Coefficient of friction; infinite for no slip.
-    pub friction: Friction,
+    /// Coefficients of friction, equal but with static friction; infinite for no slip.
+    pub friction: StaticFriction,
     /// The law of friction where the direction of the shift turns.
     pub law: TurningLaw,
     /// Tolerance of the law `coulomb`.
@@ -101,8 +104,7 @@ impl HistoryCase {
         let contact = case.section(&CONTACT)?;
         let (law, tolerance) = law(&contact)?;
         let Pair { hertz, smallest_radius } = pair::read(&case, Some(&contact))?;
-        let friction =
-            Friction::new(contact.number(&FRICTION)?).map_err(|error| contact.refused(error))?;
+        let friction = static_friction(&contact, &SHIFT_STATIC_FRICTION)?;
         let history = case.section(&HISTORY)?;
         let given = history.given([&STEPS, &FILE]);
         let steps = match given.as_slice() {
@@ -112,7 +114,26 @@ impl HistoryCase {
             [] | [_] => Steps::File(history.text(&FILE)?.into()),
             both => return Err(history.several(both, "give one of them")),
         };
-        Ok(Self { hertz, smallest_radius, friction, law, tolerance, steps })
+        let case = Self { hertz, smallest_radius, friction, law, tolerance, steps };
+        if let Steps::Inline(shifts) = &case.steps {
+            let at_fault =
+                |error: RangeError| history.out_of_range(&STEPS, error.value, error.allowed);
+            case.check_twist(shifts).map_err(at_fault)?;
+        }
+        Ok(case)
+    }
+
+    /// Checks that no step has a twist if static friction exceeds kinetic friction: torsion has one coefficient.
+    ///
+    /// # Errors
+    /// [`RangeError`] of the first twist.
+    pub fn check_twist(&self, shifts: &[Shift]) -> Result<(), RangeError> {
+        let allowed = "0 with `contact.static_friction`: torsion has one coefficient of friction";
+        let twisted = shifts.iter().find(|shift| shift.omega != 0.0);
+        match twisted.filter(|_| self.friction.drops()) {
+            Some(shift) => Err(RangeError::new("omega", shift.omega, allowed)),
+            None => Ok(()),
+        }
     }
 }
 

@@ -22,11 +22,12 @@ impl Laws {
     /// The laws before the first of these steps.
     ///
     /// # Errors
-    /// [`RangeError`] if a law refuses a value.
+    /// [`RangeError`] if a law refuses a value, or a step has a twist under static friction.
     pub fn new(case: &HistoryCase, steps: &[Shift]) -> Result<Self, RangeError> {
+        case.check_twist(steps)?;
         let (stiffness, friction) = (case.hertz.stiffness(), case.friction);
-        let shift = ShiftLaw::chosen(case.law, stiffness, friction, case.tolerance);
-        let torsion = TorsionLaw::new(&case.hertz, friction)?;
+        let shift = ShiftLaw::with_static_friction(case.law, stiffness, friction, case.tolerance);
+        let torsion = TorsionLaw::new(&case.hertz, friction.threshold())?;
         let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);
         let twists = is_twisted(steps);
         Ok(Self { hertz: case.hertz, law, twists, contact: None })

@@ -21,11 +21,16 @@ use carom_laws::law::Shift;
 /// Reads the shifts of a case; a file that it names is relative to the case file.
 ///
 /// # Errors
-/// As [`read_steps`].
+/// As [`read_steps`], and if a step of a file has a twist under static friction.
 pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> {
     match &case.steps {
         Steps::Inline(shifts) => Ok(shifts.clone()),
-        Steps::File(name) => read_steps(file, name),
+        Steps::File(name) => {
+            let shifts = read_steps(file, name)?;
+            let path = file.beside(name);
+            case.check_twist(&shifts).map_err(|source| Error::Law { path, source })?;
+            Ok(shifts)
+        }
     }
 }
 

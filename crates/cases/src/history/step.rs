@@ -10,6 +10,7 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::MemoryRegime;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::validity::Validity;
 use carom_special::linspace;
 use carom_table::Column;
@@ -41,7 +42,7 @@ pub struct Step {
     pub twist: Option<Twist>,
     /// Tractions, if requested.
     pub tractions: Vec<Traction>,
-    /// The tangential load over that of complete sliding.
+    /// The tangential load over the largest, at which the contact slides.
     pub share: f64,
 }
 
@@ -54,7 +55,7 @@ impl Step {
         let largest = [self.semi_axis_a.max(self.semi_axis_b), self.shift.zeta, pressure];
         let materials = case.hertz.materials();
         Validity::of_contact(largest, materials.yield_stress(), case.smallest_radius)
-            .without_coupling(&materials, case.friction)
+            .without_coupling(&materials, case.friction.threshold())
     }
 
     /// Adds what the contact exceeds.
@@ -134,7 +135,7 @@ pub struct Traction {
     pub t_y: f64,
     /// Circumferential traction; for circular contacts only.
     pub t_twist: Option<f64>,
-    /// Friction times pressure.
+    /// Friction times pressure; static friction unless all slides.
     pub limit: f64,
 }
 
@@ -149,20 +150,31 @@ pub const TRACTION_COLUMNS: &[Column<Traction>] = &[
     Column::new("t_twist", "Pa", "circumferential traction, in the sense of M_z", |traction| {
         traction.t_twist.into()
     }),
-    Column::new("limit", "Pa", "friction times pressure", |traction| traction.limit.into()),
+    Column::new(
+        "limit",
+        "Pa",
+        "friction times pressure; static friction unless all slides",
+        |traction| traction.limit.into(),
+    ),
 ];
 
 /// The present state of the laws, with the traction at `count` radii.
 ///
 /// # Errors
 /// [`Error::Quadrature`] if a traction cannot be integrated.
-pub fn step(number: f64, laws: &Laws, friction: Friction, count: usize) -> Result<Step, Error> {
+pub fn step(
+    number: f64,
+    laws: &Laws,
+    friction: StaticFriction,
+    count: usize,
+) -> Result<Step, Error> {
     let (shift, load, law) = (laws.present(), laws.load(), laws.shift());
     let state = laws.contact();
     let [a, b] =
         state.map_or([0.0; 2], |state| [state.ellipse.semi_axis_a(), state.ellipse.semi_axis_b()]);
     let stick = law.stick_depth().sqrt(); // (a*/a)^2 = zeta*/zeta
-    let limit = friction.get() * load.f_z;
+    let most = friction.threshold();
+    let limit = most.get() * load.f_z;
     Ok(Step {
         step: number,
         shift,
@@ -174,7 +186,7 @@ pub fn step(number: f64, laws: &Laws, friction: Friction, count: usize) -> Resul
         stick_semi_axis_b: stick * b,
         stored_energy: laws.stored_energy(),
         dissipated: laws.dissipated(),
-        twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), friction)),
+        twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), most)),
         tractions: tractions(number, laws, friction, state.as_ref(), count)?,
         share: if limit > 0.0 { libm::hypot(load.f_x, load.f_y) / limit } else { 0.0 },
     })
@@ -184,14 +196,18 @@ pub fn step(number: f64, laws: &Laws, friction: Friction, count: usize) -> Resul
 fn tractions(
     step: f64,
     laws: &Laws,
-    friction: Friction,
+    friction: StaticFriction,
     state: Option<&HertzState>,
     count: usize,
 ) -> Result<Vec<Traction>, Error> {
     if count == 0 {
         return Ok(Vec::new());
     }
-    let greatest = state.map_or(0.0, |state| friction.get() * state.peak_pressure);
+    let greatest =
+        |friction: Friction| state.map_or(0.0, |state| friction.get() * state.peak_pressure);
+    let slides = laws.shift().regime() == MemoryRegime::Sliding;
+    let most = greatest(if slides { friction.kinetic() } else { friction.threshold() });
+    let greatest = greatest(friction.threshold());
     let is_circle = state.is_none_or(|state| is_circle(&state.ellipse));
     let history = laws.torsion().and_then(|law| law.history()).filter(|_| is_circle);
     let traction = |radius: f64| {
@@ -200,7 +216,7 @@ fn tractions(
         let t_twist = history
             .map(|history| Ok::<f64, Error>(greatest * twist::traction(history, radius)?))
             .transpose()?;
-        let limit = greatest * ((1.0 - radius) * (1.0 + radius)).sqrt();
+        let limit = most * ((1.0 - radius) * (1.0 + radius)).sqrt();
         Ok(Traction { step, radius, t_x, t_y, t_twist, limit })
     };
     linspace(0.0, 1.0, count).into_iter().map(traction).collect()

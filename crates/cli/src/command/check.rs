@@ -6,8 +6,8 @@ use crate::error::CliError;
 use crate::format::Printing;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
-use carom_cases::case::{CaseKind, HistoryCase, SolveCase, Steps, Understood};
-use carom_cases::history::read_steps;
+use carom_cases::case::{CaseKind, HistoryCase, SolveCase, Understood};
+use carom_cases::history;
 use carom_cases::input::CaseFile;
 use carom_cases::solve::Bodies;
 use serde::Serialize;
@@ -64,10 +64,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 /// Checks that the files named by the case can be read.
 fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
     match kind {
-        CaseKind::History => match file.parse(HistoryCase::parse)?.steps {
-            Steps::File(name) => read_steps(file, &name).map(|_| ())?,
-            Steps::Inline(_) => {}
-        },
+        CaseKind::History => {
+            history::shifts(file, &file.parse(HistoryCase::parse)?)?;
+        }
         CaseKind::Solve => {
             Bodies::of(file, &file.parse(SolveCase::parse)?)?;
         }

@@ -32,6 +32,13 @@ fn hertz_gives_the_circle_of_a_sphere() {
     }
 }
 
+/// What a command that fails for its input says.
+fn failed(arguments: &[&str]) -> String {
+    let output = carom(arguments);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
 fn history(name: &str, friction: &str, steps: &str) -> String {
     let contact = format!("angle = 0\nfriction = {friction}\n[history]\n{steps}\n");
     case(name, &SPHERE.replace("angle = 0\n", &contact))
@@ -53,6 +60,59 @@ fn a_history_slides_at_the_friction_limit_and_remembers() {
     let peak = 1.5 * number(1, "F_z") / (std::f64::consts::PI * a * a);
     let centre = rows[1]["tractions"][0]["t_x"].as_f64().unwrap();
     assert!((centre / (0.3 * peak) - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn under_static_friction_the_force_drops_where_a_history_slides() {
+    let steps = "steps = [[1e-6, 0, 0], [1e-6, 2.6e-7, 0], [1e-6, 2e-6, 0], [1e-6, 1.9e-6, 0]]";
+    let told = |name: &str, friction: &str| {
+        let case = history(name, &format!("{friction}\nlaw = \"fixed-direction\""), steps);
+        json(&["history", &case, "--tractions", "11"])
+    };
+    let (dropping, strong, weak) = (
+        told("dropping.toml", "0.2\nstatic_friction = 0.3"),
+        told("strong.toml", "0.3"),
+        told("weak.toml", "0.2"),
+    );
+    // Before it slides it is a contact with the larger coefficient, above the smaller one; afterwards one with the smaller.
+    assert_eq!(dropping[1], strong[1]);
+    let share = |row: usize| {
+        dropping[row]["F_x"].as_f64().unwrap() / dropping[row]["F_z"].as_f64().unwrap()
+    };
+    assert!(share(1) > 0.25 && share(1) < 0.3, "{}", share(1));
+    assert!((share(2) - 0.2).abs() < 1e-15);
+    let same = |one: &serde_json::Value, two: &serde_json::Value| {
+        let two = two.as_f64().unwrap();
+        close(one, two, 1e-14 * two.abs());
+    };
+    assert_eq!(dropping[2]["regime"], "sliding");
+    for (given, wanted) in [("t_x", "t_x"), ("limit", "limit"), ("t_x", "limit")] {
+        let [mine, its] = [&dropping, &weak].map(|rows| rows[2]["tractions"].as_array().unwrap());
+        mine.iter().zip(its).for_each(|(mine, its)| same(&mine[given], &its[wanted]));
+    }
+    // On the way back it sticks, and its limit is that of static friction again.
+    assert!(dropping[3]["stick_semi_axis_a"].as_f64().unwrap() > 0.0);
+    let limit = |rows: &serde_json::Value| rows[3]["tractions"][0]["limit"].clone();
+    same(&limit(&dropping), &limit(&strong));
+}
+
+#[test]
+fn static_friction_excludes_a_twist_and_a_smaller_coefficient() {
+    let twisted = "steps = [[1e-6, 0, 0], [1e-6, 0, 0, 1e-3]]";
+    let friction = "0.2\nstatic_friction = 0.3";
+    let inline = history("twisted.toml", friction, twisted);
+    let message =
+        "`history.steps` = 0.001 is out of range: must be 0 with `contact.static_friction`";
+    assert!(failed(&["history", &inline]).contains(message));
+    case("twisted.csv", "zeta,xi,eta,omega\n1e-6,0,0,0\n1e-6,0,0,1e-3\n");
+    let file = history("twisted_file.toml", friction, "file = \"twisted.csv\"");
+    for command in ["history", "check"] {
+        let told = failed(&[command, &file]);
+        assert!(told.contains("twisted.csv: omega = 0.001 is out of range: must be 0"), "{told}");
+    }
+    let smaller = history("smaller.toml", "0.2\nstatic_friction = 0.1", twisted);
+    let told = failed(&["history", &smaller]);
+    assert!(told.contains("`contact.static_friction` = 0.1 is out of range"), "{told}");
 }
 
 #[test]

@@ -62,7 +62,7 @@ pub(super) fn follow(
     mut visit: impl FnMut(&mut Vec<Step>) -> Result<(), CliError>,
 ) -> Result<Drawn, CliError> {
     let friction = case.friction;
-    if wanted.radii > 0 && friction.coefficient().is_none() {
+    if wanted.radii > 0 && friction.kinetic().coefficient().is_none() {
         return Err(CliError::Options("--tractions requires finite friction"));
     }
     let state = |number, laws: &Laws, radii| history::step(number, laws, friction, radii);
