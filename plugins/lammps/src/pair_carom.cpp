@@ -243,11 +243,11 @@ inline void PairCarom::Bodies::set(carom_grain &grain, std::size_t i) const
 inline void PairCarom::Bodies::add(std::size_t i, const double *force_i, const double *torque_i) const
 {
   if (i >= moved) return;
-  double *f_i = f + 3 * i, *torque_of_i = torque + 3 * i;
-  const double sums[6] = {f_i[0] + force_i[0], f_i[1] + force_i[1], f_i[2] + force_i[2],
-                          torque_of_i[0] + torque_i[0], torque_of_i[1] + torque_i[1], torque_of_i[2] + torque_i[2]};
-  memcpy(f_i, sums, sizeof(double[3]));
-  memcpy(torque_of_i, sums + 3, sizeof(double[3]));
+  double *__restrict f_i = f + 3 * i, *__restrict torque_of_i = torque + 3 * i;
+  for (int k = 0; k < 3; k++) {
+    f_i[k] += force_i[k];
+    torque_of_i[k] += torque_i[k];
+  }
 }
 
 const carom::Constants &PairCarom::constants_of(int body_1, int body_2) const
