@@ -4,7 +4,7 @@ use super::length::Sizes;
 use super::memory;
 use super::plan::Plan;
 use super::pool;
-use super::product::Term;
+use super::product::{Term, Terms};
 use super::spectrum::{Parity, Spectrum};
 use super::{Axis, OperatorError, Threads, TractionField, Workspace};
 use crate::{Grid, LoadedRectangle, Material, Point, Stress};
@@ -213,11 +213,11 @@ impl InteriorStress {
             }
             row
         });
-        let terms = spectra.each_ref().map(|row| {
+        let blocks = spectra.each_ref().map(|row| {
             row.each_ref().map(|slot| slot.as_ref().map(|spectrum| Term { spectrum, sign: 1.0 }))
         });
         let mut outputs = outputs;
-        self.plan.product(inputs, &terms, &mut outputs, workspace);
+        self.plan.product(inputs, &Terms { blocks: &blocks, unit: 1.0 }, &mut outputs, workspace);
     }
 
     /// The stresses due to unit tractions at the offsets `0..nx` by `0..ny`, source minus receiver.

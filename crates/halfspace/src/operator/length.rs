@@ -1,5 +1,6 @@
 //! Lengths for which the Fourier transform is fast.
 
+use super::precision::Real as _;
 use super::threads::Threads;
 use crate::Grid;
 
@@ -53,9 +54,6 @@ fn cost(length: usize) -> f64 {
 /// Work per point outside the transform (copies, transposition, product), in units of a factor 2.
 const OVERHEAD: f64 = 4.0;
 
-/// Columns transformed together: eight complex numbers fill two cache lines of each row.
-pub(crate) const BLOCK: usize = 8;
-
 /// The lengths of a grid and of its padded transforms.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sizes {
@@ -102,7 +100,7 @@ impl Sizes {
     /// Bytes of the workspace of a product of `fields` tractions and displacements.
     pub(crate) fn workspace(&self, fields: usize, threads: Threads) -> u128 {
         let field = self.columns() as u128 * self.ny as u128;
-        let block = BLOCK * (fields + 1) * self.py + BLOCK * self.columns() + self.px;
+        let block = f64::BLOCK * ((fields + 1) * self.py + self.columns()) + self.px;
         16 * (2 * fields as u128 * field + block as u128 * threads.count() as u128)
     }
 }

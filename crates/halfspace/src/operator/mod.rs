@@ -18,6 +18,7 @@ mod periodic;
 mod plan;
 mod plate;
 mod pool;
+mod precision;
 mod preconditioner;
 mod product;
 mod rolled;
@@ -42,13 +43,15 @@ pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{InflcfUnits, KernelBlock, KernelOperator, TabulatedKernel};
 pub use threads::Threads;
 pub use toeplitz::HalfSpaceOperator;
-pub use torus::TorusInverse;
 pub use validity::Validity;
 pub use workspace::Workspace;
 
 use std::sync::Arc;
 
 use crate::{Coefficients, Grid, Offset};
+
+/// Error of a product in single precision, over the greatest displacement.
+pub const ROUGHNESS: f64 = 1e-6;
 
 /// An influence of tractions on displacements on one grid.
 pub trait SurfaceOperator: Send + Sync {
@@ -117,6 +120,12 @@ pub trait SurfaceOperator: Send + Sync {
         None
     }
 
+    /// The same in half of the time on large grids, linear and symmetric to [`ROUGHNESS`] only, as conjugate gradients
+    /// allow that keep prescribed loads by themselves. Unless overridden, the same as [`SurfaceOperator::inverse`].
+    fn rough_inverse(&self) -> Option<Arc<dyn Preconditioner>> {
+        self.inverse()
+    }
+
     /// The same influence on cells twice as wide, half as many (rounded up) along each axis; `None`
     /// if the operator cannot be built on other grids.
     ///
@@ -143,6 +152,26 @@ pub trait SurfaceOperator: Send + Sync {
     /// Allocates the working memory for repeated products.
     fn workspace(&self) -> Workspace {
         Workspace::default()
+    }
+
+    /// Whether [`SurfaceOperator::apply_roughly`] takes less time than [`SurfaceOperator::apply`].
+    fn has_rough_products(&self) -> bool {
+        false
+    }
+
+    /// As [`SurfaceOperator::apply`], with errors up to [`ROUGHNESS`] times the greatest displacement, in half of the time
+    /// on large grids: for iterations that check what they reach by a product without these errors. Unless
+    /// overridden, the same as [`SurfaceOperator::apply`].
+    ///
+    /// # Errors
+    /// As [`SurfaceOperator::apply`].
+    fn apply_roughly(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        self.apply(tractions, displacements, workspace)
     }
 
     /// The displacements of all cells due to the tractions on all cells.

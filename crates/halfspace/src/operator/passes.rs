@@ -7,43 +7,44 @@
 
 use std::ops::Range;
 
-use rustfft::num_complex::Complex64;
+use rustfft::num_complex::Complex;
 
-use super::length::BLOCK;
 use super::plan::Plan;
 use super::pool;
-use super::product::{Term, Terms};
+use super::precision::Real;
+use super::product::{Matrix, Term, Terms};
 use super::threads::Threads;
-use super::workspace::{Lane, Workspace, each};
+use super::workspace::{Lane, Space, Workspace, each};
 
-impl Plan {
+impl<T: Real> Plan<T> {
     /// `outputs = terms * inputs`. Inputs and outputs hold `nx * ny` values; there is at least one
     /// of each.
     pub(crate) fn product(
         &self,
         inputs: &[&[f64]],
-        terms: &Terms<'_>,
+        terms: &Terms<'_, T>,
         outputs: &mut [&mut [f64]],
         workspace: &mut Workspace,
     ) {
-        workspace.prepare(self, inputs.len(), outputs.len());
+        let space = T::space(workspace);
+        space.prepare(self, inputs.len(), outputs.len());
         match self.threads {
-            Threads::One => self.passes(inputs, terms, outputs, workspace),
-            Threads::Pool => pool::within(|| self.passes(inputs, terms, outputs, workspace)),
+            Threads::One => self.passes(inputs, terms, outputs, space),
+            Threads::Pool => pool::within(|| self.passes(inputs, terms, outputs, space)),
         }
     }
 
     fn passes(
         &self,
         inputs: &[&[f64]],
-        terms: &Terms<'_>,
+        terms: &Terms<'_, T>,
         outputs: &mut [&mut [f64]],
-        workspace: &mut Workspace,
+        space: &mut Space<T>,
     ) {
-        let used = self.used_rows(inputs);
-        self.rows_forward(inputs, &used, workspace);
-        self.columns_pass((inputs.len(), &used), terms, outputs.len(), workspace);
-        self.rows_inverse(outputs, workspace);
+        let (used, unit) = (self.used_rows(inputs), T::unit(inputs));
+        self.rows_forward((inputs, unit), &used, space);
+        self.columns_pass((inputs.len(), &used), terms.blocks, outputs.len(), space);
+        self.rows_inverse((outputs, unit * terms.unit), space);
     }
 
     /// The range of rows in which some input is not zero.
@@ -60,7 +61,13 @@ impl Plan {
     }
 
     /// Transforms the used rows of the inputs into `workspace.rows[row][input][column]`.
-    fn rows_forward(&self, inputs: &[&[f64]], used: &Range<usize>, workspace: &mut Workspace) {
+    fn rows_forward(
+        &self,
+        (inputs, unit): (&[&[f64]], f64),
+        used: &Range<usize>,
+        workspace: &mut Space<T>,
+    ) {
+        let per_unit = 1.0 / unit;
         let row_length = inputs.len() * self.sizes.columns();
         let rows = self.sizes.ny.div_ceil(workspace.lanes.len());
         let all = &mut workspace.rows[..self.sizes.ny * row_length];
@@ -74,8 +81,11 @@ impl Plan {
                     inputs.iter().zip(spectra.chunks_exact_mut(self.sizes.columns()))
                 {
                     let (values, padding) = lane.row.split_at_mut(self.sizes.nx);
-                    values.copy_from_slice(&input[start..start + self.sizes.nx]);
-                    padding.fill(0.0);
+                    let given = &input[start..start + self.sizes.nx];
+                    for (value, given) in values.iter_mut().zip(given) {
+                        *value = T::of(given * per_unit);
+                    }
+                    padding.fill(T::zero());
                     self.row_forward(lane, spectrum);
                 }
             }
@@ -83,7 +93,7 @@ impl Plan {
     }
 
     /// Real transform of `lane.row`, which is overwritten.
-    pub(crate) fn row_forward(&self, lane: &mut Lane, spectrum: &mut [Complex64]) {
+    pub(crate) fn row_forward(&self, lane: &mut Lane<T>, spectrum: &mut [Complex<T>]) {
         let done =
             self.row_forward.process_with_scratch(&mut lane.row, spectrum, &mut lane.scratch);
         debug_assert!(done.is_ok(), "buffers are made for this plan");
@@ -93,17 +103,17 @@ impl Plan {
     fn columns_pass(
         &self,
         (inputs, rows_used): (usize, &Range<usize>),
-        terms: &Terms<'_>,
+        terms: &Matrix<'_, T>,
         outputs: usize,
-        work: &mut Workspace,
+        work: &mut Space<T>,
     ) {
         let column_length = outputs * self.sizes.ny;
-        let columns = self.sizes.columns().div_ceil(work.lanes.len()).next_multiple_of(BLOCK);
+        let columns = self.sizes.columns().div_ceil(work.lanes.len()).next_multiple_of(T::BLOCK);
         let used = &mut work.columns[..self.sizes.columns() * column_length];
         let rows = &work.rows;
         each(self.threads, &mut work.lanes, used, columns * column_length, |part, lane, share| {
-            for (block, results) in share.chunks_mut(BLOCK * column_length).enumerate() {
-                let first = part * columns + block * BLOCK;
+            for (block, results) in share.chunks_mut(T::BLOCK * column_length).enumerate() {
+                let first = part * columns + block * T::BLOCK;
                 let width = results.len() / column_length;
                 for input in 0..inputs {
                     self.gather((rows, rows_used), (inputs, input), (first, width), lane);
@@ -128,13 +138,13 @@ impl Plan {
     /// Gathers `width` columns of one input from the row spectra and transforms them.
     fn gather(
         &self,
-        (rows, used): (&[Complex64], &Range<usize>),
+        (rows, used): (&[Complex<T>], &Range<usize>),
         (inputs, input): (usize, usize),
         (first, width): (usize, usize),
-        lane: &mut Lane,
+        lane: &mut Lane<T>,
     ) {
         let py = self.sizes.py;
-        let block = &mut lane.blocks[input * BLOCK * py..][..width * py];
+        let block = &mut lane.blocks[input * T::BLOCK * py..][..width * py];
         for row in used.clone() {
             let at = (row * inputs + input) * self.sizes.columns() + first;
             for (column, value) in rows[at..at + width].iter().enumerate() {
@@ -142,8 +152,8 @@ impl Plan {
             }
         }
         for column in block.chunks_exact_mut(py) {
-            column[..used.start].fill(Complex64::ZERO);
-            column[used.end..].fill(Complex64::ZERO);
+            column[..used.start].fill(Complex::default());
+            column[used.end..].fill(Complex::default());
         }
         self.column_forward.process_with_scratch(block, &mut lane.scratch);
     }
@@ -151,10 +161,10 @@ impl Plan {
     /// Sums the terms of one output over the inputs into `lane.sum`.
     fn multiply(
         &self,
-        terms: &[Option<Term<'_>>; 3],
+        terms: &[Option<Term<'_, T>>; 3],
         inputs: usize,
         (first, width): (usize, usize),
-        lane: &mut Lane,
+        lane: &mut Lane<T>,
     ) {
         let py = self.sizes.py;
         for column in 0..width {
@@ -162,20 +172,20 @@ impl Plan {
             let mut fresh = true;
             for (input, term) in terms.iter().enumerate().take(inputs) {
                 let Some(term) = term else { continue };
-                let values = &lane.blocks[(input * BLOCK + column) * py..][..py];
+                let values = &lane.blocks[(input * T::BLOCK + column) * py..][..py];
                 term.spectrum.multiply(first + column, term.sign, values, sum, fresh);
                 fresh = false;
             }
             if fresh {
-                sum.fill(Complex64::ZERO);
+                sum.fill(Complex::default());
             }
         }
     }
 
     /// Reads the transposed columns and transforms the rows of the outputs back.
-    fn rows_inverse(&self, outputs: &mut [&mut [f64]], workspace: &mut Workspace) {
+    fn rows_inverse(&self, (outputs, unit): (&mut [&mut [f64]], f64), workspace: &mut Space<T>) {
         let count = outputs.len();
-        let rows = self.sizes.ny.div_ceil(workspace.lanes.len()).next_multiple_of(BLOCK);
+        let rows = self.sizes.ny.div_ceil(workspace.lanes.len()).next_multiple_of(T::BLOCK);
         let columns = &workspace.columns;
         for (output, field) in outputs.iter_mut().enumerate() {
             each(
@@ -184,8 +194,8 @@ impl Plan {
                 field,
                 rows * self.sizes.nx,
                 |part, lane, share| {
-                    for (block, results) in share.chunks_mut(BLOCK * self.sizes.nx).enumerate() {
-                        let first = part * rows + block * BLOCK;
+                    for (block, results) in share.chunks_mut(T::BLOCK * self.sizes.nx).enumerate() {
+                        let first = part * rows + block * T::BLOCK;
                         let height = results.len() / self.sizes.nx;
                         let length = self.sizes.columns();
                         for column in 0..length {
@@ -195,7 +205,7 @@ impl Plan {
                             }
                         }
                         for (row, result) in results.chunks_exact_mut(self.sizes.nx).enumerate() {
-                            self.row_inverse(row, result, lane);
+                            self.row_inverse(row, (result, unit), lane);
                         }
                     }
                 },
@@ -203,15 +213,17 @@ impl Plan {
         }
     }
 
-    fn row_inverse(&self, row: usize, result: &mut [f64], lane: &mut Lane) {
+    fn row_inverse(&self, row: usize, (result, unit): (&mut [f64], f64), lane: &mut Lane<T>) {
         let length = self.sizes.columns();
         let spectrum = &mut lane.spectra[row * length..][..length];
         // Real by symmetry; the transform requires an exact zero.
-        spectrum[0].im = 0.0;
-        spectrum[length - 1].im = 0.0;
+        spectrum[0].im = T::zero();
+        spectrum[length - 1].im = T::zero();
         let done =
             self.row_inverse.process_with_scratch(spectrum, &mut lane.row, &mut lane.scratch);
         debug_assert!(done.is_ok(), "buffers are made for this plan");
-        result.copy_from_slice(&lane.row[..self.sizes.nx]);
+        for (result, value) in result.iter_mut().zip(&lane.row) {
+            *result = value.to() * unit;
+        }
     }
 }

@@ -8,8 +8,9 @@ use super::memory;
 use super::plan::Plan;
 use super::product::{Term, apply};
 use super::spectrum::{Parity, Spectrum};
+use super::torus::TorusInverse;
 use super::{
-    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads, TorusInverse,
+    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
     TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
@@ -210,7 +211,13 @@ impl SurfaceOperator for PeriodicOperator {
         displacements: DisplacementField<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), OperatorError> {
-        apply(&self.plan, |of, by| Ok(self.term(of, by)), tractions, displacements, workspace)
+        apply(
+            &self.plan,
+            (|of, by| Ok(self.term(of, by)), 1.0),
+            tractions,
+            displacements,
+            workspace,
+        )
     }
 }
 

@@ -6,25 +6,28 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
 use super::length::Sizes;
+use super::precision::Real;
 use super::threads::Threads;
 use crate::Grid;
 
 /// The transforms of a padded grid.
 #[derive(Clone)]
-pub(crate) struct Plan {
+pub(crate) struct Plan<T: Real = f64> {
     pub(crate) sizes: Sizes,
     pub(crate) threads: Threads,
-    pub(crate) row_forward: Arc<dyn RealToComplex<f64>>,
-    pub(super) row_inverse: Arc<dyn ComplexToReal<f64>>,
-    pub(crate) column_forward: Arc<dyn Fft<f64>>,
-    pub(super) column_inverse: Arc<dyn Fft<f64>>,
+    pub(crate) row_forward: Arc<dyn RealToComplex<T>>,
+    pub(super) row_inverse: Arc<dyn ComplexToReal<T>>,
+    pub(crate) column_forward: Arc<dyn Fft<T>>,
+    pub(super) column_inverse: Arc<dyn Fft<T>>,
 }
 
 impl Plan {
     pub(crate) fn new(grid: Grid, threads: Threads) -> Self {
         Self::on(Sizes::of(grid), threads)
     }
+}
 
+impl<T: Real> Plan<T> {
     pub(crate) fn on(sizes: Sizes, threads: Threads) -> Self {
         let (px, py) = (sizes.px, sizes.py);
         let mut real = RealFftPlanner::new();

@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use rustfft::num_complex::Complex64;
+use rustfft::num_complex::{Complex, Complex64};
 
-use super::length::{BLOCK, Sizes};
+use super::length::Sizes;
 use super::plan::Plan;
+use super::precision::Real;
 use super::workspace::{Lane, each};
 
 /// By this power of e the sum over points ahead fades along the torus.
@@ -36,9 +37,9 @@ impl Parity {
 /// A kernel with even or odd symmetry in both coordinates has a real or imaginary transform with
 /// the same symmetry: half of the columns, with one real number per point, are stored.
 #[derive(Debug, Clone)]
-pub(crate) enum Spectrum {
-    Symmetric { values: Vec<f64>, half: usize, imaginary: bool, row_parity: Parity },
-    General { values: Vec<Complex64>, length: usize },
+pub(crate) enum Spectrum<T = f64> {
+    Symmetric { values: Vec<T>, half: usize, imaginary: bool, row_parity: Parity },
+    General { values: Vec<Complex<T>>, length: usize },
 }
 
 impl Spectrum {
@@ -126,19 +127,44 @@ impl Spectrum {
         }
     }
 
+    /// The greatest value.
+    pub(crate) fn greatest(&self) -> f64 {
+        match self {
+            Self::Symmetric { values, .. } => values.iter().fold(0.0, |most, f| most.max(f.abs())),
+            Self::General { values, .. } => values.iter().fold(0.0, |most, z| most.max(z.norm())),
+        }
+    }
+
+    /// The same in another precision, over a unit.
+    pub(crate) fn over<T: Real>(&self, unit: f64) -> Spectrum<T> {
+        let part = |value: f64| T::of(value / unit);
+        match *self {
+            Self::Symmetric { ref values, half, imaginary, row_parity } => {
+                let values = values.iter().copied().map(part).collect();
+                Spectrum::Symmetric { values, half, imaginary, row_parity }
+            }
+            Self::General { ref values, length } => {
+                let values = values.iter().map(|z| Complex::new(part(z.re), part(z.im))).collect();
+                Spectrum::General { values, length }
+            }
+        }
+    }
+}
+
+impl<T: Real> Spectrum<T> {
     /// `sum = sign * spectrum * values` in one column; added to `sum` unless `fresh`.
     pub(crate) fn multiply(
         &self,
         column: usize,
-        sign: f64,
-        values: &[Complex64],
-        sum: &mut [Complex64],
+        sign: T,
+        values: &[Complex<T>],
+        sum: &mut [Complex<T>],
         fresh: bool,
     ) {
         match self {
             Self::Symmetric { values: all, half, imaginary, row_parity } => {
                 let own = &all[column * half..][..*half];
-                let mirror = sign * row_parity.sign();
+                let mirror = sign * T::of(row_parity.sign());
                 match (imaginary, fresh) {
                     (false, true) => mirrored(own, sign, mirror, values, sum, |f, z, _| z * f),
                     (false, false) => mirrored(own, sign, mirror, values, sum, |f, z, s| s + z * f),
@@ -151,7 +177,7 @@ impl Spectrum {
             Self::General { values: all, length } => {
                 let own = &all[column * length..][..*length];
                 for ((factor, value), sum) in own.iter().zip(values).zip(sum) {
-                    let product = factor * value * sign;
+                    let product = *factor * *value * sign;
                     *sum = if fresh { product } else { *sum + product };
                 }
             }
@@ -160,28 +186,28 @@ impl Spectrum {
 }
 
 /// i f z.
-fn turn(z: Complex64, f: f64) -> Complex64 {
-    Complex64::new(-f * z.im, f * z.re)
+fn turn<T: Real>(z: Complex<T>, f: T) -> Complex<T> {
+    Complex::new(-f * z.im, f * z.re)
 }
 
 /// Traverses the stored half of a column and its mirror image.
 #[inline(always)]
-fn mirrored(
-    own: &[f64],
-    sign: f64,
-    mirror: f64,
-    values: &[Complex64],
-    sum: &mut [Complex64],
-    combine: impl Fn(f64, Complex64, Complex64) -> Complex64,
+fn mirrored<T: Real>(
+    own: &[T],
+    sign: T,
+    mirror: T,
+    values: &[Complex<T>],
+    sum: &mut [Complex<T>],
+    combine: impl Fn(T, Complex<T>, Complex<T>) -> Complex<T>,
 ) {
     let (low, high) = values.split_at(own.len());
     let (low_sum, high_sum) = sum.split_at_mut(own.len());
     for ((factor, value), sum) in own.iter().zip(low).zip(low_sum) {
-        *sum = combine(sign * factor, *value, *sum);
+        *sum = combine(sign * *factor, *value, *sum);
     }
     let image = own[1..own.len() - 1].iter().rev();
     for ((factor, value), sum) in image.zip(high).zip(high_sum) {
-        *sum = combine(mirror * factor, *value, *sum);
+        *sum = combine(mirror * *factor, *value, *sum);
     }
 }
 
@@ -230,10 +256,10 @@ fn symmetric_columns(
 ) -> Vec<f64> {
     let (columns, py, half) = (plan.sizes.columns(), plan.sizes.py, plan.sizes.py / 2 + 1);
     let mut values = vec![0.0; columns * half];
-    let share = columns.div_ceil(lanes.len()).next_multiple_of(2 * BLOCK);
+    let share = columns.div_ceil(lanes.len()).next_multiple_of(2 * f64::BLOCK);
     each(plan.threads, lanes, &mut values, share * half, |part, lane, results| {
-        for (block, results) in results.chunks_mut(2 * BLOCK * half).enumerate() {
-            let first = part * share + block * 2 * BLOCK;
+        for (block, results) in results.chunks_mut(2 * f64::BLOCK * half).enumerate() {
+            let first = part * share + block * 2 * f64::BLOCK;
             let width = results.len() / half;
             let pairs = width.div_ceil(2);
             let sum = &mut lane.sum[..pairs * py];

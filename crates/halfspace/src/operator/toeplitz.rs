@@ -8,9 +8,10 @@ use super::plan::Plan;
 use super::product::{Term, apply};
 use super::spectrum::Spectrum;
 use super::table::Entry;
+use super::torus::TorusInverse;
 use super::{
     Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, Preconditioner,
-    SurfaceOperator, Threads, TorusInverse, TractionField, Workspace,
+    SurfaceOperator, Threads, TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair, Offset};
 use carom_special::RangeError;
@@ -44,7 +45,17 @@ pub struct HalfSpaceOperator {
     grid: Grid,
     plan: Plan,
     spectra: Arc<[OnceLock<Spectrum>; 6]>,
+    single: Arc<OnceLock<Single>>,
     inverse: TorusInverse,
+    rough_inverse: TorusInverse<f32>,
+}
+
+/// The transforms in single precision.
+struct Single {
+    plan: Plan<f32>,
+    /// Over the unit.
+    spectra: [OnceLock<Spectrum<f32>>; 6],
+    unit: f64,
 }
 
 impl HalfSpaceOperator {
@@ -78,9 +89,10 @@ impl HalfSpaceOperator {
         blocks: Blocks,
         threads: Threads,
     ) -> Self {
-        let (plan, spectra) = (Plan::new(grid, threads), Arc::default());
+        let (plan, spectra, single) = (Plan::new(grid, threads), Arc::default(), Arc::default());
         let inverse = TorusInverse::new(&table.pair(), grid, threads);
-        Self { blocks, table, grid, plan, spectra, inverse }
+        let rough_inverse = TorusInverse::new(&table.pair(), grid, threads);
+        Self { blocks, table, grid, plan, spectra, single, inverse, rough_inverse }
     }
 
     /// Memory of all transforms and one workspace, in bytes.
@@ -92,7 +104,9 @@ impl HalfSpaceOperator {
             Blocks::Tangential => 2,
         };
         let sizes = Sizes::of(grid);
-        held * sizes.symmetric_spectrum() + sizes.workspace(fields, threads)
+        let double = held * sizes.symmetric_spectrum() + sizes.workspace(fields, threads);
+        // Single precision takes half as much beside it.
+        double + double / 2
     }
 
     /// The materials.
@@ -117,6 +131,32 @@ impl HalfSpaceOperator {
         }
         let held = self.blocks.holds(entry, &pair);
         Ok(held.then(|| Term { spectrum: self.spectrum(entry), sign }))
+    }
+
+    /// The same in single precision.
+    fn single_term<'a>(
+        &'a self,
+        single: &'a Single,
+        of: Axis,
+        by: Axis,
+    ) -> Result<Option<Term<'a, f32>>, OperatorError> {
+        let term = self.term(of, by)?;
+        let place = &single.spectra[entry(of, by).0 as usize];
+        Ok(term.map(|Term { spectrum, sign }| {
+            let spectrum = place.get_or_init(|| spectrum.over(single.unit));
+            Term { spectrum, sign: sign as f32 }
+        }))
+    }
+
+    fn single(&self) -> &Single {
+        self.single.get_or_init(|| {
+            let Sizes { px, py, .. } = self.plan.sizes;
+            // The influence of a cell on itself is the mean of the spectrum.
+            let [x, _, z] = self.coefficients(0, 0).rows;
+            let unit = x[0].max(z[2]) / (px as f64 * py as f64);
+            let plan = Plan::on(self.plan.sizes, self.plan.threads);
+            Single { plan, spectra: Default::default(), unit }
+        })
     }
 
     fn spectrum(&self, entry: Entry) -> &Spectrum {
@@ -178,6 +218,10 @@ impl SurfaceOperator for HalfSpaceOperator {
         Some(Arc::new(self.inverse.clone()))
     }
 
+    fn rough_inverse(&self) -> Option<Arc<dyn Preconditioner>> {
+        Some(Arc::new(self.rough_inverse.clone()))
+    }
+
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
         let build = || {
             let grid = self.grid().coarser()?;
@@ -219,7 +263,23 @@ impl SurfaceOperator for HalfSpaceOperator {
         displacements: DisplacementField<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), OperatorError> {
-        apply(&self.plan, |of, by| self.term(of, by), tractions, displacements, workspace)
+        let terms = (|of, by| self.term(of, by), 1.0);
+        apply(&self.plan, terms, tractions, displacements, workspace)
+    }
+
+    fn has_rough_products(&self) -> bool {
+        true
+    }
+
+    fn apply_roughly(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        let single = self.single();
+        let terms = (|of, by| self.single_term(single, of, by), single.unit);
+        apply(&single.plan, terms, tractions, displacements, workspace)
     }
 }
 

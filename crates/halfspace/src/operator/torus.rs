@@ -6,7 +6,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::length::Sizes;
 use super::plan::Plan;
-use super::product::{self, Term};
+use super::precision::Real;
+use super::product::{self, Matrix, Term, Terms};
 use super::spectrum::{Parity, Spectrum};
 use super::{Preconditioner, Threads, Workspace};
 use crate::{Grid, MaterialPair, Offset};
@@ -22,18 +23,32 @@ use crate::{Grid, MaterialPair, Offset};
 ///
 /// Clones are cheap; each block is computed when first needed.
 #[derive(Clone)]
-pub struct TorusInverse {
-    plan: Plan,
-    blocks: Arc<TorusBlocks>,
+pub(crate) struct TorusInverse<T: Real = f64> {
+    plan: Plan<T>,
+    blocks: Arc<TorusBlocks<T>>,
 }
 
 /// The symbols of the inverse.
-struct TorusBlocks {
+struct TorusBlocks<T> {
     pair: MaterialPair,
     grid: Grid,
-    normal: OnceLock<Spectrum>,
+    normal: OnceLock<Symbols<T, 1>>,
     /// xx, xy, yy.
-    tangential: OnceLock<[Spectrum; 3]>,
+    tangential: OnceLock<Symbols<T, 3>>,
+}
+
+/// Symbols of the inverse over a unit.
+struct Symbols<T, const N: usize> {
+    spectra: [Spectrum<T>; N],
+    unit: f64,
+}
+
+impl<T: Real, const N: usize> Symbols<T, N> {
+    fn new(symbols: &[Spectrum; N]) -> Self {
+        let greatest = symbols.iter().map(Spectrum::greatest).fold(0.0, f64::max);
+        let unit = T::unit_of_spectrum(greatest);
+        Self { spectra: symbols.each_ref().map(|symbol| symbol.over(unit)), unit }
+    }
 }
 
 /// Aliased waves that are summed: this many periods of the grid on each side.
@@ -48,7 +63,7 @@ struct Waves {
     yy: Vec<f64>,
 }
 
-impl TorusInverse {
+impl<T: Real> TorusInverse<T> {
     pub(crate) fn new(pair: &MaterialPair, grid: Grid, threads: Threads) -> Self {
         let plan = Plan::on(Sizes::of_torus(grid), threads);
         let (normal, tangential) = (OnceLock::new(), OnceLock::new());
@@ -56,10 +71,12 @@ impl TorusInverse {
     }
 }
 
-impl Preconditioner for TorusInverse {
+impl<T: Real> Preconditioner for TorusInverse<T> {
     fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
-        let mut terms = [[None; 3]; 3];
-        terms[0][0] = Some(term(self.blocks.normal(&self.plan.sizes)));
+        let Symbols { spectra: [normal], unit } = self.blocks.normal(&self.plan.sizes);
+        let mut blocks = [[None; 3]; 3];
+        blocks[0][0] = Some(term(normal));
+        let terms = Terms { blocks: &blocks, unit: *unit };
         self.plan.product(&[displacement], &terms, &mut [pressure], workspace);
     }
 
@@ -76,21 +93,21 @@ impl Preconditioner for TorusInverse {
     fn rolled(&self, ahead: Offset, part: f64) -> Option<Arc<dyn Preconditioner>> {
         let (sizes, grid) = (self.plan.sizes, self.blocks.grid);
         let cells = [ahead.x / grid.dx(), ahead.y / grid.dy()];
-        let sums = |spectrum: &Spectrum| spectrum.summed_ahead(&sizes, cells, part);
-        let blocks = self.blocks.tangential(&sizes).each_ref().map(sums);
+        let sums = |symbol: Spectrum| symbol.summed_ahead(&sizes, cells, part);
+        let blocks = Symbols::new(&self.blocks.tangential_symbols(&sizes).map(sums));
         Some(Arc::new(RolledInverse { torus: self.clone(), blocks: Arc::new(blocks) }))
     }
 }
 
 /// The inverse for a step of rolling: the changes of displacement are added up from the leading end
 /// of the grid, and the sums inverted on the torus.
-struct RolledInverse {
-    torus: TorusInverse,
+struct RolledInverse<T: Real> {
+    torus: TorusInverse<T>,
     /// xx, xy, yy.
-    blocks: Arc<[Spectrum; 3]>,
+    blocks: Arc<Symbols<T, 3>>,
 }
 
-impl Preconditioner for RolledInverse {
+impl<T: Real> Preconditioner for RolledInverse<T> {
     fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
         self.torus.pressure(displacement, pressure, workspace);
     }
@@ -105,20 +122,21 @@ impl Preconditioner for RolledInverse {
     }
 }
 
-impl TorusInverse {
+impl<T: Real> TorusInverse<T> {
     /// The product with the blocks xx, xy, yy.
     fn tangential(
         &self,
-        blocks: &[Spectrum; 3],
+        blocks: &Symbols<T, 3>,
         displacement: [Option<&[f64]>; 2],
         traction: [Option<&mut [f64]>; 2],
         workspace: &mut Workspace,
     ) {
-        let [xx, xy, yy] = blocks.each_ref().map(|spectrum| Some(term(spectrum)));
+        let [xx, xy, yy] = blocks.spectra.each_ref().map(|spectrum| Some(term(spectrum)));
         // For a Poisson's ratio of zero the two directions do not couple.
         let xy = xy.filter(|_| self.blocks.pair.poisson() != 0.0);
         let (mut inputs, mut outputs): ([&[f64]; 2], [&mut [f64]; 2]) = Default::default();
-        let (mut given, mut wanted, mut terms) = (0, 0, [[None; 3]; 3]);
+        let (mut given, mut wanted) = (0, 0);
+        let mut used: Matrix<'_, T> = [[None; 3]; 3];
         let mut columns = [0; 2];
         for (axis, values) in displacement.into_iter().enumerate() {
             let Some(values) = values else { continue };
@@ -127,18 +145,19 @@ impl TorusInverse {
         }
         for (row, field) in [[xx, xy], [xy, yy]].into_iter().zip(traction) {
             let Some(field) = field else { continue };
-            for (term, column) in terms[wanted].iter_mut().zip(&columns[..given]) {
+            for (term, column) in used[wanted].iter_mut().zip(&columns[..given]) {
                 *term = row[*column];
             }
             outputs[wanted] = field;
             wanted += 1;
         }
+        let terms = Terms { blocks: &used, unit: blocks.unit };
         product::reduced(&self.plan, &inputs[..given], &terms, &mut outputs[..wanted], workspace);
     }
 }
 
-impl TorusBlocks {
-    fn normal(&self, sizes: &Sizes) -> &Spectrum {
+impl<T: Real> TorusBlocks<T> {
+    fn normal(&self, sizes: &Sizes) -> &Symbols<T, 1> {
         self.normal.get_or_init(|| {
             let compliance = (1.0 - self.pair.poisson()) / self.pair.shear_modulus();
             let scale = 1.0 / (compliance * sizes.px as f64 * sizes.py as f64);
@@ -146,37 +165,39 @@ impl TorusBlocks {
             symbols(sizes, self.grid, Waves::add_lengths, |waves| {
                 values.extend(waves.all.iter().map(|all| scale / all));
             });
-            spectrum(values, sizes)
+            Symbols::new(&[spectrum(values, sizes)])
         })
     }
 
-    fn tangential(&self, sizes: &Sizes) -> &[Spectrum; 3] {
-        self.tangential.get_or_init(|| {
-            let (nu, compliance) = (self.pair.poisson(), 1.0 / self.pair.shear_modulus());
-            let scale = 1.0 / (sizes.px as f64 * sizes.py as f64);
-            let length = sizes.columns() * (sizes.py / 2 + 1);
-            let [mut xx, mut xy, mut yy] = [(); 3].map(|()| Vec::with_capacity(length));
-            symbols(sizes, self.grid, Waves::add_directions, |waves| {
-                for (i, all) in waves.all.iter().enumerate() {
-                    let [a, b, c] = [
-                        compliance * (all - nu * waves.xx[i]),
-                        -compliance * nu * waves.xy[i],
-                        compliance * (all - nu * waves.yy[i]),
-                    ];
-                    let over = scale / (a * c - b * b);
-                    xx.push(c * over);
-                    xy.push(-b * over);
-                    yy.push(a * over);
-                }
-            });
-            let odd = match spectrum(xy, sizes) {
-                Spectrum::Symmetric { values, half, imaginary, .. } => {
-                    Spectrum::Symmetric { values, half, imaginary, row_parity: Parity::Odd }
-                }
-                general @ Spectrum::General { .. } => general,
-            };
-            [spectrum(xx, sizes), odd, spectrum(yy, sizes)]
-        })
+    fn tangential(&self, sizes: &Sizes) -> &Symbols<T, 3> {
+        self.tangential.get_or_init(|| Symbols::new(&self.tangential_symbols(sizes)))
+    }
+
+    fn tangential_symbols(&self, sizes: &Sizes) -> [Spectrum; 3] {
+        let (nu, compliance) = (self.pair.poisson(), 1.0 / self.pair.shear_modulus());
+        let scale = 1.0 / (sizes.px as f64 * sizes.py as f64);
+        let length = sizes.columns() * (sizes.py / 2 + 1);
+        let [mut xx, mut xy, mut yy] = [(); 3].map(|()| Vec::with_capacity(length));
+        symbols(sizes, self.grid, Waves::add_directions, |waves| {
+            for (i, all) in waves.all.iter().enumerate() {
+                let [a, b, c] = [
+                    compliance * (all - nu * waves.xx[i]),
+                    -compliance * nu * waves.xy[i],
+                    compliance * (all - nu * waves.yy[i]),
+                ];
+                let over = scale / (a * c - b * b);
+                xx.push(c * over);
+                xy.push(-b * over);
+                yy.push(a * over);
+            }
+        });
+        let odd = match spectrum(xy, sizes) {
+            Spectrum::Symmetric { values, half, imaginary, .. } => {
+                Spectrum::Symmetric { values, half, imaginary, row_parity: Parity::Odd }
+            }
+            general @ Spectrum::General { .. } => general,
+        };
+        [spectrum(xx, sizes), odd, spectrum(yy, sizes)]
     }
 }
 
@@ -186,8 +207,8 @@ const fn spectrum(values: Vec<f64>, sizes: &Sizes) -> Spectrum {
     Spectrum::Symmetric { values, half, imaginary: false, row_parity: Parity::Even }
 }
 
-const fn term(spectrum: &Spectrum) -> Term<'_> {
-    Term { spectrum, sign: 1.0 }
+fn term<T: Real>(spectrum: &Spectrum<T>) -> Term<'_, T> {
+    Term { spectrum, sign: T::one() }
 }
 
 /// The sums over all waves of the torus, column by column.
@@ -271,7 +292,7 @@ fn sinc(x: f64) -> f64 {
     if x.abs() < 1e-8 { 1.0 } else { libm::sin(x) / x }
 }
 
-impl std::fmt::Debug for TorusInverse {
+impl<T: Real> std::fmt::Debug for TorusInverse<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let size = (self.plan.sizes.px, self.plan.sizes.py);
         f.debug_struct("TorusInverse").field("size", &size).finish_non_exhaustive()

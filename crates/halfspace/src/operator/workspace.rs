@@ -1,11 +1,11 @@
 //! The working memory of a product, reused between products.
 
-use rustfft::num_complex::Complex64;
+use rustfft::num_complex::Complex;
 
-use super::length::BLOCK;
 use super::plan::Plan;
 use super::plate::SineSpace;
 use super::pool;
+use super::precision::Real;
 use super::threads::Threads;
 
 /// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
@@ -13,31 +13,38 @@ use super::threads::Threads;
 /// It may serve any operator: buffers grow as needed and are never reduced.
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
-    /// Row spectra of the tractions, by row, traction, column.
-    pub(crate) rows: Vec<Complex64>,
-    /// Column results of the displacements, by column, displacement, row.
-    pub(crate) columns: Vec<Complex64>,
-    pub(crate) lanes: Vec<Lane>,
+    pub(super) double: Space<f64>,
+    pub(super) single: Space<f32>,
     pub(super) sines: SineSpace,
+}
+
+/// Buffers of one precision.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Space<T> {
+    /// Row spectra of the tractions, by row, traction, column.
+    pub(crate) rows: Vec<Complex<T>>,
+    /// Column results of the displacements, by column, displacement, row.
+    pub(crate) columns: Vec<Complex<T>>,
+    pub(crate) lanes: Vec<Lane<T>>,
 }
 
 /// Working memory of one thread.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Lane {
+pub(crate) struct Lane<T = f64> {
     /// One padded row.
-    pub(crate) row: Vec<f64>,
+    pub(crate) row: Vec<T>,
     /// A block of columns of each input.
-    pub(crate) blocks: Vec<Complex64>,
+    pub(crate) blocks: Vec<Complex<T>>,
     /// A block of columns of one output.
-    pub(crate) sum: Vec<Complex64>,
+    pub(crate) sum: Vec<Complex<T>>,
     /// A block of rows of one output.
-    pub(crate) spectra: Vec<Complex64>,
-    pub(crate) scratch: Vec<Complex64>,
+    pub(crate) spectra: Vec<Complex<T>>,
+    pub(crate) scratch: Vec<Complex<T>>,
 }
 
-impl Workspace {
+impl<T: Real> Space<T> {
     /// Makes all buffers long enough for a product.
-    pub(crate) fn prepare(&mut self, plan: &Plan, inputs: usize, outputs: usize) {
+    pub(crate) fn prepare(&mut self, plan: &Plan<T>, inputs: usize, outputs: usize) {
         let field = plan.sizes.columns() * plan.sizes.ny;
         grow(&mut self.rows, inputs * field);
         grow(&mut self.columns, outputs * field);
@@ -51,20 +58,20 @@ impl Workspace {
     }
 }
 
-impl Lane {
-    pub(crate) fn prepare(&mut self, plan: &Plan, inputs: usize) {
+impl<T: Real> Lane<T> {
+    pub(crate) fn prepare(&mut self, plan: &Plan<T>, inputs: usize) {
         // The transforms require these two at exactly their own length.
-        self.row.resize(plan.sizes.px, 0.0);
+        self.row.resize(plan.sizes.px, T::zero());
         grow(&mut self.scratch, plan.scratch());
-        grow(&mut self.blocks, inputs * BLOCK * plan.sizes.py);
-        grow(&mut self.sum, BLOCK * plan.sizes.py);
-        grow(&mut self.spectra, BLOCK * plan.sizes.columns());
+        grow(&mut self.blocks, inputs * T::BLOCK * plan.sizes.py);
+        grow(&mut self.sum, T::BLOCK * plan.sizes.py);
+        grow(&mut self.spectra, T::BLOCK * plan.sizes.columns());
     }
 }
 
-fn grow(buffer: &mut Vec<Complex64>, length: usize) {
+fn grow<T: Real>(buffer: &mut Vec<Complex<T>>, length: usize) {
     if buffer.len() < length {
-        buffer.resize(length, Complex64::ZERO);
+        buffer.resize(length, Complex::default());
     }
 }
 

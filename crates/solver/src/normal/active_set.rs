@@ -54,7 +54,11 @@ impl ActiveSet {
         let zero = || vec![0.0; cells];
         Self {
             threads: operator.threads(),
-            inverse: operator.inverse(),
+            // Normal and tangential solves in turn magnify the smallest difference at great friction.
+            inverse: match operator.is_coupled() {
+                true => operator.inverse(),
+                false => operator.rough_inverse(),
+            },
             workspace: operator.workspace(),
             own: operator.coefficients(0, 0).rows[2][2],
             gap: zero(),
@@ -298,13 +302,20 @@ impl ActiveSet {
             if matches!(task.driven, Driven::Shift(_)) {
                 self.precondition_ones(state);
             }
-            let part = force / total(self.threads, &self.ones);
-            subtract(self.threads, part, &self.ones, &mut self.direction);
+            self.take_force(force);
         }
         self.multiply(task.operator, state)?;
         self.correct(task, 1.0, state);
         keep_active(self.threads, task.pressure, &self.active);
         Ok(())
+    }
+
+    /// Takes a force out of `direction`, by a uniform displacement.
+    fn take_force(&mut self, force: f64) {
+        let ones = total(self.threads, &self.ones);
+        if ones > 0.0 {
+            subtract(self.threads, force / ones, &self.ones, &mut self.direction);
+        }
     }
 
     /// A step of conjugate gradients along `preconditioned`.
@@ -322,6 +333,11 @@ impl ActiveSet {
             }
         });
         state.power = Some(power);
+        if matches!(task.driven, Driven::Load(_)) {
+            // The preconditioner is symmetric to single precision only.
+            let added = total(self.threads, &self.direction);
+            self.take_force(added);
+        }
         self.multiply(task.operator, state)?;
         let down = self.dot(&self.direction, &self.gap);
         let bend = self.dot(&self.direction, &self.image);

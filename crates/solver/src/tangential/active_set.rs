@@ -6,16 +6,17 @@
 //! curvature of the rim adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate
 //! gradients solve for all cells together. The sets of sticking and slipping cells change when the
 //! violation of the discs, or of the direction of slip, exceeds the last step. Projections onto the
-//! discs and a damped step share one product.
+//! discs and a damped step share one product. Where the operator has rough products, corrections take them, and the slip
+//! is computed again by a product without their errors before these count.
 //!
 //! All fields are compressed to the cells of the contact; products use the box that contains them.
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::{OperatorError, SurfaceOperator, Threads};
+use carom_halfspace::operator::{OperatorError, ROUGHNESS, SurfaceOperator, Threads};
 use nalgebra::Vector3;
 
 use super::compressed::Compressed;
-use super::contact::ContactInfluence;
+use super::contact::{ContactInfluence, takes_rough};
 use super::iteration_state::IterationState;
 use super::law::{REACHED, Violation, ViolationSums, project_to_disc};
 use super::plane::{Plane, slices, slices_mut};
@@ -155,10 +156,12 @@ impl ActiveSet {
             }
         });
         state.power = Some(power);
+        // The preconditioner is symmetric to single precision only, so that corrections change the loads a little.
+        self.restore_loads(task);
         if self.runs_away() {
             return Ok(Violation::LOST);
         }
-        self.multiply(task.operator, &mut state.products)?;
+        self.multiply_roughly(task.operator, &mut state.products)?;
         let parts =
             ((slices(&self.direction), &self.bend[..]), (slices(&self.rest), slices(&self.image)));
         let [down, bend, alone] = fold(
@@ -205,11 +208,12 @@ impl ActiveSet {
             (slices(&self.direction), slices(&self.image)),
             (task.limits, &*task.cells, slices(&self.rim)),
         );
-        let (square, off) = fold(
+        let (square, farthest, off) = fold(
             self.threads,
             parts,
             &|(([x, y], [u, v]), (steps, images), (limits, cells, rims))| {
-                let (mut square, mut off) = (0.0, ViolationSums::default());
+                let (mut square, mut farthest) = (0.0, 0.0_f64);
+                let mut off = ViolationSums::default();
                 let (tractions, slips) = (x.iter_mut().zip(y), u.iter_mut().zip(v));
                 let steps = steps[0].iter().zip(steps[1]);
                 let images = images[0].iter().zip(images[1]);
@@ -222,13 +226,19 @@ impl ActiveSet {
                     square += d_x * d_x + d_y * d_y;
                     *u -= length * a_x;
                     *v -= length * a_y;
+                    farthest = farthest.max(a_x.abs()).max(a_y.abs());
                     off.add(*cell, *limit, [*x, *y], [*u * per_own, *v * per_own], [*e_x, *e_y]);
                 }
-                (square, off)
+                (square, farthest, off)
             },
-            &|(square, off), (squares, others)| (square + squares, off.plus(others)),
+            &|(square, farthest, off), (squares, others, more)| {
+                (square + squares, f64::max(farthest, others), off.plus(more))
+            },
         );
         state.step = length.abs() * f64::sqrt(square);
+        if takes_rough(task.operator) {
+            state.roughness += ROUGHNESS * length.abs() * farthest * per_own;
+        }
         off.all()
     }
 
@@ -271,6 +281,34 @@ impl ActiveSet {
             let slips = (x * x + y * y).sqrt() >= limit * REACHED && along < 0.0;
             task.cells[i] = if slips { CellState::Slip } else { CellState::Stick };
         }
+    }
+
+    /// Computes the slip again, without the errors of rough products.
+    pub(super) fn refine(
+        &mut self,
+        task: &TangentialTask<'_>,
+        state: &mut IterationState,
+    ) -> Result<(), OperatorError> {
+        for (rest, traction) in self.rest.iter_mut().zip(&task.traction) {
+            rest.copy_from_slice(traction);
+        }
+        let products = &mut state.products;
+        self.influence.displace(task.operator, &self.rest, &mut self.image, products)?;
+        self.slip_of_image(task);
+        state.roughness = 0.0;
+        Ok(())
+    }
+
+    /// Sets `image` to A times `direction`, roughly.
+    pub(super) fn multiply_roughly(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        if !takes_rough(operator) {
+            return self.multiply(operator, products);
+        }
+        self.influence.displace_roughly(operator, &self.direction, &mut self.image, products)
     }
 
     /// Sets `image` to A times `direction`.

@@ -112,6 +112,12 @@ impl Contact {
     }
 }
 
+/// Whether products and inverses may be rough. In coupled problems they are not: at great friction, normal and
+/// tangential solves in turn magnify the smallest difference.
+pub(super) fn takes_rough(operator: &dyn SurfaceOperator) -> bool {
+    operator.has_rough_products() && !operator.is_coupled()
+}
+
 /// Influence within a contact, with its working memory.
 #[derive(Clone)]
 pub(super) struct ContactInfluence {
@@ -162,7 +168,7 @@ impl ContactInfluence {
             self.contact.unbox();
         }
         let own = self.fewer.as_deref().unwrap_or(operator);
-        self.inverse = own.inverse();
+        self.inverse = if takes_rough(own) { own.rough_inverse() } else { own.inverse() };
         self.separate = own.is_separate();
         self.part = own.grid().cells() as f64 / grid.cells() as f64;
         for field in self.there.iter_mut().chain(&mut self.back) {
@@ -179,8 +185,40 @@ impl ContactInfluence {
         displacement: &mut [Vec<f64>; 2],
         products: &mut Products,
     ) -> Result<(), OperatorError> {
+        let own = self.fewer.clone();
+        let operator = own.as_deref().unwrap_or(operator);
+        self.displace_by(traction, displacement, products, |from, to, workspace| {
+            operator.apply(from, to, workspace)
+        })
+    }
+
+    /// The same, by [`SurfaceOperator::apply_roughly`].
+    pub(super) fn displace_roughly(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        traction: &[Vec<f64>; 2],
+        displacement: &mut [Vec<f64>; 2],
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        let own = self.fewer.clone();
+        let operator = own.as_deref().unwrap_or(operator);
+        self.displace_by(traction, displacement, products, |from, to, workspace| {
+            operator.apply_roughly(from, to, workspace)
+        })
+    }
+
+    fn displace_by(
+        &mut self,
+        traction: &[Vec<f64>; 2],
+        displacement: &mut [Vec<f64>; 2],
+        products: &mut Products,
+        product: impl FnOnce(
+            TractionField<'_>,
+            DisplacementField<'_>,
+            &mut Workspace,
+        ) -> Result<(), OperatorError>,
+    ) -> Result<(), OperatorError> {
         let [x, y] = self.there(traction);
-        let operator = self.fewer.as_deref().unwrap_or(operator);
         let [u, v] = self.wanted([x, y]);
         let [along, across] = &mut self.back;
         let [from_x, from_y] = &self.there;
@@ -194,7 +232,7 @@ impl ContactInfluence {
             v: v.then_some(&mut across[..]),
             w: None,
         };
-        operator.apply(tractions, displacements, &mut self.workspace)?;
+        product(tractions, displacements, &mut self.workspace)?;
         self.take([u, v], displacement);
         products.tangential += self.part;
         Ok(())

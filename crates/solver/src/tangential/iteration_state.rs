@@ -13,6 +13,10 @@ const SLOW_DECREASE: f64 = 0.7;
 /// the last change.
 const LARGE_DECREASE: f64 = 0.03;
 
+/// The slip is computed again where the errors of rough products may exceed this fraction of the distance from the
+/// solution.
+const ROUGH: f64 = 0.2;
+
 /// State of the iteration on one grid.
 #[derive(Default)]
 pub(super) struct IterationState {
@@ -21,6 +25,8 @@ pub(super) struct IterationState {
     pub(super) power: Option<f64>,
     /// The norm of the last correction.
     pub(super) step: f64,
+    /// A bound on the error of the slip by rough products, divided by the influence of a cell on itself.
+    pub(super) roughness: f64,
     /// The violation at the last change of the sets.
     pub(super) last_violation: Option<f64>,
     pub(super) started: bool,
@@ -48,6 +54,11 @@ impl IterationState {
         self.last_violation = self.started.then_some(violation);
         self.started = true;
         self.held = if careful { 2 } else { 1 };
+    }
+
+    /// Whether errors of rough products are no longer small beside the distance from the solution.
+    pub(super) fn is_rough(&self, distance: f64) -> bool {
+        self.roughness > ROUGH * distance
     }
 
     /// Whether the sets are to change before the next step.

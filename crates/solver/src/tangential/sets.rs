@@ -42,7 +42,7 @@ impl ActiveSet {
             if self.runs_away() {
                 return Ok(Violation::LOST);
             }
-            self.multiply(task.operator, &mut state.products)?;
+            self.multiply_roughly(task.operator, &mut state.products)?;
             Ok(self.correct(task, 1.0, state))
         } else {
             self.gradient_step(task, power, state)

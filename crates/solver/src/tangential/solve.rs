@@ -124,8 +124,13 @@ impl ActiveSet {
                 let power = self.precondition(task, &mut state);
                 off = self.gradient_step(task, power, &mut state)?;
             }
-            let tangential = off.distance.max(self.unbalance(task, touching)) / scale;
-            let tangential = if off.distance.is_nan() { off.distance } else { tangential };
+            if state.is_rough(off.distance) {
+                self.refine(task, &mut state)?;
+                off = self.check_law(task);
+            }
+            let distance = off.distance + state.roughness;
+            let tangential = distance.max(self.unbalance(task, touching)) / scale;
+            let tangential = if distance.is_nan() { distance } else { tangential };
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
             let stop = if tangential.is_nan() {

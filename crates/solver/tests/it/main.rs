@@ -25,6 +25,7 @@ mod plate;
 mod products;
 mod pulled;
 mod results;
+mod rough_products;
 mod rough_waves;
 mod same_grid;
 mod second_axis;

@@ -2,7 +2,7 @@
 
 use super::sines::{SineBuffers, Sines};
 use crate::Grid;
-use crate::operator::length::BLOCK;
+use crate::operator::precision::Real as _;
 use crate::operator::workspace::each;
 use crate::operator::{Threads, Workspace};
 
@@ -106,11 +106,11 @@ impl SinePlan {
         let (nx, ny) = (self.nx, self.ny);
         let scale = 1.0 / (nx as f64 * ny as f64);
         let SineSpace { rows, columns, lanes } = space;
-        let share = nx.div_ceil(lanes.len()).next_multiple_of(BLOCK) * ny;
+        let share = nx.div_ceil(lanes.len()).next_multiple_of(f64::BLOCK) * ny;
         let columns = &mut columns[..nx * ny];
         each(self.threads, lanes, columns, share, |part, lane, columns| {
-            for (number, block) in columns.chunks_mut(BLOCK * ny).enumerate() {
-                let start = part * share + number * BLOCK * ny;
+            for (number, block) in columns.chunks_mut(f64::BLOCK * ny).enumerate() {
+                let start = part * share + number * f64::BLOCK * ny;
                 let (first, width) = (start / ny, block.len() / ny);
                 for (row, values) in rows.chunks_exact(nx).take(ny).enumerate() {
                     for (column, value) in values[first..first + width].iter().enumerate() {
@@ -132,10 +132,10 @@ impl SinePlan {
     fn rows_back(&self, output: &mut [f64], space: &mut SineSpace) {
         let (nx, ny) = (self.nx, self.ny);
         let SineSpace { columns, lanes, .. } = space;
-        let share = ny.div_ceil(lanes.len()).next_multiple_of(BLOCK) * nx;
+        let share = ny.div_ceil(lanes.len()).next_multiple_of(f64::BLOCK) * nx;
         each(self.threads, lanes, output, share, |part, lane, rows| {
-            for (number, block) in rows.chunks_mut(BLOCK * nx).enumerate() {
-                let first = (part * share + number * BLOCK * nx) / nx;
+            for (number, block) in rows.chunks_mut(f64::BLOCK * nx).enumerate() {
+                let first = (part * share + number * f64::BLOCK * nx) / nx;
                 let height = block.len() / nx;
                 for (column, values) in columns.chunks_exact(ny).take(nx).enumerate() {
                     for (row, value) in values[first..first + height].iter().enumerate() {

@@ -7,8 +7,9 @@ use crate::operator::length::Sizes;
 use crate::operator::plan::Plan;
 use crate::operator::product::{Term, apply};
 use crate::operator::spectrum::Spectrum;
+use crate::operator::torus::TorusInverse;
 use crate::operator::{
-    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads, TorusInverse,
+    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
     TractionField, Workspace, memory,
 };
 use crate::{Coefficients, Grid, Material, MaterialPair, Offset, RectangleInfluence};
@@ -180,7 +181,7 @@ impl SurfaceOperator for KernelOperator {
             let spectrum = self.spectra[of as usize][by as usize].as_ref();
             Ok(spectrum.map(|spectrum| Term { spectrum, sign: 1.0 }))
         };
-        apply(&self.plan, term, tractions, displacements, workspace)
+        apply(&self.plan, (term, 1.0), tractions, displacements, workspace)
     }
 }
 

@@ -1,0 +1,121 @@
+//! Rough products: a solve that uses them reaches what a solve without them reaches.
+
+use std::sync::Arc;
+
+use carom_halfspace::operator::{
+    Blocks, DisplacementField, HalfSpaceOperator, OperatorError, Preconditioner, SurfaceOperator,
+    Threads, TractionField, Workspace,
+};
+use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_solver::{
+    ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method as _, Shape, violations,
+};
+
+/// An operator whose rough products are exact.
+struct Exact(Box<dyn SurfaceOperator>);
+
+type Other = Option<Result<Box<dyn SurfaceOperator>, OperatorError>>;
+
+fn exact(other: Other) -> Other {
+    other.map(|made| made.map(|operator| Box::new(Exact(operator)) as Box<dyn SurfaceOperator>))
+}
+
+impl SurfaceOperator for Exact {
+    fn grid(&self) -> Grid {
+        self.0.grid()
+    }
+
+    fn threads(&self) -> Threads {
+        self.0.threads()
+    }
+
+    fn is_coupled(&self) -> bool {
+        self.0.is_coupled()
+    }
+
+    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        self.0.coefficients(columns, rows)
+    }
+
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
+        self.0.inverse()
+    }
+
+    fn coarser(&self) -> Other {
+        exact(self.0.coarser())
+    }
+
+    fn on_fewer(&self, nx: usize, ny: usize) -> Other {
+        exact(self.0.on_fewer(nx, ny))
+    }
+
+    fn apply(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        self.0.apply(tractions, displacements, workspace)
+    }
+}
+
+const CELLS: usize = 96;
+/// Force of a contact of radius 1.
+const FORCE: f64 = 4.0 / 3.0 * 80_000.0 / 0.72 / 100.0;
+/// Shift at which it slides.
+const SLIDING: f64 = 3.0 * 0.4 * FORCE * 1.72 / (8.0 * 80_000.0);
+
+fn problem(unit: f64, is_exact: bool) -> ContactProblem {
+    let width = 2.4 * unit / CELLS as f64;
+    let grid = Grid::new(CELLS, CELLS - 7, width, width).unwrap();
+    let body = Material::from_shear(80_000.0, 0.28).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let gap = Gap::of_shape(grid, &Shape::Paraboloid { radii: [100.0 * unit; 2] }).unwrap();
+    let operator = HalfSpaceOperator::with_blocks(pair, grid, Blocks::All, Threads::One).unwrap();
+    let operator: Arc<dyn SurfaceOperator> = match is_exact {
+        true => Arc::new(Exact(Box::new(operator))),
+        false => Arc::new(operator),
+    };
+    ContactProblem::new(gap, operator, Friction::new(0.4).unwrap()).unwrap()
+}
+
+/// States after a press, shifts to and fro that turn, large and small, by shift and by force; products of all steps.
+fn states(problem: &ContactProblem, unit: f64) -> (Vec<ContactState>, f64) {
+    let method = Frictional::default();
+    let mut scratch = method.scratch(problem).unwrap();
+    let (mut states, mut products) = (vec![ContactState::apart(problem.grid())], 0.0);
+    let force = FORCE * unit * unit;
+    let shifts = [[0.0, 0.0], [0.5, 0.0], [0.501, 0.0], [0.3, 0.2], [-0.6, 0.1], [1.5, -1.0]];
+    let shifted = shifts.map(|shift| shift.map(|part| Driven::Shift(part * SLIDING * unit)));
+    let loaded = [[0.2, 0.0], [0.3, 0.3], [0.3, 0.9]]
+        .map(|load| load.map(|part| Driven::Load(0.4 * force * part)));
+    for [x, y] in shifted.into_iter().chain(loaded) {
+        let drive = Drive { normal: Driven::Load(force), x, y, ..Drive::default() };
+        let (from, mut state) = (states[states.len() - 1].clone(), states[0].clone());
+        let reached = method.step(problem, &from, &drive, &mut state, &mut scratch, &mut ());
+        products += reached.unwrap().products.tangential;
+        states.push(state);
+    }
+    (states, products)
+}
+
+/// Both satisfy the friction law to the same tolerance, with the same loads, by hardly more products. In metres,
+/// tractions in single precision would leave its range without units.
+#[test]
+fn rough_products_reach_what_exact_ones_reach() {
+    for unit in [1.0, 1e-12] {
+        let [rough, exact] = [false, true].map(|is_exact| problem(unit, is_exact));
+        let ((with, spent), (without, needed)) = (states(&rough, unit), states(&exact, unit));
+        assert!(spent > needed && spent < 1.2 * needed, "{spent} {needed}");
+        let most = 0.4 * FORCE * unit * unit;
+        for (step, (one, other)) in with.iter().zip(&without).enumerate().skip(1) {
+            let left = violations(&exact, &with[step - 1], one).unwrap();
+            assert!(left.normal < 2e-9 && left.tangential < 2e-9, "{step}: {left:?}");
+            let (load, known) = (one.load(), other.load());
+            for (got, want) in [(load.f_x, known.f_x), (load.f_y, known.f_y)] {
+                assert!((got - want).abs() < 1e-8 * most, "{step}: {got} {want}");
+            }
+        }
+    }
+}
