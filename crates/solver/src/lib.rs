@@ -45,6 +45,7 @@ mod normal;
 mod parts;
 mod problem;
 mod result;
+mod rough;
 mod state;
 mod tangential;
 

@@ -22,6 +22,7 @@ use super::task::{Limits, NormalTask, finish};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
 use crate::parts::{each, fold, sum};
+use crate::rough::inverse_of;
 
 /// A relative error of the force above this means that the force was lost to rounding.
 const LARGEST_FORCE_ERROR: f64 = 1e-9;
@@ -54,11 +55,7 @@ impl ActiveSet {
         let zero = || vec![0.0; cells];
         Self {
             threads: operator.threads(),
-            // Normal and tangential solves in turn magnify the smallest difference at great friction.
-            inverse: match operator.is_coupled() {
-                true => operator.inverse(),
-                false => operator.rough_inverse(),
-            },
+            inverse: inverse_of(operator),
             workspace: operator.workspace(),
             own: operator.coefficients(0, 0).rows[2][2],
             gap: zero(),

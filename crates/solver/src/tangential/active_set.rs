@@ -16,7 +16,7 @@ use carom_halfspace::operator::{OperatorError, ROUGHNESS, SurfaceOperator, Threa
 use nalgebra::Vector3;
 
 use super::compressed::Compressed;
-use super::contact::{ContactInfluence, takes_rough};
+use super::contact::ContactInfluence;
 use super::iteration_state::IterationState;
 use super::law::{REACHED, Violation, ViolationSums, project_to_disc};
 use super::plane::{Plane, slices, slices_mut};
@@ -25,6 +25,7 @@ use super::search_scratch::Search;
 use super::task::TangentialTask;
 use crate::convergence::Products;
 use crate::parts::{each, fold};
+use crate::rough::takes_rough;
 use crate::state::CellState;
 
 /// Curvature of the objective below this fraction of its diagonal part counts as zero.

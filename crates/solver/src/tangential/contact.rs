@@ -10,6 +10,7 @@ use carom_halfspace::operator::{
 
 use crate::convergence::Products;
 use crate::parts::together;
+use crate::rough::inverse_of;
 
 /// A box is used only if it holds at most this fraction of the cells.
 const LARGEST_FRACTION: f64 = 0.85;
@@ -112,12 +113,6 @@ impl Contact {
     }
 }
 
-/// Whether products and inverses may be rough. In coupled problems they are not: at great friction, normal and
-/// tangential solves in turn magnify the smallest difference.
-pub(super) fn takes_rough(operator: &dyn SurfaceOperator) -> bool {
-    operator.has_rough_products() && !operator.is_coupled()
-}
-
 /// Influence within a contact, with its working memory.
 #[derive(Clone)]
 pub(super) struct ContactInfluence {
@@ -168,7 +163,7 @@ impl ContactInfluence {
             self.contact.unbox();
         }
         let own = self.fewer.as_deref().unwrap_or(operator);
-        self.inverse = if takes_rough(own) { own.rough_inverse() } else { own.inverse() };
+        self.inverse = inverse_of(own);
         self.separate = own.is_separate();
         self.part = own.grid().cells() as f64 / grid.cells() as f64;
         for field in self.there.iter_mut().chain(&mut self.back) {

@@ -124,7 +124,8 @@ impl ActiveSet {
                 let power = self.precondition(task, &mut state);
                 off = self.gradient_step(task, power, &mut state)?;
             }
-            if state.is_rough(off.distance) {
+            let is_found = (off.distance + state.roughness) / scale <= limits.tolerance;
+            if !is_found && state.is_rough(off.distance) {
                 self.refine(task, &mut state)?;
                 off = self.check_law(task);
             }
