@@ -169,6 +169,12 @@ impl ContactState {
         most > 0.0 && (0..2).any(|axis| ends(axis, 1) || ends(axis, -1))
     }
 
+    /// Whether the pressure is greatest at an edge, as under a punch.
+    pub(super) fn has_a_pressed_edge(&self) -> bool {
+        let p = self.pressure.values();
+        self.peaks_at_the_edge(|i| p[i])
+    }
+
     /// The greatest pressure with its error, from that on three grids.
     fn estimated_peak(&self, values: [f64; 3], at_edge: bool, border: Border) -> Estimated {
         if at_edge {
@@ -254,8 +260,8 @@ impl Estimates {
     #[must_use]
     pub fn of(states: [&ContactState; 3], order: MeshOrder) -> Self {
         let state = states[0];
-        let [p, x, y] = [&state.pressure, &state.traction_x, &state.traction_y].map(|f| f.values());
-        let normal_edge = state.peaks_at_the_edge(|i| p[i]);
+        let [x, y] = [&state.traction_x, &state.traction_y].map(|f| f.values());
+        let normal_edge = state.has_a_pressed_edge();
         let tangential_edge = normal_edge || state.peaks_at_the_edge(|i| x[i].hypot(y[i]));
         let of = |value: &dyn Fn(&ContactState) -> f64| {
             let values = states.map(value);
@@ -317,6 +323,11 @@ impl Estimates {
     /// normal force; torques are divided by a radius.
     #[must_use]
     pub fn worst(all: &[Self]) -> f64 {
+        Self::worst_of_each(all).fold(0.0, f64::max)
+    }
+
+    /// The same of each step, in order.
+    pub(super) fn worst_of_each(all: &[Self]) -> impl Iterator<Item = f64> {
         let greatest = |value: &dyn Fn(&Self) -> f64| {
             all.iter().map(|one| value(one).abs()).fold(0.0, f64::max)
         };
@@ -332,8 +343,8 @@ impl Estimates {
         let twist = greatest(&|one| one.omega.value).max(turned);
         let over =
             |value: Estimated, scale: f64| if scale > 0.0 { value.error / scale } else { 0.0 };
-        let errors = all.iter().flat_map(|one| {
-            [
+        all.iter().map(move |one| {
+            let errors = [
                 over(one.f_z, force),
                 over(one.zeta, depth),
                 over(one.f_x, along),
@@ -342,8 +353,8 @@ impl Estimates {
                 over(one.eta, shift),
                 over(one.m_z, torque),
                 over(one.omega, twist),
-            ]
-        });
-        errors.fold(0.0, f64::max)
+            ];
+            errors.into_iter().fold(0.0, f64::max)
+        })
     }
 }

@@ -6,6 +6,7 @@ use carom_special::RangeError;
 use super::estimate::Estimates;
 use super::grid_warning::{GridWarning, Side};
 use super::history::{NestedError, NestedHistory};
+use super::reach::Errors;
 use super::span::Span;
 use super::window::Window;
 use crate::drive::{Drive, Driven};
@@ -37,6 +38,9 @@ const CONVERGENCE_ORDERS: [f64; 2] = [0.5, 2.0];
 /// moved if the contact reaches a side, and reduced if the contact fills little of it. The history
 /// is then solved on nested grids, and repeated on finer ones until the error estimates are small
 /// enough. If the contact reaches a side during the history, that side is moved outwards.
+///
+/// Under the edge of a punch errors fall at most in proportion to the cell width: an accuracy that would need too
+/// many cells is then refused after two grids, with one that is within reach ([`FitError::Unreached`]).
 ///
 /// Errors of pressures and areas are estimated but not controlled: pressures may be infinite under
 /// edges and tips, and areas are counted in whole cells.
@@ -110,17 +114,19 @@ pub enum FitError<E> {
     /// The accuracy would need more cells than allowed.
     #[error(
         "with {cells} x {cells} cells the estimated error is {reached:.1e}, above {wanted:.1e}; \
-         the next grid would have more than {most} cells"
+         a grid that is fine enough would have more than {most} cells; an accuracy of {possible:.1e} is within reach"
     )]
     Unreached {
         /// The required accuracy.
         wanted: f64,
         /// The estimated error on the last grid.
         reached: f64,
-        /// Cells along a side that would be needed.
+        /// Cells along a side of the last grid.
         cells: usize,
         /// The greatest number of cells allowed.
         most: usize,
+        /// An accuracy that should be reached with the greatest number of cells.
+        possible: f64,
     },
 }
 
@@ -188,17 +194,16 @@ impl Accuracy {
                     continue;
                 }
                 Reached::Nothing => 2 * cells,
-                Reached::End { error } if error <= self.wanted => {
+                Reached::End(Errors { all: error, .. }) if error <= self.wanted => {
                     let (history, estimates) = (run.history, run.estimates);
                     return Ok(Fit { window, history, estimates, error });
                 }
-                Reached::End { error } => {
-                    let next = finer(cells, error, before, self.wanted);
-                    if next * next > self.most {
-                        let (reached, wanted, most) = (error, self.wanted, self.most);
-                        return Err(FitError::Unreached { wanted, reached, cells, most });
+                Reached::End(errors) => {
+                    let next = finer(cells, errors.all, before, self.wanted);
+                    if self.is_out_of_reach([cells, next], before.is_none(), errors) {
+                        return Err(self.unreached(cells, errors));
                     }
-                    before = Some([cells as f64, error]);
+                    before = Some([cells as f64, errors.all]);
                     next
                 }
             };
@@ -310,6 +315,8 @@ pub(super) struct Run<M: Method> {
     pub(super) estimates: Vec<Estimates>,
     /// The region that was in contact in any step so far.
     seen: Option<Span>,
+    /// Whether the pressure is greatest at an edge, after each drive.
+    edges: Vec<bool>,
 }
 
 /// How the history on one window ended.
@@ -317,9 +324,7 @@ pub(super) enum Reached {
     Border(Side),
     /// The history is complete, but there are no error estimates.
     Nothing,
-    End {
-        error: f64,
-    },
+    End(Errors),
 }
 
 impl<M: Method> Run<M> {
@@ -334,7 +339,7 @@ impl<M: Method> Run<M> {
             NestedError::Problem(error) => FitError::Problem(error),
             NestedError::Method(error) => FitError::Method(error),
         })?;
-        Ok(Self { window, history, estimates: Vec::new(), seen: None })
+        Ok(Self { window, history, estimates: Vec::new(), seen: None, edges: Vec::new() })
     }
 
     pub(super) fn follow(&mut self, drives: &[Drive]) -> Result<Reached, M::Error> {
@@ -349,11 +354,18 @@ impl<M: Method> Run<M> {
                 (Some(seen), Some(found)) => Some(seen.joined(&found)),
                 (seen, found) => seen.or(found),
             };
+            self.edges.push(state.has_a_pressed_edge());
             match self.history.estimates() {
                 Some(estimates) => self.estimates.push(estimates),
                 None => return Ok(Reached::Nothing),
             }
         }
-        Ok(Reached::End { error: Estimates::worst(&self.estimates) })
+        Ok(Reached::End(self.errors()))
+    }
+
+    fn errors(&self) -> Errors {
+        let each = || Estimates::worst_of_each(&self.estimates);
+        let at_edges = each().zip(&self.edges).filter(|(_, edge)| **edge).map(|(error, _)| error);
+        Errors { all: each().fold(0.0, f64::max), at_edges: at_edges.fold(0.0, f64::max) }
     }
 }

@@ -3,6 +3,7 @@
 use carom_halfspace::Grid;
 
 use super::fit::{Accuracy, FIRST_CELLS, Fit, FitError, Reached, Run, finer};
+use super::reach::Errors;
 use super::window::Window;
 use crate::drive::Drive;
 use crate::method::Method;
@@ -31,21 +32,20 @@ impl Accuracy {
         loop {
             let window = Window::about([0.0; 2], covering(sides, cells)?)?;
             let mut run = Run::begin(method.clone(), &make, window)?;
-            let (error, next) = match run.follow(drives) {
+            let (errors, next) = match run.follow(drives) {
                 Ok(Reached::Border(side)) => return Err(FitError::Endless { side }),
-                Ok(Reached::End { error }) if error <= self.wanted => {
+                Ok(Reached::End(Errors { all: error, .. })) if error <= self.wanted => {
                     let (history, estimates) = (run.history, run.estimates);
                     return Ok(Fit { window, history, estimates, error });
                 }
-                Ok(Reached::End { error }) => (error, finer(cells, error, before, self.wanted)),
-                Ok(Reached::Nothing) => (f64::INFINITY, 2 * cells),
+                Ok(Reached::End(errors)) => (errors, finer(cells, errors.all, before, self.wanted)),
+                Ok(Reached::Nothing) => (Errors { all: f64::INFINITY, at_edges: 0.0 }, 2 * cells),
                 Err(error) => return Err(FitError::Method(error)),
             };
-            if next * next > self.most {
-                let (reached, wanted, most) = (error, self.wanted, self.most);
-                return Err(FitError::Unreached { wanted, reached, cells, most });
+            if self.is_out_of_reach([cells, next], before.is_none(), errors) {
+                return Err(self.unreached(cells, errors));
             }
-            before = error.is_finite().then_some([cells as f64, error]);
+            before = errors.all.is_finite().then_some([cells as f64, errors.all]);
             cells = next;
         }
     }

@@ -7,6 +7,7 @@ mod fit;
 mod fit_cells;
 mod grid_warning;
 mod history;
+mod reach;
 mod span;
 mod window;
 

@@ -119,6 +119,10 @@ fn what_no_window_fits_says_so() {
     let error_now = error(fit(&punch, [0.0; 2], 0.0, 1.0, 1e-6, &[pressed]));
     assert!(matches!(error_now, FitError::Unreached { .. }), "{error_now}");
     assert!(error_now.to_string().contains("above 1.0e-6"), "{error_now}");
+    // Two grids tell it, and name an accuracy that is reached.
+    let FitError::Unreached { cells, possible, .. } = error_now else { panic!("{error_now}") };
+    assert!(cells <= 192, "{cells} cells");
+    assert!(fit(&punch, [0.0; 2], 0.0, 1.0, possible, &[pressed]).is_ok(), "{possible}");
     // Sliding on any grid.
     let slides = Drive { x: Driven::Load(1.0), ..by_force(1.0) };
     let slides = error(fit(&BALL, [0.0; 2], 0.5, 1.0, 1e-2, &[by_force(1.0), slides]));

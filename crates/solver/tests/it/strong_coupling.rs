@@ -189,7 +189,6 @@ fn strong(shape: fn(f64, f64) -> f64, friction: f64, steps: &[[f64; 4]]) -> (f64
 /// 10 400, 30 700 and 23 000 products; a disc took 66 700.
 #[test]
 fn great_friction_takes_few_products() {
-    let bowl = |x: f64, y: f64| 0.00071 * (x * x + y * y);
     for (friction, most, loads) in [
         (30.0, 900.0, [19.589_674_51, 6.516_423_894, 26.432_722_64]),
         (100.0, 1200.0, [19.647_956_09, 6.534_641_695, 26.458_390_15]),
@@ -211,12 +210,33 @@ fn great_friction_takes_few_products() {
     }
 }
 
-/// A contact that recedes and is shifted back: the continuation alone took 29 000 products and did not
-/// converge.
+fn bowl(x: f64, y: f64) -> f64 {
+    0.00071 * (x * x + y * y)
+}
+
+/// A contact that is shifted and twisted, and recedes while it is shifted back.
+const RECEDING: [[f64; 4]; 3] =
+    [[0.5, 0.3, 0.1, 0.0], [0.6, -0.2, 0.3, 0.01], [0.3, 0.5, 0.0, 0.0]];
+
+/// The continuation alone took 29 000 products and did not converge.
 #[test]
 fn a_receding_contact_of_infinite_friction_is_found() {
-    let bowl = |x: f64, y: f64| 0.00071 * (x * x + y * y);
-    let steps = [[0.5, 0.3, 0.1, 0.0], [0.6, -0.2, 0.3, 0.01], [0.3, 0.5, 0.0, 0.0]];
-    let (spent, _) = strong(bowl, f64::INFINITY, &steps);
-    assert!(spent < 8000.0, "{spent} products");
+    let (spent, _) = strong(bowl, f64::INFINITY, &RECEDING);
+    assert!(spent < 5500.0, "{spent} products");
+}
+
+/// Damped steps that never went back took 10 700 and 19 400 products. The loads are those that they found; solutions
+/// of such friction differ in some cells at the edge, and a fraction of a per cent in their loads.
+#[test]
+fn damped_steps_that_fail_are_repeated() {
+    for (friction, steps, most, loads) in [
+        (100.0, 3, 2500.0, [26.110_612_59, -3.209_711_93, 9.420_538_37]),
+        (1000.0, 2, 6000.0, [-23.684_577_89, 18.009_107_59, 32.468_872_17]),
+    ] {
+        let (spent, got) = strong(bowl, friction, &RECEDING[..steps]);
+        assert!(spent < most, "f = {friction}: {spent} products");
+        for (got, known) in got.iter().zip(loads) {
+            assert!((got - known).abs() < 0.05, "f = {friction}: {got} {known}");
+        }
+    }
 }

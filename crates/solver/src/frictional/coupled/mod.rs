@@ -12,6 +12,7 @@ mod cells;
 mod constraints;
 mod damping;
 mod newton;
+mod origin;
 mod precondition;
 mod system;
 mod task;
@@ -23,9 +24,10 @@ use std::ops::ControlFlow;
 
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
-use crate::convergence::{Convergence, Observer, Products, Progress, Stop};
+use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 use cells::{Cells, Changes};
-use damping::Damping;
+use damping::{Damping, Next};
+use origin::Origin;
 use system::System;
 
 pub(crate) use task::CoupledTask;
@@ -36,7 +38,7 @@ const STEPS_BEFORE_FEWER_CHANGES: usize = 6;
 /// After more full steps in a row without progress the method gives up.
 const STEPS_BEFORE_GIVING_UP: usize = 8;
 /// The same for damped steps.
-const DAMPED_STEPS_BEFORE_GIVING_UP: usize = 30;
+const DAMPED_STEPS_BEFORE_GIVING_UP: usize = 20;
 /// Full steps end if gaps in the contact or overlaps outside exceed this fraction of the greatest
 /// displacement: they start close to the solution.
 const LARGEST_GAP: f64 = 0.02;
@@ -55,13 +57,15 @@ pub(crate) enum Steps {
 pub(crate) struct Coupled {
     system: System,
     cells: Cells,
+    origin: Origin,
     products: Products,
 }
 
 impl Coupled {
     pub(crate) fn new(operator: &dyn SurfaceOperator) -> Self {
         let (system, cells) = (System::new(operator), Cells::new(operator));
-        Self { system, cells, products: Products::default() }
+        let origin = Origin::new(operator.grid().cells());
+        Self { system, cells, origin, products: Products::default() }
     }
 
     /// Solves a task, starting from its own values.
@@ -119,13 +123,28 @@ impl Coupled {
                 Changes::All
             };
             if let Some(damping) = &mut damping {
-                let violation = self.cells.violation(task, &self.system);
-                self.cells.damping = damping.next(violation);
+                self.damp(damping, residuals, task);
             }
             iteration += 1;
             self.cells.choose(task, &self.system, changes);
             self.system.displace(task, &mut self.products)?;
             self.system.newton_step(task, &self.cells, &mut self.products)?;
         }
+    }
+
+    /// Sets the damping of the next step, which starts from here, or from where the last one started if that
+    /// has failed.
+    fn damp(&mut self, damping: &mut Damping, residuals: Residuals, task: &mut CoupledTask<'_>) {
+        let violation = self.cells.violation(task, &self.system);
+        self.cells.damping = match damping.next(violation, residuals) {
+            Next::Onwards(damping) => {
+                self.origin.keep(task, &self.system, &self.cells);
+                damping
+            }
+            Next::Again(damping) => {
+                self.origin.restore(task, &mut self.system, &mut self.cells);
+                damping
+            }
+        };
     }
 }

@@ -19,6 +19,9 @@ use crate::tangential::{displacement, half_diagonal};
 
 /// Relative residual to which each linear system is solved.
 const LINEAR_RESIDUAL: f64 = 1e-4;
+/// The same of a step whose damping exceeds `WELL_DAMPED`: it leaves a greater part of the violation anyway.
+const DAMPED_LINEAR_RESIDUAL: f64 = 1e-3;
+const WELL_DAMPED: f64 = 1e-3;
 /// Motions that make less than this fraction of the greatest load are left out of the preconditioner.
 const LEAST_LOAD: f64 = 1e-8;
 /// Greatest number of products for one linear system.
@@ -48,7 +51,7 @@ impl System {
             right[3 * n + k] = map.weight(k) * missing[k];
         }
         let mut step = vec![0.0; 3 * n + MOTIONS];
-        let least = LINEAR_RESIDUAL * krylov::norm(&right);
+        let least = linear_residual(cells.damping) * krylov::norm(&right);
         krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
         for (step, &i) in step.chunks_exact(3).zip(&cells.active) {
             let [t_x, t_y, p] = unknowns(cells, i, step);
@@ -62,6 +65,11 @@ impl System {
         }
         Ok(())
     }
+}
+
+/// The relative residual to which the linear system of a step with this damping is solved.
+fn linear_residual(damping: f64) -> f64 {
+    if damping > WELL_DAMPED { DAMPED_LINEAR_RESIDUAL } else { LINEAR_RESIDUAL }
 }
 
 /// The equations of a cell from its gap and slip; `turned` is its traction around the ray.
