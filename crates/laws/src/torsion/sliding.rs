@@ -22,7 +22,8 @@ pub(super) const DEEP: f64 = PIECES as f64;
 /// Number of coefficients of an interval: with singularities at distance pi the next one is 1e-17.
 const TERMS: usize = 18;
 
-type Piece = [f64; TERMS];
+/// The coefficients of one interval.
+pub(super) type Piece = [f64; TERMS];
 
 struct Table {
     /// G(v)/v on the first interval, G(v) on the others.
@@ -51,7 +52,7 @@ fn twist_at(v: f64) -> f64 {
 
 /// The polynomial through the Chebyshev nodes of an interval, in powers of t from -1 to 1. On the
 /// first interval the function is divided by `v^order`, its leading power.
-fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
+pub(super) fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     let n = TERMS as f64;
     let angle = |i: usize| PI * (i as f64 + 0.5) / n;
     let values: Piece = std::array::from_fn(|i| {
@@ -78,6 +79,18 @@ fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
         (last, this) = (this, next);
     }
     powers
+}
+
+/// A polynomial: even and odd powers side by side, since each step of Horner's scheme waits for the one before.
+pub(super) fn horner_value(piece: &Piece, t: f64) -> f64 {
+    let square = t * t;
+    let mut values = [0.0; 2];
+    for pair in piece.as_chunks::<2>().0.iter().rev() {
+        for parity in 0..2 {
+            values[parity] = values[parity] * square + pair[parity];
+        }
+    }
+    values[0] + t * values[1]
 }
 
 /// A polynomial and its derivative: even and odd powers side by side, since each step of Horner's scheme waits for
@@ -118,6 +131,11 @@ pub(super) fn twist_of_depth(v: f64) -> Sloped {
     Sloped { value, slope: 2.0 * slope }
 }
 
+/// `G(v)` without its derivative.
+fn twist_value(v: f64) -> f64 {
+    if v >= PIECES as f64 { twist_of_depth(v).value } else { tabled(&TABLE.twist, v, 1) }
+}
+
 /// The normalised torque `m(v)`, for v >= 0.
 fn torque_of_depth(v: f64) -> f64 {
     if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v, 1) }
@@ -127,7 +145,7 @@ fn torque_of_depth(v: f64) -> f64 {
 fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
     let piece = v as usize;
     let t = 2.0 * (v - piece as f64) - 1.0;
-    let (value, _) = horner(&pieces[piece], t);
+    let value = horner_value(&pieces[piece], t);
     if piece == 0 { v.powi(order) * value } else { value }
 }
 
@@ -177,13 +195,29 @@ fn depth(c: f64, radius: f64) -> f64 {
 
 /// `B(c; al) = (2/pi) al (K - E)` (5.39); infinite at the centre.
 pub(super) fn sliding_twist(c: f64, radius: f64) -> f64 {
-    FRAC_2_PI * radius * twist_of_depth(depth(c, radius)).value
+    FRAC_2_PI * radius * twist_value(depth(c, radius))
+}
+
+/// `B(c; al)` and the sliding density at c, `-dB/dc = (2/pi) E al/c`.
+pub(super) fn sliding_twist_and_density(c: f64, radius: f64) -> Sloped {
+    let Sloped { value, slope } = twist_of_depth(depth(c, radius));
+    Sloped { value: FRAC_2_PI * radius * value, slope: FRAC_2_PI * radius * slope / c }
 }
 
 /// `al^4 m(c/al)/2`, the torque of the sliding density outside c.
 pub(super) fn sliding_torque(c: f64, radius: f64) -> f64 {
+    half_fourth_power(radius) * torque_of_depth(depth(c, radius))
+}
+
+/// [`sliding_twist`] and [`sliding_torque`], with the depth that they share.
+pub(super) fn sliding_twist_and_torque(c: f64, radius: f64) -> (f64, f64) {
+    let v = depth(c, radius);
+    (FRAC_2_PI * radius * twist_value(v), half_fourth_power(radius) * torque_of_depth(v))
+}
+
+fn half_fourth_power(radius: f64) -> f64 {
     let square = radius * radius;
-    0.5 * (square * square) * torque_of_depth(depth(c, radius))
+    0.5 * (square * square)
 }
 
 /// The torque of complete sliding, `(3 pi/32) al^4`.
