@@ -50,8 +50,9 @@ impl<'a> Pattern<'a> {
             changes.push((rests(i) - dot(row, &changes)) / own);
         }
         let inside = self.inside(slipping);
-        let mut unknown = self.equations(signs, &changes, slipping, &inside, rests, turned);
-        eliminate(&mut self.matrix, &mut unknown)?;
+        let mut right = self.equations(signs, &changes, slipping, &inside, rests, turned);
+        let mut unknown =
+            eliminate(&mut self.matrix, &mut right, &signs[lead..slipping.max(lead)])?;
         let last = unknown.pop()?;
         changes.append(&mut unknown);
         changes.extend(inside.densities.iter().map(|density| density * last));
@@ -121,39 +122,79 @@ impl<'a> Pattern<'a> {
     }
 }
 
-/// Elimination with pivoting of rows.
-fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Option<()> {
+/// Solves by elimination with pivoting of rows.
+///
+/// `signs` are those of the rings of the rows, of which the last has none. Rows of rings that stick depend on rings
+/// inside only: they take part from their own column on, so that in each column few rows do.
+fn eliminate(matrix: &mut [f64], right: &mut [f64], signs: &[f64]) -> Option<Vec<f64>> {
     let m = right.len();
+    let sticks = |row: usize| signs.get(row) == Some(&0.0);
+    let mut active: Vec<usize> = (0..m).filter(|row| !sticks(*row)).collect();
+    let mut pivots = Vec::with_capacity(m);
+    let mut pivot_row = vec![0.0; m];
     for k in 0..m {
-        let size = |i: &usize| matrix[i * m + k].abs();
-        let pivot = (k..m).max_by(|i, j| size(i).total_cmp(&size(j)))?;
-        if pivot != k {
-            let (upper, lower) = matrix.split_at_mut(pivot * m);
-            upper[k * m..(k + 1) * m].swap_with_slice(&mut lower[..m]);
-            right.swap(k, pivot);
+        if sticks(k) {
+            active.push(k);
         }
-        let (upper, lower) = matrix.split_at_mut((k + 1) * m);
-        let pivot_row = &upper[k * m + k..];
-        let pivot = pivot_row[0];
+        let size = |row: usize| matrix[row * m + k].abs();
+        let place =
+            (0..active.len()).max_by(|i, j| size(active[*i]).total_cmp(&size(active[*j])))?;
+        let row = active.swap_remove(place);
+        pivots.push(row);
+        let pivot_row = &mut pivot_row[k..];
+        pivot_row.copy_from_slice(&matrix[row * m + k..(row + 1) * m]);
+        let (pivot, side) = (pivot_row[0], right[row]);
         if !(pivot != 0.0 && pivot.is_finite()) {
             return None;
         }
-        for (below, row) in lower.chunks_exact_mut(m).enumerate() {
-            // Rings that stick depend on rings inside only, so that most entries are zero.
-            if row[k] == 0.0 {
-                continue;
-            }
-            let factor = row[k] / pivot;
-            for (entry, above) in row[k..].iter_mut().zip(pivot_row) {
+        for row in &active {
+            let entries = &mut matrix[row * m + k..(row + 1) * m];
+            let factor = entries[0] / pivot;
+            for (entry, above) in entries.iter_mut().zip(&*pivot_row) {
                 *entry -= factor * above;
             }
-            right[k + 1 + below] -= factor * right[k];
+            right[*row] -= factor * side;
         }
     }
-    for k in (0..m).rev() {
-        let row = &matrix[k * m..(k + 1) * m];
-        let known = dot(&row[k + 1..], &right[k + 1..]);
-        right[k] = (right[k] - known) / row[k];
+    let mut solution = vec![0.0; m];
+    for (k, row) in pivots.into_iter().enumerate().rev() {
+        let entries = &matrix[row * m + k..(row + 1) * m];
+        let known = dot(&entries[1..], &solution[k + 1..]);
+        solution[k] = (right[row] - known) / entries[0];
     }
-    Some(())
+    Some(solution)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elimination_solves_equations_of_sticking_and_slipping_rings() {
+        let m = 24;
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        for every in [2, 3, 5, 30] {
+            let signs: Vec<f64> = (0..m - 1).map(|i| f64::from(u8::from(i % every == 1))).collect();
+            let matrix: Vec<f64> = (0..m * m)
+                .map(|at| {
+                    let (row, column) = (at / m, at % m);
+                    let value = random();
+                    if signs.get(row) == Some(&0.0) && column < row { 0.0 } else { value }
+                })
+                .collect();
+            let want: Vec<f64> = (0..m).map(|_| random()).collect();
+            let mut right: Vec<f64> = matrix
+                .chunks_exact(m)
+                .map(|row| row.iter().zip(&want).map(|(a, b)| a * b).sum())
+                .collect();
+            let got = eliminate(&mut matrix.clone(), &mut right, &signs).expect("regular");
+            for (got, want) in got.iter().zip(&want) {
+                assert!((got - want).abs() < 1e-9, "{every}: {got} {want}");
+            }
+        }
+    }
 }
