@@ -12,6 +12,7 @@ impl TwistHistory {
     /// Twists and inner torques of adjacent pieces may differ: once the whole contact slides, the
     /// stick radius is the smallest positive number whatever the twist is, and pieces that were
     /// joined because the storage was full keep their twist but not their torque.
+    #[inline]
     pub(super) fn check_meaning(&self) -> Result<(), RangeError> {
         let holds = self.torque.abs() <= sliding_limit(self.radius);
         RangeError::check("torque", self.torque, holds, "at most the sliding torque")?;

@@ -124,43 +124,47 @@ impl<'a> Pattern<'a> {
 
 /// Solves by elimination with pivoting of rows.
 ///
-/// `signs` are those of the rings of the rows, of which the last has none. Rows of rings that stick depend on rings
-/// inside only: they take part from their own column on, so that in each column few rows do.
+/// `signs` are those of the rings of the rows; the last row has none. Rows of rings that stick depend on themselves and
+/// what is inside, those of rings that slip on themselves and what is outside. Columns are taken from outside if fewer
+/// rings slip, else from inside, so that the other rows take part from their own column on: in each column few rows do.
 fn eliminate(matrix: &mut [f64], right: &mut [f64], signs: &[f64]) -> Option<Vec<f64>> {
     let m = right.len();
-    let sticks = |row: usize| signs.get(row) == Some(&0.0);
-    let mut active: Vec<usize> = (0..m).filter(|row| !sticks(*row)).collect();
+    let slipping = signs.iter().filter(|sign| **sign != 0.0).count();
+    let from_inside = 2 * slipping > signs.len();
+    let waits = |row: usize| signs.get(row).is_some_and(|sign| (*sign != 0.0) == from_inside);
+    let column = |step: usize| if from_inside { m - 1 - step } else { step };
+    let others = |k: usize| if from_inside { 0..k } else { k + 1..m };
+    let mut active: Vec<usize> = (0..m).filter(|row| !waits(*row)).collect();
     let mut pivots = Vec::with_capacity(m);
-    let mut pivot_row = vec![0.0; m];
-    for k in 0..m {
-        if sticks(k) {
+    let mut above = vec![0.0; m];
+    for k in (0..m).map(column) {
+        if waits(k) {
             active.push(k);
         }
-        let size = |row: usize| matrix[row * m + k].abs();
-        let place =
-            (0..active.len()).max_by(|i, j| size(active[*i]).total_cmp(&size(active[*j])))?;
+        let size = |place: &usize| active.get(*place).map_or(0.0, |row| matrix[row * m + k].abs());
+        let place = (0..active.len()).max_by(|i, j| size(i).total_cmp(&size(j)))?;
         let row = active.swap_remove(place);
-        pivots.push(row);
-        let pivot_row = &mut pivot_row[k..];
-        pivot_row.copy_from_slice(&matrix[row * m + k..(row + 1) * m]);
-        let (pivot, side) = (pivot_row[0], right[row]);
+        let above = &mut above[others(k)];
+        above.copy_from_slice(&matrix[row * m..(row + 1) * m][others(k)]);
+        let (pivot, side) = (matrix[row * m + k], right[row]);
         if !(pivot != 0.0 && pivot.is_finite()) {
             return None;
         }
+        pivots.push((k, row));
         for row in &active {
-            let entries = &mut matrix[row * m + k..(row + 1) * m];
-            let factor = entries[0] / pivot;
-            for (entry, above) in entries.iter_mut().zip(&*pivot_row) {
+            let entries = &mut matrix[row * m..(row + 1) * m];
+            let factor = entries[k] / pivot;
+            for (entry, above) in entries[others(k)].iter_mut().zip(&*above) {
                 *entry -= factor * above;
             }
             right[*row] -= factor * side;
         }
     }
     let mut solution = vec![0.0; m];
-    for (k, row) in pivots.into_iter().enumerate().rev() {
-        let entries = &matrix[row * m + k..(row + 1) * m];
-        let known = dot(&entries[1..], &solution[k + 1..]);
-        solution[k] = (right[row] - known) / entries[0];
+    for (k, row) in pivots.into_iter().rev() {
+        let entries = &matrix[row * m..(row + 1) * m];
+        let known = dot(&entries[others(k)], &solution[others(k)]);
+        solution[k] = (right[row] - known) / entries[k];
     }
     Some(solution)
 }
@@ -177,23 +181,24 @@ mod tests {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
-        for every in [2, 3, 5, 30] {
-            let signs: Vec<f64> = (0..m - 1).map(|i| f64::from(u8::from(i % every == 1))).collect();
-            let matrix: Vec<f64> = (0..m * m)
-                .map(|at| {
-                    let (row, column) = (at / m, at % m);
-                    let value = random();
-                    if signs.get(row) == Some(&0.0) && column < row { 0.0 } else { value }
-                })
+        for slips in 0..24 {
+            let signs: Vec<f64> = (0..m - 1)
+                .map(|_| if random() * 23.0 + 11.5 < f64::from(slips) { 1.0 } else { 0.0 })
                 .collect();
+            // Rings that stick depend on what is inside, those that slip on what is outside.
+            let depends = |row: usize, column: usize| match signs.get(row) {
+                Some(0.0) => column >= row,
+                Some(_) => column <= row,
+                None => true,
+            };
+            let matrix: Vec<f64> =
+                (0..m * m).map(|at| if depends(at / m, at % m) { random() } else { 0.0 }).collect();
             let want: Vec<f64> = (0..m).map(|_| random()).collect();
-            let mut right: Vec<f64> = matrix
-                .chunks_exact(m)
-                .map(|row| row.iter().zip(&want).map(|(a, b)| a * b).sum())
-                .collect();
+            let product = |row: &[f64]| row.iter().zip(&want).map(|(a, b)| a * b).sum();
+            let mut right: Vec<f64> = matrix.chunks_exact(m).map(product).collect();
             let got = eliminate(&mut matrix.clone(), &mut right, &signs).expect("regular");
             for (got, want) in got.iter().zip(&want) {
-                assert!((got - want).abs() < 1e-9, "{every}: {got} {want}");
+                assert!((got - want).abs() < 1e-9, "{slips}: {got} {want}");
             }
         }
     }

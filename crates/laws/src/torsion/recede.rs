@@ -114,7 +114,7 @@ impl TwistHistory {
                 && self.goes_on_slipping(radius, twist, sign)
                 && self.stays_within_friction(radius, twist, sign)
                 && (back <= 1.0 || {
-                    let mut after = self.clone();
+                    let mut after = self.trial();
                     after.follow(SlipPath::Inward(sign), radius, twist);
                     back <= lowest_rate(back, after.stick / radius)
                 });
@@ -150,7 +150,7 @@ impl TwistHistory {
         if calm == [true; 2] {
             return true;
         }
-        let mut after = self.clone();
+        let mut after = self.trial();
         after.follow(SlipPath::Inward(sign), radius, twist);
         (calm[0] || self.slips_over(&after, kept, radius, sign))
             && (calm[1] || self.annulus_balances(&after, sign))

@@ -10,10 +10,10 @@ use std::sync::LazyLock;
 use carom_special::elliptic::complete;
 use carom_special::quadrature::FixedRule;
 
-use super::sliding::{Piece, fitted, horner_value, with_ratio};
+use super::sliding::{LENGTH, Piece, fitted, horner_value, interval, with_ratio};
 
-/// Number of intervals of unit length in x.
-const PIECES: usize = 12;
+/// Number of intervals in x.
+const PIECES: usize = 48;
 /// Beyond this depth the stick radius counts as zero.
 const DEEPEST: f64 = 690.0;
 /// The depth beyond which K and E are their logarithms to rounding.
@@ -59,11 +59,10 @@ impl SteadyAnnulus {
 /// Depth and E where `(2/pi) K` has a value of at least 1.
 fn depth_and_e(rate: f64) -> (f64, f64) {
     let x = FRAC_PI_2 * (rate - 1.0);
-    if x < PIECES as f64 {
+    if x < LENGTH * PIECES as f64 {
         // Negative by rounding only.
         let x = x.max(0.0);
-        let piece = x as usize;
-        let t = 2.0 * (x - piece as f64) - 1.0;
+        let (piece, t) = interval(x);
         let Table { depth, e } = &*TABLE;
         let [depth, e] = [depth, e].map(|pieces| horner_value(&pieces[piece], t));
         return (if piece == 0 { x * depth } else { depth }, e);

@@ -103,6 +103,7 @@ impl TwistHistory {
     }
 
     /// The state of [`TwistHistory::unpack`].
+    #[inline]
     pub(in crate::torsion) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
         let room = numbers.len() as f64;
         let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
@@ -174,8 +175,8 @@ impl TwistHistory {
     fn joined(&self, i: usize) -> Segment {
         let end = self.end_above(i);
         let Joint { from, density, twist, torque, .. } = self.joint(i);
-        let demand = self.segments[i].demand.max(self.segments[i + 1].demand);
-        let demand = demand.max(demand_inside(end, density));
+        let [lower, upper] = [&self.segments[i], &self.segments[i + 1]];
+        let demand = lower.demand.max(upper.demand).max(demand_inside(end, density));
         Segment { from, density: Density::Stick(density), twist, torque, demand }
     }
 
@@ -267,6 +268,39 @@ fn piece_of(numbers: &[f64; EACH]) -> Segment {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Joins the pieces with the least jump of all, which are looked for again each time.
+    fn thinned_by_search(mut history: TwistHistory, pieces: usize) -> (TwistHistory, f64) {
+        let mut worst: f64 = 0.0;
+        while history.segments.len() > pieces {
+            let joints = (0..history.segments.len() - 2).map(|i| (history.jump(i), i));
+            let (jump, i) = joints.min_by(|a, b| a.0.total_cmp(&b.0)).expect("many pieces");
+            history.segments[i] = history.joined(i);
+            history.segments.remove(i + 1);
+            history.raise_demands(i);
+            worst = worst.max(jump);
+        }
+        (history, worst)
+    }
+
+    #[test]
+    fn each_join_is_that_of_the_least_jump() {
+        let mut history = TwistHistory::new();
+        for (radius, twist) in [(1.0, 0.0), (1.0, 0.5), (1.0, 0.1)] {
+            history.advance(radius, twist).expect("in range");
+        }
+        for i in 1..40 {
+            let time = f64::from(i);
+            let twist = 0.1 + 0.004 * time + 0.003 * (0.9 * time).sin();
+            history.advance(1.0 + 0.01 * time, twist).expect("in range");
+        }
+        assert!(history.pieces() > 20, "{}", history.pieces());
+        for pieces in 4..history.pieces() {
+            let mut thinned = history.clone();
+            let jump = thinned.thin(pieces);
+            assert_eq!((thinned, jump), thinned_by_search(history.clone(), pieces), "{pieces}");
+        }
+    }
 
     #[test]
     fn what_one_condition_finds_sound_passes_every_check() {
