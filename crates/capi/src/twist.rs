@@ -30,6 +30,7 @@ pub struct CaromTwist {
 }
 
 impl CaromTwist {
+    #[inline]
     pub(crate) fn law(&self, pair: &CaromPair) -> Result<TorsionLaw, Failure> {
         finite(pair)?;
         let mut law = pair.torsion()?;
@@ -47,6 +48,7 @@ impl CaromTwist {
 
 impl CaromPair {
     /// The law of twist with these constants, for separated bodies.
+    #[inline]
     fn torsion(&self) -> Result<TorsionLaw, Failure> {
         self.check_version()?;
         let Self { c_z, torsion_stiffness: stiffness, torsion_arm: arm, .. } = *self;

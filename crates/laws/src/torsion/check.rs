@@ -12,20 +12,19 @@ impl TwistHistory {
     /// Twists and inner torques of adjacent pieces may differ: once the whole contact slides, the
     /// stick radius is the smallest positive number whatever the twist is, and pieces that were
     /// joined because the storage was full keep their twist but not their torque.
+    #[inline]
     pub(super) fn check_meaning(&self) -> Result<(), RangeError> {
         let holds = self.torque.abs() <= sliding_limit(self.radius);
         RangeError::check("torque", self.torque, holds, "at most the sliding torque")?;
-        for (i, segment) in self.segments.iter().enumerate() {
-            let end = self.segments.get(i + 1).map_or(self.radius, |next| next.from);
+        let mut end = self.radius;
+        for segment in self.segments.iter().rev() {
             if let Density::Slip { radius, .. } = segment.density {
-                RangeError::check(
-                    "slip radius",
-                    radius,
-                    radius >= end,
-                    "at least the outer radius of its piece",
-                )?;
+                let holds = radius >= end;
+                let allowed = "at least the outer radius of its piece";
+                RangeError::check("slip radius", radius, holds, allowed)?;
             }
             RangeError::non_negative("demand", segment.demand)?;
+            end = segment.from;
         }
         Ok(())
     }

@@ -21,11 +21,17 @@ pub(super) struct RingSolution {
 
 impl Rings<'_> {
     /// The state after the twist of all discs has changed by `turned`, from the densities before;
-    /// `None` if neither method converges.
-    pub(super) fn turn(&self, densities: &[f64], turned: f64) -> Option<RingSolution> {
+    /// `None` if neither method converges. `slips`, the signs of a solution with one slip annulus, is where the
+    /// search begins.
+    pub(super) fn turn(
+        &self,
+        densities: &[f64],
+        turned: f64,
+        slips: &[f64],
+    ) -> Option<RingSolution> {
         let before = self.tractions(densities);
         let friction = Friction { rings: self, limits: self.limits(), before: &before, turned };
-        friction.by_guesses().or_else(|| friction.by_sweeps())
+        friction.by_guesses(slips).or_else(|| friction.by_sweeps())
     }
 }
 
@@ -40,10 +46,14 @@ struct Friction<'a> {
 impl Friction<'_> {
     /// Guesses which rings stick, solves for the densities and corrects the guess until it is
     /// consistent: a few systems of equations.
-    fn by_guesses(&self) -> Option<RingSolution> {
+    fn by_guesses(&self, slips: &[f64]) -> Option<RingSolution> {
         let n = self.limits.len();
         let mut pattern = Pattern::new(self.rings);
-        let mut signs: Vec<f64> = (0..n).map(|i| self.over(i, self.before[i])).collect();
+        let over = |(i, slip): (usize, &f64)| match self.over(i, self.before[i]) {
+            0.0 => *slip,
+            sign => sign,
+        };
+        let mut signs: Vec<f64> = slips.iter().enumerate().map(over).collect();
         let mut next = vec![0.0; n];
         for _ in 0..GUESSES {
             let rests = |i: usize| signs[i] * self.limits[i] - self.before[i];

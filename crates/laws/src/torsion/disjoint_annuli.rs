@@ -52,15 +52,17 @@ impl TwistHistory {
         loop {
             let mesh = Mesh::new(radius, lowest.max(INNERMOST_RING * radius), self.level);
             let before = Cells::averaged(mesh.edges(), self);
-            if let Some(solution) = self.single_annulus(&mesh, &before, radius, twist) {
-                match solution {
+            let (single, path) = self.single_annulus(radius, twist);
+            if single.obeys(&mesh, &before) {
+                match path {
                     SingleAnnulus::Path(path) => self.metered(path, radius, twist, meter),
                     SingleAnnulus::Growth => self.grow(radius, twist, meter),
                 }
                 return Some(false);
             }
             let rings = Rings::new(&mesh);
-            let solution = rings.turn(&before.densities, twist - before.below[0])?;
+            let turned = twist - before.below[0];
+            let solution = rings.turn(&before.densities, turned, &single.slips_on(&mesh))?;
             if solution.slips[solution.slips.len() - 3..].iter().any(|slip| *slip != 0.0)
                 && lowest > INNERMOST_RING * radius
             {
@@ -77,18 +79,12 @@ impl TwistHistory {
         }
     }
 
-    /// A solution with one slip annulus that satisfies the friction law on rings, if there is one.
-    fn single_annulus(
-        &self,
-        mesh: &Mesh,
-        before: &Cells,
-        radius: f64,
-        twist: f64,
-    ) -> Option<SingleAnnulus> {
+    /// The state after a substep with one slip annulus, whether it satisfies the friction law or not.
+    fn single_annulus(&self, radius: f64, twist: f64) -> (Self, SingleAnnulus) {
+        let mut moved = self.trial();
         if radius > self.radius {
-            let mut grown = self.clone();
-            grown.grow(radius, twist, &mut super::heat::Unmetered);
-            return grown.obeys(mesh, before).then_some(SingleAnnulus::Growth);
+            moved.grow(radius, twist, &mut super::heat::Unmetered);
+            return (moved, SingleAnnulus::Growth);
         }
         let inward = self.slip_sign().filter(|sign| {
             let back = -sign * (twist - self.twist) / (self.radius - radius);
@@ -96,9 +92,14 @@ impl TwistHistory {
                 && self.goes_on_slipping(radius, twist, *sign)
         });
         let path = inward.map_or(SlipPath::FromRim, SlipPath::Inward);
-        let mut moved = self.clone();
         moved.follow(path, radius, twist);
-        moved.obeys(mesh, before).then_some(SingleAnnulus::Path(path))
+        (moved, SingleAnnulus::Path(path))
+    }
+
+    /// The sign of the slip of each ring in this state.
+    fn slips_on(&self, mesh: &Mesh) -> Vec<f64> {
+        let sign = self.slip_sign().unwrap_or(0.0);
+        mesh.middles().iter().map(|s| if *s > self.stick { sign } else { 0.0 }).collect()
     }
 
     /// Whether this state, following that of the cells, satisfies the friction law.

@@ -5,24 +5,16 @@
 //! its depth satisfies `(2/pi) K(k) = r`, `k' = c/al`. Then it moves outwards with the contact at
 //! this ratio and leaves the constant density `(2/pi) E(k)/k'` behind.
 
-use std::f64::consts::{FRAC_2_PI, LN_2};
-
-use carom_special::elliptic::complete;
-use carom_special::roots::bisect;
-
 use super::heat::Meter;
 use super::history::{SlipPath, TwistHistory};
 use super::segment::{Density, Segment};
-use super::sliding::{sliding_torque, sliding_twist, with_ratio};
+use super::sliding::sliding_torque;
+use super::steady::SteadyAnnulus;
 
-/// Beyond this depth ln(al/c) the stick radius counts as zero.
-const DEEPEST: f64 = 690.0;
 /// An annulus whose inner radius is this close to that of the steady annulus is replaced by it. The
 /// error of twist and torque is the square of this, and rounding of the rate moves the radius by
 /// less.
 const STEADY_TOLERANCE: f64 = 1e-7;
-/// Number of bisections of a growth: to rounding.
-const HALVINGS: usize = 50;
 
 impl TwistHistory {
     /// New area formed in complete adhesion.
@@ -48,12 +40,12 @@ impl TwistHistory {
         let grown = radius - self.radius;
         let rate = (twist - self.twist) / grown;
         let sign = 1.0_f64.copysign(rate);
-        let depth = steady_depth(rate.abs());
-        let ratio = if depth < DEEPEST { libm::exp(-depth) } else { 0.0 };
+        let annulus = SteadyAnnulus::new(rate.abs());
+        let ratio = annulus.ratio;
         let slips = self.radius == 0.0 || self.slip_sign() == Some(sign);
         let deeper = ratio == 0.0 || self.stick > (1.0 + STEADY_TOLERANCE) * ratio * self.radius;
         if !slips || deeper {
-            let turn = self.turns_outward(radius, rate, ratio);
+            let turn = self.turns_outward(radius, rate, annulus);
             let between = self.twist + rate * (turn - self.radius);
             if turn >= radius {
                 return self.metered(SlipPath::FromRim, radius, twist, meter);
@@ -62,38 +54,24 @@ impl TwistHistory {
                 self.metered(SlipPath::FromRim, turn, between, meter);
             }
         }
-        self.metered(SlipPath::Outward { sign, depth }, radius, twist, meter);
-    }
-
-    /// The contact radius, up to `radius`, at which the inner radius of the annulus begins to move
-    /// outwards.
-    fn turns_outward(&self, radius: f64, rate: f64, ratio: f64) -> f64 {
-        if ratio == 0.0 || self.radius == 0.0 {
-            return if ratio == 0.0 { radius } else { self.radius };
-        }
-        let sign = 1.0_f64.copysign(rate);
-        // The deficit of the twist if everything outside the steady ratio slides; it increases with
-        // al.
-        let excess = |al: f64| {
-            let twist = self.twist + rate * (al - self.radius);
-            sign * (twist - self.twist_below(ratio * al)) - sliding_twist(ratio * al, al)
-        };
-        let largest = radius.min(self.radius / ratio);
-        if excess(largest) < 0.0 {
-            return radius;
-        }
-        bisect([self.radius, largest], HALVINGS, |al| excess(al) < 0.0)[1]
+        self.metered(SlipPath::Outward { sign, annulus }, radius, twist, meter);
     }
 
     /// The inner radius of the slip annulus moves outwards with the contact.
-    pub(super) fn move_outwards(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
-        let ratio = libm::exp(-depth);
+    pub(super) fn move_outwards(
+        &mut self,
+        radius: f64,
+        twist: f64,
+        sign: f64,
+        annulus: SteadyAnnulus,
+    ) {
+        let ratio = annulus.ratio;
         // No contact sticks at the centre alone, however deep it slips.
         let [start, end] = [self.radius, radius].map(|al| match al > 0.0 {
             true => (ratio * al).max(f64::MIN_POSITIVE),
             false => 0.0,
         });
-        let density = Density::Stick(sign * FRAC_2_PI * with_ratio(ratio, complete::e) / ratio);
+        let density = Density::Stick(sign * annulus.density());
         let below = if self.radius == 0.0 { self.twist } else { self.twist_below(start) };
         let (twist_to, torque_to) = (below, self.torque_below(start));
         if self.radius == 0.0 {
@@ -112,28 +90,4 @@ impl TwistHistory {
         self.stick = end;
         self.push(Segment { from: end, density, twist, torque, demand: radius });
     }
-}
-
-/// The depth at which `(2/pi) K` has a given value above 1.
-fn steady_depth(rate: f64) -> f64 {
-    // K = ln(4/k') at great depth; exact to rounding beyond 40.
-    let deep = rate / FRAC_2_PI - 2.0 * LN_2;
-    if deep >= 40.0 {
-        return deep.min(1e3);
-    }
-    // At small k, K = (pi/2) (1 + k^2/4).
-    let mut v = deep.max(2.0 * (rate - 1.0));
-    for _ in 0..40 {
-        let ratio = libm::exp(-v);
-        // dK/dv is the integral B.
-        let step =
-            (rate / FRAC_2_PI - with_ratio(ratio, complete::k)) / with_ratio(ratio, complete::b);
-        let next = (v + step).max(0.5 * v);
-        let done = (next - v).abs() <= 4e-16 * v;
-        v = next;
-        if done {
-            break;
-        }
-    }
-    v
 }

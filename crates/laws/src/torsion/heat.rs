@@ -51,7 +51,7 @@ impl Meter for Heat {
     fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: SlipPath) {
         self.0 += match way {
             SlipPath::Adhere => 0.0,
-            SlipPath::Outward { depth, .. } => of_steady_ring(before, after, depth),
+            SlipPath::Outward { annulus, .. } => of_steady_ring(before, after, annulus.depth),
             SlipPath::FromRim | SlipPath::Inward(_) => of_ring(before, after, way),
         };
     }

@@ -186,30 +186,34 @@ impl Places {
     /// itself.
     fn tractions(&self, i: usize, rim: f64, row: &mut [f64]) {
         let table = &influence(self.levels[i]).traction;
-        let outer = |j: usize| match j {
-            0 => arc(rim),
-            j => table[(self.units[i] - self.units[j]) as usize],
-        };
-        let mut at = outer(0);
-        for (j, entry) in row.iter_mut().enumerate() {
-            let inner = if j == i { 0.0 } else { outer(j + 1) };
+        let own = self.units[i];
+        let mut at = arc(rim);
+        for (entry, unit) in row.iter_mut().zip(&self.units[1..=i]) {
+            let inner = table[(own - unit) as usize];
             *entry = at - inner;
             at = inner;
         }
+        // Of itself.
+        row[i] = at;
     }
 
     /// Slips of ring i due to the densities of the rings from itself inwards.
     fn slips(&self, i: usize, edges: &[f64], middle: f64, row: &mut [f64]) {
-        let table = &influence(self.levels[i]).slip;
-        let below = |j: usize| match i {
-            0 => slip_integral((edges[j] / middle).min(1.0)),
-            i => table[(self.units[j] - self.units[i]) as usize],
-        };
-        let mut at = below(i);
-        for (k, entry) in row.iter_mut().enumerate() {
-            let inner = below(i + k + 1);
-            *entry = middle * (at - inner);
-            at = inner;
+        if i == 0 {
+            let below = edges.iter().map(|edge| slip_integral((edge / middle).min(1.0)));
+            return differences(middle, below, row);
         }
+        let table = &influence(self.levels[i]).slip;
+        let own = self.units[i];
+        differences(middle, self.units[i..].iter().map(|unit| table[(unit - own) as usize]), row);
+    }
+}
+
+/// Sets entries to a factor times the decreases of values.
+fn differences(factor: f64, mut values: impl Iterator<Item = f64>, row: &mut [f64]) {
+    let Some(mut at) = values.next() else { return };
+    for (entry, inner) in row.iter_mut().zip(values) {
+        *entry = factor * (at - inner);
+        at = inner;
     }
 }

@@ -50,8 +50,9 @@ impl<'a> Pattern<'a> {
             changes.push((rests(i) - dot(row, &changes)) / own);
         }
         let inside = self.inside(slipping);
-        let mut unknown = self.equations(signs, &changes, slipping, &inside, rests, turned);
-        eliminate(&mut self.matrix, &mut unknown)?;
+        let mut right = self.equations(signs, &changes, slipping, &inside, rests, turned);
+        let mut unknown =
+            eliminate(&mut self.matrix, &mut right, &signs[lead..slipping.max(lead)])?;
         let last = unknown.pop()?;
         changes.append(&mut unknown);
         changes.extend(inside.densities.iter().map(|density| density * last));
@@ -121,39 +122,84 @@ impl<'a> Pattern<'a> {
     }
 }
 
-/// Elimination with pivoting of rows.
-fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Option<()> {
+/// Solves by elimination with pivoting of rows.
+///
+/// `signs` are those of the rings of the rows; the last row has none. Rows of rings that stick depend on themselves and
+/// what is inside, those of rings that slip on themselves and what is outside. Columns are taken from outside if fewer
+/// rings slip, else from inside, so that the other rows take part from their own column on: in each column few rows do.
+fn eliminate(matrix: &mut [f64], right: &mut [f64], signs: &[f64]) -> Option<Vec<f64>> {
     let m = right.len();
-    for k in 0..m {
-        let size = |i: &usize| matrix[i * m + k].abs();
-        let pivot = (k..m).max_by(|i, j| size(i).total_cmp(&size(j)))?;
-        if pivot != k {
-            let (upper, lower) = matrix.split_at_mut(pivot * m);
-            upper[k * m..(k + 1) * m].swap_with_slice(&mut lower[..m]);
-            right.swap(k, pivot);
+    let slipping = signs.iter().filter(|sign| **sign != 0.0).count();
+    let from_inside = 2 * slipping > signs.len();
+    let waits = |row: usize| signs.get(row).is_some_and(|sign| (*sign != 0.0) == from_inside);
+    let column = |step: usize| if from_inside { m - 1 - step } else { step };
+    let others = |k: usize| if from_inside { 0..k } else { k + 1..m };
+    let mut active: Vec<usize> = (0..m).filter(|row| !waits(*row)).collect();
+    let mut pivots = Vec::with_capacity(m);
+    let mut above = vec![0.0; m];
+    for k in (0..m).map(column) {
+        if waits(k) {
+            active.push(k);
         }
-        let (upper, lower) = matrix.split_at_mut((k + 1) * m);
-        let pivot_row = &upper[k * m + k..];
-        let pivot = pivot_row[0];
+        let size = |place: &usize| active.get(*place).map_or(0.0, |row| matrix[row * m + k].abs());
+        let place = (0..active.len()).max_by(|i, j| size(i).total_cmp(&size(j)))?;
+        let row = active.swap_remove(place);
+        let above = &mut above[others(k)];
+        above.copy_from_slice(&matrix[row * m..(row + 1) * m][others(k)]);
+        let (pivot, side) = (matrix[row * m + k], right[row]);
         if !(pivot != 0.0 && pivot.is_finite()) {
             return None;
         }
-        for (below, row) in lower.chunks_exact_mut(m).enumerate() {
-            // Rings that stick depend on rings inside only, so that most entries are zero.
-            if row[k] == 0.0 {
-                continue;
-            }
-            let factor = row[k] / pivot;
-            for (entry, above) in row[k..].iter_mut().zip(pivot_row) {
+        pivots.push((k, row));
+        for row in &active {
+            let entries = &mut matrix[row * m..(row + 1) * m];
+            let factor = entries[k] / pivot;
+            for (entry, above) in entries[others(k)].iter_mut().zip(&*above) {
                 *entry -= factor * above;
             }
-            right[k + 1 + below] -= factor * right[k];
+            right[*row] -= factor * side;
         }
     }
-    for k in (0..m).rev() {
-        let row = &matrix[k * m..(k + 1) * m];
-        let known = dot(&row[k + 1..], &right[k + 1..]);
-        right[k] = (right[k] - known) / row[k];
+    let mut solution = vec![0.0; m];
+    for (k, row) in pivots.into_iter().rev() {
+        let entries = &matrix[row * m..(row + 1) * m];
+        let known = dot(&entries[others(k)], &solution[others(k)]);
+        solution[k] = (right[row] - known) / entries[k];
     }
-    Some(())
+    Some(solution)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elimination_solves_equations_of_sticking_and_slipping_rings() {
+        let m = 24;
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        for slips in 0..24 {
+            let signs: Vec<f64> = (0..m - 1)
+                .map(|_| if random() * 23.0 + 11.5 < f64::from(slips) { 1.0 } else { 0.0 })
+                .collect();
+            // Rings that stick depend on what is inside, those that slip on what is outside.
+            let depends = |row: usize, column: usize| match signs.get(row) {
+                Some(0.0) => column >= row,
+                Some(_) => column <= row,
+                None => true,
+            };
+            let matrix: Vec<f64> =
+                (0..m * m).map(|at| if depends(at / m, at % m) { random() } else { 0.0 }).collect();
+            let want: Vec<f64> = (0..m).map(|_| random()).collect();
+            let product = |row: &[f64]| row.iter().zip(&want).map(|(a, b)| a * b).sum();
+            let mut right: Vec<f64> = matrix.chunks_exact(m).map(product).collect();
+            let got = eliminate(&mut matrix.clone(), &mut right, &signs).expect("regular");
+            for (got, want) in got.iter().zip(&want) {
+                assert!((got - want).abs() < 1e-9, "{slips}: {got} {want}");
+            }
+        }
+    }
 }

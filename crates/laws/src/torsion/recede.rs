@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::heat::Meter;
+use super::heat::{Meter, Unmetered};
 use super::history::{SlipPath, TwistHistory};
 use super::sliding::{sliding_limit, sliding_twist, threshold};
 use super::within::{Annulus, Kept};
@@ -86,11 +86,7 @@ impl TwistHistory {
             return true;
         }
         if grown > 0.0 {
-            let sure = self.demand() <= self.radius || self.single_annulus_grows(radius, twist);
-            if sure {
-                self.grow(radius, twist, meter);
-            }
-            return sure;
+            return self.try_growth(radius, twist, meter);
         }
         let way = if grown < 0.0 {
             self.single_annulus_back(radius, twist)
@@ -118,7 +114,7 @@ impl TwistHistory {
                 && self.goes_on_slipping(radius, twist, sign)
                 && self.stays_within_friction(radius, twist, sign)
                 && (back <= 1.0 || {
-                    let mut after = self.clone();
+                    let mut after = self.trial();
                     after.follow(SlipPath::Inward(sign), radius, twist);
                     back <= lowest_rate(back, after.stick / radius)
                 });
@@ -154,7 +150,7 @@ impl TwistHistory {
         if calm == [true; 2] {
             return true;
         }
-        let mut after = self.clone();
+        let mut after = self.trial();
         after.follow(SlipPath::Inward(sign), radius, twist);
         (calm[0] || self.slips_over(&after, kept, radius, sign))
             && (calm[1] || self.annulus_balances(&after, sign))
@@ -179,19 +175,32 @@ impl TwistHistory {
         balances(after, (after.radius - self.stick).max(0.0))
     }
 
-    /// Whether a growing contact that slips has a single slip annulus.
-    fn single_annulus_grows(&self, radius: f64, twist: f64) -> bool {
+    /// Makes a step of a growing contact that slips if it is known to have a single slip annulus. Returns whether it
+    /// was made.
+    fn try_growth<M: Meter>(&mut self, radius: f64, twist: f64, meter: &mut M) -> bool {
         let sign = 1.0_f64.copysign(twist - self.twist);
-        let slips = self.slip_sign();
-        let kept = self.kept(if slips.is_some() { self.stick } else { self.radius });
-        let annulus = Annulus { width: self.radius - self.stick, radius: self.radius };
-        let other = if slips == Some(sign) { kept.with_annulus(annulus) } else { kept };
-        other.balance(self.radius, -sign)
-            && (kept.below_sliding(0.0, self.radius, sign) || {
-                let mut after = self.clone();
-                after.grow(radius, twist, &mut super::heat::Unmetered);
-                self.slips_over(&after, kept, self.radius, sign)
-            })
+        if self.demand() > self.radius {
+            let slips = self.slip_sign();
+            let kept = self.kept(if slips.is_some() { self.stick } else { self.radius });
+            let annulus = Annulus { width: self.radius - self.stick, radius: self.radius };
+            let other = if slips == Some(sign) { kept.with_annulus(annulus) } else { kept };
+            if !other.balance(self.radius, -sign) {
+                return false;
+            }
+            if !kept.below_sliding(0.0, self.radius, sign) {
+                let mut after = self.trial();
+                after.grow(radius, twist, &mut Unmetered);
+                if !self.slips_over(&after, kept, self.radius, sign) {
+                    return false;
+                }
+                if !M::LOOKS {
+                    *self = after;
+                    return true;
+                }
+            }
+        }
+        self.grow(radius, twist, meter);
+        true
     }
 
     /// Whether an annulus spread only over densities below the sliding one in its own direction, of those

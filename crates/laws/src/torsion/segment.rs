@@ -4,7 +4,10 @@ use std::f64::consts::FRAC_2_PI;
 
 use carom_special::elliptic::complete;
 
-use super::sliding::{Sloped, sliding_torque, sliding_twist, twist_of_depth, with_ratio};
+use super::sliding::{
+    Sloped, sliding_torque, sliding_twist, sliding_twist_and_density, sliding_twist_and_torque,
+    twist_of_depth, with_ratio,
+};
 
 /// Depth ln(al/c) beyond which the stick radius counts as zero.
 const DEEPEST: f64 = 690.0;
@@ -27,6 +30,12 @@ impl Density {
             }
         }
     }
+}
+
+/// The torque `int s^3 b ds` of a constant density between two radii.
+pub(super) fn stuck_torque(density: f64, from: f64, to: f64) -> f64 {
+    let (a, b) = (to * to, from * from);
+    0.25 * density * (a - b) * (a + b)
 }
 
 /// A density from a radius outwards.
@@ -53,14 +62,33 @@ impl Segment {
         }
     }
 
+    /// Twist of everything inside a radius, and the density there to the accuracy of a step of Newton.
+    pub(super) fn twist_and_density(&self, s: f64) -> Sloped {
+        match self.density {
+            Density::Stick(density) => Sloped { value: self.twist_to(s), slope: density },
+            Density::Slip { sign, radius } => {
+                let Sloped { value, slope } = sliding_twist_and_density(s, radius);
+                Sloped { value: self.twist - sign * value, slope: sign * slope }
+            }
+        }
+    }
+
     /// Torque of everything inside a radius in this segment.
     pub(super) fn torque_to(&self, s: f64) -> f64 {
         match self.density {
-            Density::Stick(density) => {
-                let (a, b) = (s * s, self.from * self.from);
-                self.torque + 0.25 * density * (a - b) * (a + b)
-            }
+            Density::Stick(density) => self.torque + stuck_torque(density, self.from, s),
             Density::Slip { sign, radius } => self.torque - sign * sliding_torque(s, radius),
+        }
+    }
+
+    /// Twist and torque of everything inside a radius in this segment.
+    pub(super) fn inside(&self, s: f64) -> (f64, f64) {
+        match self.density {
+            Density::Stick(_) => (self.twist_to(s), self.torque_to(s)),
+            Density::Slip { sign, radius } => {
+                let (twist, torque) = sliding_twist_and_torque(s, radius);
+                (self.twist - sign * twist, self.torque - sign * torque)
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 //!
 //! With the depth `v = ln(al/c)` of the stick radius c below the contact radius al, twist and
 //! torque are `(2/pi) al G(v)` and `al^4 m(v)/2`: two functions of one variable, analytic in a
-//! strip of half-width pi. They are tabulated once as polynomials on intervals of unit length, with
+//! strip of half-width pi. They are tabulated once as polynomials on intervals of length 1/4, with
 //! errors below 1e-14.
 
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -15,14 +15,20 @@ use carom_special::quadrature::FixedRule;
 
 use super::lubkin::{Lubkin, SLIDING_TORQUE};
 
-/// Number of intervals of unit length in v. Beyond them k'^3 is below rounding.
-const PIECES: usize = 12;
+/// Number of intervals in v, of length 1/4 each. Beyond them k'^3 is below rounding.
+const PIECES: usize = 48;
 /// The depth from which the stick area is negligible for torque and heat.
-pub(super) const DEEP: f64 = PIECES as f64;
+pub(super) const DEEP: f64 = LENGTH * PIECES as f64;
+/// Length of an interval.
+pub(super) const LENGTH: f64 = 0.25;
 /// Number of coefficients of an interval: with singularities at distance pi the next one is 1e-17.
-const TERMS: usize = 18;
+const TERMS: usize = 12;
 
-type Piece = [f64; TERMS];
+/// Number of sums side by side.
+const LANES: usize = 4;
+
+/// The coefficients of one interval.
+pub(super) type Piece = [f64; TERMS.next_multiple_of(LANES)];
 
 struct Table {
     /// G(v)/v on the first interval, G(v) on the others.
@@ -51,14 +57,14 @@ fn twist_at(v: f64) -> f64 {
 
 /// The polynomial through the Chebyshev nodes of an interval, in powers of t from -1 to 1. On the
 /// first interval the function is divided by `v^order`, its leading power.
-fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
+pub(super) fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     let n = TERMS as f64;
     let angle = |i: usize| PI * (i as f64 + 0.5) / n;
-    let values: Piece = std::array::from_fn(|i| {
-        let v = piece as f64 + 0.5 + 0.5 * libm::cos(angle(i));
+    let values: [f64; TERMS] = std::array::from_fn(|i| {
+        let v = LENGTH * (piece as f64 + 0.5 + 0.5 * libm::cos(angle(i)));
         function(v) / if piece == 0 { v.powi(order) } else { 1.0 }
     });
-    let mut powers = [0.0; TERMS];
+    let mut powers = Piece::default();
     // T_k in powers of t, by its recurrence; the coefficients decrease faster than those grow.
     let (mut last, mut this) = ([0.0; TERMS], [0.0; TERMS]);
     this[0] = 1.0;
@@ -80,19 +86,43 @@ fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     powers
 }
 
-/// A polynomial and its derivative: even and odd powers side by side, since each step of Horner's scheme waits for
-/// the one before.
-fn horner(piece: &Piece, t: f64) -> (f64, f64) {
+/// The interval of an argument, and the place there from -1 to 1.
+pub(super) fn interval(v: f64) -> (usize, f64) {
+    let at = v / LENGTH;
+    let piece = at as usize;
+    (piece, 2.0 * (at - piece as f64) - 1.0)
+}
+
+/// A polynomial. Each step of Horner's scheme waits for the one before: powers that differ by multiples of
+/// [`LANES`] are summed apart, side by side.
+pub(super) fn horner_value(piece: &Piece, t: f64) -> f64 {
     let square = t * t;
-    let (mut values, mut slopes) = ([0.0; 2], [0.0; 2]);
-    for pair in piece.as_chunks::<2>().0.iter().rev() {
-        for parity in 0..2 {
-            slopes[parity] = slopes[parity] * square + values[parity];
-            values[parity] = values[parity] * square + pair[parity];
+    let fourth = square * square;
+    let mut values = [0.0; LANES];
+    for powers in piece.as_chunks::<LANES>().0.iter().rev() {
+        for lane in 0..LANES {
+            values[lane] = values[lane] * fourth + powers[lane];
         }
     }
-    let [even, odd] = values;
-    (even + t * odd, odd + 2.0 * (t * slopes[0] + square * slopes[1]))
+    let [a, b, c, d] = values;
+    (a + t * b) + square * (c + t * d)
+}
+
+/// A polynomial and its derivative, as [`horner_value`].
+fn horner(piece: &Piece, t: f64) -> (f64, f64) {
+    let square = t * t;
+    let fourth = square * square;
+    let (mut values, mut slopes) = ([0.0; LANES], [0.0; LANES]);
+    for powers in piece.as_chunks::<LANES>().0.iter().rev() {
+        for lane in 0..LANES {
+            slopes[lane] = slopes[lane] * fourth + values[lane];
+            values[lane] = values[lane] * fourth + powers[lane];
+        }
+    }
+    let sum = |[a, b, c, d]: [f64; LANES]| (a + t * b) + square * (c + t * d);
+    let [_, b, c, d] = values;
+    let inner = b + t * (2.0 * c + t * (3.0 * d));
+    (sum(values), inner + 4.0 * (t * square) * sum(slopes))
 }
 
 /// A value and its derivative in v.
@@ -104,42 +134,47 @@ pub(super) struct Sloped {
 
 /// `G(v) = K - E` and `dG/dv = E`, for v >= 0.
 pub(super) fn twist_of_depth(v: f64) -> Sloped {
-    if v >= PIECES as f64 {
+    if v >= DEEP {
         // K - E = L - 1 - k'^2 L/4 with L = ln(4/k') (DLMF 19.12).
         let l = v + 2.0 * std::f64::consts::LN_2;
         let rest = if v < 40.0 { 0.25 * l * libm::exp(-2.0 * v) } else { 0.0 };
         return Sloped { value: l - 1.0 - rest, slope: 1.0 };
     }
-    let piece = v as usize;
-    let (value, slope) = horner(&TABLE.twist[piece], 2.0 * (v - piece as f64) - 1.0);
+    let (piece, t) = interval(v);
+    let (value, slope) = horner(&TABLE.twist[piece], t);
+    let slope = 2.0 / LENGTH * slope;
     if piece == 0 {
-        return Sloped { value: v * value, slope: value + 2.0 * v * slope };
+        return Sloped { value: v * value, slope: value + v * slope };
     }
-    Sloped { value, slope: 2.0 * slope }
+    Sloped { value, slope }
+}
+
+/// `G(v)` without its derivative.
+fn twist_value(v: f64) -> f64 {
+    if v >= DEEP { twist_of_depth(v).value } else { tabled::<1>(&TABLE.twist, v) }
 }
 
 /// The normalised torque `m(v)`, for v >= 0.
 fn torque_of_depth(v: f64) -> f64 {
-    if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v, 1) }
+    if v >= DEEP { SLIDING_TORQUE } else { tabled::<1>(&TABLE.torque, v) }
 }
 
-/// A tabulated function with the leading power `v^order`, for `0 <= v < PIECES`.
-fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
-    let piece = v as usize;
-    let t = 2.0 * (v - piece as f64) - 1.0;
-    let (value, _) = horner(&pieces[piece], t);
-    if piece == 0 { v.powi(order) * value } else { value }
+/// A tabulated function with the leading power `v^ORDER`, for `0 <= v < DEEP`.
+fn tabled<const ORDER: i32>(pieces: &[Piece; PIECES], v: f64) -> f64 {
+    let (piece, t) = interval(v);
+    let value = horner_value(&pieces[piece], t);
+    if piece == 0 { v.powi(ORDER) * value } else { value }
 }
 
 /// Heat per twist, p(v) of [`super::heat`].
 pub(super) fn heat_of_twist(v: f64) -> f64 {
-    if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v, 2) }
+    if v >= DEEP { 0.5 * SLIDING_TORQUE } else { tabled::<2>(&HEAT_OF_TWIST, v) }
 }
 
 /// Heat per growth, g(v) of [`super::heat`]; constant at great depth.
 pub(super) fn heat_of_growth(v: f64) -> f64 {
-    let deepest = (1.0 - f64::EPSILON) * PIECES as f64;
-    tabled(&HEAT_OF_GROWTH, v.min(deepest), 2)
+    let deepest = (1.0 - f64::EPSILON) * DEEP;
+    tabled::<2>(&HEAT_OF_GROWTH, v.min(deepest))
 }
 
 /// `p = (6/pi) int_0^v exp(-3 u) (K - E) du` at the depth v.
@@ -177,13 +212,29 @@ fn depth(c: f64, radius: f64) -> f64 {
 
 /// `B(c; al) = (2/pi) al (K - E)` (5.39); infinite at the centre.
 pub(super) fn sliding_twist(c: f64, radius: f64) -> f64 {
-    FRAC_2_PI * radius * twist_of_depth(depth(c, radius)).value
+    FRAC_2_PI * radius * twist_value(depth(c, radius))
+}
+
+/// `B(c; al)` and the sliding density at c, `-dB/dc = (2/pi) E al/c`.
+pub(super) fn sliding_twist_and_density(c: f64, radius: f64) -> Sloped {
+    let Sloped { value, slope } = twist_of_depth(depth(c, radius));
+    Sloped { value: FRAC_2_PI * radius * value, slope: FRAC_2_PI * radius * slope / c }
 }
 
 /// `al^4 m(c/al)/2`, the torque of the sliding density outside c.
 pub(super) fn sliding_torque(c: f64, radius: f64) -> f64 {
+    half_fourth_power(radius) * torque_of_depth(depth(c, radius))
+}
+
+/// [`sliding_twist`] and [`sliding_torque`], with the depth that they share.
+pub(super) fn sliding_twist_and_torque(c: f64, radius: f64) -> (f64, f64) {
+    let v = depth(c, radius);
+    (FRAC_2_PI * radius * twist_value(v), half_fourth_power(radius) * torque_of_depth(v))
+}
+
+fn half_fourth_power(radius: f64) -> f64 {
     let square = radius * radius;
-    0.5 * (square * square) * torque_of_depth(depth(c, radius))
+    0.5 * (square * square)
 }
 
 /// The torque of complete sliding, `(3 pi/32) al^4`.

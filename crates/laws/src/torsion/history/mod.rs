@@ -17,10 +17,14 @@ use crate::torsion::mesh;
 use crate::torsion::segment::{Density, Segment};
 pub use crate::torsion::sliding::sliding_limit;
 use crate::torsion::sliding::{sliding_torque, sliding_twist};
+use crate::torsion::steady::SteadyAnnulus;
 
 /// A slip annulus narrower than this fraction of the radius is left out, and its twist stays at the
 /// edge. The relative error of the torque is the square of this.
 const NEGLIGIBLE_WIDTH: f64 = 1e-9;
+
+/// Room for the segments that most steps add, so that they need no other place in memory.
+pub(in crate::torsion) const SEGMENTS_OF_A_STEP: usize = 4;
 
 /// Ratio of radii of the panels for the stored energy, as a logarithm, and number of panels that
 /// matter.
@@ -38,9 +42,8 @@ pub(in crate::torsion) enum SlipPath {
     FromRim,
     /// The slip annulus, of this sign, continues inwards.
     Inward(f64),
-    /// Growth with a slip annulus of this sign whose inner radius moves outwards at a constant
-    /// depth `ln(al/c)`.
-    Outward { sign: f64, depth: f64 },
+    /// Growth with a slip annulus of this sign whose inner radius moves outwards with the contact.
+    Outward { sign: f64, annulus: SteadyAnnulus },
 }
 
 /// The load history of a circular contact, given by contact radius and twist.
@@ -197,13 +200,22 @@ impl TwistHistory {
         *self = Self { twist, ring_steps: self.ring_steps, ..Self::at_level(self.level) };
     }
 
+    /// A copy with room for the segments of a step, to try it.
+    pub(in crate::torsion) fn trial(&self) -> Self {
+        let mut segments = Vec::with_capacity(self.segments.len() + SEGMENTS_OF_A_STEP);
+        segments.extend_from_slice(&self.segments);
+        Self { segments, ..*self }
+    }
+
     /// A substep whose pattern of slip is known.
     pub(in crate::torsion) fn follow(&mut self, way: SlipPath, radius: f64, twist: f64) {
         match way {
             SlipPath::Adhere => self.adhere(radius, twist),
             SlipPath::FromRim => self.slip_from_rim(radius, twist),
             SlipPath::Inward(sign) => self.cut(radius, twist, sign, radius.min(self.stick)),
-            SlipPath::Outward { sign, depth } => self.move_outwards(radius, twist, sign, depth),
+            SlipPath::Outward { sign, annulus } => {
+                self.move_outwards(radius, twist, sign, annulus);
+            }
         }
         (self.radius, self.twist) = (radius, twist);
     }

@@ -2,10 +2,10 @@
 
 use carom_special::RangeError;
 
-use super::TwistHistory;
-use crate::bounds::in_contact;
+use super::{SEGMENTS_OF_A_STEP, TwistHistory};
+use crate::bounds::{LARGEST, in_contact};
 use crate::torsion::mesh;
-use crate::torsion::segment::{Density, Segment};
+use crate::torsion::segment::{Density, Segment, stuck_torque};
 use crate::torsion::within::demand_inside;
 
 /// The version of the format; the first number is `1e4 version + level of the rings`.
@@ -16,8 +16,6 @@ const HEAD: usize = 7;
 const EACH: usize = 6;
 /// Least number of pieces that a stored state must have room for.
 const FEWEST_PIECES: usize = 4;
-/// Room for the pieces that most steps add, so that they need no other place in memory.
-const PIECES_OF_A_STEP: usize = 4;
 
 /// Number of values of a stored twist with this many pieces of density, [`TwistHistory::pack`].
 #[must_use]
@@ -68,7 +66,7 @@ impl TwistHistory {
             self.write(numbers);
             return Ok(0.0);
         }
-        let mut thinned = self.clone();
+        let mut thinned = self.trial();
         let jump = thinned.thin(capacity);
         thinned.write(numbers);
         Ok(jump)
@@ -79,16 +77,18 @@ impl TwistHistory {
         let Self { radius, twist, torque, stick, segments, ring_steps, .. } = self;
         let head =
             [mark, segments.len() as f64, *radius, *twist, *torque, *stick, f64::from(*ring_steps)];
-        numbers.fill(0.0);
-        numbers[..HEAD].copy_from_slice(&head);
-        for (segment, place) in segments.iter().zip(numbers[HEAD..].chunks_exact_mut(EACH)) {
+        let (place, rest) = numbers.split_at_mut(HEAD);
+        place.copy_from_slice(&head);
+        let (pieces, unused) = rest.split_at_mut(EACH * segments.len());
+        unused.fill(0.0);
+        for (segment, place) in segments.iter().zip(pieces.as_chunks_mut::<EACH>().0) {
             let Segment { from, density, twist, torque, demand } = *segment;
             // No contact slides at a radius of zero: such a piece stuck.
             let (radius, value) = match density {
                 Density::Stick(density) => (0.0, density),
                 Density::Slip { sign, radius } => (radius, sign),
             };
-            place.copy_from_slice(&[from, radius, value, twist, torque, demand]);
+            *place = [from, radius, value, twist, torque, demand];
         }
     }
 
@@ -103,6 +103,7 @@ impl TwistHistory {
     }
 
     /// The state of [`TwistHistory::unpack`].
+    #[inline]
     pub(in crate::torsion) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
         let room = numbers.len() as f64;
         let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
@@ -137,17 +138,23 @@ impl TwistHistory {
     /// Returns the greatest jump of the torque.
     fn thin(&mut self, pieces: usize) -> f64 {
         let mut worst: f64 = 0.0;
+        // The outermost piece may still be sliding.
+        let joints = self.segments.len().saturating_sub(2);
+        let mut jumps: Vec<f64> = (0..joints).map(|i| self.jump(i)).collect();
         while self.segments.len() > pieces.max(FEWEST_PIECES) {
-            // The outermost piece may still be sliding.
-            let joints = 0..self.segments.len() - 2;
-            let jumps = joints.map(|i| (i, self.jump(i)));
-            let Some((i, jump)) = jumps.min_by(|one, other| one.1.total_cmp(&other.1)) else {
+            let each = jumps.iter().copied().enumerate();
+            let Some((i, jump)) = each.min_by(|one, other| one.1.total_cmp(&other.1)) else {
                 break;
             };
             self.segments[i] = self.joined(i);
             self.segments.remove(i + 1);
             self.raise_demands(i);
             worst = worst.max(jump);
+            // Only joints with the new piece have changed.
+            jumps.remove(i);
+            for i in i.saturating_sub(1)..jumps.len().min(i + 1) {
+                jumps[i] = self.jump(i);
+            }
         }
         worst
     }
@@ -166,52 +173,174 @@ impl TwistHistory {
 
     /// A piece and the one above it as one with the mean density and the same twist at both ends.
     fn joined(&self, i: usize) -> Segment {
-        let [lower, upper] = [self.segments[i], self.segments[i + 1]];
         let end = self.end_above(i);
-        let (twist, torque) = (lower.twist_to(lower.from), lower.torque_to(lower.from));
-        let density = (upper.twist_to(end) - twist) / (end - lower.from);
+        let Joint { from, density, twist, torque, .. } = self.joint(i);
+        let [lower, upper] = [&self.segments[i], &self.segments[i + 1]];
         let demand = lower.demand.max(upper.demand).max(demand_inside(end, density));
-        Segment { from: lower.from, density: Density::Stick(density), twist, torque, demand }
+        Segment { from, density: Density::Stick(density), twist, torque, demand }
     }
 
     /// The change of the torque inside the end of a joint.
     fn jump(&self, i: usize) -> f64 {
-        let end = self.end_above(i);
-        let jump = (self.joined(i).torque_to(end) - self.segments[i + 1].torque_to(end)).abs();
+        let jump = self.joint(i).jump.abs();
         if jump.is_nan() { f64::INFINITY } else { jump }
     }
+
+    fn joint(&self, i: usize) -> Joint {
+        let [lower, upper] = [&self.segments[i], &self.segments[i + 1]];
+        let (from, end) = (lower.from, self.end_above(i));
+        let (twist, torque) = lower.inside(from);
+        let (outer_twist, outer_torque) = upper.inside(end);
+        let density = (outer_twist - twist) / (end - from);
+        let jump = torque + stuck_torque(density, from, end) - outer_torque;
+        Joint { from, density, twist, torque, jump }
+    }
+}
+
+/// Two pieces as one, without the contact radius that bounds its density.
+struct Joint {
+    from: f64,
+    density: f64,
+    /// Twist and torque inside `from`.
+    twist: f64,
+    torque: f64,
+    /// The torque inside its end, less that of the pieces.
+    jump: f64,
 }
 
 /// The first pieces that numbers represent, inside a contact radius, with room for those of a step.
 fn read_pieces(numbers: &[f64], count: usize, radius: f64) -> Result<Vec<Segment>, RangeError> {
-    let mut segments = Vec::with_capacity(count + PIECES_OF_A_STEP);
+    let pieces = numbers.as_chunks::<EACH>().0;
+    let pieces = pieces.get(..count).unwrap_or(pieces);
+    if !are_sound(pieces, radius) {
+        check_pieces(pieces, radius)?;
+    }
+    let mut segments = Vec::with_capacity(pieces.len() + SEGMENTS_OF_A_STEP);
+    segments.extend(pieces.iter().map(piece_of));
+    Ok(segments)
+}
+
+/// Whether pieces pass all of [`check_pieces`], as one condition without branches: steps of many contacts ask this of
+/// each piece.
+fn are_sound(pieces: &[[f64; EACH]], radius: f64) -> bool {
+    let mut sound = pieces.first().is_none_or(|first| first[0] == 0.0 && first[1] == 0.0);
+    let mut below = -1.0;
+    for [from, slid, value, twist, torque, demand] in pieces {
+        let rises = (*from > below) & (*from < radius);
+        let ranges = (*slid >= 0.0) & (*slid <= LARGEST) & (*demand >= 0.0) & (*demand <= LARGEST);
+        let sizes = (twist.abs() <= LARGEST) & (torque.abs() <= LARGEST) & (*from <= LARGEST);
+        // An infinite density is not below infinity.
+        let density = (value.abs() < f64::INFINITY) & ((*slid == 0.0) | (value.abs() == 1.0));
+        sound &= rises & ranges & sizes & density;
+        below = *from;
+    }
+    sound
+}
+
+/// Checks pieces that may be the numbers of a history.
+fn check_pieces(pieces: &[[f64; EACH]], radius: f64) -> Result<(), RangeError> {
     let mut below = 0.0;
-    for piece in numbers.as_chunks::<EACH>().0.iter().take(count) {
-        let [from, slid, ..] = *piece;
-        let is_first = segments.is_empty();
+    for (i, [from, slid, value, twist, torque, demand]) in pieces.iter().copied().enumerate() {
+        let is_first = i == 0;
         let rises = from >= below && from < radius && is_first == (from == 0.0);
         RangeError::check("piece", from, rises, "rising from 0 to below the radius")?;
         RangeError::check("slip radius", slid, !is_first || slid == 0.0, "0 at the centre")?;
         below = from;
-        segments.push(piece_of(piece)?);
+        for number in [from, slid, twist, torque, demand] {
+            in_contact("numbers", number)?;
+        }
+        // At the centre of a contact that slid completely, a density may have any magnitude.
+        RangeError::finite("density", value)?;
+        RangeError::non_negative("slip radius", slid)?;
+        RangeError::check("sign", value, slid == 0.0 || value.abs() == 1.0, "1 or -1")?;
     }
-    Ok(segments)
+    Ok(())
 }
 
-/// The piece that six numbers represent.
-fn piece_of(numbers: &[f64; EACH]) -> Result<Segment, RangeError> {
+/// The piece that six checked numbers represent.
+fn piece_of(numbers: &[f64; EACH]) -> Segment {
     let [from, radius, value, twist, torque, demand] = *numbers;
-    for number in [from, radius, twist, torque, demand] {
-        in_contact("numbers", number)?;
+    let density =
+        if radius == 0.0 { Density::Stick(value) } else { Density::Slip { sign: value, radius } };
+    Segment { from, density, twist, torque, demand }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Joins the pieces with the least jump of all, which are looked for again each time.
+    fn thinned_by_search(mut history: TwistHistory, pieces: usize) -> (TwistHistory, f64) {
+        let mut worst: f64 = 0.0;
+        while history.segments.len() > pieces {
+            let joints = (0..history.segments.len() - 2).map(|i| (history.jump(i), i));
+            let (jump, i) = joints.min_by(|a, b| a.0.total_cmp(&b.0)).expect("many pieces");
+            history.segments[i] = history.joined(i);
+            history.segments.remove(i + 1);
+            history.raise_demands(i);
+            worst = worst.max(jump);
+        }
+        (history, worst)
     }
-    // At the centre of a contact that slid completely, a density may have any magnitude.
-    RangeError::finite("density", value)?;
-    RangeError::non_negative("slip radius", radius)?;
-    let density = if radius == 0.0 {
-        Density::Stick(value)
-    } else {
-        RangeError::check("sign", value, value.abs() == 1.0, "1 or -1")?;
-        Density::Slip { sign: value, radius }
-    };
-    Ok(Segment { from, density, twist, torque, demand })
+
+    #[test]
+    fn each_join_is_that_of_the_least_jump() {
+        let mut history = TwistHistory::new();
+        for (radius, twist) in [(1.0, 0.0), (1.0, 0.5), (1.0, 0.1)] {
+            history.advance(radius, twist).expect("in range");
+        }
+        for i in 1..40 {
+            let time = f64::from(i);
+            let twist = 0.1 + 0.004 * time + 0.003 * (0.9 * time).sin();
+            history.advance(1.0 + 0.01 * time, twist).expect("in range");
+        }
+        assert!(history.pieces() > 20, "{}", history.pieces());
+        for pieces in 4..history.pieces() {
+            let mut thinned = history.clone();
+            let jump = thinned.thin(pieces);
+            assert_eq!((thinned, jump), thinned_by_search(history.clone(), pieces), "{pieces}");
+        }
+    }
+
+    #[test]
+    fn what_one_condition_finds_sound_passes_every_check() {
+        let sound = [
+            [0.0, 0.0, 0.7, 0.0, 0.0, 1.0],
+            [0.25, 0.0, 1.1, 0.2, 1e-3, 1.0],
+            [0.5, 0.9, -1.0, 0.3, 2e-3, 0.9],
+            [0.75, 1.0, 1.0, 0.9, 0.1, 1.0],
+        ];
+        assert!(are_sound(&sound, 1.0) && check_pieces(&sound, 1.0).is_ok());
+        let strange = [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            -1.0,
+            -0.0,
+            0.0,
+            0.25,
+            0.5,
+            1.0,
+            2.0,
+            1e60,
+            -1e61,
+            1e61,
+            1e-320,
+        ];
+        let (mut refused, mut taken) = (0, 0);
+        for at in 0..sound.len() * EACH {
+            for other in 0..sound.len() * EACH {
+                for (number, second) in strange.iter().flat_map(|a| strange.map(|b| (*a, b))) {
+                    let mut pieces = sound;
+                    pieces[other / EACH][other % EACH] = second;
+                    pieces[at / EACH][at % EACH] = number;
+                    let (found, checked) = (are_sound(&pieces, 1.0), check_pieces(&pieces, 1.0));
+                    assert!(!found || checked.is_ok(), "{pieces:?}");
+                    refused += usize::from(checked.is_err());
+                    taken += usize::from(found);
+                }
+            }
+        }
+        assert!(refused > 10_000 && taken > 1000, "{refused} {taken}");
+    }
 }

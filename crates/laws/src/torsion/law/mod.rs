@@ -117,6 +117,7 @@ impl TorsionLaw {
     /// # Errors
     /// [`RangeError`] for a constant that is not from 1e-60 to 1e60, or a sliding torque or the twist at which the
     /// contact slides that are far out of range.
+    #[inline]
     pub fn from_constants(
         constants: TorsionConstants,
         friction: Friction,
@@ -187,6 +188,7 @@ impl TorsionLaw {
     ///
     /// # Errors
     /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
+    #[inline]
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
