@@ -137,9 +137,9 @@ unsafe fn turn(
     grains.check_constant_friction()?;
     let meeting = bodies.meeting(grains)?;
     let [one, two] = bodies.radii();
-    let law = twist.law(&grains.pair(relative_radius(one, two)?))?;
-    let is_new = law.shift().zeta <= 0.0;
-    let mut turned = GrainTwist::new(law);
+    let pair = grains.pair(relative_radius(one, two)?);
+    let mut turned = GrainTwist::new(twist.law(&pair)?);
+    let is_new = turned.law().shift().zeta <= 0.0;
     if dt == 0.0 && !is_new {
         return Ok(turned.torque(&meeting));
     }

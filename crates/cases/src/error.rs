@@ -93,7 +93,7 @@ pub enum Error {
         side: &'static str,
     },
     /// No grid was found for the contact.
-    #[error("{}: {source}; give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
+    #[error("{}: {source}; or give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
     Fit {
         /// The case file.
         path: PathBuf,

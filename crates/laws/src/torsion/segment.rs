@@ -53,6 +53,27 @@ pub(super) struct Segment {
     pub(super) demand: f64,
 }
 
+/// The greatest depth at which a root may be: that of the inner end of a segment, by a logarithm that few searches need.
+struct Deepest {
+    /// The inner end over the contact radius.
+    from: f64,
+    shallowest: f64,
+    known: Option<f64>,
+}
+
+impl Deepest {
+    fn get(&mut self) -> f64 {
+        let Self { from, shallowest, .. } = *self;
+        let find = || if from > 0.0 { -libm::log(from) } else { shallowest + DEEPEST };
+        *self.known.get_or_insert_with(find)
+    }
+
+    fn is_above(&mut self, depth: f64) -> bool {
+        // -ln x >= 1 - x.
+        (self.known.is_none() && depth < 1.0 - self.from) || depth < self.get()
+    }
+}
+
 impl Segment {
     /// Twist of everything inside a radius in this segment.
     pub(super) fn twist_to(&self, s: f64) -> f64 {
@@ -101,7 +122,7 @@ impl Segment {
         if start.value <= 0.0 {
             return upper;
         }
-        let mut high = if self.from > 0.0 { libm::log(radius / self.from) } else { low + DEEPEST };
+        let mut high = Deepest { from: self.from / radius, shallowest: low, known: None };
         let mut v = low;
         let mut at = start;
         for _ in 0..200 {
@@ -111,12 +132,12 @@ impl Segment {
                 v = next;
                 break;
             }
-            v = if next > low && next < high { next } else { 0.5 * (low + high) };
-            if high <= low {
+            v = if next > low && high.is_above(next) { next } else { 0.5 * (low + high.get()) };
+            if !high.is_above(low) {
                 break;
             }
             at = excess(v);
-            if at.value > 0.0 { low = v } else { high = v }
+            if at.value > 0.0 { low = v } else { high.known = Some(v) }
         }
         // Never exactly the centre, where the sliding density has infinite twist.
         (radius * libm::exp(-v)).max(f64::MIN_POSITIVE).clamp(self.from, upper)
