@@ -40,7 +40,8 @@ const CONVERGENCE_ORDERS: [f64; 2] = [0.5, 2.0];
 /// enough. If the contact reaches a side during the history, that side is moved outwards.
 ///
 /// Under the edge of a punch errors fall at most in proportion to the cell width: an accuracy that would need too
-/// many cells is then refused after two grids, with one that is within reach ([`FitError::Unreached`]).
+/// many cells is then refused after two grids, with one that is within reach ([`FitError::Unreached`]). One that the
+/// greatest number of cells would just reach may be refused, too: these errors fall in jumps.
 ///
 /// Errors of pressures and areas are estimated but not controlled: pressures may be infinite under
 /// edges and tips, and areas are counted in whole cells.
