@@ -14,6 +14,8 @@ const VERSION: f64 = 5.0;
 const HEAD: usize = 7;
 /// Numbers per piece.
 const EACH: usize = 6;
+/// The greatest torque inside a piece: that of sliding at the greatest radius, 1e60.
+const LARGEST_TORQUE: f64 = 1e240;
 /// Least number of pieces that a stored state must have room for.
 const FEWEST_PIECES: usize = 4;
 
@@ -118,9 +120,10 @@ impl TwistHistory {
         RangeError::check("mark", mark, known, "of version 5")?;
         let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
         RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
-        for number in head {
-            in_contact("numbers", *number)?;
+        for number in [mark, count, radius, twist, stick, ring_steps] {
+            in_contact("numbers", number)?;
         }
+        RangeError::finite("torque", torque)?;
         RangeError::check("radius", radius, (radius > 0.0) == (count > 0.0), "> 0 in contact")?;
         let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
         RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
@@ -228,7 +231,8 @@ fn are_sound(pieces: &[[f64; EACH]], radius: f64) -> bool {
     for [from, slid, value, twist, torque, demand] in pieces {
         let rises = (*from > below) & (*from < radius);
         let ranges = (*slid >= 0.0) & (*slid <= LARGEST) & (*demand >= 0.0) & (*demand <= LARGEST);
-        let sizes = (twist.abs() <= LARGEST) & (torque.abs() <= LARGEST) & (*from <= LARGEST);
+        let sizes =
+            (twist.abs() <= LARGEST) & (torque.abs() <= LARGEST_TORQUE) & (*from <= LARGEST);
         // An infinite density is not below infinity.
         let density = (value.abs() < f64::INFINITY) & ((*slid == 0.0) | (value.abs() == 1.0));
         sound &= rises & ranges & sizes & density;
@@ -246,9 +250,11 @@ fn check_pieces(pieces: &[[f64; EACH]], radius: f64) -> Result<(), RangeError> {
         RangeError::check("piece", from, rises, "rising from 0 to below the radius")?;
         RangeError::check("slip radius", slid, !is_first || slid == 0.0, "0 at the centre")?;
         below = from;
-        for number in [from, slid, twist, torque, demand] {
+        for number in [from, slid, twist, demand] {
             in_contact("numbers", number)?;
         }
+        let holds = torque.abs() <= LARGEST_TORQUE;
+        RangeError::check("torque", torque, holds, "at most 1e240 in magnitude")?;
         // At the centre of a contact that slid completely, a density may have any magnitude.
         RangeError::finite("density", value)?;
         RangeError::non_negative("slip radius", slid)?;
@@ -299,6 +305,25 @@ mod tests {
             let mut thinned = history.clone();
             let jump = thinned.thin(pieces);
             assert_eq!((thinned, jump), thinned_by_search(history.clone(), pieces), "{pieces}");
+        }
+    }
+
+    /// Torques grow with the fourth power of the radius.
+    #[test]
+    fn great_contacts_come_back() {
+        for radius in [1e25, 1e59] {
+            let mut history = TwistHistory::new();
+            for (radius, twist) in
+                [(radius, 0.0), (radius, 0.5), (0.9 * radius, 0.2), (radius, 0.3)]
+            {
+                history.advance(radius, twist * radius).expect("in range");
+            }
+            assert!(history.torque().abs() > 1e-3 * radius.powi(4));
+            let mut numbers = vec![0.0; 400];
+            history.pack(&mut numbers).expect("room");
+            let mut read = TwistHistory::new();
+            read.unpack(&numbers).expect("stored before");
+            assert_eq!(read, history);
         }
     }
 
