@@ -238,7 +238,7 @@ impl ActiveSet {
         );
         state.step = length.abs() * f64::sqrt(square);
         if takes_rough(task.operator) {
-            state.roughness += ROUGHNESS * length.abs() * farthest * per_own;
+            state.roughness += ROUGHNESS * (length.abs() * farthest * per_own + state.step);
         }
         off.all()
     }

@@ -180,10 +180,8 @@ impl ContactInfluence {
         displacement: &mut [Vec<f64>; 2],
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        let own = self.fewer.clone();
-        let operator = own.as_deref().unwrap_or(operator);
-        self.displace_by(traction, displacement, products, |from, to, workspace| {
-            operator.apply(from, to, workspace)
+        self.displace_by(operator, traction, displacement, products, |operator, from, to, space| {
+            operator.apply(from, to, space)
         })
     }
 
@@ -195,19 +193,19 @@ impl ContactInfluence {
         displacement: &mut [Vec<f64>; 2],
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        let own = self.fewer.clone();
-        let operator = own.as_deref().unwrap_or(operator);
-        self.displace_by(traction, displacement, products, |from, to, workspace| {
-            operator.apply_roughly(from, to, workspace)
+        self.displace_by(operator, traction, displacement, products, |operator, from, to, space| {
+            operator.apply_roughly(from, to, space)
         })
     }
 
     fn displace_by(
         &mut self,
+        operator: &dyn SurfaceOperator,
         traction: &[Vec<f64>; 2],
         displacement: &mut [Vec<f64>; 2],
         products: &mut Products,
         product: impl FnOnce(
+            &dyn SurfaceOperator,
             TractionField<'_>,
             DisplacementField<'_>,
             &mut Workspace,
@@ -227,7 +225,8 @@ impl ContactInfluence {
             v: v.then_some(&mut across[..]),
             w: None,
         };
-        product(tractions, displacements, &mut self.workspace)?;
+        let operator = self.fewer.as_deref().unwrap_or(operator);
+        product(operator, tractions, displacements, &mut self.workspace)?;
         self.take([u, v], displacement);
         products.tangential += self.part;
         Ok(())

@@ -4,11 +4,9 @@
 
 use std::sync::Arc;
 
-use carom_halfspace::operator::{
-    DisplacementField, HalfSpaceOperator, OperatorError, PeriodicOperator, Preconditioner,
-    SurfaceOperator, Threads, TractionField, Workspace,
-};
-use carom_halfspace::{Coefficients, Field, Grid, Material, MaterialPair};
+use crate::delegating::Delegating;
+use carom_halfspace::operator::{HalfSpaceOperator, PeriodicOperator, SurfaceOperator, Threads};
+use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
@@ -41,36 +39,6 @@ impl Random {
 
     fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[(self.part() * from.len() as f64) as usize]
-    }
-}
-
-/// An operator without coarser grids.
-struct OneGrid(HalfSpaceOperator);
-
-impl SurfaceOperator for OneGrid {
-    fn grid(&self) -> Grid {
-        self.0.grid()
-    }
-
-    fn is_coupled(&self) -> bool {
-        self.0.is_coupled()
-    }
-
-    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
-        self.0.coefficients(columns, rows)
-    }
-
-    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
-        self.0.inverse()
-    }
-
-    fn apply(
-        &self,
-        tractions: TractionField<'_>,
-        displacements: DisplacementField<'_>,
-        workspace: &mut Workspace,
-    ) -> Result<(), OperatorError> {
-        self.0.apply(tractions, displacements, workspace)
     }
 }
 
@@ -157,7 +125,7 @@ fn case(seed: u64) -> Case {
         (new(Arc::new(PeriodicOperator::new(pair, grid, Threads::One).unwrap())), None)
     } else {
         let half_space = || HalfSpaceOperator::new(pair, grid).unwrap();
-        (new(Arc::new(half_space())), Some(new(Arc::new(OneGrid(half_space())))))
+        (new(Arc::new(half_space())), Some(new(Arc::new(Delegating::on_one_grid(half_space())))))
     };
     let mut steps = Vec::new();
     let size = random.pick(&[0.01, 0.1, 0.4]);

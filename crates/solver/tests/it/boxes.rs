@@ -2,51 +2,15 @@
 
 use std::sync::Arc;
 
-use carom_halfspace::operator::{
-    DisplacementField, HalfSpaceOperator, OperatorError, Preconditioner, SurfaceOperator,
-    TractionField, Workspace,
-};
-use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
+use crate::delegating::Delegating;
+use carom_halfspace::operator::{HalfSpaceOperator, SurfaceOperator};
+use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
     CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
     FrictionalScratch, Gap, Method as _, violations,
 };
-
-/// An operator that cannot be restricted to a part of its grid.
-struct Whole(HalfSpaceOperator);
-
-impl SurfaceOperator for Whole {
-    fn grid(&self) -> Grid {
-        self.0.grid()
-    }
-
-    fn is_coupled(&self) -> bool {
-        self.0.is_coupled()
-    }
-
-    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
-        self.0.coefficients(columns, rows)
-    }
-
-    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
-        self.0.inverse()
-    }
-
-    fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
-        self.0.coarser()
-    }
-
-    fn apply(
-        &self,
-        tractions: TractionField<'_>,
-        displacements: DisplacementField<'_>,
-        workspace: &mut Workspace,
-    ) -> Result<(), OperatorError> {
-        self.0.apply(tractions, displacements, workspace)
-    }
-}
 
 /// The same problem with and without boxes, on a window of 4 x 3.2.
 fn both(poisson: [f64; 2], height: impl Fn(f64, f64) -> f64) -> [ContactProblem; 2] {
@@ -58,7 +22,7 @@ fn both(poisson: [f64; 2], height: impl Fn(f64, f64) -> f64) -> [ContactProblem;
     let new = |operator: Arc<dyn SurfaceOperator>| {
         ContactProblem::new(gap.clone(), operator, Friction::new(0.3).unwrap()).unwrap()
     };
-    [new(Arc::new(operator())), new(Arc::new(Whole(operator())))]
+    [new(Arc::new(operator())), new(Arc::new(Delegating::whole(operator())))]
 }
 
 fn step(

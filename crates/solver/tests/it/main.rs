@@ -3,6 +3,7 @@
 mod any_problem;
 mod boxes;
 mod coupling;
+mod delegating;
 mod ended;
 mod error_bars;
 mod estimates;

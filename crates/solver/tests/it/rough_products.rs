@@ -2,63 +2,13 @@
 
 use std::sync::Arc;
 
-use carom_halfspace::operator::{
-    Blocks, DisplacementField, HalfSpaceOperator, OperatorError, Preconditioner, SurfaceOperator,
-    Threads, TractionField, Workspace,
-};
-use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
+use crate::delegating::Delegating;
+use carom_halfspace::operator::{Blocks, HalfSpaceOperator, SurfaceOperator, Threads};
+use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method as _, Shape, violations,
 };
-
-/// An operator whose rough products are exact.
-struct Exact(Box<dyn SurfaceOperator>);
-
-type Other = Option<Result<Box<dyn SurfaceOperator>, OperatorError>>;
-
-fn exact(other: Other) -> Other {
-    other.map(|made| made.map(|operator| Box::new(Exact(operator)) as Box<dyn SurfaceOperator>))
-}
-
-impl SurfaceOperator for Exact {
-    fn grid(&self) -> Grid {
-        self.0.grid()
-    }
-
-    fn threads(&self) -> Threads {
-        self.0.threads()
-    }
-
-    fn is_coupled(&self) -> bool {
-        self.0.is_coupled()
-    }
-
-    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
-        self.0.coefficients(columns, rows)
-    }
-
-    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
-        self.0.inverse()
-    }
-
-    fn coarser(&self) -> Other {
-        exact(self.0.coarser())
-    }
-
-    fn on_fewer(&self, nx: usize, ny: usize) -> Other {
-        exact(self.0.on_fewer(nx, ny))
-    }
-
-    fn apply(
-        &self,
-        tractions: TractionField<'_>,
-        displacements: DisplacementField<'_>,
-        workspace: &mut Workspace,
-    ) -> Result<(), OperatorError> {
-        self.0.apply(tractions, displacements, workspace)
-    }
-}
 
 const CELLS: usize = 96;
 /// Force of a contact of radius 1.
@@ -74,7 +24,7 @@ fn problem(unit: f64, is_exact: bool) -> ContactProblem {
     let gap = Gap::of_shape(grid, &Shape::Paraboloid { radii: [100.0 * unit; 2] }).unwrap();
     let operator = HalfSpaceOperator::with_blocks(pair, grid, Blocks::All, Threads::One).unwrap();
     let operator: Arc<dyn SurfaceOperator> = match is_exact {
-        true => Arc::new(Exact(Box::new(operator))),
+        true => Arc::new(Delegating::exact(operator)),
         false => Arc::new(operator),
     };
     ContactProblem::new(gap, operator, Friction::new(0.4).unwrap()).unwrap()
