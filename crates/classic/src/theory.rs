@@ -4,11 +4,10 @@
 //! The area is that of a flat punch: all its elements are in contact. Either all stick (13.2) or
 //! all slip along x (13.1), (13.3).
 
+use carom_dense::{Factors, Mat};
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use carom_halfspace::{Field, MaterialPair};
 use carom_special::RangeError;
-use faer::Mat;
-use faer::linalg::solvers::Solve as _;
 
 use crate::direct::Influence;
 use crate::jaeger::SlipStress;
@@ -130,7 +129,7 @@ impl ContactArea {
             }
             SlipStress::AtOnce => lower_and_rest(&sum),
         };
-        eigenvalues(&new.partial_piv_lu().solve(&old))
+        eigenvalues(&Factors::new(&new).solve_columns(&old))
     }
 
     /// Sweeps of (12.17) if all elements stick: Gauss-Seidel for the whole of A.
@@ -139,7 +138,7 @@ impl ContactArea {
     /// [`TheoryError::NoEigenvalues`].
     pub fn adhesion_sweep(&self) -> Result<Spectrum, TheoryError> {
         let (new, old) = lower_and_rest(&self.parts(&[0, 1, 2], &[0, 1, 2]));
-        eigenvalues(&new.partial_piv_lu().solve(&old))
+        eigenvalues(&Factors::new(&new).solve_columns(&old))
     }
 
     /// T (13.25): the block iteration, one component after the other, if all elements stick.
@@ -153,7 +152,7 @@ impl ContactArea {
         let new = |i: usize, k: usize| k / count <= i / count;
         let left = Mat::from_fn(rows, rows, |i, k| if new(i, k) { all[(i, k)] } else { 0.0 });
         let right = Mat::from_fn(rows, rows, |i, k| if new(i, k) { 0.0 } else { -all[(i, k)] });
-        eigenvalues(&left.partial_piv_lu().solve(&right))
+        eigenvalues(&Factors::new(&left).solve_columns(&right))
     }
 
     /// M1 (13.32): pressures and tractions along x alternately, if all elements stick.
@@ -175,9 +174,9 @@ impl ContactArea {
 
     fn adhesion(&self, tangential: &[usize]) -> Result<Spectrum, TheoryError> {
         let by_pressure = self.parts(tangential, &[2]);
-        let held = self.parts(tangential, tangential).partial_piv_lu().solve(&by_pressure);
+        let held = Factors::new(&self.parts(tangential, tangential)).solve_columns(&by_pressure);
         let back = self.parts(&[2], tangential) * held;
-        eigenvalues(&self.part(2, 2).partial_piv_lu().solve(&back))
+        eigenvalues(&Factors::new(&self.part(2, 2)).solve_columns(&back))
     }
 
     /// M2 (13.34): passes of Panagiotopoulos's process if all elements slip along x.
@@ -186,7 +185,7 @@ impl ContactArea {
     /// [`TheoryError`] if the friction coefficient is not finite or eigenvalues do not converge.
     pub fn sliding_pass(&self, friction: f64) -> Result<Spectrum, TheoryError> {
         RangeError::finite("friction", friction)?;
-        let solved = self.part(2, 2).partial_piv_lu().solve(&self.part(2, 0));
+        let solved = Factors::new(&self.part(2, 2)).solve_columns(&self.part(2, 0));
         let mut spectrum = eigenvalues(&solved)?;
         for [re, im] in &mut spectrum.eigenvalues {
             (*re, *im) = (-friction * *re, -friction * *im);
@@ -205,11 +204,7 @@ fn lower_and_rest(matrix: &Mat<f64>) -> (Mat<f64>, Mat<f64>) {
 
 fn eigenvalues(matrix: &Mat<f64>) -> Result<Spectrum, TheoryError> {
     let none = || TheoryError::NoEigenvalues { rows: matrix.nrows() };
-    let finite = (0..matrix.ncols()).all(|k| matrix.col(k).iter().all(|value| value.is_finite()));
-    if !finite {
-        return Err(none());
-    }
-    let values = matrix.eigenvalues().map_err(|_| none())?;
+    let values = carom_dense::eigenvalues(matrix).ok_or_else(none)?;
     Ok(Spectrum { eigenvalues: values.into_iter().map(|value| [value.re, value.im]).collect() })
 }
 

@@ -1,7 +1,6 @@
 //! Dense linear systems of cells.
 
-use faer::linalg::solvers::Solve as _;
-use faer::{Col, Mat};
+use carom_dense::{Factors, Mat};
 
 use super::DirectError;
 
@@ -41,9 +40,8 @@ pub(crate) fn solve(
         let by_traction: f64 = to.test.iter().zip(&coefficients).map(part).sum();
         by_traction + if row == column { to.own } else { 0.0 }
     });
-    let right = Col::from_fn(count, |row| unknowns[row].right);
-    let solution = matrix.partial_piv_lu().solve(&right);
-    let amounts: Vec<f64> = solution.iter().copied().collect();
+    let right: Vec<f64> = unknowns.iter().map(|unknown| unknown.right).collect();
+    let amounts = Factors::new(&matrix).solve(&right);
     if amounts.iter().all(|amount| amount.is_finite()) {
         Ok(amounts)
     } else {

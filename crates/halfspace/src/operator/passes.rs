@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use rustfft::num_complex::Complex;
+use carom_fourier::Complex;
 
 use super::plan::Plan;
 use super::pool;
@@ -95,7 +95,7 @@ impl<T: Real> Plan<T> {
     /// Real transform of `lane.row`, which is overwritten.
     pub(crate) fn row_forward(&self, lane: &mut Lane<T>, spectrum: &mut [Complex<T>]) {
         let done =
-            self.row_forward.process_with_scratch(&mut lane.row, spectrum, &mut lane.scratch);
+            self.rows.forward.process_with_scratch(&mut lane.row, spectrum, &mut lane.scratch);
         debug_assert!(done.is_ok(), "buffers are made for this plan");
     }
 
@@ -120,7 +120,7 @@ impl<T: Real> Plan<T> {
                 }
                 for (output, row) in terms.iter().enumerate().take(outputs) {
                     self.multiply(row, inputs, (first, width), lane);
-                    self.column_inverse.process_with_scratch(
+                    self.columns.inverse.process_with_scratch(
                         &mut lane.sum[..width * self.sizes.py],
                         &mut lane.scratch,
                     );
@@ -155,7 +155,7 @@ impl<T: Real> Plan<T> {
             column[..used.start].fill(Complex::default());
             column[used.end..].fill(Complex::default());
         }
-        self.column_forward.process_with_scratch(block, &mut lane.scratch);
+        self.columns.forward.process_with_scratch(block, &mut lane.scratch);
     }
 
     /// Sums the terms of one output over the inputs into `lane.sum`.
@@ -220,7 +220,7 @@ impl<T: Real> Plan<T> {
         spectrum[0].im = T::zero();
         spectrum[length - 1].im = T::zero();
         let done =
-            self.row_inverse.process_with_scratch(spectrum, &mut lane.row, &mut lane.scratch);
+            self.rows.inverse.process_with_scratch(spectrum, &mut lane.row, &mut lane.scratch);
         debug_assert!(done.is_ok(), "buffers are made for this plan");
         for (result, value) in result.iter_mut().zip(&lane.row) {
             *result = value.to() * unit;

@@ -1,12 +1,12 @@
 //! The precision in which products are computed.
 
-use realfft::FftNum;
+use carom_fourier::Transformed;
 
 use super::workspace::{Space, Workspace};
 
 /// The number type of transforms: `f64`, or `f32` where a relative error of 1e-6 does not matter, in half the time on
 /// large grids. Fields are `f64` always.
-pub(crate) trait Real: FftNum + Default {
+pub(crate) trait Real: Transformed + Default {
     /// Columns transformed together: so many complex numbers fill two cache lines of each row.
     const BLOCK: usize;
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use rustfft::num_complex::{Complex, Complex64};
+use carom_fourier::{Complex, Complex64};
 
 use super::length::Sizes;
 use super::plan::Plan;
@@ -84,7 +84,7 @@ impl Spectrum {
         }
         let scale = 1.0 / (plan.sizes.px as f64 * py as f64);
         for column in values.chunks_exact_mut(py) {
-            plan.column_forward.process_with_scratch(column, &mut lane.scratch);
+            plan.columns.forward.process_with_scratch(column, &mut lane.scratch);
             for value in column {
                 *value *= scale;
             }
@@ -276,7 +276,7 @@ fn symmetric_columns(
                     }
                 }
             }
-            plan.column_forward.process_with_scratch(sum, &mut lane.scratch);
+            plan.columns.forward.process_with_scratch(sum, &mut lane.scratch);
             for (column, result) in results.chunks_exact_mut(half).enumerate() {
                 let transformed = &sum[column / 2 * py..][..half];
                 for (value, z) in result.iter_mut().zip(transformed) {

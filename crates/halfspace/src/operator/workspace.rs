@@ -1,6 +1,6 @@
 //! The working memory of a product, reused between products.
 
-use rustfft::num_complex::Complex;
+use carom_fourier::Complex;
 
 use super::plan::Plan;
 use super::plate::SineSpace;

@@ -7,9 +7,8 @@
 //! constants follow from the displacement ahead, which has no element of its own.
 
 use carom_classic::DirectError;
+use carom_dense::{Factors, Mat, norm, product};
 use carom_special::RangeError;
-use faer::Mat;
-use faer::linalg::solvers::Solve as _;
 
 use super::strips::{Gain, Strips};
 use crate::RollingError;
@@ -126,7 +125,7 @@ impl Adhesion {
         // Columns: the motions, then a constant for each strip and component.
         let mut ahead = Mat::<f64>::zeros(constants, N + constants);
         for (part, tractions) in parts.iter().zip(&solved) {
-            ahead += &part.ahead * tractions;
+            ahead += product(part.ahead.as_ref(), tractions.as_ref());
         }
         let system = Mat::from_fn(constants, constants, |row, column| {
             ahead[(row, N + column)] - f64::from(u8::from(row == column))
@@ -135,14 +134,15 @@ impl Adhesion {
             let point = strips.centre(row / 2, strips.along());
             motions[motion].displacement(point)[row % 2] - ahead[(row, motion)]
         });
-        let found = system.partial_piv_lu().solve(&right);
+        let found = Factors::new(&system).solve_columns(&right);
         let mut all = motions.map(|_| vec![[0.0; 2]; strips.count() * strips.along()]);
         let mut size = 0.0;
         for (part, columns) in parts.iter().zip(&solved) {
-            let values = columns.subcols(0, N) + columns.subcols(N, constants) * &found;
+            let constant = product(columns.subcols(N, constants), found.as_ref());
+            let values = columns.subcols(0, N) + constant;
             // A product leaves vector registers in a state that slows down the scalar code of the
             // next mesh threefold; a norm does not.
-            size += values.norm_l2();
+            size += norm(&values);
             for (motion, tractions) in all.iter_mut().enumerate() {
                 for row in 0..values.nrows() {
                     part.spread(strips, row, values[(row, motion)], tractions);
@@ -216,7 +216,7 @@ impl Part {
                 }
             }
         }
-        self.matrix.partial_piv_lu().solve(&right)
+        Factors::new(&self.matrix).solve_columns(&right)
     }
 
     /// Adds the traction of an unknown to the elements that have it.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use faer::Mat;
+use carom_dense::Mat;
 
 use super::axial::Axial;
 use super::fields::{Point, Unknowns, dilatation, samples};

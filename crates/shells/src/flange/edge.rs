@@ -1,7 +1,7 @@
 //! The edge of a tube as the flange meets it.
 
+use carom_dense::c64;
 use carom_special::RangeError;
-use faer::c64;
 use nalgebra::{Complex, Matrix4};
 
 /// A motion of an edge or of a section of the ring.

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use faer::c64;
+use carom_dense::c64;
 use nalgebra::{Matrix2, Matrix2x4, Matrix4};
 
 use super::tube::Tube;

@@ -1,6 +1,6 @@
 //! Polynomials of degree up to 8 and the roots of a quartic.
 
-use faer::c64;
+use carom_dense::c64;
 
 /// Coefficients of 1, p, ..., p^8.
 pub(super) type Polynomial = [f64; 9];

@@ -1,7 +1,7 @@
 //! A circular ring whose stiffness may vary around.
 
+use carom_dense::{Mat, c64};
 use carom_special::RangeError;
-use faer::{Mat, c64};
 
 use super::section::{RingStiffness, StiffnessKind};
 use crate::dense::{self, Singular};

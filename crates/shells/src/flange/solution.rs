@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use faer::c64;
+use carom_dense::c64;
 use nalgebra::{Complex, Vector4};
 
 use super::edge::EdgeMotion;

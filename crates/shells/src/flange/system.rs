@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
+use carom_dense::{Mat, c64};
 use carom_special::RangeError;
-use faer::{Mat, c64};
 use nalgebra::{Matrix4, Vector4};
 
 use super::edge::TubeEdge;

@@ -152,8 +152,8 @@ impl Tube {
     }
 
     /// Uniform stretching and twisting between the ends, which the main part does not contain.
-    fn ends(&self, k: i64, length: f64) -> Matrix4<faer::c64> {
-        let mut matrix = Matrix4::<faer::c64>::zeros();
+    fn ends(&self, k: i64, length: f64) -> Matrix4<carom_dense::c64> {
+        let mut matrix = Matrix4::<carom_dense::c64>::zeros();
         if k == 0 {
             let section = 2.0 * PI * self.radius * self.wall.thickness() / length;
             matrix[(1, 1)].re = section * self.wall.shear_modulus();

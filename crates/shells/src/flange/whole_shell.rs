@@ -8,7 +8,7 @@
 
 use std::f64::consts::PI;
 
-use faer::c64;
+use carom_dense::c64;
 use nalgebra::{Matrix3, Matrix4, SMatrix, Vector3, Vector4};
 
 use super::polynomial::{Polynomial, product, quartic_roots, reflected, square_root, sum};

@@ -1,7 +1,7 @@
 //! Series of e^(ik phi).
 
+use carom_dense::{Mat, c64};
 use carom_special::RangeError;
-use faer::{Mat, c64};
 use nalgebra::Complex;
 
 use super::Singular;

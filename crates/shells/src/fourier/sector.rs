@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use carom_special::RangeError;
 
 use super::ComplexSeries;
-use faer::c64;
+use carom_dense::c64;
 
 /// A sector of the circle, the angles within `half_width` of `middle` in radians, and the factor
 /// of a function in it.

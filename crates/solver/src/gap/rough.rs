@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use carom_fourier::{Complex64, Transformed as _};
 use carom_halfspace::{Field, Grid};
 use carom_special::RangeError;
-use rustfft::FftPlanner;
-use rustfft::num_complex::Complex64;
 
 use super::Gap;
 
@@ -125,9 +124,8 @@ const fn signed(index: usize, count: usize) -> i64 {
 /// Sums the waves in place, by a fast Fourier transform.
 fn transform(grid: Grid, waves: &mut [Complex64]) {
     let (nx, ny) = (grid.nx(), grid.ny());
-    let mut planner = FftPlanner::new();
-    planner.plan_fft_inverse(nx).process(waves);
-    let columns = planner.plan_fft_inverse(ny);
+    f64::complex_plan(nx).inverse.process(waves);
+    let columns = f64::complex_plan(ny).inverse;
     let mut column = vec![Complex64::ZERO; ny];
     for ix in 0..nx {
         for (iy, value) in column.iter_mut().enumerate() {

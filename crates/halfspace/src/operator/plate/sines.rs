@@ -5,17 +5,14 @@
 //! the odd ones in reverse.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex64;
+use carom_fourier::{Complex64, RealPlan, Transformed as _};
 
 /// Sine transforms of one length.
 #[derive(Clone)]
 pub(super) struct Sines {
     length: usize,
-    forward: Arc<dyn RealToComplex<f64>>,
-    inverse: Arc<dyn ComplexToReal<f64>>,
+    plan: RealPlan<f64>,
     /// exp(-i pi k/(2 n)).
     turns: Vec<Complex64>,
 }
@@ -30,24 +27,18 @@ pub(in crate::operator) struct SineBuffers {
 
 impl Sines {
     pub(super) fn new(length: usize) -> Self {
-        let mut planner = RealFftPlanner::new();
         let turns = (0..=length / 2).map(|k| {
             let (sin, cos) = libm::sincos(-PI * k as f64 / (2 * length) as f64);
             Complex64::new(cos, sin)
         });
-        Self {
-            length,
-            forward: planner.plan_fft_forward(length),
-            inverse: planner.plan_fft_inverse(length),
-            turns: turns.collect(),
-        }
+        Self { length, plan: f64::real_plan(length), turns: turns.collect() }
     }
 
     /// Makes the buffers of the length that the transforms require.
     pub(super) fn prepare(&self, buffers: &mut SineBuffers) {
         buffers.values.resize(self.length, 0.0);
         buffers.spectrum.resize(self.turns.len(), Complex64::ZERO);
-        let scratch = self.forward.get_scratch_len().max(self.inverse.get_scratch_len());
+        let scratch = self.plan.forward.get_scratch_len().max(self.plan.inverse.get_scratch_len());
         if buffers.scratch.len() < scratch {
             buffers.scratch.resize(scratch, Complex64::ZERO);
         }
@@ -63,7 +54,7 @@ impl Sines {
                 sorted[n - 1 - i] = -odd;
             }
         }
-        let done = self.forward.process_with_scratch(sorted, spectrum, scratch);
+        let done = self.plan.forward.process_with_scratch(sorted, spectrum, scratch);
         debug_assert!(done.is_ok(), "buffers are made for this length");
         for (k, (turn, wave)) in self.turns.iter().zip(spectrum.iter()).enumerate() {
             let turned = turn * wave;
@@ -87,7 +78,7 @@ impl Sines {
         if n.is_multiple_of(2) {
             spectrum[n / 2].im = 0.0;
         }
-        let done = self.inverse.process_with_scratch(spectrum, sorted, scratch);
+        let done = self.plan.inverse.process_with_scratch(spectrum, sorted, scratch);
         debug_assert!(done.is_ok(), "buffers are made for this length");
         for (i, pair) in values.chunks_mut(2).enumerate() {
             pair[0] = sorted[i];

@@ -4,8 +4,7 @@
 //! bound to the others instead: the traction lies on its ray, and around the ray it falls with the
 //! slip. The displacements that enforce this are found from a small dense system.
 
-use faer::linalg::solvers::{PartialPivLu, Solve as _};
-use faer::{Col, Mat};
+use carom_dense::{Factors, Mat};
 use nalgebra::Vector3;
 
 use super::cells::Cells;
@@ -29,7 +28,7 @@ struct Constraint {
 #[derive(Clone)]
 pub(super) struct Constraints {
     all: Vec<Constraint>,
-    system: Option<PartialPivLu<f64>>,
+    system: Option<Factors>,
 }
 
 impl Constraints {
@@ -47,7 +46,7 @@ impl Constraints {
             own + to.traction.dot(&(torus.answer(to.cell, from.cell) * from.displacement))
         };
         let system =
-            (!all.is_empty()).then(|| Mat::from_fn(all.len(), all.len(), entry).partial_piv_lu());
+            (!all.is_empty()).then(|| Factors::new(&Mat::from_fn(all.len(), all.len(), entry)));
         Some(Self { all, system })
     }
 
@@ -63,8 +62,8 @@ impl Constraints {
             let at = Vector3::from_fn(|k, _| traction[k][constraint.cell]);
             -constraint.traction.dot(&at)
         };
-        let amounts = system.solve(&Col::from_fn(self.all.len(), |row| amount(&self.all[row])));
-        for (constraint, amount) in self.all.iter().zip(amounts.iter()) {
+        let amounts = system.solve(&self.all.iter().map(amount).collect::<Vec<_>>());
+        for (constraint, amount) in self.all.iter().zip(amounts) {
             for (k, values) in displacement.iter_mut().enumerate() {
                 values[constraint.cell] += amount * constraint.displacement[k];
             }

@@ -5,13 +5,10 @@
 //! weighted by how many pairs of cells have them (Chan's circulant). It is positive definite where
 //! the operator is, and needs coefficients only.
 
-use std::sync::Arc;
-
+use carom_fourier::{Complex64, ComplexPlan, Transformed as _};
 use carom_halfspace::Grid;
 use carom_halfspace::operator::SurfaceOperator;
 use nalgebra::Matrix3;
-use rustfft::num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
 
 /// Three values for each cell: along x, along y, normal.
 pub(super) type Space = [Vec<f64>; 3];
@@ -31,9 +28,8 @@ struct TransformSpace {
 #[derive(Clone)]
 pub(super) struct Torus {
     grid: Grid,
-    /// Transforms along x and y, forward and back.
-    forward: [Arc<dyn Fft<f64>>; 2],
-    back: [Arc<dyn Fft<f64>>; 2],
+    /// Transforms along x and y.
+    plans: [ComplexPlan<f64>; 2],
     /// The inverse of each wave, by columns of the grid, divided by the number of cells.
     waves: Vec<Matrix3<Complex64>>,
     /// The tractions on cells at each offset due to a unit displacement of one cell.
@@ -45,17 +41,15 @@ pub(super) struct Torus {
 
 impl Torus {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
-        let (grid, mut planner) = (operator.grid(), FftPlanner::new());
-        let [nx, ny] = [grid.nx(), grid.ny()];
+        let grid = operator.grid();
+        let plans = [grid.nx(), grid.ny()].map(f64::complex_plan);
         let zero = vec![Complex64::ZERO; grid.cells()];
-        let forward = [planner.plan_fft_forward(nx), planner.plan_fft_forward(ny)];
-        let back = [planner.plan_fft_inverse(nx), planner.plan_fft_inverse(ny)];
-        let needs = forward.iter().chain(&back).map(|plan| plan.get_inplace_scratch_len());
+        let both = plans.iter().flat_map(|plan| [&plan.forward, &plan.inverse]);
+        let needs = both.map(|transform| transform.get_inplace_scratch_len());
         let lines = vec![Complex64::ZERO; needs.max().unwrap_or(0)];
         let mut own = Self {
             grid,
-            forward,
-            back,
+            plans,
             waves: vec![Matrix3::zeros(); grid.cells()],
             answers: vec![Matrix3::zeros(); grid.cells()],
             lanes: [zero.clone(), zero.clone()],
@@ -80,7 +74,7 @@ impl Torus {
             for (value, matrix) in self.lanes[0].iter_mut().zip(&influence) {
                 *value = matrix[entry].into();
             }
-            transform(&self.forward, self.grid, &mut self.lanes[0], &mut self.space);
+            transform(&self.plans, self.grid, &mut self.lanes[0], &mut self.space);
             for (wave, value) in self.waves.iter_mut().zip(&self.lanes[0]) {
                 wave[entry] = *value;
             }
@@ -106,7 +100,7 @@ impl Torus {
             for (value, wave) in self.lanes[0].iter_mut().zip(&self.waves) {
                 *value = wave[entry];
             }
-            transform_back(&self.back, self.grid, &mut self.lanes[0], &mut self.space);
+            transform_back(&self.plans, self.grid, &mut self.lanes[0], &mut self.space);
             for (answer, value) in self.answers.iter_mut().zip(&self.lanes[0]) {
                 answer[entry] = value.re;
             }
@@ -129,12 +123,12 @@ impl Torus {
             *value = Complex64::new(z[i], x[i]);
             second[i] = y[i].into();
         }
-        transform(&self.forward, self.grid, first, &mut self.space);
-        transform(&self.forward, self.grid, second, &mut self.space);
+        transform(&self.plans, self.grid, first, &mut self.space);
+        transform(&self.plans, self.grid, second, &mut self.space);
         self.multiply();
         let [first, second] = &mut self.lanes;
-        transform_back(&self.back, self.grid, first, &mut self.space);
-        transform_back(&self.back, self.grid, second, &mut self.space);
+        transform_back(&self.plans, self.grid, first, &mut self.space);
+        transform_back(&self.plans, self.grid, second, &mut self.space);
         let [x, y, z] = traction;
         for (i, value) in first.iter().enumerate() {
             (x[i], y[i], z[i]) = (value.im, second[i].re, value.re);
@@ -197,27 +191,27 @@ fn mean_influence(
 
 /// Transforms rows, then columns; the result is stored by columns.
 fn transform(
-    [along, across]: &[Arc<dyn Fft<f64>>; 2],
+    [along, across]: &[ComplexPlan<f64>; 2],
     grid: Grid,
     values: &mut Vec<Complex64>,
     TransformSpace { field, lines }: &mut TransformSpace,
 ) {
-    along.process_with_scratch(values, lines);
+    along.forward.process_with_scratch(values, lines);
     transpose(values, field, grid.nx());
-    across.process_with_scratch(field, lines);
+    across.forward.process_with_scratch(field, lines);
     std::mem::swap(values, field);
 }
 
 /// The converse of [`transform`].
 fn transform_back(
-    [along, across]: &[Arc<dyn Fft<f64>>; 2],
+    [along, across]: &[ComplexPlan<f64>; 2],
     grid: Grid,
     values: &mut Vec<Complex64>,
     TransformSpace { field, lines }: &mut TransformSpace,
 ) {
-    across.process_with_scratch(values, lines);
+    across.inverse.process_with_scratch(values, lines);
     transpose(values, field, grid.ny());
-    along.process_with_scratch(field, lines);
+    along.inverse.process_with_scratch(field, lines);
     std::mem::swap(values, field);
 }
 
