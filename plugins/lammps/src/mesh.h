@@ -2,6 +2,8 @@
 #ifndef CAROM_MESH_H
 #define CAROM_MESH_H
 
+#include "seam.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -11,16 +13,17 @@ namespace carom {
 // A ball touches the surface where its centre is nearer to it than anywhere close by: within a face, on an edge or at
 // a corner. Triangles in one plane are one face. Both sides of a triangle count. Places whose normals differ by less
 // than an angle are one place, the nearest of them, so that a ball rolls over the edges of a finely triangulated
-// surface with one contact.
+// surface with one contact. A surface may repeat itself along axes; where it leaves one period and enters the next its
+// corners and edges are shared as elsewhere.
 class Mesh {
  public:
-  // Nine numbers for each triangle, and this angle in radians.
-  Mesh(const std::vector<double> &triangles, double smooth);
+  // Nine numbers for each triangle, this angle in radians, and for each axis the period, 0 if there is none.
+  Mesh(const std::vector<double> &triangles, double smooth, const double *period);
 
   enum Kind { FACE, EDGE, CORNER };
   struct Place {
     double point[3], normal[3];    // the normal points to the centre of the ball
-    const double *fixed;           // a point of the plane or edge that stays where it is, or the corner
+    double fixed[3];               // a point of the plane or edge that stays where it is, or the corner
     double along[3];               // of an edge
     double height;                 // of the centre
     Kind kind;
@@ -37,6 +40,10 @@ class Mesh {
   std::string name_of(const Place &place) const;
   std::size_t triangles() const { return faces.size(); }
   double cosine_of_smooth() const { return cosine; }
+  const double *period() const { return periods; }
+  // Whether it is longer along an axis than it may be.
+  bool is_too_long(int axis) const { return periods[axis] > 0.0 && length(axis) > periods[axis] + tolerance; }
+  double length(int axis) const { return high[axis] - low[axis]; }
   double bytes() const;
 
  private:
@@ -48,13 +55,18 @@ class Mesh {
     Vector inward[3];            // from edge k, in the plane of the face
     Vector normal, point;        // shared by all triangles of a plane
   };
+  // A triangle, and which of its edges is meant.
+  struct Side {
+    int face, edge;
+  };
   struct Edge {
     int ends[2];
     Vector along;
     double length;
     bool is_sharp, is_flat;
     std::vector<Vector> inward;    // into each of its triangles
-    std::vector<int> faces;        // these triangles
+    std::vector<Side> sides;       // these triangles
+    Steps away = {0, 0, 0};        // in periods, from the edges with which it is one
   };
   struct Corner {
     Vector at;
@@ -64,12 +76,19 @@ class Mesh {
   std::vector<Face> faces;
   std::vector<Edge> edges;
   std::vector<Corner> corners;
-  double cosine;
+  double cosine, tolerance, periods[3];
+  bool repeats;
+  // Corners and edges that are one modulo the periods.
+  std::vector<std::vector<int>> same_corners, same_edges;
 
   void make_corners(const std::vector<double> &triangles);
+  double size() const;
+  Seam close_corners();
+  void close_edges(const Seam &seam);
   void make_edges();
   void make_planes();
-  void grow_plane(int seed, double flatness, std::vector<char> &done);
+  void grow_plane(int seed, std::vector<char> &done);
+  Vector beyond(const Vector &point, int from, int to) const;
   void make_inward();
   void tell_sharp();
 
@@ -87,6 +106,8 @@ class Mesh {
   mutable std::vector<int> close;
   mutable std::vector<Place> found;
   void begin_search() const;
+  void find_places(const double *center, double reach) const;
+  void find_in_all_periods(const double *center, double reach) const;
   void find_close(const double *center, double reach) const;
   void try_face(int face, const double *center, double reach) const;
   void try_edge(int edge, const double *center, double reach) const;
