@@ -22,6 +22,10 @@ def boxed(script, boundary, low, high):
 
 def run(tmp_path, script, boundary, low, high, steps):
     table = thermo(lmp(boxed(script, boundary, low, high) + f"run {steps}\n", tmp_path))
+    # The centre stays near the box.
+    pressed = np.linalg.norm(of(table, FORCE), axis=1)
+    torque = np.linalg.norm(of(table, ("f_wall1[9]", "f_wall1[10]", "f_wall1[11]")), axis=1)
+    assert (torque <= np.linalg.norm(np.subtract(high, low)) * pressed).all()
     return of(table, ALL)
 
 
@@ -51,9 +55,19 @@ def test_a_ball_rolls_over_the_boundary_as_on_a_plane(tmp_path, boundary, way):
     assert np.array_equal(*rows)
 
 
+def test_a_ball_rolls_over_slabs_side_by_side(tmp_path):
+    """Closed boxes as long as the period stand face to face: their upper sides are one plane."""
+    write(tmp_path / "slab.stl", box((-1, -1, -0.7), (1, 1, 0)))
+    rows = []
+    for wall in ("plane 0 0 0 0 0 1", "stl slab.stl"):
+        script = one_ball(RADIUS, YOUNG, (0.3, 0.3, RADIUS - DEEP), (15, 15, 0), (5, 1, 30), [wall], 5e-5, DOWN)
+        rows.append(run(tmp_path, script, "p p f", (-1, -1, -3), (1, 1, 3), 12000))
+    assert np.array_equal(*rows)
+
+
 def test_seams_close_within_single_precision(tmp_path):
-    """The sides of a surface in a binary file differ from the box by round-off, in its places and in its length."""
-    low, high = (-0.7, -1.1, -3), (0.9, 1.3, 3)
+    """The sides of a surface in a binary file differ from the box by round-off; it is longer along x, shorter along y."""
+    low, high = (-1.1, -0.7, -3), (0.6, 0.9, 3)
     made = sheet(np.linspace(low[0], high[0], 7), np.linspace(low[1], high[1], 5))
     (tmp_path / "sheet.stl").write_bytes(binary(made))
     rows = []
@@ -292,6 +306,7 @@ def test_what_does_not_fit_is_named(tmp_path, wall, more, words):
     "change, words",
     [
         ("change_box all x final -4 4.5", ["length of the box along x = 8.5 is out of range: must be 8 as in the run before"]),
+        ("change_box all x final -4 4.5\nrun 1 pre no", ["the box has changed where it is periodic: must stay as it was when the run began"]),
         ("change_box all y final -4 4.5", []),
         ("change_box all boundary f f f", []),
         ("change_box all x delta 1 1 boundary p p f", []),
@@ -307,3 +322,17 @@ def test_a_box_that_has_changed_between_runs(tmp_path, change, words):
         lmp(script, tmp_path)
     for word in words:
         assert word in str(failed.value), str(failed.value)[-500:]
+
+
+def test_a_surface_that_has_turned_before(tmp_path):
+    """In a restart file, about another axis than the box is then periodic along."""
+    write(tmp_path / "cube.stl", box((-1, -1, -2), (1, 1, 0)))
+    turning = one_ball(RADIUS, 1e7, (0, 0, 3), (0, 0, 0), (0, 0, 0), ["stl cube.stl omega 0 2 0"], 1e-4)
+    lmp(turning + "run 10\nwrite_restart turned.restart\n", tmp_path)
+    wall = turning[turning.index("fix wall1") : turning.index("compute where")].replace("omega 0 2 0", "")
+    again = "plugin load ${plugin}\nread_restart turned.restart\ncomm_modify vel yes\n"
+    lmp(again + wall + "run 0\nchange_box all boundary f p f\nrun 1\n", tmp_path)
+    with pytest.raises(Failed) as failed:
+        lmp(again + wall + "run 0\n" + P + "\nrun 1\n", tmp_path)
+    assert "sine of the angle by which axis x of the surface has turned = 0.0019999" in str(failed.value), str(failed.value)[-500:]
+    assert "must be 0, since the box is periodic along x" in str(failed.value)
