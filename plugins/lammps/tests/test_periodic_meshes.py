@@ -35,6 +35,13 @@ def knots(places, period, first, count):
     return [places[k % n] + period * (k // n) for k in range(first, first + count)]
 
 
+def same(rows, exact, moved=(0, 0, 0)):
+    off = np.abs(rows - exact - np.concatenate([moved, np.zeros(rows.shape[1] - 3)]))
+    off /= np.abs(exact).max(0) + 1e-300
+    print("off", off.max())
+    return off.max() < 1e-7
+
+
 DEEP = hertz(MODULUS, MASS * GRAVITY, 0.5 / RADIUS, 0.5 / RADIUS)[0]
 
 
@@ -94,6 +101,18 @@ def test_a_ball_rolls_along_a_trough(tmp_path):
     assert rows[1][:, kept] == pytest.approx(rows[0][:, kept], abs=1e-11 * np.abs(rows[0]).max())
 
 
+def test_a_floor_is_the_ceiling_below(tmp_path):
+    """A sheet in a low box that is periodic in height, as two planes."""
+    write(tmp_path / "sheet.stl", sheet([-1, 0.1, 1], [-1, -0.3, 1], lambda x, y: 2.1))
+    rows = []
+    for walls, boundary in ((["plane 0 0 -0.01 0 0 1", "plane 0 0 1.045 0 0 -1"], "p p f"), (["stl sheet.stl"], "p p p")):
+        script = one_ball(RADIUS, 1e8, (0, 0, 0.52), (3, 1, 2), (0, 9, 0), walls, 1e-4)
+        rows.append(run(tmp_path, script, boundary, (-1, -1, -0.01), (1, 1, 1.045), 12000))
+    assert np.ptp(rows[0][:, 2]) > 0.05, "to and fro"
+    kept = [k for k, name in enumerate(ALL) if name not in FORCE]
+    assert same(rows[1][:, kept], rows[0][:, kept])
+
+
 # Humps with hollow and sharp edges, in cells of uneven width; their period is 2 along both axes.
 XS, YS = [-1.0, -0.6, 0.1, 0.5], [-1.0, -0.2, 0.3]
 HEIGHTS = np.array([[0.0, 0.02, -0.03], [0.12, -0.02, 0.1], [-0.03, 0.15, 0.01], [0.05, 0.0, 0.14]]) / 2
@@ -126,13 +145,6 @@ def long_way(tmp_path_factory):
     touched = np.linalg.norm(rows[:, 9:12], axis=1) > 0
     assert 0.2 < touched.mean() < 0.999, "it rolls and jumps"
     return rows
-
-
-def same(rows, exact, moved=(0, 0, 0)):
-    off = np.abs(rows - exact - np.concatenate([moved, np.zeros(rows.shape[1] - 3)]))
-    off /= np.abs(exact).max(0) + 1e-300
-    print("off", off.max())
-    return off.max() < 1e-7
 
 
 @pytest.mark.parametrize("first", [(0, 0), (1, 0), (2, 2), (3, 1), (-5, 4)])
@@ -183,6 +195,21 @@ def test_a_tip_or_ridge_may_stand_at_the_boundary(tmp_path, tip):
         rows.append(run(tmp_path, script, "p p f", (first, first, -2), (first + 2, first + 2, 2), 16000))
     assert np.linalg.norm(rows[0][-1, :2] - rows[0][0, :2]) > 0.3, "down the tip"
     assert same(*rows)
+
+
+@pytest.mark.parametrize("first", [(0, 0), (4, 12), (11, 7), (5, 3)])
+def test_fine_ripples_close_without_a_radius_of_edges(tmp_path, first):
+    """Edges of a few degrees at the seams are no ends of the surface: crests, valleys and slopes."""
+    place = [k / 8 for k in range(16)]
+    height = lambda x, y: 0.02 * (math.sin(math.pi * x) + math.cos(math.pi * y))
+    rows = []
+    for start, counts, boundary, low, high in (((-16, -16), (96, 64), "f f f", (-2, -2, -3), (10, 6, 3)), (first, (16, 16), "p p f", (-1, -1, -3), (1, 1, 3))):
+        xs, ys = (knots(place, 2.0, at, count + 1) for at, count in zip(start, counts))
+        write(tmp_path / "ripples.stl", sheet(xs, ys, height))
+        script = one_ball(RADIUS, 1e8, (0.05, -0.3, RADIUS + 0.02), (3, 2, 0), (0, 0, 1), ["stl ripples.stl damping 2e-2"], 1e-4, PULL, friction=0.3)
+        rows.append(run(tmp_path, script, boundary, low, high, STEPS))
+    assert rows[0][-1, 0] > 4 and rows[0][-1, 1] > 2, "over several periods"
+    assert same(*rows[::-1])
 
 
 @pytest.mark.parametrize("velocity", [(3, 0, 0), (-40, 70, 0)])
