@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 from conftest import Failed, dump, lmp, thermo
-from meshes import binary, box, sheet, tube, write
+from meshes import binary, box, sheet, text, tube, write
 from test_meshes import GRAINS, WRITE, walled
 from test_shapes import DOWN, FORCE, GRAVITY, MASS, MODULUS, PLACE, RADIUS, SPIN, VELOCITY, YOUNG, hertz, of, one_ball
 
@@ -195,6 +195,43 @@ def test_a_tip_or_ridge_may_stand_at_the_boundary(tmp_path, tip):
         rows.append(run(tmp_path, script, "p p f", (first, first, -2), (first + 2, first + 2, 2), 16000))
     assert np.linalg.norm(rows[0][-1, :2] - rows[0][0, :2]) > 0.3, "down the tip"
     assert same(*rows)
+
+
+def test_a_surface_may_be_cut_within_its_faces(tmp_path):
+    """A roof that repeats itself, cut at its foot or on its slope, in a text or a binary file."""
+    height = lambda x, y: 0.2 * (1 - abs((x + 1) % 2 - 1))
+    rows = []
+    for name, xs, write_as in (("foot", [-1, 0, 1], text), ("slope", [0.375, 1, 2, 2.375], text), ("binary", [-0.7, 0, 1, 1.3], binary)):
+        made = write_as(sheet(xs, [-1, 0.5, 1], height))
+        (tmp_path / "roof.stl").write_bytes(made if isinstance(made, bytes) else made.encode())
+        script = one_ball(RADIUS, 1e8, (0.3, 0.2, 0.2 + RADIUS), (5, 4, 0), (0, 0, 1), ["stl roof.stl edges 0.1 damping 1e-2"], 1e-4, DOWN, friction=0.3)
+        rows.append(run(tmp_path, script, "p p f", (-1, -1, -3), (1, 1, 3), 10000))
+    assert abs(rows[0][-1, 0] - rows[0][0, 0]) > 2, "over a period"
+    assert same(rows[1], rows[0])
+    print("binary", np.abs(rows[2] - rows[0])[:, :3].max())
+    assert rows[2][:, :3] == pytest.approx(rows[0][:, :3], abs=1e-4)
+
+
+def cone(spokes):
+    """A part of a flat cone about the origin, between spokes at these angles in degrees."""
+    ends = [(0.6 * math.cos(a), 0.6 * math.sin(a), -0.15) for a in np.radians(spokes)]
+    return np.array([[(0, 0, 0), one, two] for one, two in zip(ends, ends[1:])])
+
+
+def test_a_tip_is_sharp_on_both_sides_of_a_seam(tmp_path):
+    """The only sharp edge of the tip is beyond the boundary."""
+    left, right = cone([90, 105, 120, 180, 240, 255, 270]), cone(range(-90, 91, 15))
+    rows = []
+    for made, low, high in ((np.concatenate([left, right]), -1, 1), (np.concatenate([right, left + (2, 0, 0)]), 0, 2)):
+        write(tmp_path / "tip.stl", made)
+        for start in (-1e-4, 1e-4):
+            script = one_ball(RADIUS, 1e8, (start % 2 if low == 0 else start, 1e-5, RADIUS - 1e-3), (0, 0, 0), (0, 0, 0), ["stl tip.stl edges 0.1"], 1e-4, DOWN)
+            rows.append(run(tmp_path, script, "p f f", (low, -2, -3), (high, 2, 3), 300))
+    for at in (0, 1):
+        assert rows[2 + at][:, 11] == pytest.approx(rows[at][:, 11], rel=1e-9)
+        flat = hertz(MODULUS * 1e8 / YOUNG, -rows[at][0, 11], 0.5 / RADIUS, 0.5 / RADIUS)[0]
+        sharp = hertz(MODULUS * 1e8 / YOUNG, -rows[at][0, 11], 0.5 / RADIUS + 5, 0.5 / RADIUS + 5)[0]
+        assert sharp == pytest.approx(1e-3, rel=1e-3) and flat < 0.9e-3
 
 
 @pytest.mark.parametrize("first", [(0, 0), (4, 12), (11, 7), (5, 3)])
