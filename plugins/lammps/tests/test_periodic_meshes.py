@@ -72,14 +72,16 @@ def test_a_ball_rolls_over_slabs_side_by_side(tmp_path):
     assert np.array_equal(*rows)
 
 
-def test_seams_close_within_single_precision(tmp_path):
-    """The sides of a surface in a binary file differ from the box by round-off; it is longer along x, shorter along y."""
+@pytest.mark.parametrize("start, way, spin", [((0, 0), (15, 17, 0), (5, 1, 30)), ((0, -0.7), (15, 0, 0), (0, 1, 0))])
+def test_seams_close_within_single_precision(tmp_path, start, way, spin):
+    """The sides of a surface in a binary file differ from the box by round-off; it is longer along x, shorter
+    along y. A ball crosses the seams, or rolls along one."""
     low, high = (-1.1, -0.7, -3), (0.6, 0.9, 3)
     made = sheet(np.linspace(low[0], high[0], 7), np.linspace(low[1], high[1], 5))
     (tmp_path / "sheet.stl").write_bytes(binary(made))
     rows = []
     for wall in ("plane 0 0 0 0 0 1", "stl sheet.stl"):
-        script = one_ball(RADIUS, YOUNG, (0, 0, RADIUS - DEEP), (15, 17, 0), (5, 1, 30), [wall], 5e-5, DOWN)
+        script = one_ball(RADIUS, YOUNG, (*start, RADIUS - DEEP), way, spin, [wall], 5e-5, DOWN)
         rows.append(run(tmp_path, script, "p p f", low, high, 16000))
     assert np.array_equal(*rows)
 
