@@ -86,6 +86,19 @@ def test_seams_close_within_single_precision(tmp_path, start, way, spin):
     assert np.array_equal(*rows)
 
 
+def test_ends_that_do_not_match_are_as_long_as_the_box(tmp_path):
+    """A corner at one end has none at the other, and is beyond the box by round-off. The ball still rolls over."""
+    low, high = (-1.1, -0.7, -3), (0.6, 0.9, 3)
+    a, b, c, d = ((x, y, 0) for x, y in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1])))
+    alone = (high[0], 0.1, 0)
+    (tmp_path / "sheet.stl").write_bytes(binary([(a, b, alone), (a, alone, d), (alone, c, d)]))
+    rows = []
+    for wall in ("plane 0 0 0 0 0 1", "stl sheet.stl"):
+        script = one_ball(RADIUS, YOUNG, (0, 0, RADIUS - DEEP), (15, 17, 0), (5, 1, 30), [wall], 5e-5, DOWN)
+        rows.append(run(tmp_path, script, "p p f", low, high, 16000))
+    assert np.array_equal(*rows)
+
+
 def test_a_ball_rolls_along_a_trough(tmp_path):
     """Two faces that meet in a hollow edge along the period bear it as two planes do."""
     slope = [(-1, 1), (0, 0), (1, 1)]
@@ -236,19 +249,38 @@ def test_a_tip_is_sharp_on_both_sides_of_a_seam(tmp_path):
         assert sharp == pytest.approx(1e-3, rel=1e-3) and flat < 0.9e-3
 
 
+def ripples(xs, ys):
+    return sheet(xs, ys, lambda x, y: 0.02 * (math.sin(math.pi * x) + math.cos(math.pi * y)))
+
+
+def over_ripples(file):
+    return one_ball(RADIUS, 1e8, (0.05, -0.3, RADIUS + 0.02), (3, 2, 0), (0, 0, 1), [f"stl {file}.stl damping 2e-2"], 1e-4, PULL, friction=0.3)
+
+
 @pytest.mark.parametrize("first", [(0, 0), (4, 12), (11, 7), (5, 3)])
 def test_fine_ripples_close_without_a_radius_of_edges(tmp_path, first):
     """Edges of a few degrees at the seams are no ends of the surface: crests, valleys and slopes."""
     place = [k / 8 for k in range(16)]
-    height = lambda x, y: 0.02 * (math.sin(math.pi * x) + math.cos(math.pi * y))
     rows = []
     for start, counts, boundary, low, high in (((-16, -16), (96, 64), "f f f", (-2, -2, -3), (10, 6, 3)), (first, (16, 16), "p p f", (-1, -1, -3), (1, 1, 3))):
         xs, ys = (knots(place, 2.0, at, count + 1) for at, count in zip(start, counts))
-        write(tmp_path / "ripples.stl", sheet(xs, ys, height))
-        script = one_ball(RADIUS, 1e8, (0.05, -0.3, RADIUS + 0.02), (3, 2, 0), (0, 0, 1), ["stl ripples.stl damping 2e-2"], 1e-4, PULL, friction=0.3)
-        rows.append(run(tmp_path, script, boundary, low, high, STEPS))
+        write(tmp_path / "ripples.stl", ripples(xs, ys))
+        rows.append(run(tmp_path, over_ripples("ripples"), boundary, low, high, STEPS))
     assert rows[0][-1, 0] > 4 and rows[0][-1, 1] > 2, "over several periods"
     assert same(*rows[::-1])
+
+
+def test_seams_close_where_each_corner_is_a_little_off(tmp_path):
+    """By less than the tolerance, of 4e-7 here, so that corners along a side of the box are in any order."""
+    made = ripples(np.linspace(-1, 1, 17), np.linspace(-1, 1, 17))
+    off = np.random.default_rng(7).uniform(-8e-8, 8e-8, (17, 17, 3))
+    at = np.round((made[..., :2] + 1) * 8).astype(int)
+    rows = []
+    for shape in (made, made + off[at[..., 0], at[..., 1]]):
+        write(tmp_path / "ripples.stl", shape)
+        rows.append(run(tmp_path, over_ripples("ripples"), "p p f", (-1, -1, -3), (1, 1, 3), STEPS))
+    print("off", np.abs(rows[1] - rows[0])[:, :3].max())
+    assert rows[1][:, :3] == pytest.approx(rows[0][:, :3], abs=1e-4)
 
 
 @pytest.mark.parametrize("velocity", [(3, 0, 0), (-40, 70, 0)])
