@@ -38,7 +38,6 @@ class Mesh {
 
   // The ends of an edge, or the place of a corner, in words.
   std::string name_of(const Place &place) const;
-  std::size_t triangles() const { return faces.size(); }
   double cosine_of_smooth() const { return cosine; }
   const double *period() const { return periods; }
   // Whether it is longer along an axis than it may be.
