@@ -107,7 +107,7 @@ void Mesh::make_edges()
       const auto found = known.emplace(std::make_pair(ends.first, ends.second), static_cast<int>(edges.size()));
       face.edges[k] = found.first->second;
       if (!found.second) continue;
-      Edge edge = {{ends.first, ends.second}, {}, 0.0, true, false, {}, {}, {}};
+      Edge edge = {{ends.first, ends.second}, {}, 0.0, true, false, {}, {}};
       minus(corners[ends.second].at.at, corners[ends.first].at.at, edge.along.at);
       edge.length = normalize(edge.along.at);
       Vector back;
@@ -328,7 +328,7 @@ void Mesh::try_face(int at, const double *center, double reach) const
     place.point[k] = center[k] - height * face.normal.at[k];
   }
   place.height = sign * height;
-  std::copy_n(face.point.at, 3, place.fixed);
+  place.fixed = face.point.at;
   place.kind = FACE;
   place.at = at;
   found.push_back(place);
@@ -354,7 +354,7 @@ void Mesh::try_edge(int at, const double *center, double reach) const
     place.along[k] = edge.along.at[k];
   }
   place.height = height;
-  std::copy_n(end, 3, place.fixed);
+  place.fixed = end;
   place.kind = EDGE;
   place.at = at;
   place.is_sharp = edge.is_sharp;
@@ -376,7 +376,7 @@ void Mesh::try_corner(int at, const double *center, double reach) const
     place.point[k] = corner.at.at[k];
   }
   place.height = height;
-  std::copy_n(corner.at.at, 3, place.fixed);
+  place.fixed = corner.at.at;
   place.kind = CORNER;
   place.at = at;
   place.is_sharp = corner.is_sharp;

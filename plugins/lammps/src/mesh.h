@@ -23,12 +23,13 @@ class Mesh {
   enum Kind { FACE, EDGE, CORNER };
   struct Place {
     double point[3], normal[3];    // the normal points to the centre of the ball
-    double fixed[3];               // a point of the plane or edge that stays where it is, or the corner
+    const double *fixed;           // a point of the plane or edge that stays where it is, or the corner
     double along[3];               // of an edge
     double height;                 // of the centre
     Kind kind;
     int at;          // which one: of a face a triangle
     bool is_sharp;    // an edge or a corner where triangles meet at more than the angle, or end
+    int period;       // of a surface that repeats itself: where among the periods of the last search
   };
   // A ball touches in at most so many places.
   static constexpr int MOST = 16;
@@ -38,6 +39,9 @@ class Mesh {
 
   // The ends of an edge, or the place of a corner, in words.
   std::string name_of(const Place &place) const;
+  bool does_repeat() const { return repeats; }
+  // The fixed point of a place of the last search, in its period.
+  void fixed_in_period(const Place &place, double *to) const;
   double cosine_of_smooth() const { return cosine; }
   const double *period() const { return periods; }
   // Whether it is longer along an axis than it may be.
@@ -65,7 +69,6 @@ class Mesh {
     bool is_sharp, is_flat;
     std::vector<Vector> inward;    // into each of its triangles
     std::vector<Side> sides;       // these triangles
-    Steps away = {0, 0, 0};        // in periods, from the edges with which it is one
   };
   struct Corner {
     Vector at;
@@ -79,6 +82,7 @@ class Mesh {
   bool repeats;
   // Corners and edges that are one modulo the periods.
   std::vector<std::vector<int>> same_corners, same_edges;
+  std::vector<Steps> away;    // by edge: in periods, from those with which it is one
 
   void make_corners(const std::vector<double> &triangles);
   double size() const;
@@ -104,9 +108,11 @@ class Mesh {
   mutable unsigned search = 0;
   mutable std::vector<int> close;
   mutable std::vector<Place> found;
+  mutable std::vector<Vector> shifts;    // of the periods that the ball reaches
   void begin_search() const;
   void find_places(const double *center, double reach) const;
   void find_in_all_periods(const double *center, double reach) const;
+  void find_in_period(const Vector &shift, const double *center, double reach) const;
   void find_close(const double *center, double reach) const;
   void try_face(int face, const double *center, double reach) const;
   void try_edge(int edge, const double *center, double reach) const;

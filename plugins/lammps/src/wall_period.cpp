@@ -120,7 +120,7 @@ void WallShape::stay_close()
   for (int axis = 0; axis < 3; axis++) {
     const double period = mesh->period()[axis];
     if (period == 0.0) continue;
-    const double far = std::round(point[axis] / period) * period;
+    const double far = std::trunc(point[axis] / period) * period;
     if (far == 0.0) continue;
     point[axis] -= far;
     middle[axis] -= far;

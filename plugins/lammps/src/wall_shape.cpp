@@ -226,7 +226,13 @@ void WallShape::at_place(const Mesh::Place &place, Near &near) const
 {
   // Of a face that does not turn any point of its plane will do.
   const bool is_at_rest = place.kind == Mesh::FACE && dot(spin, spin) == 0.0;
-  out_of_file(is_at_rest ? place.fixed : place.point, near.place);
+  double carried[3];
+  const double *at = is_at_rest ? place.fixed : place.point;
+  if (is_at_rest && mesh->does_repeat()) {
+    mesh->fixed_in_period(place, carried);
+    at = carried;
+  }
+  out_of_file(at, near.place);
   for (int k = 0; k < 3; k++) near.place[k] += point[k];
   std::copy_n(place.normal, 3, near.own_normal);
   std::fill_n(near.own_axis, 3, 0.0);
