@@ -89,6 +89,7 @@ void FixWallCarom::init()
   for (int axis = 0; axis < 3; axis++)
     if (domain->periodicity[axis] && !wall.extends_along(axis))
       error->all(FLERR, who() + ": the box is periodic across the wall");
+  if (wall.is_mesh()) wall.repeat(lmp, who());
   const auto pairs = carom::find_pairs(force);
   if (pairs.empty()) error->all(FLERR, who() + " requires pair_style carom: grains get their material there");
   account = false;
@@ -218,6 +219,8 @@ void FixWallCarom::post_force(int)
 {
   grain_heat.begin(pair->heat_readers, atom->nlocal);
   const double duration = update->setupflag ? 0.0 : update->dt;
+  if (wall.is_mesh() && !wall.has_periods_of(lmp))
+    error->all(FLERR, who() + ": the box has changed where it is periodic: must stay as it was when the run began, since the surface repeats itself there");
   wall.move(duration);
   if (curved.size() > MOST_CURVED) curved.clear();
   const bool looks = duration > 0.0 && carom::Limits::looks(update->ntimestep);

@@ -42,10 +42,19 @@ static double normalize(double *vector)
   return length;
 }
 
-Mesh::Mesh(const std::vector<double> &triangles, double smooth) : cosine(std::cos(smooth))
+Mesh::Mesh(const std::vector<double> &triangles, double smooth, const double *period) : cosine(std::cos(smooth))
 {
+  std::copy_n(period, 3, periods);
+  repeats = period[0] > 0.0 || period[1] > 0.0 || period[2] > 0.0;
   make_corners(triangles);
-  make_edges();
+  tolerance = FLATNESS * size();
+  if (repeats) {
+    const Seam seam = close_corners();
+    make_edges();
+    close_edges(seam);
+  } else {
+    make_edges();
+  }
   make_planes();
   make_inward();
   tell_sharp();
@@ -77,6 +86,18 @@ void Mesh::make_corners(const std::vector<double> &triangles)
   }
 }
 
+double Mesh::size() const
+{
+  double most = 0.0;
+  for (const Face &face : faces) {
+    const double *first = corners[face.corners[0]].at.at;
+    double one[3];
+    minus(corners[face.corners[1]].at.at, first, one);
+    for (int k = 0; k < 3; k++) most = std::max(most, std::max(std::fabs(one[k]), std::fabs(first[k])));
+  }
+  return most;
+}
+
 void Mesh::make_edges()
 {
   std::map<std::pair<int, int>, int> known;
@@ -102,7 +123,6 @@ void Mesh::make_edges()
 void Mesh::make_planes()
 {
   std::vector<double> areas(faces.size());
-  double size = 0.0;
   for (std::size_t n = 0; n < faces.size(); n++) {
     Face &face = faces[n];
     const double *first = corners[face.corners[0]].at.at;
@@ -112,7 +132,6 @@ void Mesh::make_planes()
     cross(one, two, face.normal.at);
     areas[n] = normalize(face.normal.at);
     std::copy_n(first, 3, face.point.at);
-    for (int k = 0; k < 3; k++) size = std::max(size, std::max(std::fabs(one[k]), std::fabs(first[k])));
   }
   std::vector<int> order(faces.size());
   std::iota(order.begin(), order.end(), 0);
@@ -120,19 +139,20 @@ void Mesh::make_planes()
   std::vector<char> done(faces.size(), 0);
   // Triangles by their edges.
   for (std::size_t n = 0; n < faces.size(); n++)
-    for (const int edge : faces[n].edges) edges[edge].faces.push_back(static_cast<int>(n));
+    for (const int edge : faces[n].edges) edges[edge].sides.push_back({static_cast<int>(n), edge});
+  share(same_edges, edges, &Edge::sides);
   for (const int seed : order)
-    if (!done[seed]) grow_plane(seed, FLATNESS * size, done);
+    if (!done[seed]) grow_plane(seed, done);
 }
 
-void Mesh::grow_plane(int seed, double flatness, std::vector<char> &done)
+void Mesh::grow_plane(int seed, std::vector<char> &done)
 {
-  const Vector normal = faces[seed].normal, point = faces[seed].point;
-  const auto lies_in_it = [&](const Face &face) {
+  const Vector normal = faces[seed].normal;
+  const auto lies_in_it = [&](const Face &face, const Vector &point) {
     for (const int corner : face.corners) {
       double arm[3];
       minus(corners[corner].at.at, point.at, arm);
-      if (std::fabs(dot(arm, normal.at)) > flatness) return false;
+      if (std::fabs(dot(arm, normal.at)) > tolerance) return false;
     }
     return true;
   };
@@ -142,12 +162,14 @@ void Mesh::grow_plane(int seed, double flatness, std::vector<char> &done)
     Face &face = faces[left.back()];
     left.pop_back();
     face.normal = normal;
-    face.point = point;
     for (const int edge : face.edges)
-      for (const int next : edges[edge].faces) {
-        if (done[next] || !lies_in_it(faces[next])) continue;
-        done[next] = 1;
-        left.push_back(next);
+      for (const Side &side : edges[edge].sides) {
+        if (done[side.face]) continue;
+        const Vector point = beyond(face.point, edge, side.edge);
+        if (!lies_in_it(faces[side.face], point)) continue;
+        faces[side.face].point = point;
+        done[side.face] = 1;
+        left.push_back(side.face);
       }
   }
 }
@@ -166,6 +188,7 @@ void Mesh::make_inward()
       edge.inward.push_back(face.inward[k]);
     }
   }
+  share(same_edges, edges, &Edge::inward);
 }
 
 void Mesh::tell_sharp()
@@ -174,9 +197,13 @@ void Mesh::tell_sharp()
     const bool has_two = edge.inward.size() == 2;
     const double turn = has_two ? -dot(edge.inward[0].at, edge.inward[1].at) : -1.0;
     edge.is_sharp = !(turn >= cosine);
-    const auto &one = faces[edge.faces[0]].normal.at, &two = faces[edge.faces.back()].normal.at;
+    const auto &one = faces[edge.sides.front().face].normal.at, &two = faces[edge.sides.back().face].normal.at;
     edge.is_flat = has_two && turn > 0.0 && std::equal(one, one + 3, two);
     for (const int end : edge.ends) corners[end].is_sharp = corners[end].is_sharp || edge.is_sharp;
+  }
+  for (const std::vector<int> &group : same_corners) {
+    const bool is_sharp = std::any_of(group.begin(), group.end(), [&](int corner) { return corners[corner].is_sharp; });
+    for (const int corner : group) corners[corner].is_sharp = is_sharp;
   }
 }
 
@@ -247,7 +274,6 @@ void Mesh::cells_of(const double *from, const double *to, int *first, int *last)
 
 void Mesh::begin_search() const
 {
-  found.clear();
   close.clear();
   if (++search != 0) return;
   for (auto *seen : {&seen_faces, &seen_edges, &seen_corners}) std::fill(seen->begin(), seen->end(), 0u);
@@ -359,10 +385,17 @@ void Mesh::try_corner(int at, const double *center, double reach) const
 
 int Mesh::places(const double *center, double reach, Place *to) const
 {
+  found.clear();
+  if (repeats) find_in_all_periods(center, reach);
+  else find_places(center, reach);
+  return select(to, SLACK * reach);
+}
+
+void Mesh::find_places(const double *center, double reach) const
+{
   begin_search();
   find_close(center, reach);
   for (const int face : close) try_face(face, center, reach);
-  return select(to, SLACK * reach);
 }
 
 // Of places whose normals nearly agree the nearest; at the same height faces are before edges, these before corners.
@@ -398,7 +431,7 @@ std::string Mesh::name_of(const Place &place) const
     const double *one = corners[edges[place.at].ends[0]].at.at, *two = corners[edges[place.at].ends[1]].at.at;
     snprintf(text, sizeof text, "the edge from (%g, %g, %g) to (%g, %g, %g)", one[0], one[1], one[2], two[0], two[1], two[2]);
   } else {
-    const double *at = place.point;
+    const double *at = place.kind == CORNER ? corners[place.at].at.at : place.point;
     snprintf(text, sizeof text, "the %s at (%g, %g, %g)", place.kind == CORNER ? "corner" : "face", at[0], at[1], at[2]);
   }
   return text;
@@ -407,7 +440,7 @@ std::string Mesh::name_of(const Place &place) const
 double Mesh::bytes() const
 {
   const std::size_t all = faces.capacity() * (sizeof(Face) + sizeof(unsigned)) +
-      edges.capacity() * (sizeof(Edge) + sizeof(unsigned) + 2 * sizeof(Vector) + 2 * sizeof(int)) +
+      edges.capacity() * (sizeof(Edge) + sizeof(unsigned) + 2 * sizeof(Vector) + 2 * sizeof(Side)) +
       corners.capacity() * (sizeof(Corner) + sizeof(unsigned) + 6 * sizeof(Vector)) +
       (starts.capacity() + listed.capacity()) * sizeof(int);
   return static_cast<double>(all);

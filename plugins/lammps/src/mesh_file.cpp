@@ -24,8 +24,7 @@ static std::vector<double> read(const std::string &path, std::string &fault)
   }
 }
 
-std::shared_ptr<const Mesh> mesh_of_file(LAMMPS *lmp, const std::string &who, const std::string &path, double scale,
-                                         double smooth)
+std::vector<double> triangles_of_file(LAMMPS *lmp, const std::string &who, const std::string &path, double scale)
 {
   std::vector<double> triangles;
   std::string fault;
@@ -38,10 +37,9 @@ std::shared_ptr<const Mesh> mesh_of_file(LAMMPS *lmp, const std::string &who, co
   if (!fault.empty()) lmp->error->all(FLERR, who + ": " + fault);
   MPI_Bcast(triangles.data(), sizes[0], MPI_DOUBLE, 0, lmp->world);
   for (double &number : triangles) number *= scale;
-  auto made = std::make_shared<const Mesh>(triangles, smooth);
   if (lmp->comm->me == 0)
-    utils::logmesg(lmp, who + ": " + std::to_string(made->triangles()) + " triangles from " + path + "\n");
-  return made;
+    utils::logmesg(lmp, who + ": " + std::to_string(triangles.size() / 9) + " triangles from " + path + "\n");
+  return triangles;
 }
 
 }    // namespace carom

@@ -14,8 +14,6 @@ using namespace LAMMPS_NS;
 
 namespace carom {
 
-static constexpr double RADIANS = 3.14159265358979323846 / 180.0;    // of a degree
-
 static double dot(const double *a, const double *b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -148,7 +146,7 @@ void WallShape::check(LAMMPS *lmp, const std::string &who)
   if (kind == CONE) {
     if (!(size > 0.0 && size < 90.0))
       lmp->error->all(FLERR, who + told("angle of the cone", size, "in (0, 90) degrees"));
-    const double radians = size * RADIANS;
+    const double radians = size * DEGREE;
     sine = std::sin(radians);
     cosine = std::cos(radians);
   }
@@ -173,7 +171,7 @@ void WallShape::check_mesh(LAMMPS *lmp, const std::string &who)
     lmp->error->all(FLERR, who + told("edges", edge_radius, "a radius, finite and > 0"));
   direction[2] = 1.0;
   if (!has_center) std::copy_n(point, 3, middle);
-  mesh = mesh_of_file(lmp, who, file, scale, smooth * RADIANS);
+  triangles = triangles_of_file(lmp, who, file, scale);
 }
 
 int WallShape::near(const double *x, double radius, Near *to) const
@@ -228,7 +226,13 @@ void WallShape::at_place(const Mesh::Place &place, Near &near) const
 {
   // Of a face that does not turn any point of its plane will do.
   const bool is_at_rest = place.kind == Mesh::FACE && dot(spin, spin) == 0.0;
-  out_of_file(is_at_rest ? place.fixed : place.point, near.place);
+  double carried[3];
+  const double *at = is_at_rest ? place.fixed : place.point;
+  if (is_at_rest && mesh->does_repeat()) {
+    mesh->fixed_in_period(place, carried);
+    at = carried;
+  }
+  out_of_file(at, near.place);
   for (int k = 0; k < 3; k++) near.place[k] += point[k];
   std::copy_n(place.normal, 3, near.own_normal);
   std::fill_n(near.own_axis, 3, 0.0);
@@ -336,6 +340,7 @@ bool WallShape::near_axis(const double *x, double radius, Near &near) const
 
 bool WallShape::extends_along(int axis) const
 {
+  if (kind == MESH) return true;
   for (int k = 0; k < 3; k++)
     if (k != axis && spin[k] != 0.0) return false;
   if (kind == PLANE) return direction[axis] == 0.0;
@@ -358,6 +363,7 @@ void WallShape::move(double duration)
     point[k] += duration * speed[k];
     middle[k] += duration * speed[k];
   }
+  if (kind == MESH) stay_close();
   const double rate = std::sqrt(dot(spin, spin));
   if (rate == 0.0 || duration == 0.0) return;
   const double about[3] = {spin[0] / rate, spin[1] / rate, spin[2] / rate};

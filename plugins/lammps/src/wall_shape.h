@@ -7,12 +7,15 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 class LAMMPS;
 }
 
 namespace carom {
+
+static constexpr double DEGREE = 3.14159265358979323846 / 180.0;    // in radians
 
 // plane X Y Z NX NY NZ
 // cylinder X Y Z DX DY DZ R side, cone X Y Z DX DY DZ ANGLE side, sphere X Y Z R side
@@ -53,9 +56,15 @@ class WallShape {
   bool is_mesh() const { return kind == MESH; }
   // Contacts of a mesh whose normals differ by less are one: the cosine of the angle.
   double cosine_of_smooth() const { return mesh->cosine_of_smooth(); }
-  double bytes() const { return mesh ? mesh->bytes() : 0.0; }
-  // Whether a box may be periodic along this axis: shape and motion are then the same all along it.
+  double bytes() const { return mesh ? mesh->bytes() + 8.0 * triangles.capacity() : 0.0; }
+  // Whether a box may be periodic along this axis: shape and motion are then the same all along it, or a mesh repeats
+  // itself.
   bool extends_along(int axis) const;
+  // Makes the surface of a mesh, which repeats itself where the box is periodic. Raises an error if box, shape or motion
+  // do not allow it.
+  void repeat(LAMMPS_NS::LAMMPS *lmp, const std::string &who);
+  // Whether the box still has the periods of the mesh.
+  bool has_periods_of(LAMMPS_NS::LAMMPS *lmp) const;
 
   void move(double duration);
   // The velocity in the middle of a step, at whose end this place of the wall touches a grain.
@@ -83,6 +92,7 @@ class WallShape {
   double from, to;                          // along the axis
   bool is_bounded = false, has_center = false;
   std::string file;
+  std::vector<double> triangles;    // of the file
   std::shared_ptr<const Mesh> mesh;
   double scale = 1.0, smooth = 10.0, edge_radius = 0.0;    // no radius: edges are refused
   bool has_edges = false, is_for_mesh = false;    // whether a radius was given, or any of the three
@@ -92,6 +102,9 @@ class WallShape {
   void take_side(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const std::string &word);
   int take_of_mesh(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
   void check_mesh(LAMMPS_NS::LAMMPS *lmp, const std::string &who);
+  void check_box(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int axis) const;
+  void check_turn(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int axis, int axes) const;
+  void stay_close();
   bool is_turned() const;
   void into_file(const double *vector, double *to) const;
   void out_of_file(const double *vector, double *to) const;

@@ -248,7 +248,6 @@ def test_a_damaged_file_ends_all_ranks(tmp_path):
         ("stl cube.stl between 0 1", "", ["between is for cylinder and cone only"]),
         ("plane 0 0 0 0 0 1 edges 1", "", ["scale, smooth and edges are for stl only"]),
         ("stl cube.stl sphere 0 0 0 1 inside", "", ["more than one of plane"]),
-        ("stl cube.stl", "change_box all boundary p f f", ["periodic across the wall"]),
         ("stl cube.stl edges 0.1 law rings", "", ["law rings needs a plane, a sphere or an STL file without edges"]),
         ("stl cube.stl law rings", "", []),
     ],
