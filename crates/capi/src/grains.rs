@@ -158,6 +158,7 @@ impl CaromGrains {
         RangeError::check("mass_2", mass_2, mass_2 > 0.0, "> 0")?;
         let mobility = 1.0 / mass_1 + 1.0 / mass_2;
         RangeError::check("mass_2", mass_2, mobility > 0.0, "finite if `mass_1` is not")?;
+        RangeError::positive("velocity", velocity)?;
         Ok(NormalImpact::new(mobility, c_z, velocity)?)
     }
 }

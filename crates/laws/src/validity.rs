@@ -328,13 +328,19 @@ mod tests {
     fn each_ratio_has_the_scale_of_the_contact() {
         let body = Material::from_young(208e9, 0.3).unwrap().yielding_at(1e9).unwrap();
         let pair = MaterialPair::new(body, body).unwrap();
-        let curvature = RelativeCurvature::from_coefficients(10.0, 40.0).unwrap();
-        let hertz = Hertz::new(curvature, pair).unwrap();
-        let state = hertz.at_force(1000.0).unwrap();
         let radius = 0.0125;
-        let validity = Validity::of_hertz(&hertz, &state, radius);
-        let wide = state.ellipse.semi_axis_a().max(state.ellipse.semi_axis_b());
-        assert_eq!(validity.semi_axis_over_radius, wide / radius);
+        let contact = |a: f64, b: f64| {
+            let curvature = RelativeCurvature::from_coefficients(a, b).unwrap();
+            let hertz = Hertz::new(curvature, pair).unwrap();
+            let state = hertz.at_force(1000.0).unwrap();
+            (Validity::of_hertz(&hertz, &state, radius), state)
+        };
+        // The contact is longer where the bodies are less curved.
+        let (turned, state) = contact(40.0, 10.0);
+        assert_eq!(turned.semi_axis_over_radius, state.ellipse.semi_axis_b() / radius);
+        let (validity, state) = contact(10.0, 40.0);
+        assert_eq!(validity.semi_axis_over_radius, state.ellipse.semi_axis_a() / radius);
+        assert_eq!(validity.semi_axis_over_radius, turned.semi_axis_over_radius);
         assert_eq!(validity.approach_over_radius, state.approach / radius);
         let over = state.peak_pressure / 1.6e9;
         assert!((validity.pressure_over_yield / over - 1.0).abs() < 1e-15);
@@ -367,7 +373,7 @@ mod tests {
         };
         let numbers = ["0.01", "0.2", "0.2", "2 times", "2 %", "2 %", "lasts 10"];
         for (i, limit) in Limit::ALL.into_iter().enumerate() {
-            let [at, above] = [0.999_999, 2.0].map(|value| of(value)[i]);
+            let [at, above] = [1.0, 2.0].map(|value| of(value)[i]);
             assert_eq!(at.exceeded().count(), 0, "{limit:?}");
             let told: Vec<_> = above.exceeded().collect();
             assert_eq!(told.iter().map(|excess| excess.limit).collect::<Vec<_>>(), [limit]);
@@ -393,6 +399,11 @@ mod tests {
         assert!(wrong.iter().all(|validity| !validity.holds()));
         let outside: Vec<bool> = wrong.iter().map(|validity| validity.is_outside()).collect();
         assert_eq!(outside, [false, true, false, true, false]);
+        // A body pressed deeper than its radius, or one that radiates more than all, is nonsense.
+        let meaningless = |approach_over_radius: f64, wave_share: f64| {
+            Validity { approach_over_radius, wave_share, ..none }.is_meaningless()
+        };
+        assert!(!meaningless(1.0, 1.0) && meaningless(1.01, 0.0) && meaningless(0.0, 1.01));
     }
 
     #[test]

@@ -238,6 +238,15 @@ fn packed_contacts_go_on_with_their_friction_to_the_bit() {
             });
             assert_eq!(field, "slip_friction_b");
             assert!(text.contains("carom_touch_unpack_with_friction"), "{text}");
+            let (field, text) = failed(|error| {
+                let (f, from, to) = (f64::INFINITY, numbers.as_ptr(), &raw mut touch);
+                // SAFETY: all pointers are references.
+                unsafe {
+                    carom_touch_unpack_with_friction(&grains, RADIUS, RADIUS, f, from, to, error)
+                }
+            });
+            assert_eq!(field, "friction");
+            assert!(text.contains("finite for a state that is stored"), "{text}");
         }
     }
 }

@@ -480,6 +480,20 @@ fn spin_about_the_normal_meets_the_law_of_a_twist() {
                 null_mut(),
             );
             assert_eq!((again, twist), (load, kept));
+            // Without time the torque is that of the last step, wherever the bodies are put.
+            let nearer = CaromGrain { place: plus(grain.place, normal, -0.1 * zeta), ..grain };
+            let mut again = CaromGrainLoad::default();
+            carom_touch_twist_grains(
+                &grains,
+                &mut twist,
+                &nearer,
+                &other,
+                0.0,
+                &mut again,
+                null_mut(),
+                null_mut(),
+            );
+            assert_eq!((again, twist), (load, kept));
         }
         let mut stored = 0.0;
         let status =
@@ -593,7 +607,7 @@ fn an_impact_lasts_as_hertz_says() {
             let ([r_1, r_2], [m_1, m_2], to) = (radii, masses, &raw mut time);
             let told =
                 carom_grains_impact_time(&grains, r_1, r_2, m_1, m_2, velocity, to, &raw mut error);
-            (told, time)
+            (told, time, field(&error))
         }
     };
     let modulus = 70e9 / (2.0 * (1.0 - 0.22 * 0.22));
@@ -606,13 +620,17 @@ fn an_impact_lasts_as_hertz_says() {
         ([1e-3, inf], [1e-5, inf], 0.3, hertz(1e-3, 1e-5, 0.3)),
         ([1e-3, 3e-3], [1e-5, 3e-5], 2.0, hertz(0.75e-3, 0.75e-5, 2.0)),
     ] {
-        let (status, told) = time(radii, masses, velocity);
+        let (status, told, _) = time(radii, masses, velocity);
         assert_eq!(status, CaromStatus::Ok);
         assert!((told / expected - 1.0).abs() < 1e-6, "{told} {expected}");
     }
-    let bad =
-        [([1e-3; 2], [inf; 2], 1.0), ([1e-3; 2], [1e-5, 0.0], 1.0), ([1e-3; 2], [1e-5; 2], 0.0)];
-    for (radii, masses, velocity) in bad {
-        assert_eq!(time(radii, masses, velocity).0, CaromStatus::OutOfRange);
+    for (masses, velocity, at_fault) in [
+        ([inf; 2], 1.0, "mass_2"),
+        ([0.0, 1e-5], 1.0, "mass_1"),
+        ([1e-5, 0.0], 1.0, "mass_2"),
+        ([1e-5; 2], 0.0, "velocity"),
+    ] {
+        let (status, _, told) = time([1e-3; 2], masses, velocity);
+        assert_eq!((status, told.as_str()), (CaromStatus::OutOfRange, at_fault));
     }
 }

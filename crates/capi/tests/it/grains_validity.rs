@@ -251,7 +251,7 @@ fn wrong_numbers_are_named() {
         (contact(&floor, [1e-3, -1e-3], 1e-6), "radius_2"),
         (impact(&floor, [1e-3; 2], [1e-5; 2], 1.0, -1e-9), "step"),
         (impact(&floor, [1e-3; 2], [0.0, 1e-5], 1.0, 0.0), "mass_1"),
-        (impact(&floor, [1e-3; 2], [1e-5; 2], 0.0, 0.0), "normal velocity"),
+        (impact(&floor, [1e-3; 2], [1e-5; 2], 0.0, 0.0), "velocity"),
         (
             contact(
                 &CaromGrains { unit: CaromPair { a_squared: 0.0, ..floor.unit }, ..floor },

@@ -337,4 +337,14 @@ mod tests {
             }
         }
     }
+    /// Numbers are measured by the greatest of any sign.
+    #[test]
+    fn rough_products_of_reversed_tractions_are_reversed() {
+        let grid = Grid::new(12, 9, 0.1, 0.2).unwrap();
+        let operator = HalfSpaceOperator::new(pair(DISSIMILAR), grid).unwrap();
+        let load = tractions(12, grid.cells(), 0);
+        let reversed = load.each_ref().map(|field| field.iter().map(|value| -value).collect());
+        assert!(reversed.iter().flatten().all(|value: &f64| *value <= 0.0));
+        assert_eq!(roughness(&operator, &reversed), roughness(&operator, &load));
+    }
 }

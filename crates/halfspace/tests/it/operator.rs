@@ -217,6 +217,7 @@ fn an_operator_on_fewer_cells_is_part_of_all() {
         }
         assert_eq!(fewer.coefficients(6, -9), operator.coefficients(6, -9));
         assert_eq!(fewer.coefficients(7, 0), Coefficients::default());
+        assert_eq!(operator.on_fewer(24, 18).unwrap().unwrap().grid(), all);
         for [nx, ny] in [[25, 1], [1, 19], [0, 4]] {
             let error = operator.on_fewer(nx, ny).unwrap().err().unwrap();
             assert!(matches!(error, OperatorError::Range(_)), "{error}");
@@ -303,7 +304,10 @@ fn grids_are_checked_before_allocation() {
     let operator = needed(HalfSpaceOperator::new(similar(), huge).unwrap_err());
     let table = needed(CoefficientTable::new(similar(), huge).unwrap_err());
     assert_eq!(table, (4 * 8) << 58);
-    assert!(operator > 2 * table);
+    // Half of each of three rows and three columns of complex numbers, of twice the length, and four transforms as
+    // large as their tables; all of it again in single precision.
+    let (both, transforms) = (3 * table, table);
+    assert!(operator > table + (both + transforms) * 3 / 2 && operator < 8 * table);
     let kernel = TabulatedKernel::from_function(huge, |_, _| Coefficients::default());
     assert!(needed(kernel.unwrap_err()) > 72 << 59);
     let text = HalfSpaceOperator::new(similar(), huge).unwrap_err().to_string();

@@ -92,6 +92,8 @@ mod tests {
         assert_eq!(closing(0.0, -1.0, -10.0), Some(0.0));
         // Thrown at a ceiling: too slow, or fast enough.
         assert_eq!(closing(1.0, -1.0, 10.0), None);
+        // It comes to rest at the ceiling, and does not press.
+        assert_eq!(closing(2.0, -4.0, 4.0), None);
         assert_eq!(closing(0.5, -3.5, 12.0), Some(1.0 / 4.0));
         assert_eq!(closing(1.0, 1.0, 0.0), None);
         assert_eq!(closing(0.0, 0.0, -10.0), None);

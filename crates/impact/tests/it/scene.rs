@@ -1,7 +1,7 @@
 //! Scenes: known kinematics, invariants and typed errors.
 
 use approx::assert_relative_eq;
-use carom_geometry::Attitude;
+use carom_geometry::{Attitude, Inertia};
 use carom_halfspace::Material;
 use carom_impact::scene::{Ball, Ending, Limits, Path, Scene, SceneError, Wall};
 use carom_impact::{Body, Motion, NormalRestitution};
@@ -152,6 +152,62 @@ fn impossible_scenes_are_refused() {
     assert_eq!(plane, SceneError::NotASphere { shape: "plane" });
     let heavy = Body::sphere(RADIUS, rubber(), f64::INFINITY).unwrap();
     assert!(matches!(Ball::new(heavy), Err(SceneError::Range(_))));
+}
+
+/// The moments of inertia of a ball are alike: any one that differs is told.
+#[test]
+fn a_ball_turns_alike_about_all_axes() {
+    let theta = 0.4 * MASS * RADIUS * RADIUS;
+    let body = |moments: [f64; 3]| {
+        let body = Body::sphere(RADIUS, rubber(), MASS).unwrap();
+        Ball::new(body.with_inertia(Inertia::new(MASS, moments).unwrap()))
+    };
+    assert!(body([theta; 3]).is_ok());
+    for axis in 0..3 {
+        let mut moments = [theta; 3];
+        moments[axis] *= 1.25;
+        let Err(SceneError::Range(error)) = body(moments) else { panic!("axis {axis}") };
+        assert_eq!(error.field, "moment of inertia");
+    }
+}
+
+/// The direction of a normal counts, not its length, however large or small it is.
+#[test]
+fn a_normal_of_any_length_is_a_direction() {
+    for length in [1e-200, 1.0, 1e200] {
+        let wall = rigid_wall([0.0; 3], [0.6 * length, 0.0, -0.8 * length], 0.3);
+        assert!((wall.normal() - Vector3::new(0.6, 0.0, -0.8)).norm() < 1e-15, "{length:e}");
+    }
+}
+
+/// A plate holds a ball on the side that gravity presses it to.
+#[test]
+fn a_ball_rests_below_a_plate_if_gravity_presses_it_upwards() {
+    let plate = rigid_wall([0.0; 3], UP, 0.3).rectangle([1.0, 0.0, 0.0], [0.1, 0.1]).unwrap();
+    for side in [1.0, -1.0] {
+        let scene = Scene::new([0.0, 0.0, -9.81 * side]).unwrap().with(plate);
+        let still = ball([0.0, 0.0, RADIUS * side], [0.0; 3], [0.0; 3]);
+        let path = scene.run(&still, limits(1.0, 9)).unwrap();
+        assert_eq!(path.ending(), Ending::Rest { wall: 0 }, "{side}");
+    }
+}
+
+/// A ball that falls into a right-angled groove meets both its sides at once. Rounding of a long flight puts it
+/// into the second side, from which it bounces nevertheless: without friction it rises as high as it fell.
+#[test]
+fn a_ball_bounces_from_both_sides_of_a_groove_however_far_it_fell() {
+    let side = |x: f64| rigid_wall([0.0; 3], [x, 0.0, 1.0], 0.0);
+    let scene = Scene::new([0.0, 0.0, -9.81]).unwrap().with(side(1.0)).with(side(-1.0));
+    for i in 0..50 {
+        let height = 1e4 + 7.3 * f64::from(i);
+        let above = ball([0.0, 0.0, height], [0.0; 3], [0.0; 3]);
+        let path = scene.run(&above, limits(1e3, 2)).unwrap();
+        let walls: Vec<usize> = path.bounces().iter().map(|bounce| bounce.wall).collect();
+        assert!(walls == [0, 1] || walls == [1, 0], "{height}: {walls:?}");
+        let speed = path.last().motion.velocity;
+        let fall = (2.0 * 9.81 * (height - RADIUS * 2.0_f64.sqrt())).sqrt();
+        assert!((speed - Vector3::new(0.0, 0.0, fall)).norm() < 1e-9 * fall, "{height}: {speed}");
+    }
 }
 
 /// What rounding makes of a velocity or of gravity along a wall is none, in whatever frame: a ball that slides

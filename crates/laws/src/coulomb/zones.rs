@@ -154,3 +154,64 @@ impl Cubic {
         Some(x)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Curved pieces between the depths 0 and 1, each with a step that ends at some approach and shift.
+    fn drawn() -> impl Iterator<Item = (Piece<[f64; 2]>, Step<[f64; 2]>)> {
+        let mut state = 3_u64;
+        let mut unit = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        std::iter::repeat_with(move || {
+            let mut vector = |size: f64| [size * unit(), size * unit()];
+            let (anchor, top) = (vector(1.0), vector(1.5));
+            let (low, bubble) = (End { depth: 0.0, root: 0.0, anchor }, vector(0.5));
+            let high = End { depth: 1.0, root: 1.0, anchor: top };
+            let shift = vector(1.5);
+            let [more, _] = vector(0.5);
+            let step = Step::new((1.0, anchor), (1.5 + more, shift));
+            (Piece { low, high, bubble, error: 0.0 }, step)
+        })
+        .take(20_000)
+    }
+
+    fn excess(piece: &Piece<[f64; 2]>, step: &Step<[f64; 2]>, part: f64) -> f64 {
+        step.excess(piece.depth_at(part), piece.at(part))
+    }
+
+    #[test]
+    fn the_rate_of_the_excess_is_half_its_derivative() {
+        let small = 1e-5;
+        for (piece, step) in drawn().take(200) {
+            for part in [0.1, 0.35, 0.5, 0.8] {
+                let [low, high] =
+                    [-small, small].map(|by| excess(&piece, &step, part + by) / (4.0 * small));
+                let [rate, _] = piece.excess_rate(&step).at(part);
+                assert!((rate - (high - low)).abs() < 1e-8, "{rate} {}", high - low);
+            }
+        }
+    }
+
+    /// Of pieces whose ends and middle are of one kind, those that hide the other kind are looked at.
+    #[test]
+    fn no_zone_hides_in_a_piece_that_is_passed_over() {
+        let mut hidden = [0; 2];
+        for (piece, step) in drawn() {
+            let signs = [0.0, 0.5, 1.0].map(|part| excess(&piece, &step, part) > 0.0);
+            let slips = signs[1];
+            if signs != [slips; 3] {
+                continue;
+            }
+            let mut between = (1..100).map(|i| excess(&piece, &step, 0.01 * f64::from(i)));
+            if between.any(|excess| (excess > 0.0) != slips) {
+                hidden[usize::from(slips)] += 1;
+                assert!(piece.may_hide(&step, slips), "{piece:?} {step:?}");
+            }
+        }
+        assert!(hidden.iter().all(|count| *count > 10), "{hidden:?}");
+    }
+}

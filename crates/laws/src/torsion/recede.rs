@@ -270,3 +270,21 @@ impl TwistHistory {
 pub(super) fn lowest_rate(back: f64, stick: f64) -> f64 {
     if back > 1.0 && back < GREATEST_THRESHOLD { threshold(stick) } else { 1.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::torsion::segment::Density;
+
+    /// A contact that grew in adhesion has traction up to its edge: the twist of the edge may not exceed its growth.
+    #[test]
+    fn a_contact_that_sticks_everywhere_has_no_more_than_friction_at_its_edge() {
+        let mut history = TwistHistory::new();
+        history.advance(1.0, 0.9).expect("in range");
+        assert_eq!(history.stick_radius(), 1.0);
+        for (density, holds) in [(0.9, true), (1.0, true), (1.01, false), (-1.01, false)] {
+            history.segments[0].density = Density::Stick(density);
+            assert_eq!(history.is_admissible(), holds, "{density}");
+        }
+    }
+}

@@ -8,6 +8,7 @@ use carom_laws::grains::{
     Wall, advance_together,
 };
 use carom_laws::hertz::Hertz;
+use carom_laws::law::ContactLaw as _;
 use carom_laws::memory::Fixed;
 use carom_laws::rings::{RingMatrices, Tolerance};
 use carom_laws::shift_law::ShiftLaw;
@@ -159,6 +160,9 @@ fn arms_shorten_as_the_approach_grows() {
             Meeting::on_surface(&one, &surface, share),
         ]
     };
+    // A wall turns the axes as a grain does that turns like it.
+    let [other, _, wall_turns] = meetings(0.1);
+    assert_eq!((wall_turns.turning, wall_turns.twisting), (other.turning, other.twisting));
     // Slip is v + r x n: along x and y.
     let slip = |m: &Meeting| [m.velocity[0] + m.rolling[1], m.velocity[1] - m.rolling[0]];
     let [shallow, deep] = [0.05, 0.15].map(meetings);
@@ -169,6 +173,76 @@ fn arms_shorten_as_the_approach_grows() {
         assert!((growth - 0.1).abs() < 1e-15 && (by_x * by_y).abs() > 1e-3);
         assert!((to_x - x + growth * by_y).abs() < 1e-15, "{before:?}");
         assert!((to_y - y - growth * by_x).abs() < 1e-15, "{before:?}");
+    }
+}
+
+/// A step of no duration, such as a look at the loads, changes nothing, also while grains accelerate.
+#[test]
+fn a_step_of_no_duration_changes_nothing() {
+    let dt = 0.01;
+    let mut contact = contact(FRICTION, 0.0);
+    let at = |step: u32| {
+        let speed = 0.3 * f64::from(step * step) * dt;
+        on_wall(0.05, [speed, -0.4 * speed, 0.0], [0.0; 3], [0.0; 3])
+    };
+    for step in 0..12 {
+        let load = contact.advance(&at(step), dt).unwrap();
+        let kept = contact;
+        assert_eq!(contact.advance(&at(step), 0.0).unwrap(), load, "{step}");
+        assert_eq!(contact.law().shift(), kept.law().shift(), "{step}");
+    }
+    assert!(contact.law().shift().xi.abs() > 0.01);
+}
+
+/// No direction of the normal is special, not even those of the axes: a scene whose axes are exchanged cyclically
+/// has loads with exchanged axes.
+#[test]
+fn normals_along_all_axes_have_the_same_loads() {
+    let moved = |by: usize, v: [f64; 3]| [0, 1, 2].map(|k: usize| v[(k + 3 - by) % 3]);
+    let loads = |by: usize| {
+        let mut contact = contact(FRICTION, 0.0);
+        let wall = Wall { place: [0.0; 3], normal: moved(by, [0.0, 0.0, 1.0]), velocity: [0.0; 3] };
+        let steps = (1..6).map(|step| {
+            let place = moved(by, [0.0, 0.0, RADIUS - 0.01 * f64::from(step)]);
+            let (velocity, spin) = (moved(by, [0.3, -0.7, -1.0]), moved(by, [0.2, 0.5, 0.1]));
+            let grain = Grain { place, velocity, spin, radius: RADIUS, mass: 1.0 };
+            contact.advance(&Meeting::on_wall(&grain, &wall, 0.5), 0.01).unwrap()
+        });
+        steps.collect::<Vec<_>>()
+    };
+    for by in [1, 2] {
+        for (own, other) in loads(0).iter().zip(loads(by)) {
+            for (own, other) in [(own.force, other.force), (own.torques[0], other.torques[0])] {
+                let off = [0, 1, 2].map(|k| (moved(by, own)[k] - other[k]).abs());
+                assert!(off.iter().all(|off| *off < 1e-15), "{by}: {own:?} {other:?}");
+                assert!(own[0].abs() > 1e-4 && own[1].abs() > 1e-4);
+            }
+        }
+    }
+}
+
+/// Two grains that turn about each other like one body do not approach: a dashpot heats nothing, however large a step
+/// turns them.
+#[test]
+fn grains_that_turn_as_one_body_heat_no_dashpot() {
+    let (dt, turn, distance) = (0.01, 0.05, 1.9 * RADIUS);
+    let mut contact = contact(FRICTION, 0.3);
+    let mut heats = Heats::default();
+    let place = |step: f64| [distance * (turn * step).cos(), distance * (turn * step).sin(), 0.0];
+    for step in 0..20 {
+        let now = place(f64::from(step));
+        let before = place(f64::from(step) - 1.0);
+        let velocity = [0, 1, 2].map(|k| (now[k] - before[k]) / dt);
+        let spin = [0.0, 0.0, turn / dt];
+        let one = Grain { place: now, velocity, spin, radius: RADIUS, mass: 1.0 };
+        let two = Grain { place: [0.0; 3], velocity: [0.0; 3], ..one };
+        let meeting = Meeting::of_spheres(&one, &two, [0.5; 2]).unwrap();
+        let before = heats.damping;
+        contact.advance_accounted(&meeting, dt, &mut heats).unwrap();
+        // Of the first step no earlier normal is known.
+        if step > 2 {
+            assert!((heats.damping - before).abs() < 1e-15, "{step}: {}", heats.damping - before);
+        }
     }
 }
 

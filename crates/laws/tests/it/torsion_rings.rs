@@ -217,6 +217,10 @@ fn narrower_rings_converge_over_long_histories() {
             worst[1] = worst[1].max((narrow - finest).abs());
         }
         assert!(laws[0].ring_steps() > 2);
+        // All steps of a law are counted, also those before the bodies parted.
+        let mut parted = laws[0].clone();
+        parted.advance(0.0, 0.0).unwrap();
+        assert_eq!(parted.ring_steps(), laws[0].ring_steps());
         assert!(worst[0] < 3e-3 && worst[1] < 7e-4, "{twist} {depth}: {worst:?}");
         assert!(worst[1] < worst[0], "{twist} {depth}: {worst:?}");
     }

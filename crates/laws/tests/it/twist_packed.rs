@@ -133,7 +133,11 @@ fn numbers_that_are_no_state_are_refused() {
     assert_eq!(history.pack(&mut [0.0; packed_numbers(4) - 1]).unwrap_err().field, "numbers");
     history.pack(&mut numbers).unwrap();
     let before = history.clone();
+    // The outermost piece slid at a radius of at least 0.9, where the contact ends.
+    let outermost = 7 + 6 * (history.pieces() - 1);
+    assert!(numbers[outermost] < 0.89 && numbers[outermost + 1] >= 0.9);
     for (place, value, field) in [
+        (outermost + 1, 0.89, "slip radius"),
         (0, 2e4, "mark"),
         (0, 50_007.0, "mark"),
         (0, f64::NAN, "mark"),
@@ -157,6 +161,19 @@ fn numbers_that_are_no_state_are_refused() {
         assert_eq!((error.field, &history), (field, &before), "{place} {value}");
     }
     assert_eq!(history.unpack(&numbers[..6]).unwrap_err().field, "numbers");
+}
+
+/// Rings of every width are kept, the narrowest and the widest too.
+#[test]
+fn the_width_of_rings_is_kept() {
+    for width in [1.0 / 256.0, 1.0 / 64.0, 1.0 / 4.0] {
+        let mut history = TwistHistory::with_ring_width(width).unwrap();
+        history.advance(1.0, 0.4).unwrap();
+        let (mut numbers, mut read) = ([0.0; packed_numbers(4)], TwistHistory::new());
+        history.pack(&mut numbers).unwrap();
+        read.unpack(&numbers).unwrap();
+        assert_eq!(read, history, "{width}");
+    }
 }
 
 #[test]

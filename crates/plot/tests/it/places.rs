@@ -280,3 +280,17 @@ fn names_stand_below_their_values() {
         assert!(of("y") + down < height - 16.0, "{line}: {height}");
     }
 }
+
+/// A map has one power of ten, that of the greater numbers, along whichever axis they lie.
+#[test]
+fn both_axes_of_a_map_have_the_power_of_the_greater_numbers() {
+    for corner in [(1e6, 1.0), (1.0, 1e6)] {
+        let mut panel = Panel::new("across", "up").equal_aspect();
+        panel.add(Series::markers("", Marker::Dot, [corner, (corner.0 + 2.0, corner.1 + 2.0)]));
+        let svg = render("", &[panel]).unwrap();
+        for label in ["across", "up"] {
+            let line = svg.lines().find(|line| line.contains(&format!(">{label}"))).unwrap();
+            assert!(line.contains("(× 10⁶)"), "{corner:?}: {line}");
+        }
+    }
+}

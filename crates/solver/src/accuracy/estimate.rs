@@ -358,3 +358,84 @@ impl Estimates {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use carom_halfspace::Grid;
+
+    use super::*;
+
+    /// Pressures of the cells of each row.
+    fn pressed<const N: usize>(rows: &[[f64; N]]) -> ContactState {
+        let mut state = ContactState::apart(Grid::new(N, rows.len(), 0.1, 0.2).unwrap());
+        state.pressure.values_mut().copy_from_slice(&rows.concat());
+        state
+    }
+
+    /// Under the edge of a body or at the border of the grid, on whichever side.
+    #[test]
+    fn a_pressure_that_is_greatest_at_any_edge_is_found() {
+        let hill = [
+            [0.0; 5],
+            [0.0, 1.0, 2.0, 1.0, 0.0],
+            [0.0, 2.0, 3.0, 2.0, 0.0],
+            [0.0, 1.0, 2.0, 1.0, 0.0],
+            [0.0; 5],
+        ];
+        assert!(!pressed(&hill).has_a_pressed_edge());
+        let turned = |rows: [[f64; 5]; 5], back: bool, exchanged: bool| {
+            let at = |i: usize| if back { 4 - i } else { i };
+            let place = |row: usize, column: usize| {
+                if exchanged { rows[at(column)][row] } else { rows[row][at(column)] }
+            };
+            [0, 1, 2, 3, 4].map(|row| [0, 1, 2, 3, 4].map(|column| place(row, column)))
+        };
+        let edge = [
+            [0.0; 5],
+            [0.0, 2.0, 1.5, 1.0, 0.0],
+            [0.0, 3.0, 2.0, 1.0, 0.0],
+            [0.0, 2.0, 1.5, 1.0, 0.0],
+            [0.0; 5],
+        ];
+        let border = [
+            [1.0; 5],
+            [2.0, 1.5, 1.0, 1.0, 1.0],
+            [3.0, 2.0, 1.5, 1.0, 1.0],
+            [2.0, 1.5, 1.0, 1.0, 1.0],
+            [1.0; 5],
+        ];
+        for rows in [edge, border] {
+            for (back, exchanged) in [(false, false), (true, false), (false, true), (true, true)] {
+                let state = pressed(&turned(rows, back, exchanged));
+                assert!(state.has_a_pressed_edge(), "{back} {exchanged}: {rows:?}");
+            }
+        }
+        assert!(!pressed(&[[1.0; 5]; 5]).has_a_pressed_edge());
+    }
+
+    /// The vertex of the parabola through three cells; beside a separated cell there is none.
+    #[test]
+    fn the_peak_lies_between_cells_in_contact_alone() {
+        let peak = |row: [f64; 5]| pressed(&[row]).peak_pressure();
+        assert!((peak([0.0, 2.0, 3.0, 2.5, 0.0]) - (3.0 + 0.25 / 12.0)).abs() < 1e-15);
+        assert_eq!(peak([0.0, 3.0, 2.0, 1.0, 0.0]), 3.0);
+        assert_eq!(peak([3.0, 2.0, 1.0, 0.0, 0.0]), 3.0);
+        assert_eq!(peak([0.0, 2.0, 3.0, 2.0, 0.0]), 3.0);
+    }
+
+    /// One component may have a small error by chance, which is raised to a quarter of the other; a given one has none.
+    #[test]
+    fn the_smaller_error_of_two_components_is_at_least_a_quarter_of_the_greater() {
+        let (great, small, given) = ([1.0, 0.9, 0.8], [1.0, 0.999, 0.998], [1.0; 3]);
+        let errors = |components| both_of_first_order(components).map(|one| one.error);
+        for (components, expected) in [
+            ([great, small], [0.1, 0.025]),
+            ([small, great], [0.025, 0.1]),
+            ([great, given], [0.1, 0.0]),
+            ([given, great], [0.0, 0.1]),
+        ] {
+            let [x, y] = errors(components);
+            assert!((x - expected[0]).abs() < 1e-12 && (y - expected[1]).abs() < 1e-12, "{x} {y}");
+        }
+    }
+}

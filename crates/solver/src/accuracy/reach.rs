@@ -46,7 +46,14 @@ impl Accuracy {
 
 #[cfg(test)]
 mod tests {
+    use carom_halfspace::operator::OperatorError;
+    use carom_halfspace::{Grid, Material, MaterialPair};
+    use carom_laws::friction::Friction;
+    use carom_laws::law::Shift;
+
     use super::*;
+    use crate::accuracy::fit::{Reached, Run};
+    use crate::{ContactProblem, Drive, Frictionless, Outline, Shape, Window};
 
     /// At most 1000 x 1000 cells, for an error of 1e-3.
     fn refuses(cells: usize, next: usize, is_first: bool, all: f64, at_edges: f64) -> bool {
@@ -63,19 +70,46 @@ mod tests {
         // Errors of other steps may fall in second order.
         assert!(!refuses(200, 800, false, 6e-3, 1e-3));
         assert!(refuses(200, 1001, true, 6e-3, 0.0));
+        assert!(!refuses(200, 1000, true, 6e-3, 0.0));
     }
 
-    /// On 1000 cells an edge has a fifth of the error on 200.
+    /// Errors of a ball fall faster than in proportion to the width of a cell, those under a punch do not.
+    #[test]
+    fn errors_under_edges_are_those_of_bodies_with_edges() {
+        let errors = |shape: &Shape| {
+            let body = Material::from_shear(2.0, 0.0).unwrap();
+            let pair = MaterialPair::new(body, body).unwrap();
+            let make = |window: &Window| {
+                let gap = window.gap(|x, y| shape.height(x, y)).map_err(OperatorError::from)?;
+                ContactProblem::of_half_spaces(gap, pair, Friction::NONE)
+            };
+            let grid = Grid::new(48, 48, 0.03, 0.03).unwrap();
+            let window = Window::about([0.0; 2], grid).unwrap();
+            let mut run = Run::begin(Frictionless::default(), &make, window).unwrap();
+            let pressed = Drive::by_shift(Shift { zeta: 0.1, ..Shift::default() });
+            match run.follow(&[pressed]).unwrap() {
+                Reached::End(errors) => errors,
+                Reached::Border(_) | Reached::Nothing => panic!("no estimates"),
+            }
+        };
+        let ball = errors(&Shape::Paraboloid { radii: [1.0, 1.0] });
+        assert!(ball.all > 0.0 && ball.at_edges == 0.0, "{ball:?}");
+        let punch = errors(&Shape::Punch(Outline::Disc { radius: 0.5 }));
+        assert!(punch.all > 0.0 && punch.at_edges == punch.all, "{punch:?}");
+    }
+
+    /// On 1000 cells an edge has a fifth of the error on 200, and at most the error that is reached already.
     #[test]
     fn an_accuracy_within_reach_is_named() {
         let accuracy = Accuracy::new(1e-3).unwrap().at_most(1_000_000);
-        let possible = |all: f64, at_edges: f64| match accuracy
-            .unreached::<()>(200, Errors { all, at_edges })
+        let possible = |cells: usize, all: f64, at_edges: f64| match accuracy
+            .unreached::<()>(cells, Errors { all, at_edges })
         {
             FitError::Unreached { possible, .. } => possible,
             other => panic!("{other:?}"),
         };
-        assert!((possible(0.01, 0.01) - 0.004).abs() < 1e-15);
-        assert_eq!(possible(0.01, 0.001), 0.01);
+        assert!((possible(200, 0.01, 0.01) - 0.004).abs() < 1e-15);
+        assert_eq!(possible(200, 0.01, 0.001), 0.01);
+        assert_eq!(possible(800, 0.01, 0.01), 0.01);
     }
 }

@@ -135,3 +135,37 @@ impl FrictionLimits {
         if most > 0.0 { change / most } else { change }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use carom_halfspace::Grid;
+
+    use super::*;
+
+    /// Bounds of a smaller coefficient rise in proportion to the pressures until they hold a load and a twentieth
+    /// more, but never above friction.
+    #[test]
+    fn bounds_rise_in_proportion_to_the_pressures_up_to_friction() {
+        let grid = Grid::new(3, 1, 1.0, 1.0).unwrap();
+        let pressure = Field::new(grid, vec![1.0, 2.0, 4.0]).unwrap();
+        let mut limits = FrictionLimits::new(3);
+        limits.friction = vec![0.5, 0.5, 0.25];
+        limits.blunt(0.1);
+        limits.follow(&pressure, &[0.0; 3], 1.0);
+        let near = |values: &[f64], expected: [f64; 3]| {
+            let off = values.iter().zip(expected).map(|(value, expected)| (value - expected).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-15, "{values:?}");
+        };
+        near(&limits.values, [0.1, 0.2, 0.4]);
+        assert!(!limits.hold(pressure.values(), 0.9));
+        assert!(limits.hold(pressure.values(), 2.0));
+        near(&limits.values, [0.21, 0.42, 0.84]);
+        for _ in 0..2 {
+            assert!(limits.hold(pressure.values(), 100.0));
+            near(&limits.values, [0.5, 1.0, 1.0]);
+        }
+        // They stay there when the pressures are followed again.
+        limits.follow(&pressure, &[0.0; 3], 1.0);
+        near(&limits.values, [0.5, 1.0, 1.0]);
+    }
+}

@@ -304,6 +304,8 @@ mod tests {
         for pieces in 4..history.pieces() {
             let mut thinned = history.clone();
             let jump = thinned.thin(pieces);
+            let rise = |pair: &[Segment]| pair[0].demand <= pair[1].demand;
+            assert!(thinned.segments.windows(2).all(rise), "demands rise outwards");
             assert_eq!((thinned, jump), thinned_by_search(history.clone(), pieces), "{pieces}");
         }
     }

@@ -87,6 +87,8 @@ mod tests {
     #[test]
     fn the_damping_follows_the_violation() {
         let mut damping = Damping::default();
+        assert_eq!(next(&mut damping, 1e-3, 1e-3), Next::Onwards(1.0));
+        // To take it again would change nothing.
         assert_eq!(next(&mut damping, 1.0, 1.0), Next::Onwards(1.0));
         assert_eq!(next(&mut damping, 0.5, 0.5), Next::Onwards(0.5));
         assert_eq!(next(&mut damping, 0.01, 0.01), Next::Onwards(0.3 * 0.5));

@@ -5,7 +5,11 @@ use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 
+use super::cells::Cells;
+use super::origin::Origin;
+use super::system::System;
 use super::*;
+use crate::convergence::Products;
 use crate::drive::{Drive, Driven};
 use crate::friction::SurfaceFriction;
 use crate::frictional::Frictional;
@@ -137,6 +141,76 @@ fn friction_that_varies_from_cell_to_cell_counts() {
     let (found, reached) = together(&problem, &known, [false; 4]);
     assert_eq!(reached.stop, Stop::Converged, "{reached:?}");
     agree(&known, &found);
+}
+
+/// The task of a state, with its solver's values; `loads` of the tangential motions.
+fn seen<T>(
+    problem: &ContactProblem,
+    loads: [Option<f64>; 3],
+    look: impl FnOnce(&mut CoupledTask<'_>, &mut System, &mut Cells) -> T,
+) -> T {
+    let count = problem.grid().cells();
+    let friction = vec![1.5; count];
+    let mut state = stepped(problem, SHIFT);
+    let along = Field::from_function(problem.grid(), |_, y| -SHIFT.xi - y * SHIFT.omega);
+    let across = Field::from_function(problem.grid(), |x, _| -SHIFT.eta + x * SHIFT.omega);
+    let mut task = CoupledTask {
+        operator: problem.operator(),
+        heights: problem.gap().heights().values(),
+        friction: &friction,
+        offset: [along.values(), across.values()],
+        normal: Driven::Shift(SHIFT.zeta),
+        approach: SHIFT.zeta,
+        rigid: Rigid { loads, ..Rigid::default() },
+        pressure: state.pressure.values_mut(),
+        traction: [state.traction_x.values_mut(), state.traction_y.values_mut()],
+        cells: state.cells.values_mut(),
+    };
+    let (mut system, mut cells) = (System::new(task.operator), Cells::new(task.operator));
+    system.displace(&task, &mut Products::default()).unwrap();
+    cells.begin(&mut task);
+    look(&mut task, &mut system, &mut cells)
+}
+
+/// A step that is taken again begins with all values of the first time.
+#[test]
+fn a_step_that_is_taken_again_begins_where_it_began() {
+    let values = |task: &CoupledTask<'_>, system: &System, cells: &Cells| {
+        let traction = [0, 1].map(|axis| task.traction[axis].to_vec());
+        let of_task = (task.pressure.to_vec(), traction, task.cells.to_vec(), task.approach);
+        (of_task, task.rigid.moved, system.gap.clone(), system.slip.clone(), cells.rim.clone())
+    };
+    seen(&problem(|_, _| 1.5), [None; 3], |task, system, cells| {
+        let before = values(task, system, cells);
+        let mut origin = Origin::new(task.cells.len());
+        origin.keep(task, system, cells);
+        task.pressure.fill(7.0);
+        system.gap.fill(7.0);
+        for field in system.slip.iter_mut().chain(&mut cells.rim) {
+            field.fill(7.0);
+        }
+        task.traction.iter_mut().for_each(|field| field.fill(7.0));
+        task.cells.fill(CellState::Stick);
+        (task.approach, task.rigid.moved) = (7.0, [7.0; 3]);
+        origin.restore(task, system, cells);
+        assert_eq!(values(task, system, cells), before);
+    });
+}
+
+/// A load that the tractions miss is told, along both axes alike.
+#[test]
+fn a_missing_load_leaves_a_residual() {
+    let problem = problem(|_, _| 1.5);
+    let area = problem.grid().cell_area();
+    let load = stepped(&problem, SHIFT).load();
+    let left = |missing: [f64; 3]| {
+        let [x, y, turn] = [load.f_x, load.f_y, load.m_z].map(|load| load / area);
+        let loads = [x + missing[0], y + missing[1], turn + missing[2]].map(Some);
+        seen(&problem, loads, |task, system, cells| cells.residuals(task, system).tangential)
+    };
+    let [x, y, turn] = [left([0.1, 0.0, 0.0]), left([0.0, 0.1, 0.0]), left([0.0, 0.0, 0.1])];
+    assert!(left([0.0; 3]) < 1e-3 * turn, "{turn}");
+    assert!((x - y).abs() < 1e-9 * x, "{x} {y}");
 }
 
 #[test]
