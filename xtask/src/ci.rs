@@ -84,8 +84,8 @@ const WHERE_CHANGED: &[Changed] = &[
     ),
     (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
     (
-        &["crates/halfspace", "crates/laws", "crates/impact"],
-        "laws and impacts without threads",
+        &["crates/halfspace", "crates/laws", "crates/impact", "Cargo.toml"],
+        "half-space and impacts without threads, and without operators",
         || passed(without_threads()),
     ),
     (
@@ -217,14 +217,16 @@ fn lints() -> anyhow::Result<Outcome> {
     passed(cargo::run(&clippy))
 }
 
-/// Checks the crates that can do without rayon. Carom as a whole has it, so that no other step does.
+/// Checks the crates that can do without rayon or without operators. Carom as a whole has both, so that no other step
+/// does.
 fn without_threads() -> anyhow::Result<()> {
-    let crates = ["carom-halfspace", "carom-laws", "carom-impact"];
-    let packages = crates.iter().flat_map(|name| ["--package", *name]);
-    let mut lints = vec!["clippy", "--release", "--lib", "--no-default-features"];
-    lints.extend(packages);
-    lints.extend(["--", "-D", "warnings"]);
-    cargo::run(&lints)
+    let packages = ["--package", "carom-halfspace", "--package", "carom-impact"];
+    for features in ["", "carom-halfspace/operators"] {
+        let lints =
+            ["clippy", "--release", "--lib", "--no-default-features", "--features", features];
+        cargo::run(&[&lints[..], &packages, &["--", "-D", "warnings"]].concat())?;
+    }
+    Ok(())
 }
 
 fn documentation() -> anyhow::Result<Outcome> {

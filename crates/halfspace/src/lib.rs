@@ -29,6 +29,7 @@ mod grid;
 mod influence;
 mod interior;
 mod material;
+#[cfg(feature = "operators")]
 pub mod operator;
 mod point_load;
 mod rectangle;

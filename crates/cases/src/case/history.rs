@@ -45,7 +45,7 @@ const STEPS: Field = Field::new(
         least: 1,
         words: "a list of rows [zeta, xi, eta] or [zeta, xi, eta, omega]",
     }),
-    "shifts of body 2 against body 1 after each step, and the twist",
+    "shifts of body 2 against body 1 after each step, xi along the larger relative curvature and eta across it, and the twist",
 )
 .or("`file`")
 .such_as("[[1e-6, 0, 0], [1e-6, 2e-7, 0], [1e-6, 0, 0]]");

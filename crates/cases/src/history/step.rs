@@ -69,7 +69,12 @@ pub const COLUMNS: &[Column<Step>] = &[
     // States drawn between the steps have fractional numbers.
     Column::new("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
     Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
-    Column::new("xi", "m", "shift of body 2 against body 1 along x", |step| step.shift.xi.into()),
+    Column::new(
+        "xi",
+        "m",
+        "shift of body 2 against body 1 along x, the larger relative curvature",
+        |step| step.shift.xi.into(),
+    ),
     Column::new("eta", "m", "the same along y", |step| step.shift.eta.into()),
     Column::new("F_x", "N", "force on body 1 along x", |step| step.load.f_x.into()),
     Column::new("F_y", "N", "the same along y", |step| step.load.f_y.into()),

@@ -108,3 +108,24 @@ fn a_history_tells_of_the_coupling_that_it_leaves_out() {
     assert_eq!(told("0", "0.2"), expected);
     assert_eq!([told("0.3", "0.2"), told("0", "0")], ["", ""]);
 }
+
+/// Of an ellipse the longer semi-axis is compared with the bodies, wherever the load is given.
+#[test]
+fn a_long_ellipse_is_judged_by_its_length() {
+    const BODIES: &str = "\
+[body_1]
+radii = [0.01, 0.8]
+material = { young_modulus = 2e11, poisson = 0.3 }
+[body_2]
+radii = inf
+material = { young_modulus = 2e11, poisson = 0.3 }
+";
+    let step = "[contact]\nfriction = 0.3\n[history]\nsteps = [[2e-6, 0, 0]]\n";
+    let file = case("long-ellipse.toml", &format!("{BODIES}{step}"));
+    let row = json(&["history", &file])[0].clone();
+    let [a, b] = ["semi_axis_a", "semi_axis_b"].map(|name| row[name].as_f64().unwrap());
+    assert!(a < 0.1 * 0.01 && b > 0.1 * 0.01, "{a} {b}");
+    let expected = format!("a/R exceeds 0.1, beyond Hertz's theory: it is {:.3}", b / 0.01);
+    let told = String::from_utf8(carom(&["history", &file]).stderr).unwrap();
+    assert!(told.contains(&expected), "{told} {expected}");
+}

@@ -86,18 +86,61 @@ fn the_direction_turns_the_contact() {
     for (name, sign) in [("F_x", -1.0), ("F_y", -1.0), ("M_z", 1.0), ("stick_area", 1.0)] {
         close(&left[name], sign * number(&own, name), 1e-6 * number(&own, name).abs());
     }
-    // A quarter turn: the axes of the ellipse too.
-    let up = first(
-        "drives_up.toml",
-        &CASE.replace("[\"20 mm\", \"40 mm\"]", "[\"40 mm\", \"20 mm\"]").replace(
-            "DRIVE",
-            "direction = 90\ncreepage = 0.0005\ncreepage_across = 0.0008\nspin = 2",
-        ),
-    );
-    for (name, of) in [("F_y", number(&own, "F_x")), ("F_x", -number(&own, "F_y"))] {
-        close(&up[name], of, 1e-6 * of.abs());
+}
+
+/// Columns along x, those along y, and the sign of those along x after a quarter turn.
+const TURNED: [(&str, &str, f64); 4] = [
+    ("creepage", "creepage_across", -1.0),
+    ("F_x", "F_y", -1.0),
+    ("creepage_error", "creepage_across_error", 1.0),
+    ("F_x_error", "F_y_error", 1.0),
+];
+
+/// Turned by a quarter with its ellipse and creepages, a contact has the same columns, those along x and y exchanged.
+#[test]
+fn a_quarter_turn_exchanges_the_columns_along_x_and_y() {
+    let given = "creepage = 0.0004\ncreepage_across = -0.0007\nspin = 2";
+    let turned = "direction = 90\ncreepage = 0.0007\ncreepage_across = 0.0004\nspin = 2";
+    let found = "creepage = 0.0004\nF_y = -60\nspin = 2";
+    let turned_found = "direction = 90\nF_x = 60\ncreepage_across = 0.0004\nspin = 2";
+    for (name, drive, turned) in [("given", given, turned), ("found", found, turned_found)] {
+        let own = driven(&format!("drives_{name}.toml"), drive);
+        let case = CASE.replace("[\"20 mm\", \"40 mm\"]", "[\"40 mm\", \"20 mm\"]");
+        let up = first(&format!("drives_{name}_up.toml"), &case.replace("DRIVE", turned));
+        for (column, value) in own.as_object().unwrap() {
+            let Some(value) = value.as_f64() else {
+                assert_eq!(up[column], own[column], "{column}");
+                continue;
+            };
+            let place = TURNED.iter().find_map(|(x, y, sign)| match column.as_str() {
+                column if column == *x => Some((*y, 1.0)),
+                column if column == *y => Some((*x, *sign)),
+                _ => None,
+            });
+            let (at, sign) = place.unwrap_or((column, 1.0));
+            // What is given has an error of rounding alone; residuals are that as a whole.
+            let size = match at.split('_').next() {
+                Some("residual") => continue,
+                Some("F" | "M") if at.ends_with("error") => 1e-3 * number(&own, "F_z"),
+                _ => value.abs(),
+            };
+            let off = (number(&up, at) - sign * value).abs();
+            assert!(off <= 1e-9 * size, "{name}, {column}: {value}, {at}: {}", up[at]);
+        }
     }
-    close(&up["M_z"], number(&own, "M_z"), 1e-6 * number(&own, "M_z").abs());
+}
+
+/// FASTSIM's error is told of the whole force, not of one component.
+#[test]
+fn the_error_of_springs_is_that_of_both_components() {
+    let drive = "creepage = 0.0004\ncreepage_across = -0.0007\nspin = 2";
+    let file = case("drives_springs.toml", &CASE.replace("DRIVE", drive));
+    let row = json(&["roll", &file, "--fastsim"])[0].clone();
+    let off =
+        ["F_x", "F_y"].map(|name| number(&row, &format!("{name}_springs")) - number(&row, name));
+    let expected = off[0].hypot(off[1]) / (0.3 * number(&row, "F_z"));
+    assert!(off.iter().all(|off| off.abs() > 10.0), "{off:?}");
+    close(&row["springs_error"], expected, 1e-12);
 }
 
 const GAP: &str = r#"

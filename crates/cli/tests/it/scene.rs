@@ -1,6 +1,6 @@
 //! `carom scene` as a user meets it.
 
-use crate::common::{carom, example, fresh};
+use crate::common::{carom, case, example, fresh};
 
 fn report(case: &str, more: &[&str]) -> serde_json::Value {
     let output = carom(&[&["scene", case, "--format", "json"], more].concat());
@@ -119,5 +119,38 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         assert_eq!(output.status.code(), Some(2), "{old}: {stderr}");
         assert!(stderr.contains(expected), "{stderr}");
         assert!(output.stdout.is_empty() && !plot.exists());
+    }
+}
+
+/// A steel ball that first touches a wall gently and then falls on the floor: bounces are counted from 1.
+#[test]
+fn a_warning_names_the_bounce_that_it_concerns() {
+    const TEXT: &str = "\
+[ball]
+shape = \"sphere\"
+radius = \"5 mm\"
+density = 7850
+material = { young_modulus = \"208 GPa\", poisson = 0.3, yield_stress = \"300 MPa\" }
+velocity = [\"0.1 mm/s\", 0, 0]
+[[wall]]
+point = [\"5.00001 mm\", 0, 0]
+normal = [-1, 0, 0]
+material = { rigid = true }
+friction = 0.1
+[[wall]]
+point = [0, 0, 0]
+normal = [0, 0, 1]
+material = { rigid = true }
+friction = 0.1
+[scene]
+start = [0, 0, 2]
+gravity = [0, 0, -9.81]
+time = 1
+";
+    let output = carom(&["scene", &case("named-bounce.toml", TEXT)]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    let (yields, waves) = told.split_once("elastic waves").unwrap();
+    for one in [yields, waves] {
+        assert!(one.contains("(1 of 2 bounces concerned, the worst at bounce 2)"), "{told}");
     }
 }

@@ -337,6 +337,7 @@ mod tests {
             }
         }
     }
+
     /// Numbers are measured by the greatest of any sign.
     #[test]
     fn rough_products_of_reversed_tractions_are_reversed() {
