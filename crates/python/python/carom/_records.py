@@ -386,7 +386,7 @@ class HistoryStep(Record):
 
     step                     number of the step, from 1
     zeta                     approach, m
-    xi                       shift of body 2 against body 1 along x, m
+    xi                       shift of body 2 against body 1 along x, the larger relative curvature, m
     eta                      the same along y, m
     F_x                      force on body 1 along x, N
     F_y                      the same along y, N
@@ -426,7 +426,7 @@ class HistoryStep(Record):
     twist_stick_semi_axis_b: float
 
     units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'regime': '', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_semi_axis_a': 'm', 'stick_semi_axis_b': 'm', 'stored_energy': 'J', 'dissipated': 'J', 'omega': 'rad', 'M_z': 'N m', 'twist_regime': '', 'twist_stick_semi_axis_a': 'm', 'twist_stick_semi_axis_b': 'm'}
-    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x, the larger relative curvature', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
     _vectors = frozenset([])
     _axis = 'step'
 
