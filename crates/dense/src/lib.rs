@@ -2,7 +2,7 @@
 //!
 //! The library `faer` is generic, so that each crate that factorises a matrix compiles it anew, in half a minute. The
 //! functions here are not generic: only this crate compiles it. A system without a solution, in floating point, gives
-//! values that are not finite; callers check them.
+//! values that are not finite; callers check them. Sizes that do not fit together are faults of the caller and panic.
 //!
 //! ```
 //! use carom_dense::{Factors, Mat};
