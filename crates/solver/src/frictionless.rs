@@ -158,9 +158,10 @@ impl Method for Frictionless {
                 RangeError::check(name, load, load == 0.0, "0 without friction")?;
             }
         }
-        let convergence = parts::within(problem.operator().threads(), || {
-            self.pressures(problem, drive.normal, scratch, observer, to)
-        })?;
+        let convergence =
+            parts::within((problem.operator().threads(), problem.grid().cells()), || {
+                self.pressures(problem, drive.normal, scratch, observer, to)
+            })?;
         let zeta = to.shift.zeta;
         to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
         Ok(convergence)

@@ -31,6 +31,7 @@
 #![forbid(unsafe_code)]
 
 mod accuracy;
+mod awake;
 mod convergence;
 mod drive;
 mod friction;

@@ -2,10 +2,13 @@
 //!
 //! The cell centres of two grids do not coincide, so that all transfers interpolate.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+use carom_halfspace::operator::{OperatorError, SurfaceOperator, Threads};
+
+use crate::parts;
 
 /// Grids with fewer cells along a side than this are not made coarser.
 const COARSEST: usize = 32;
@@ -62,7 +65,7 @@ fn mix(low: f64, high: f64, part: f64) -> f64 {
 }
 
 /// Values on cells twice as wide: the mean of four points in each.
-pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
+pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid, threads: Threads) -> Vec<f64> {
     let values = Bilinear { grid: fine, values };
     let (dx, dy) = (0.5 * fine.dx(), 0.5 * fine.dy());
     let columns = [-dx, dx].map(|off| {
@@ -71,13 +74,17 @@ pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
     let rows = [-dy, dy].map(|off| {
         places((0..coarse.ny()).map(|j| coarse.centred_y(j) + off), fine.dy(), fine.ny())
     });
-    let mut means = Vec::with_capacity(coarse.cells());
-    for (&low, &high) in rows[0].iter().zip(&rows[1]) {
-        for (&left, &right) in columns[0].iter().zip(&columns[1]) {
+    let mut means = vec![0.0; coarse.cells()];
+    let all = (0..means.len(), &mut means[..]);
+    parts::each(threads, all, &|(cells, means): (Range<usize>, &mut [f64])| {
+        for (cell, mean) in cells.zip(means) {
+            let (column, row) = (cell % coarse.nx(), cell / coarse.nx());
+            let [left, right] = columns.each_ref().map(|places| places[column]);
+            let [low, high] = rows.each_ref().map(|places| places[row]);
             let corners = [(left, low), (right, low), (left, high), (right, high)];
-            means.push(0.25 * corners.iter().map(|(x, y)| values.at(*x, *y)).sum::<f64>());
+            *mean = 0.25 * corners.iter().map(|(x, y)| values.at(*x, *y)).sum::<f64>();
         }
-    }
+    });
     means
 }
 
@@ -199,7 +206,7 @@ mod tests {
             let plane = |(x, y): (f64, f64)| 1.0 + 2.0 * x - 3.0 * y;
             let heights: Vec<f64> = fine.centres().map(plane).collect();
             let coarse = coarse_of(fine);
-            let got = coarser(fine, &heights, coarse);
+            let got = coarser(fine, &heights, coarse, Threads::One);
             // Inside; at the border of odd grids the last cells reach beyond.
             for ((x, y), got) in coarse.centres().zip(got) {
                 if x.abs() < 1.2 && y.abs() < 0.6 {

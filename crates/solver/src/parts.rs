@@ -4,7 +4,11 @@
 //! alone, and the results of two halves are joined in their order, so that sums do not depend on
 //! the number of threads.
 
+use std::ops::Range;
+
 use carom_halfspace::operator::Threads;
+
+use crate::awake::while_awake;
 
 /// A part of at most this many cells is not halved.
 const CELLS: usize = 8192;
@@ -15,6 +19,18 @@ pub(crate) trait Parts: Sized + Send {
 
     /// The cells before `at`, and the others.
     fn split(self, at: usize) -> (Self, Self);
+}
+
+/// The numbers of cells.
+impl Parts for Range<usize> {
+    fn cells(&self) -> usize {
+        self.len()
+    }
+
+    fn split(self, at: usize) -> (Self, Self) {
+        let middle = self.start + at;
+        (self.start..middle, middle..self.end)
+    }
 }
 
 impl<T: Sync> Parts for &[T] {
@@ -105,11 +121,15 @@ pub(crate) fn fold<P: Parts, R: Send>(
     join(before, after)
 }
 
-/// Does all of a solution within the pool, so that no worker needs to be woken for each of its parts.
-pub(crate) fn within<R: Send>(threads: Threads, work: impl FnOnce() -> R + Send) -> R {
+/// Does all of a solution on so many cells within the pool, whose workers stay awake, so that none needs to be woken
+/// for each part.
+pub(crate) fn within<R: Send>(
+    (threads, cells): (Threads, usize),
+    work: impl FnOnce() -> R + Send,
+) -> R {
     match threads {
         Threads::One => work(),
-        Threads::Pool => rayon::join(work, || ()).0,
+        Threads::Pool => rayon::join(|| while_awake(cells / CELLS, work), || ()).0,
     }
 }
 

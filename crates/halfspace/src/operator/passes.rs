@@ -41,7 +41,7 @@ impl<T: Real> Plan<T> {
         outputs: &mut [&mut [f64]],
         space: &mut Space<T>,
     ) {
-        let (used, unit) = (self.used_rows(inputs), T::unit(inputs));
+        let (used, unit) = (self.used_rows(inputs), T::unit(inputs, self.threads));
         self.rows_forward((inputs, unit), &used, space);
         self.columns_pass((inputs.len(), &used), terms.blocks, outputs.len(), space);
         self.rows_inverse((outputs, unit * terms.unit), space);

@@ -33,6 +33,15 @@ mod several {
         values.par_chunks_mut(length).enumerate().for_each(work);
     }
 
+    /// The greatest `work(share)` of the shares of this length, at least zero.
+    pub(crate) fn greatest(
+        values: &[f64],
+        share: usize,
+        work: impl Fn(&[f64]) -> f64 + Sync + Send,
+    ) -> f64 {
+        values.par_chunks(share).map(work).reduce(|| 0.0, f64::max)
+    }
+
     /// Runs `work(index, item)` for all items.
     pub(crate) fn each<T: Send>(items: Vec<T>, work: impl Fn((usize, T)) + Sync + Send) {
         items.into_par_iter().enumerate().for_each(work);
@@ -64,9 +73,13 @@ mod several {
         values.chunks_mut(length).enumerate().for_each(work);
     }
 
+    pub(crate) fn greatest(values: &[f64], share: usize, work: impl Fn(&[f64]) -> f64) -> f64 {
+        values.chunks(share).map(work).fold(0.0, f64::max)
+    }
+
     pub(crate) fn each<T>(items: Vec<T>, work: impl Fn((usize, T))) {
         items.into_iter().enumerate().for_each(work);
     }
 }
 
-pub(crate) use several::{count, each, each_lane, each_row, within};
+pub(crate) use several::{count, each, each_lane, each_row, greatest, within};

@@ -5,6 +5,8 @@ use crate::Grid;
 
 /// From this number of cells on a solve is faster on two threads. Below, it takes longer to divide the work.
 const CELLS_TO_SHARE: usize = 144 * 144;
+/// The same of the coarse grids of a solve, during which the workers are awake.
+const COARSE_CELLS_TO_SHARE: usize = 72 * 72;
 
 /// The threads used for tables and products. The result is bit for bit the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -28,7 +30,8 @@ impl Threads {
     pub(crate) const fn on_smaller(self, grid: Grid) -> Self {
         match self {
             Self::One => Self::One,
-            Self::Pool => Self::for_grid(grid),
+            Self::Pool if grid.nx() * grid.ny() < COARSE_CELLS_TO_SHARE => Self::One,
+            Self::Pool => Self::Pool,
         }
     }
 

@@ -43,7 +43,7 @@ impl Method for Frictional {
         }
         problem.check_approach(drive.normal)?;
         let observer = &mut Lasting::new(observer);
-        parts::within(problem.operator().threads(), || {
+        parts::within((problem.operator().threads(), problem.grid().cells()), || {
             match self.step_in_a_box(problem, from, drive, to, scratch, observer)? {
                 InBox::Solved(convergence) => Ok(convergence),
                 InBox::NotWorthIt | InBox::Escaped => {

@@ -11,6 +11,7 @@ pub use outline::Outline;
 pub use rough::SelfAffine;
 pub use shapes::Shape;
 
+use carom_halfspace::operator::Threads;
 use carom_halfspace::{Field, Grid};
 use carom_laws::curvature::RelativeCurvature;
 use carom_special::RangeError;
@@ -70,7 +71,8 @@ impl Gap {
     /// As [`Gap::new`]; also if a cell width overflows.
     pub fn coarser(&self) -> Result<Self, RangeError> {
         let grid = self.grid().coarser()?;
-        Self::new(Field::new(grid, coarser(self.grid(), self.heights.values(), grid))?)
+        let heights = coarser(self.grid(), self.heights.values(), grid, Threads::One);
+        Self::new(Field::new(grid, heights)?)
     }
 
     /// The same surfaces on a grid to which doubling the width of the cells leads, once or more.

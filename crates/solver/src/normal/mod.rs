@@ -65,7 +65,8 @@ impl NormalGrids {
         if heights.iter().all(|height| !height.is_infinite()) {
             for operator in coarser()? {
                 let above = &levels[levels.len() - 1];
-                let heights = nested::coarser(above.grid, &above.heights, operator.grid());
+                let threads = operator.threads();
+                let heights = nested::coarser(above.grid, &above.heights, operator.grid(), threads);
                 let level = Level::new(&*operator, heights);
                 levels.push(Level { operator: Some(operator), ..level });
             }

@@ -192,7 +192,12 @@ impl ActiveSet {
 
     /// Whether `direction` is infinite or NaN: no correction gives the prescribed loads.
     pub(super) fn runs_away(&self) -> bool {
-        !self.direction.iter().flatten().all(|value| value.is_finite())
+        let all_finite = |parts: [&[f64]; 2]| {
+            // Without branches, in vector registers.
+            let values = parts.into_iter().flatten();
+            values.fold(true, |finite, value| finite & value.is_finite())
+        };
+        !fold(self.threads, slices(&self.direction), &all_finite, &|one, other| one && other)
     }
 
     /// Subtracts `length` times `direction` from the tractions. Returns the violation of the law.

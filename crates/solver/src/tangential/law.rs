@@ -74,10 +74,10 @@ impl ViolationSums {
     }
 }
 
-/// Whether tractions have left their discs and will not return.
-pub(super) fn is_lost(task: &TangentialTask<'_>, violation: f64) -> bool {
-    let size: f64 = task.limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
-    size > 0.0 && violation > 10.0 * size.sqrt()
+/// The greatest violation from which tractions return to their discs.
+pub(super) fn most_violation(limits: &[f64]) -> f64 {
+    let size: f64 = limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
+    if size > 0.0 { 10.0 * size.sqrt() } else { f64::INFINITY }
 }
 
 /// The nearest point of a disc.

@@ -18,15 +18,17 @@ mod sets;
 mod solve;
 mod task;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use carom_halfspace::Grid;
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, SurfaceOperator, TractionField, Workspace,
+    DisplacementField, OperatorError, SurfaceOperator, Threads, TractionField, Workspace,
 };
 
 use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::nested;
+use crate::parts;
 use crate::state::CellState;
 use active_set::ActiveSet;
 use law::REACHED;
@@ -66,10 +68,29 @@ fn add_displacement(
     Ok(())
 }
 
+/// Projects tractions onto their discs. Returns whether they were within them, to round-off, and whether some are left.
+fn project(threads: Threads, limits: &[f64], traction: [&mut [f64]; 2]) -> (bool, bool) {
+    let work = |(limits, [x, y]): (&[f64], [&mut [f64]; 2])| {
+        let (mut is_kept, mut is_loaded) = (true, false);
+        for ((x, y), limit) in x.iter_mut().zip(y).zip(limits) {
+            is_kept &= (*x * *x + *y * *y).sqrt() * REACHED <= *limit;
+            [*x, *y] = project_to_disc([*x, *y], *limit);
+            is_loaded |= *x != 0.0 || *y != 0.0;
+        }
+        (is_kept, is_loaded)
+    };
+    parts::fold(threads, (limits, traction), &work, &|one, other| {
+        (one.0 && other.0, one.1 || other.1)
+    })
+}
+
 /// Whether nothing else is to be tried.
 const fn has_ended(reached: &Convergence) -> bool {
     matches!(reached.stop, Stop::Converged | Stop::Observer)
 }
+
+/// Numbers of cells, their bounds, tractions and states.
+type OnCells<'a> = (Range<usize>, &'a [f64], [&'a mut [f64]; 2], &'a mut [CellState]);
 
 /// The coarser grids of the problem, finest first, and the working memory of all grids.
 #[derive(Clone)]
@@ -124,11 +145,18 @@ impl Level {
     }
 
     /// Takes the problem of a finer grid, with its tractions and slip at the beginning of the step.
-    fn take(&mut self, fine: Grid, limits: &[f64], [begun, slip]: [[&[f64]; 2]; 2], rigid: &Rigid) {
+    fn take(
+        &mut self,
+        (fine, threads): (Grid, Threads),
+        limits: &[f64],
+        [begun, slip]: [[&[f64]; 2]; 2],
+        rigid: &Rigid,
+    ) {
         self.rigid = rigid.on_cells(self.grid.cell_area() / fine.cell_area());
-        self.limits = nested::coarser(fine, limits, self.grid);
-        self.begun = begun.map(|values| nested::coarser(fine, values, self.grid));
-        self.slip = slip.map(|values| nested::coarser(fine, values, self.grid));
+        let coarser = |values: &[f64]| nested::coarser(fine, values, self.grid, threads);
+        self.begun = begun.map(coarser);
+        self.slip = slip.map(coarser);
+        self.limits = nested::coarser(fine, limits, self.grid, threads);
         for (cell, limit) in self.cells.iter_mut().zip(&self.limits) {
             *cell = if *limit > 0.0 { CellState::Stick } else { CellState::Exterior };
         }
@@ -170,7 +198,7 @@ impl Level {
     /// fine cell slips, with its full traction, if half of the coarse cells around it slip.
     fn pass_on(
         &self,
-        fine: Grid,
+        (fine, threads): (Grid, Threads),
         limits: &[f64],
         traction: [&mut [f64]; 2],
         cells: &mut [CellState],
@@ -189,20 +217,25 @@ impl Level {
         let slipping = spread(&|i| f64::from(u8::from(self.cells[i] == CellState::Slip)));
         let (along, across) = (ratio(0), ratio(1));
         let passage = nested::Passage::new(self.grid, fine);
-        let [x, y] = traction;
-        for (i, limit) in limits.iter().enumerate() {
-            if *limit <= 0.0 {
-                (x[i], y[i], cells[i]) = (0.0, 0.0, CellState::Exterior);
-                continue;
+        let one = |i: usize, limit: f64, [x, y]: [f64; 2]| {
+            if limit <= 0.0 {
+                return ([0.0, 0.0], CellState::Exterior);
             }
-            let along = x[i] / unit(*limit) + passage.at(&along, i);
-            let across = y[i] / unit(*limit) + passage.at(&across, i);
+            let along = x / unit(limit) + passage.at(&along, i);
+            let across = y / unit(limit) + passage.at(&across, i);
             let norm = along.hypot(across);
             let slips = norm > 0.0 && passage.at(&slipping, i) >= 0.5;
-            let part = if slips || norm > 1.0 { unit(*limit) / norm } else { unit(*limit) };
-            (x[i], y[i]) = (part * along, part * across);
-            cells[i] = if slips { CellState::Slip } else { CellState::Stick };
-        }
+            let part = if slips || norm > 1.0 { unit(limit) / norm } else { unit(limit) };
+            let cell = if slips { CellState::Slip } else { CellState::Stick };
+            ([part * along, part * across], cell)
+        };
+        parts::each(threads, (0..limits.len(), limits, traction, cells), &|all: OnCells<'_>| {
+            let (numbers, limits, [x, y], cells) = all;
+            let tractions = x.iter_mut().zip(y).zip(cells);
+            for ((i, limit), ((x, y), cell)) in numbers.zip(limits).zip(tractions) {
+                ([*x, *y], *cell) = one(i, *limit, [*x, *y]);
+            }
+        });
     }
 }
 
@@ -304,7 +337,7 @@ impl TangentialScratch {
         }
         let is_loaded = self.begin_coarse(task, moved, &mut spent)?;
         let iterations = if is_loaded { iterations.min(COARSE_ITERATIONS) } else { iterations };
-        let fine = task.operator.grid();
+        let (fine, threads) = (task.operator.grid(), task.operator.threads());
         let coarsest = self.coarse.len();
         for i in (0..coarsest).rev() {
             let change = if i + 1 == coarsest { 0.1 * COARSE_CHANGE } else { COARSE_CHANGE };
@@ -320,12 +353,13 @@ impl TangentialScratch {
                 None => {
                     task.rigid.moved = coarser[0].rigid.moved;
                     let [x, y] = &mut task.traction;
-                    coarser[0].pass_on(fine, task.limits, [x, y], task.cells);
+                    coarser[0].pass_on((fine, threads), task.limits, [x, y], task.cells);
                 }
                 Some(level) => {
                     level.rigid.moved = coarser[0].rigid.moved;
                     let [x, y] = &mut level.traction;
-                    coarser[0].pass_on(level.grid, &level.limits, [x, y], &mut level.cells);
+                    let (own, limits) = ((level.grid, threads), &level.limits);
+                    coarser[0].pass_on(own, limits, [x, y], &mut level.cells);
                 }
             }
         }
@@ -340,21 +374,18 @@ impl TangentialScratch {
         spent: &mut Products,
     ) -> Result<bool, OperatorError> {
         let Self { coarse, slip, image, workspace, .. } = self;
-        let fine = task.operator.grid();
+        let (fine, threads) = (task.operator.grid(), task.operator.threads());
         let [x, y] = &mut task.traction;
-        let mut is_kept = true;
-        for ((x, y), limit) in x.iter_mut().zip(y.iter_mut()).zip(task.limits) {
-            is_kept &= (*x * *x + *y * *y).sqrt() * REACHED <= *limit;
-            [*x, *y] = project_to_disc([*x, *y], *limit);
-        }
-        let is_loaded = x.iter().chain(y.iter()).any(|t| *t != 0.0);
+        let (is_kept, is_loaded) = project(threads, task.limits, [x, y]);
         match moved.filter(|_| is_kept && is_loaded) {
             Some([dx, dy, turn]) => {
                 let [u, v] = &mut *slip;
                 u.clear();
                 v.clear();
-                u.extend(fine.centres().map(|(_, y)| -(dx + y * turn))); // (12.2)
-                v.extend(fine.centres().map(|(x, _)| -(dy - x * turn)));
+                for row in 0..fine.ny() {
+                    u.resize(u.len() + fine.nx(), -(dx + fine.centred_y(row) * turn)); // (12.2)
+                    v.extend((0..fine.nx()).map(|column| -(dy - fine.centred_x(column) * turn)));
+                }
             }
             None => {
                 for (slip, offset) in slip.iter_mut().zip(task.offset) {
@@ -371,10 +402,13 @@ impl TangentialScratch {
             coarse[i].pressure = task.pressure;
             let (above, below) = coarse.split_at_mut(i);
             match above.last() {
-                None => below[0].take(fine, task.limits, [[x, y], slices(slip)], &task.rigid),
+                None => {
+                    let started = [[&**x, &**y], slices(slip)];
+                    below[0].take((fine, threads), task.limits, started, &task.rigid);
+                }
                 Some(level) => {
                     let started = [slices(&level.begun), slices(&level.slip)];
-                    below[0].take(level.grid, &level.limits, started, &level.rigid);
+                    below[0].take((level.grid, threads), &level.limits, started, &level.rigid);
                 }
             }
             if is_loaded {

@@ -7,7 +7,7 @@ use carom_halfspace::operator::OperatorError;
 use super::active_set::ActiveSet;
 use super::descent::Descent;
 use super::iteration_state::IterationState;
-use super::law::{force_scale, is_lost};
+use super::law::{force_scale, most_violation};
 use super::newton::MOST_PHASES;
 use super::task::{Limits, TangentialTask};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
@@ -103,12 +103,13 @@ impl ActiveSet {
     ) -> Result<Convergence, OperatorError> {
         let mut state = IterationState::default();
         let (scale, touching) = (force_scale(task), task.limits.len());
+        let most_violation = most_violation(task.limits);
         self.begin(task, &mut state)?;
         let mut iteration = 0;
         let mut off = self.check_law(task);
         loop {
             iteration += 1;
-            if state.slow_changes >= 4 || is_lost(task, off.violation) {
+            if state.slow_changes >= 4 || off.violation > most_violation {
                 Descent::new(task.operator).run(self, task, &mut state.products)?;
                 state = IterationState {
                     products: state.products,
