@@ -340,3 +340,30 @@ fn kink(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
     }
     Some(bisect([from, to], 50, |part| (f(part) > 0.0) != beyond)[1])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::{FixedCurve, Tolerance};
+
+    /// Steps in adhesion that find no room for their piece merge two others: their work is not all stored.
+    #[test]
+    fn merges_for_lack_of_room_count_as_loss() {
+        let mut memory = CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], 4>>::new(Tolerance::FINE);
+        let (mut shift, mut merged) = ([0.0; 2], 0);
+        for step in 1..60 {
+            let angle = 2.3 * f64::from(step);
+            let zeta = 0.1 * f64::from(step);
+            shift = shift.plus([angle.cos(), angle.sin()].times(0.08));
+            let (lost, work) = (memory.lost(zeta, shift, [1.0; 2]), memory.work(zeta, shift));
+            let (stored, merges) = (memory.stored_energy(), memory.stack.merges());
+            memory.step(zeta, shift);
+            assert_eq!(memory.regime, Regime::Adhesion);
+            let expected = work - memory.stored_energy().minus(stored).dot([1.0; 2]);
+            let off = (lost - expected).abs();
+            assert!(off <= 1e-3 * expected.abs() + 1e-12 * work.abs(), "{step}: {lost} {expected}");
+            merged += usize::from(memory.stack.merges() > merges && expected.abs() > 1e-9 * work);
+        }
+        assert!(merged > 10, "{merged}");
+    }
+}

@@ -11,12 +11,14 @@ use crate::convergence::{Convergence, Residuals, Stop};
 use crate::normal::Target;
 use crate::problem::PeriodError;
 use crate::state::ContactState;
-use crate::tangential::TangentialTask;
+use crate::tangential::{TangentialTask, half_diagonal};
 
 /// The alternation has stalled if the least change has not been halved within this many passes.
 const PASSES_WITHOUT_PROGRESS: usize = 40;
 /// Newton's method on both problems together is tried after this many passes.
 const PASSES_BEFORE_NEWTON: usize = 35;
+/// A shift is small if it is at most this share of the approach, times the greatest limit over the greatest pressure.
+const SMALL_SHIFT: f64 = 0.05;
 /// Passes are accelerated by Anderson mixing once the change exceeds this fraction of the previous
 /// one.
 const SLOW_CONVERGENCE_RATE: f64 = 0.25;
@@ -140,7 +142,9 @@ impl Pass<'_> {
         };
         let iterations = self.method.iterations;
         let fresh = task.traction.iter().all(|values| values.iter().all(|t| *t == 0.0));
-        if first && (fresh || operator.is_reciprocal()) {
+        let starts =
+            fresh || (operator.is_reciprocal() && !self.shifts_little(to.shift.zeta, &task));
+        if first && starts {
             let moved = (!operator.is_coupled()).then(|| self.moved());
             let started = scratch.tangential.start(&mut task, moved, (tolerance, iterations))?;
             self.cost = self.cost.plus(started);
@@ -149,6 +153,22 @@ impl Pass<'_> {
         self.rigid = task.rigid;
         self.count(reached);
         converged("tractions", tolerance, reached)
+    }
+
+    /// Whether all shifts are prescribed and change so little that the last tractions are as good a start as the
+    /// solution on coarser grids.
+    fn shifts_little(&self, approach: f64, task: &TangentialTask<'_>) -> bool {
+        let grid = self.problem.grid();
+        let limit =
+            task.limits.iter().copied().filter(|limit| limit.is_finite()).fold(0.0, f64::max);
+        let little = SMALL_SHIFT * limit / task.pressure * approach.abs();
+        let [x, y, turn] = self.moved();
+        let moved = x.hypot(y) + half_diagonal(grid) * turn.abs();
+        let loaded = self.rigid.loads.iter().any(Option::is_some);
+        !task.operator.is_coupled()
+            && !loaded
+            && moved <= little
+            && self.drive.is_small_step(self.from)
     }
 
     /// An error if a shift is prescribed where the whole period sticks at any traction.

@@ -2,8 +2,11 @@
 
 use crate::convergence::Products;
 
-/// The sets change when their violation exceeds this fraction of the last step.
-const EAGERNESS: f64 = 0.3;
+/// The sets change when their violation exceeds this fraction of the last step. It is small, since few cells at a border
+/// violate the law, while all cells take part in a step.
+const EAGERNESS: f64 = 0.03;
+/// The same between coupled bodies: at great friction their alternation is sensitive to it, and takes longer with less.
+const COUPLED_EAGERNESS: f64 = 0.3;
 /// The same after slow changes of the sets.
 const SLOW_EAGERNESS: f64 = 3.0;
 /// Changes of the sets are slow if the violation falls by less than this factor between two of
@@ -62,8 +65,12 @@ impl IterationState {
     }
 
     /// Whether the sets are to change before the next step.
-    pub(super) fn asks_for_change(&self, violation: f64) -> bool {
-        let eagerness = if self.careful(violation) { SLOW_EAGERNESS } else { EAGERNESS };
+    pub(super) fn asks_for_change(&self, violation: f64, coupled: bool) -> bool {
+        let eagerness = match coupled {
+            _ if self.careful(violation) => SLOW_EAGERNESS,
+            true => COUPLED_EAGERNESS,
+            false => EAGERNESS,
+        };
         self.held == 0 && violation > eagerness * self.step
     }
 }

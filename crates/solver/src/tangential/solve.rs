@@ -103,7 +103,7 @@ impl ActiveSet {
     ) -> Result<Convergence, OperatorError> {
         let mut state = IterationState::default();
         let (scale, touching) = (force_scale(task), task.limits.len());
-        let most_violation = most_violation(task.limits);
+        let (most_violation, coupled) = (most_violation(task.limits), task.operator.is_coupled());
         self.begin(task, &mut state)?;
         let mut iteration = 0;
         let mut off = self.check_law(task);
@@ -118,7 +118,7 @@ impl ActiveSet {
                 };
                 off = self.check_law(task);
                 off = self.change_sets(task, off.violation, &mut state)?;
-            } else if iteration == 1 || state.asks_for_change(off.violation) {
+            } else if iteration == 1 || state.asks_for_change(off.violation, coupled) {
                 off = self.change_sets(task, off.violation, &mut state)?;
             } else {
                 state.held = state.held.saturating_sub(1);

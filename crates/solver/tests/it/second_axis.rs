@@ -105,3 +105,53 @@ fn bars_of_exchanged_axes_are_the_same() {
         }
     }
 }
+
+/// Shifted and turned states on three grids, in units of length, stress and displacement.
+fn in_units([length, stress, moved]: [f64; 3]) -> Estimates {
+    let states = [(24, 0.0), (12, 0.003), (6, 0.012)].map(|(cells, more)| {
+        let width = length * 2.4 / cells as f64;
+        let grid = Grid::new(cells, cells, width, width).unwrap();
+        let field = |value: &dyn Fn(f64, f64, f64) -> f64| {
+            Field::from_function(grid, |x, y| {
+                let (x, y) = (x / length, y / length);
+                stress * value(x, y, (1.0 + more - x * x - 0.3 * y * y).max(0.0))
+            })
+        };
+        let mut state = ContactState::apart(grid);
+        state.pressure = field(&|_, _, p| p);
+        state.traction_x = field(&|x, y, p| p * (0.2 + more + 0.1 * y - 0.05 * x * x));
+        state.traction_y = field(&|x, y, p| p * (0.1 - more - 0.15 * x + 0.02 * y));
+        state.shift = Shift {
+            zeta: moved * (1.0 + more),
+            xi: moved * (0.3 - 0.5 * more),
+            eta: moved * (0.2 + 0.3 * more),
+            omega: moved / length * (0.4 + 2.0 * more),
+        };
+        state
+    });
+    Estimates::of(states.each_ref(), MeshOrder::Second)
+}
+
+#[test]
+fn errors_have_the_units_of_their_values() {
+    let [length, stress, moved] = [3.0, 7.0, 0.01];
+    let (one, other) = (in_units([1.0; 3]), in_units([length, stress, moved]));
+    let (force, area) = (stress * length * length, length * length);
+    for (name, one, other, unit) in [
+        ("F_x", one.f_x, other.f_x, force),
+        ("F_y", one.f_y, other.f_y, force),
+        ("F_z", one.f_z, other.f_z, force),
+        ("M_z", one.m_z, other.m_z, force * length),
+        ("zeta", one.zeta, other.zeta, moved),
+        ("xi", one.xi, other.xi, moved),
+        ("eta", one.eta, other.eta, moved),
+        ("omega", one.omega, other.omega, moved / length),
+        ("peak", one.peak, other.peak, stress),
+        ("contact area", one.contact_area, other.contact_area, area),
+    ] {
+        assert!(one.error > 0.0, "{name}");
+        for (one, other) in [(one.value, other.value), (one.error, other.error)] {
+            assert!((other / unit - one).abs() <= 1e-9 * one.abs(), "{name}: {one} {other}");
+        }
+    }
+}
