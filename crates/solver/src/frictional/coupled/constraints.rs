@@ -40,13 +40,7 @@ impl Constraints {
         if all.len() > MOST {
             return None;
         }
-        let entry = |row: usize, column: usize| {
-            let (to, from): (&Constraint, &Constraint) = (&all[row], &all[column]);
-            let own = if row == column { to.own } else { 0.0 };
-            own + to.traction.dot(&(torus.answer(to.cell, from.cell) * from.displacement))
-        };
-        let system =
-            (!all.is_empty()).then(|| Factors::new(&Mat::from_fn(all.len(), all.len(), entry)));
+        let system = (!all.is_empty()).then(|| Factors::new(&matrix(&all, torus)));
         Some(Self { all, system })
     }
 
@@ -69,6 +63,22 @@ impl Constraints {
             }
         }
     }
+}
+
+/// By how much each constraint, in rows, is met by the displacement of each, in columns.
+fn matrix(all: &[Constraint], torus: &Torus) -> Mat<f64> {
+    let places: Vec<_> = all.iter().map(|constraint| torus.place(constraint.cell)).collect();
+    // The constraints of a cell follow each other: they share the tractions on it.
+    let (mut last, mut tractions) = ([usize::MAX; 2], Vector3::zeros());
+    Mat::from_fn(all.len(), all.len(), |row, column| {
+        let (to, from) = (&all[row], &all[column]);
+        if last != [to.cell, column] {
+            last = [to.cell, column];
+            tractions = torus.answer(places[row], places[column]) * from.displacement;
+        }
+        let own = if row == column { to.own } else { 0.0 };
+        own + to.traction.dot(&tractions)
+    })
 }
 
 /// The constraints of a slipping cell: on its ray, around it, and along it if that is damped.

@@ -107,12 +107,19 @@ impl Torus {
         }
     }
 
-    /// The tractions on cell `at` due to a unit displacement of cell `of` alone.
-    pub(super) fn answer(&self, at: usize, of: usize) -> &Matrix3<f64> {
-        let [nx, ny] = [self.grid.nx(), self.grid.ny()];
-        let column = (at % nx + nx - of % nx) % nx;
-        let row = (at / nx + ny - of / nx) % ny;
-        &self.answers[row * nx + column]
+    /// Column and row of a cell.
+    pub(super) const fn place(&self, cell: usize) -> [usize; 2] {
+        [cell % self.grid.nx(), cell / self.grid.nx()]
+    }
+
+    /// The tractions on the cell at one place due to a unit displacement of the cell at another alone.
+    pub(super) fn answer(&self, at: [usize; 2], of: [usize; 2]) -> &Matrix3<f64> {
+        let counts = [self.grid.nx(), self.grid.ny()];
+        let [column, row] = [0, 1].map(|axis| {
+            let ahead = if at[axis] < of[axis] { counts[axis] } else { 0 };
+            at[axis] + ahead - of[axis]
+        });
+        &self.answers[self.grid.index(column, row)]
     }
 
     /// The tractions that cause these displacements on the torus.
@@ -312,9 +319,11 @@ mod tests {
             displacement[axis][of] = 1.0;
             torus.invert(&displacement, &mut traction);
             for at in 0..zero.len() {
+                let [own, place] = [of, at].map(|cell| torus.place(cell));
                 for (k, values) in traction.iter().enumerate() {
-                    let expected = torus.answer(at, of)[(k, axis)];
-                    assert!((values[at] - expected).abs() < 1e-12 * torus.answer(of, of)[(k, k)]);
+                    let expected = torus.answer(place, own)[(k, axis)];
+                    let scale = torus.answer(own, own)[(k, k)];
+                    assert!((values[at] - expected).abs() < 1e-12 * scale);
                 }
             }
         }
