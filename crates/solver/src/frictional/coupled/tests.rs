@@ -224,3 +224,32 @@ fn loads_lead_to_the_shifts_that_make_them() {
         agree(&known, &found);
     }
 }
+
+/// Pressures below zero and tractions outside their cones, as the tolerance allows them.
+#[test]
+fn a_finished_solution_lies_in_its_cones() {
+    let (problem, friction) = (problem(|_, _| 0.5), [0.5; 224]);
+    let zero = [0.0; 224];
+    let [mut pressure, mut x, mut y] = [zero; 3];
+    pressure[..4].copy_from_slice(&[2.5, -1e-12, 1.0, 0.0]);
+    x[..4].copy_from_slice(&[0.6, 1e-9, 0.6, 0.0]);
+    y[..4].copy_from_slice(&[0.8, 0.0, 0.8, 1e-9]);
+    let mut cells = [CellState::Slip; 224];
+    let mut task = CoupledTask {
+        operator: problem.operator(),
+        heights: problem.gap().heights().values(),
+        friction: &friction,
+        offset: [&zero, &zero],
+        normal: Driven::Shift(0.1),
+        approach: 0.1,
+        rigid: Rigid::default(),
+        pressure: &mut pressure,
+        traction: [&mut x, &mut y],
+        cells: &mut cells,
+    };
+    Cells::new(problem.operator()).finish(&mut task);
+    assert_eq!(pressure[..4], [2.5, 0.0, 1.0, 0.0]);
+    assert_eq!((&x[..4], &y[..4]), (&[0.6, 0.0, 0.3, 0.0][..], &[0.8, 0.0, 0.4, 0.0][..]));
+    let (slip, apart) = (CellState::Slip, CellState::Exterior);
+    assert_eq!(cells[..5], [slip, apart, slip, apart, apart]);
+}
