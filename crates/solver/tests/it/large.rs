@@ -9,6 +9,7 @@ use carom_laws::law::Shift;
 use carom_solver::{
     ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap, Method as _,
 };
+use rayon::prelude::*;
 
 fn problem(n: usize, blocks: Blocks, threads: Threads, other: Material, f: f64) -> ContactProblem {
     let grid = Grid::new(n, n, 2.4 / n as f64, 2.4 / n as f64).unwrap();
@@ -66,37 +67,55 @@ fn a_million_coupled_cells_fit() {
     println!("1024 coupled: {:?} {:?} MB", went.products, most_memory());
 }
 
-/// One thread and several give the same bits, on the window and on a box around a small contact, in
-/// a first step and in one that starts from its tractions.
+fn pool(count: usize) -> rayon::ThreadPool {
+    rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap()
+}
+
+/// A first step, and one back that starts from its tractions.
+fn to_and_fro(threads: Threads, other: Material, cells: usize, zeta: f64) -> [ContactState; 2] {
+    let problem = problem(cells, Blocks::All, threads, other, 0.4);
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let mut state = apart.clone();
+    let shift = Shift { zeta, xi: 0.2 * zeta, eta: 0.05 * zeta, omega: 0.1 * zeta };
+    let drive = Drive::by_shift(shift);
+    method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+    let back = Drive {
+        normal: Driven::Load(0.99 * state.load().f_z),
+        ..Drive::by_shift(Shift { xi: 0.1 * zeta, ..shift })
+    };
+    let from = state.clone();
+    method.step(&problem, &from, &back, &mut state, &mut scratch, &mut ()).unwrap();
+    [from, state]
+}
+
+/// One thread and several give the same bits, on the window and on a box around a small contact.
 #[test]
 fn threads_do_not_change_a_bit() {
-    let pool = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
     let same = Material::from_shear(2.0, 0.2).unwrap();
-    let solve = |threads: Threads, other: Material, cells: usize, zeta: f64| {
-        let problem = problem(cells, Blocks::All, threads, other, 0.4);
-        let method = Frictional::default();
-        let mut scratch = method.scratch(&problem).unwrap();
-        let apart = ContactState::apart(problem.grid());
-        let mut state = apart.clone();
-        let shift = Shift { zeta, xi: 0.2 * zeta, eta: 0.05 * zeta, omega: 0.1 * zeta };
-        let drive = Drive::by_shift(shift);
-        method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
-        let back = Drive {
-            normal: Driven::Load(0.99 * state.load().f_z),
-            ..Drive::by_shift(Shift { xi: 0.1 * zeta, ..shift })
-        };
-        let from = state.clone();
-        method.step(&problem, &from, &back, &mut state, &mut scratch, &mut ()).unwrap();
-        [from, state]
-    };
     // More cells in contact than one part has, and fewer.
     for (other, cells, zeta) in
         [(Material::RIGID, 72, 1.0), (Material::RIGID, 128, 0.05), (same, 200, 1.0)]
     {
-        let one = solve(Threads::One, other, cells, zeta);
+        let one = to_and_fro(Threads::One, other, cells, zeta);
         assert!(one.iter().all(|state| state.load().f_z > 0.0));
         for count in [1, 2, 3] {
-            assert_eq!(pool(count).install(|| solve(Threads::Pool, other, cells, zeta)), one);
+            let several = pool(count).install(|| to_and_fro(Threads::Pool, other, cells, zeta));
+            assert_eq!(several, one);
         }
+    }
+}
+
+/// Solutions that share a pool do not wait for each other for ever.
+#[test]
+fn solutions_beside_each_other_have_the_same_bits() {
+    let of = |threads: Threads, zeta: f64| to_and_fro(threads, Material::RIGID, 96, zeta);
+    let zetas = [0.6, 0.8, 1.0];
+    let alone = zetas.map(|zeta| of(Threads::One, zeta));
+    for count in [2, 4] {
+        let beside: Vec<_> = pool(count)
+            .install(|| zetas.into_par_iter().map(|zeta| of(Threads::Pool, zeta)).collect());
+        assert_eq!(beside, alone);
     }
 }
