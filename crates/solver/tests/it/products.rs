@@ -95,8 +95,8 @@ fn sphere(n: usize, poisson: f64, friction: f64) -> ContactProblem {
 fn hertz(n: usize) {
     // a = 1: F_z = (4/3) G/(1 - nu) for combined moduli.
     let force = 8.0 / 3.0 * similar(0.3).shear_modulus() / 0.7;
-    normal("Hertz by force", || sphere(n, 0.3, 0.0), Driven::Load(force)).check(17.0, 23.0);
-    normal("Hertz by approach", || sphere(n, 0.3, 0.0), Driven::Shift(1.0)).check(20.0, 28.0);
+    normal("Hertz by force", || sphere(n, 0.3, 0.0), Driven::Load(force)).check(12.0, 17.0);
+    normal("Hertz by approach", || sphere(n, 0.3, 0.0), Driven::Shift(1.0)).check(15.0, 22.0);
 }
 
 fn flat_punch(n: usize, close: f64) {
@@ -105,8 +105,9 @@ fn flat_punch(n: usize, close: f64) {
         let gap = Gap::from_function(square(n, 2.4), punch).unwrap();
         ContactProblem::of_half_spaces(gap, similar(0.3), Friction::NONE).unwrap()
     };
-    normal("flat punch by force", problem, Driven::Load(1.0)).check(close, 15.0);
-    normal("flat punch by approach", problem, Driven::Shift(1.0)).check(close, 15.0);
+    // The inverse on the torus, in single precision, takes one or two more than one in double precision.
+    normal("flat punch by force", problem, Driven::Load(1.0)).check(close, 17.0);
+    normal("flat punch by approach", problem, Driven::Shift(1.0)).check(close, 17.0);
 }
 
 /// A rough surface in partial contact: pressed to a force, and to the approach of that force.
@@ -121,9 +122,9 @@ fn rough(n: usize, force: f64, part: [f64; 2]) {
     let touching = state.count(CellState::Slip) as f64 / (n * n) as f64;
     assert!(touching > part[0] && touching < part[1], "{touching}");
     let name = format!("rough, {:.0} %, by force", 100.0 * touching);
-    normal(&name, problem, Driven::Load(force)).check(55.0, 90.0);
+    normal(&name, problem, Driven::Load(force)).check(50.0, 70.0);
     let name = format!("rough, {:.0} %, by approach", 100.0 * touching);
-    normal(&name, problem, Driven::Shift(state.shift.zeta)).check(55.0, 90.0);
+    normal(&name, problem, Driven::Shift(state.shift.zeta)).check(50.0, 70.0);
 }
 
 /// Cattaneo's problem: the pressure is known, a shift leaves a stick area of half the radius.
@@ -157,7 +158,7 @@ fn cattaneo(n: usize, poisson: f64, close: f64, full: f64) {
 /// Twenty increments: along x, oblique, and back.
 fn history(n: usize, poisson: f64) {
     let problem = sphere(n, poisson, 0.4);
-    for (tolerance, mean, most_wanted) in [(1e-6, 17.0, 20.0), (1e-9, 22.0, 26.0)] {
+    for (tolerance, mean, most_wanted) in [(1e-6, 17.0, 20.0), (1e-9, 21.5, 24.0)] {
         let method = Frictional::default().within(tolerance).unwrap();
         let mut scratch = method.scratch(&problem).unwrap();
         let mut state = ContactState::apart(problem.grid());
