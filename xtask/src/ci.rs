@@ -90,7 +90,7 @@ const WHERE_CHANGED: &[Changed] = &[
     ),
     (
         &["crates", "verification", "xtask"],
-        "a third of the mutants, each against the test known to detect it",
+        "mutants of packages that changed, each against the test known to detect it",
         || passed(mutants::quick()),
     ),
 ];

@@ -13,7 +13,8 @@
 //!
 //! With `--record`, the detecting test is recorded in `xtask/mutants-noticed.toml`. With `--quick`,
 //! that test runs first, and the others only if it no longer detects the mutant; only the required
-//! test targets are built. Continuous integration runs this for a third of the packages, by the commit.
+//! test targets are built. Continuous integration runs this for one of five groups of packages: one that changed, by
+//! the commit.
 //!
 //! The Python layer and the LAMMPS plugin have mutants of their own, see [`layers`].
 
@@ -26,6 +27,7 @@ mod sample;
 mod trial;
 mod weave;
 
+use crate::changes;
 use crate::flags;
 use crate::outcome::Outcome;
 use crate::root::root;
@@ -132,21 +134,35 @@ const ALL: flags::Mutants = flags::Mutants {
 /// The mutants in Rust of one group of [`GROUPS`], each against the test known to detect it, for continuous
 /// integration: the commit decides which.
 pub(crate) fn quick() -> anyhow::Result<()> {
-    let seed = seed_of_commit(&root());
-    run_group(&flags::Mutants { quick: true, ..ALL }, Some(group_of(seed))).map(drop)
+    let group = group_of(&changes::paths()?, seed_of_commit(&root()));
+    run_group(&flags::Mutants { quick: true, ..ALL }, Some(group)).map(drop)
 }
 
-/// The packages whose tests are built together for a group of mutants; a third of the time of all.
-const GROUPS: [&[&str]; 3] = [
-    &["carom-special", "carom-geometry", "carom-halfspace", "carom-laws", "carom-shells"],
-    &["carom-classic", "carom-impact", "carom-plot", "carom-capi"],
-    &["carom-solver", "carom-rolling", "carom-cli", "page"],
+/// The packages whose tests are built together for a group of mutants.
+const GROUPS: [&[&str]; 5] = [
+    &["carom-special", "carom-geometry", "carom-halfspace", "carom-shells"],
+    &["carom-laws"],
+    &["carom-classic", "carom-impact", "carom-plot"],
+    &["carom-solver", "carom-rolling", "carom-capi"],
+    &["carom-cli", "page"],
 ];
 
 type Group = &'static [&'static str];
 
-fn group_of(seed: u64) -> Group {
-    GROUPS[(seed % GROUPS.len() as u64) as usize]
+/// One of the groups of which a package changed, or of all if none did; the seed decides.
+fn group_of(paths: &[String], seed: u64) -> Group {
+    let has_changed = |group: &&Group| {
+        let mut folders = group.iter().map(|package| match package.strip_prefix("carom-") {
+            Some(name) => format!("crates/{name}/"),
+            None => "verification/".to_owned(),
+        });
+        folders.any(|folder| paths.iter().any(|path| path.starts_with(&folder)))
+    };
+    let mut groups: Vec<Group> = GROUPS.iter().copied().filter(|g| has_changed(&g)).collect();
+    if groups.is_empty() {
+        groups = GROUPS.to_vec();
+    }
+    groups[(seed % groups.len() as u64) as usize]
 }
 
 /// Whether the test known to detect a mutant belongs to the group, or to none of the groups.
@@ -258,13 +274,27 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_group_that_changed_is_chosen() {
+        let paths =
+            |paths: &[&str]| paths.iter().map(|path| (*path).to_owned()).collect::<Vec<_>>();
+        for seed in 0..12 {
+            assert_eq!(group_of(&paths(&["crates/laws/src/lib.rs"]), seed), GROUPS[1]);
+            let two = paths(&["verification/src/lib.rs", "docs/a.md", "crates/plot/Cargo.toml"]);
+            assert_eq!(group_of(&two, seed), GROUPS[[2, 4][seed as usize % 2]]);
+            assert_eq!(
+                group_of(&paths(&["README.md"]), seed),
+                GROUPS[seed as usize % GROUPS.len()]
+            );
+        }
+    }
+
+    #[test]
     fn each_mutant_belongs_to_one_group_or_to_all() {
-        let count =
-            |name: Option<&String>| (0..3).filter(|seed| is_of(group_of(*seed), name)).count();
-        assert_eq!(count(None), 3);
+        let count = |name: Option<&String>| GROUPS.iter().filter(|g| is_of(g, name)).count();
+        assert_eq!(count(None), GROUPS.len());
         assert_eq!(count(Some(&"carom-laws::it books::close".to_owned())), 1);
         assert_eq!(count(Some(&"carom-laws memory::tests::holds".to_owned())), 1);
         assert_eq!(count(Some(&"page f_8_1".to_owned())), 1);
-        assert_eq!(count(Some(&"tests/test_cases.py::test_one".to_owned())), 3);
+        assert_eq!(count(Some(&"tests/test_cases.py::test_one".to_owned())), GROUPS.len());
     }
 }

@@ -92,14 +92,18 @@ fn runs_and_draws((path, command): &(PathBuf, &'static str), format: &str) {
     assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
 }
 
+/// The first example of each command in every format, the others in one; those whose turn is JSON are left to the
+/// gallery, which compares numbers of theirs.
 #[test]
 fn every_example_runs_and_draws_and_every_command_in_every_format() {
     let mut whole = Vec::new();
     for (i, example) in examples().iter().enumerate() {
-        let first = !whole.contains(&example.1);
-        let formats = FORMATS.iter().enumerate().filter(|(k, _)| first || *k == i % 3);
-        formats.for_each(|(_, format)| runs_and_draws(example, format));
-        whole.push(example.1);
+        if whole.contains(&example.1) {
+            runs_and_draws(example, ["table", "csv"][i % 2]);
+        } else {
+            FORMATS.iter().for_each(|format| runs_and_draws(example, format));
+            whole.push(example.1);
+        }
     }
 }
 

@@ -303,7 +303,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     }
 }
 
-/// Cuts tractions to their limits; returns the square of the largest change.
+/// Cuts tractions to their limits, all rings of an angle at once; returns the square of the largest change.
 #[inline(always)]
 fn cut<const N: usize, const H: usize>(
     q: &Field<N, H>,
@@ -311,54 +311,55 @@ fn cut<const N: usize, const H: usize>(
     part: f64,
     now: &mut Tractions<N, H>,
 ) -> f64 {
-    let mut greatest = 0.0_f64;
+    let mut greatest = [0.0_f64; N];
     for j in 0..H {
         let ([zx, zy], [yx, yy]) = (&mut now.z[j], &mut now.y[j]);
         let [qx, qy] = &q[j];
         for i in 0..N {
             let vx = RELAX * qx[i] + (1.0 - RELAX) * zx[i] + yx[i];
             let vy = RELAX * qy[i] + (1.0 - RELAX) * zy[i] + yy[i];
-            let limit = now.limit[j][i];
-            let mut at = [vx, vy];
-            if vx * vx + vy * vy > limit * limit {
-                at = on_limit(at, [part * ahead[j][0][i], part * ahead[j][1][i]], limit);
-            }
-            let [nx, ny] = at;
+            let ahead = [part * ahead[j][0][i], part * ahead[j][1][i]];
+            let [nx, ny] = within_limit([vx, vy], ahead, now.limit[j][i]);
             let moved = (nx - zx[i]) * (nx - zx[i]) + (ny - zy[i]) * (ny - zy[i]);
             let apart = (nx - qx[i]) * (nx - qx[i]) + (ny - qy[i]) * (ny - qy[i]);
-            greatest = greatest.max(moved).max(apart);
+            greatest[i] = larger(greatest[i], larger(moved, apart));
             (zx[i], zy[i]) = (nx, ny);
             (yx[i], yy[i]) = (vx - nx, vy - ny);
         }
     }
-    greatest
+    greatest.into_iter().fold(0.0, larger)
 }
 
-/// The traction at its limit for a trial value v beyond it. The excess is slip: first along the extrapolated
-/// slip, then along the traction itself.
+/// The larger of two numbers, neither of which is NaN.
 #[inline(always)]
-fn on_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The traction for a trial value v: v itself within the limit. Beyond it the excess is slip: first along the
+/// extrapolated slip, then along the traction itself. All cases are computed and one is chosen, without branches.
+#[inline(always)]
+fn within_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
-    let square = dot(v, v);
-    let along = dot(v, ahead);
-    if along > 0.0 {
-        let beyond = [v[0] - ahead[0], v[1] - ahead[1]];
-        let rest = dot(beyond, beyond);
-        if rest <= limit * limit {
-            // Part of the extrapolated slip is enough: |v - part ahead| = limit.
-            let size = dot(ahead, ahead);
-            let over = square - limit * limit;
-            let part = over / (along + (along * along - size * over).max(0.0).sqrt());
-            return [v[0] - part * ahead[0], v[1] - part * ahead[1]];
-        }
-        let scale = limit / rest.sqrt();
-        let z = beyond.map(|x| scale * x);
-        if dot(z, v) >= limit * limit {
-            return z;
-        }
-    }
+    let choose = |first: bool, a: [f64; 2], b: [f64; 2]| {
+        [if first { a[0] } else { b[0] }, if first { a[1] } else { b[1] }]
+    };
+    let (bound, square, along) = (limit * limit, dot(v, v), dot(v, ahead));
+    let beyond = [v[0] - ahead[0], v[1] - ahead[1]];
+    let rest = dot(beyond, beyond);
+    // Part of the extrapolated slip is enough: |v - part ahead| = limit.
+    let under = along * along - dot(ahead, ahead) * (square - bound);
+    let part = (square - bound) / (along + larger(under, 0.0).sqrt());
+    let in_part = [v[0] - part * ahead[0], v[1] - part * ahead[1]];
+    // All of it, and more along the traction.
+    let scale = limit / rest.sqrt();
+    let in_whole = beyond.map(|x| scale * x);
     let scale = limit / square.sqrt();
-    v.map(|x| scale * x)
+    let alone = v.map(|x| scale * x);
+    let takes_whole = (along > 0.0) & (dot(in_whole, v) >= bound);
+    let takes_part = (along > 0.0) & (rest <= bound);
+    let cut = choose(takes_part, in_part, choose(takes_whole, in_whole, alone));
+    choose(square > bound, cut, v)
 }
 
 impl<const N: usize, const H: usize> Default for Tractions<N, H> {
