@@ -4,13 +4,16 @@ use nalgebra::Vector3;
 
 use super::active_set::ActiveSet;
 use super::iteration_state::IterationState;
-use super::plane::dot;
+use super::plane::{dot, slices, slices_mut};
+use super::precondition::admitted;
 use super::rigid;
 use super::task::TangentialTask;
+use crate::parts::each;
 
 impl ActiveSet {
     pub(super) fn excess(&self, task: &TangentialTask<'_>) -> Vector3<f64> {
-        task.rigid.excess(&self.centres, [task.traction[0], task.traction[1]])
+        let tractions = [&*task.traction[0], &*task.traction[1]];
+        task.rigid.excess(self.threads, &self.centres, tractions)
     }
 
     /// The preconditioner applied to the rigid displacements whose loads are prescribed.
@@ -25,11 +28,17 @@ impl ActiveSet {
         for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
             let mut motion = Vector3::zeros();
             motion[k] = 1.0;
-            for i in 0..task.limits.len() {
-                let [x, y] = rigid::displacement(&motion, self.centres[0][i], self.centres[1][i]);
-                let [x, y] = self.admitted(task.cells[i], i, [x, y]);
-                (self.rest[0][i], self.rest[1][i]) = (x, y);
-            }
+            let parts = (
+                (slices_mut(&mut self.rest), &*task.cells),
+                (slices(&self.centres), slices(&self.rim)),
+            );
+            each(self.threads, parts, &|((rest, cells), (centres, rims))| {
+                for (i, cell) in cells.iter().enumerate() {
+                    let whole = rigid::displacement(&motion, centres[0][i], centres[1][i]);
+                    let [x, y] = admitted(*cell, [rims[0][i], rims[1][i]], whole);
+                    (rest[0][i], rest[1][i]) = (x, y);
+                }
+            });
             self.invert(task.cells, state);
             for axis in 0..2 {
                 self.deflation.corrections[k][axis].clone_from(&self.preconditioned[axis]);
@@ -51,19 +60,20 @@ impl ActiveSet {
         if !task.rigid.is_loaded() {
             return;
         }
-        let mut wrong = rigid::sums(&self.centres, [&self.direction[0], &self.direction[1]])
-            - self.excess(task);
+        let mut wrong =
+            rigid::sums(self.threads, &self.centres, slices(&self.direction)) - self.excess(task);
         for k in (0..3).filter(|&k| task.rigid.loads[k].is_none()) {
             wrong[k] = 0.0;
         }
         let parts = self.deflation.parts(&wrong);
         for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
-            for axis in 0..2 {
-                let steps = self.direction[axis].iter_mut();
-                for (step, own) in steps.zip(&self.deflation.corrections[k][axis]) {
-                    *step -= parts[k] * own;
+            let fields = (slices_mut(&mut self.direction), slices(&self.deflation.corrections[k]));
+            each(self.threads, fields, &|(directions, corrections)| {
+                for (direction, correction) in directions.into_iter().zip(corrections) {
+                    let both = direction.iter_mut().zip(correction);
+                    both.for_each(|(step, own)| *step -= parts[k] * own);
                 }
-            }
+            });
         }
     }
 
@@ -74,17 +84,23 @@ impl ActiveSet {
         }
         let mut loads = Vector3::zeros();
         for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
-            loads[k] = dot(&self.deflation.corrections[k], &self.rest);
+            loads[k] = dot(self.threads, &self.deflation.corrections[k], &self.rest);
         }
         let moved = self.deflation.parts(&loads);
-        for i in 0..task.limits.len() {
-            let convergence = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
-            let [x, y] = self.admitted(task.cells[i], i, convergence);
-            self.rest[0][i] -= x;
-            self.rest[1][i] -= y;
-            self.slip[0][i] -= convergence[0];
-            self.slip[1][i] -= convergence[1];
-        }
+        let fields = (
+            (slices_mut(&mut self.rest), slices_mut(&mut self.slip)),
+            (&*task.cells, slices(&self.centres), slices(&self.rim)),
+        );
+        each(self.threads, fields, &|((rest, slips), (cells, centres, rims))| {
+            for (i, cell) in cells.iter().enumerate() {
+                let whole = rigid::displacement(&moved, centres[0][i], centres[1][i]);
+                let own = admitted(*cell, [rims[0][i], rims[1][i]], whole);
+                for axis in 0..2 {
+                    rest[axis][i] -= own[axis];
+                    slips[axis][i] -= whole[axis];
+                }
+            }
+        });
         for k in 0..3 {
             task.rigid.moved[k] += moved[k];
         }

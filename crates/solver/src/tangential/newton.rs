@@ -116,7 +116,7 @@ impl ActiveSet {
         for axis in 0..2 {
             self.direction[axis].copy_from_slice(&step[axis * n..][..n]);
         }
-        Ok(rigid::sums(&self.centres, [&self.direction[0], &self.direction[1]]))
+        Ok(rigid::sums(self.threads, &self.centres, [&self.direction[0], &self.direction[1]]))
     }
 
     /// Takes tractions beyond their discs, and those of slipping cells, to the rim. Returns the
@@ -290,7 +290,7 @@ impl<'a> Newton<'a> {
     /// The loads of `preconditioned`.
     fn loads(&self) -> Vector3<f64> {
         let [x, y] = &self.set.preconditioned;
-        rigid::sums(&self.set.centres, [x, y])
+        rigid::sums(self.set.threads, &self.set.centres, [x, y])
     }
 }
 
@@ -313,7 +313,7 @@ impl LinearMap for Newton<'_> {
             let [along, across] = set.admitted(self.cells[i], i, whole);
             (y[i], y[n + i]) = (along, across);
         }
-        let loads = rigid::sums(&set.centres, [&set.direction[0], &set.direction[1]]);
+        let loads = rigid::sums(set.threads, &set.centres, [&set.direction[0], &set.direction[1]]);
         for k in 0..3 {
             let own = 2 * n + k;
             y[own] = if self.given[k] { self.weights[k] * loads[k] } else { x[own] };

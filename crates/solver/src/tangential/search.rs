@@ -149,7 +149,7 @@ impl ActiveSet {
 
     /// The loads that are prescribed; zero for the other motions.
     fn given_loads(&self, task: &TangentialTask<'_>, given: &[Option<f64>; 3]) -> Vector3<f64> {
-        let sums = rigid::sums(&self.centres, [task.traction[0], task.traction[1]]);
+        let sums = rigid::sums(self.threads, &self.centres, [task.traction[0], task.traction[1]]);
         Vector3::from_fn(|k, _| if given[k].is_some() { sums[k] } else { 0.0 })
     }
 
@@ -240,12 +240,13 @@ impl ActiveSet {
                 let [x, y] = self.admitted(task.cells[i], i, own);
                 (self.image[0][i], self.image[1][i]) = (x, y);
             }
-            let curvature = dot(&self.direction, &self.image);
+            let curvature = dot(self.threads, &self.direction, &self.image);
             if curvature.is_nan() || curvature <= 0.0 {
                 break;
             }
             let length = power / curvature;
-            let sums = rigid::sums(&self.centres, [&self.direction[0], &self.direction[1]]);
+            let sums =
+                rigid::sums(self.threads, &self.centres, [&self.direction[0], &self.direction[1]]);
             loads += sums * length;
             for (rest, image) in self.rest.iter_mut().zip(&self.image) {
                 rest.iter_mut().zip(image).for_each(|(rest, image)| *rest -= length * image);
