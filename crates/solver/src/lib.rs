@@ -39,6 +39,7 @@ mod frictional;
 mod frictionless;
 mod gap;
 mod krylov;
+mod lanes;
 mod law;
 mod method;
 mod nested;

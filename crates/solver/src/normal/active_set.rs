@@ -21,6 +21,7 @@ use super::iteration_state::IterationState;
 use super::task::{Limits, NormalTask, finish};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
+use crate::lanes::{self, product, product_where};
 use crate::parts::{each, fold, sum};
 use crate::rough::inverse_of;
 
@@ -348,13 +349,10 @@ impl ActiveSet {
         let parts =
             ((&mut *task.pressure, &self.direction[..]), (&mut self.gap[..], &self.image[..]));
         let square = sum(self.threads, parts, &|((pressures, directions), (gaps, images))| {
-            let mut square = 0.0;
-            for (pressure, direction) in pressures.iter_mut().zip(directions) {
-                *pressure -= length * direction;
-                square += direction * direction;
-            }
+            let steps = pressures.iter_mut().zip(directions);
+            steps.for_each(|(pressure, direction)| *pressure -= length * direction);
             gaps.iter_mut().zip(images).for_each(|(gap, image)| *gap -= length * image);
-            square
+            product(directions, directions)
         });
         state.step = length.abs() * square.sqrt();
     }
@@ -415,11 +413,8 @@ impl ActiveSet {
 
     /// The sum of products over the active set.
     fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
-        sum(self.threads, (a, b, &self.active[..]), &|(a, b, actives)| {
-            // Values outside the set may be infinite and do not count.
-            let both = a.iter().zip(b).zip(actives).filter(|(_, active)| **active);
-            both.map(|((a, b), _)| a * b).sum()
-        })
+        let parts = (a, b, &self.active[..]);
+        sum(self.threads, parts, &|(a, b, actives)| product_where(a, b, actives))
     }
 
     /// Sets `image` to A times `direction`.
@@ -437,7 +432,7 @@ impl ActiveSet {
 }
 
 fn total(threads: Threads, values: &[f64]) -> f64 {
-    sum(threads, values, &|values: &[f64]| values.iter().sum())
+    sum(threads, values, &lanes::total)
 }
 
 /// Subtracts `part` times `from` from the values.

@@ -32,6 +32,7 @@ pub(super) fn finish(task: &mut NormalTask<'_>) {
         *pressure = pressure.max(0.0);
     }
     if let Driven::Load(force) = task.driven {
+        // In the order in which the integral of a field is taken: the force is that which was prescribed, to the last bit.
         let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
         if sum > 0.0 {
             for pressure in task.pressure.iter_mut() {

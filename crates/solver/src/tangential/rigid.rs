@@ -4,7 +4,8 @@ use carom_halfspace::Grid;
 use carom_halfspace::operator::Threads;
 use nalgebra::{Matrix3, Vector3};
 
-use super::plane::{LANES, Plane, slices};
+use super::plane::{Plane, slices};
+use crate::lanes::LANES;
 use crate::parts;
 
 /// Shift along x, shift along y, twist: which of them have a prescribed load, and their values.
