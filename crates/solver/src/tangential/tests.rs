@@ -141,3 +141,20 @@ fn the_greatest_violation_is_in_the_unit_of_the_limits() {
         assert_eq!(most_violation(&[none; 3]), f64::INFINITY);
     }
 }
+
+/// One correction of many that is no number, along either axis, is enough.
+#[test]
+fn a_correction_without_a_value_runs_away() {
+    let mut set = ActiveSet::new(&operator(8, 8));
+    set.direction = [vec![1.0; MANY], vec![-1.0; MANY]];
+    assert!(!set.runs_away());
+    for axis in 0..2 {
+        for cell in [0, 9000, MANY - 1] {
+            for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let before = std::mem::replace(&mut set.direction[axis][cell], value);
+                assert!(set.runs_away(), "{axis} {cell} {value}");
+                set.direction[axis][cell] = before;
+            }
+        }
+    }
+}
