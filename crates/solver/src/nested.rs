@@ -200,17 +200,21 @@ mod tests {
     }
 
     #[test]
-    fn planes_pass_to_coarse_cells_of_even_and_odd_grids() {
-        for (nx, ny) in [(8, 6), (9, 7), (8, 7)] {
+    fn planes_and_saddles_pass_to_coarse_cells_of_even_and_odd_grids() {
+        // The last has more coarse cells than one part.
+        for (nx, ny) in [(8, 6), (9, 7), (8, 7), (260, 180)] {
             let fine = Grid::new(nx, ny, 0.5, 0.25).unwrap();
-            let plane = |(x, y): (f64, f64)| 1.0 + 2.0 * x - 3.0 * y;
-            let heights: Vec<f64> = fine.centres().map(plane).collect();
+            let saddle = |(x, y): (f64, f64)| 1.0 + 2.0 * x - 3.0 * y + 0.5 * x * y;
+            let heights: Vec<f64> = fine.centres().map(saddle).collect();
             let coarse = coarse_of(fine);
             let got = coarser(fine, &heights, coarse, Threads::One);
+            assert_eq!(coarser(fine, &heights, coarse, Threads::Pool), got);
             // Inside; at the border of odd grids the last cells reach beyond.
+            let [inside_x, inside_y] = [0.25 * nx as f64 - 0.8, 0.125 * ny as f64 - 0.15];
             for ((x, y), got) in coarse.centres().zip(got) {
-                if x.abs() < 1.2 && y.abs() < 0.6 {
-                    assert!((got - plane((x, y))).abs() < 1e-14, "{nx} {ny}: {x} {y}");
+                if x.abs() < inside_x && y.abs() < inside_y {
+                    let off = (got - saddle((x, y))).abs();
+                    assert!(off < 1e-14 * nx as f64, "{nx} {ny}: {x} {y}");
                 }
             }
         }

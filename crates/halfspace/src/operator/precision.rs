@@ -100,3 +100,54 @@ impl Real for f32 {
         &mut workspace.single
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Preconditioner;
+    use super::super::torus::TorusInverse;
+    use super::*;
+    use crate::{Grid, Material, MaterialPair};
+
+    /// In any of several fields, in any part of it, of either sign and however small.
+    #[test]
+    fn the_unit_is_the_greatest_value_wherever_it_is() {
+        let on_both = |inputs: &[&[f64]]| {
+            let one = f32::unit(inputs, Threads::One);
+            assert_eq!(f32::unit(inputs, Threads::Pool), one);
+            one
+        };
+        for count in [1, 7, 8, 21, SHARE, 3 * SHARE + 5] {
+            let small: Vec<f64> = (0..count).map(|i| 1e-200 * (0.7 * i as f64).sin()).collect();
+            for at in [0, count / 3, count / 2, 4 * count / 5, count - 1] {
+                for greatest in [2e-200, -2e-200, -3.0] {
+                    let mut field = small.clone();
+                    field[at] = greatest;
+                    assert_eq!(on_both(&[&field]), greatest.abs(), "{count} {at}");
+                    assert_eq!(on_both(&[&small, &field]), greatest.abs(), "{count} {at}");
+                }
+            }
+        }
+        assert_eq!(on_both(&[&[0.0; 9]]), LEAST_UNIT);
+    }
+
+    /// Bodies 2^160 times as stiff, beyond the range of `f32`, have tractions 2^160 times as great.
+    #[test]
+    fn any_stiffness_is_in_the_range_of_single_precision() {
+        let grid = Grid::new(12, 10, 0.1, 0.2).unwrap();
+        let displacement: Vec<f64> = (0..grid.cells()).map(|i| (1.7 * i as f64).sin()).collect();
+        let pressures = |stiffer: f64| {
+            let body = Material::from_shear(1.5 * stiffer, 0.3).unwrap();
+            let pair = MaterialPair::new(body, body).unwrap();
+            let mut pressure = vec![0.0; grid.cells()];
+            let inverse = TorusInverse::<f32>::new(&pair, grid, Threads::One);
+            inverse.pressure(&displacement, &mut pressure, &mut Workspace::default());
+            pressure
+        };
+        let usual = pressures(1.0);
+        assert!(usual.iter().any(|pressure| *pressure > 0.0));
+        for stiffer in [2.0_f64.powi(160), 2.0_f64.powi(-160)] {
+            let scaled: Vec<f64> = usual.iter().map(|pressure| stiffer * pressure).collect();
+            assert_eq!(pressures(stiffer), scaled);
+        }
+    }
+}

@@ -42,3 +42,25 @@ impl Threads {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coarse grids of a solve on one thread stay on it; those of a solve on several leave them later than a grid of
+    /// their own size would.
+    #[test]
+    fn small_grids_are_on_one_thread() {
+        let grid = |nx, ny| Grid::new(nx, ny, 0.1, 0.1).unwrap();
+        assert_eq!(
+            [grid(143, 144), grid(72, 288)].map(Threads::for_grid),
+            [Threads::One, Threads::Pool]
+        );
+        for (nx, ny, on_several) in
+            [(71, 72, Threads::One), (72, 72, Threads::Pool), (288, 18, Threads::Pool)]
+        {
+            assert_eq!(Threads::One.on_smaller(grid(nx, ny)), Threads::One);
+            assert_eq!(Threads::Pool.on_smaller(grid(nx, ny)), on_several);
+        }
+    }
+}

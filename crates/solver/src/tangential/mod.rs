@@ -17,6 +17,8 @@ mod search_scratch;
 mod sets;
 mod solve;
 mod task;
+#[cfg(test)]
+mod tests;
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,12 +1,13 @@
 //! Loads just below and above the friction limit, for dissimilar and similar bodies.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, FrictionalError, Gap,
-    Method as _, violations,
+    Method as _, Progress, SurfaceFriction, violations,
 };
 
 /// Pseudo-random numbers from a seed.
@@ -388,5 +389,100 @@ fn the_limit_of_a_force_and_a_torque_is_what_sliding_about_their_pole_gives() {
             println!("pair {kind}, {motion:?}: {load:?} {:.2e}", 1.25 * part - 1.0);
             assert!((1.25 * part - 1.0).abs() < 1e-3, "pair {kind}: {part}");
         }
+    }
+}
+
+/// The normal solutions of a step, and its error.
+fn solutions(problem: &ContactProblem, drive: &Drive) -> (usize, FrictionalError) {
+    let method = Frictional::default();
+    let mut scratch = method.scratch(problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let (mut to, mut begun) = (apart.clone(), 0);
+    let mut count = |progress: &Progress| {
+        begun += usize::from(progress.iteration == 1);
+        ControlFlow::Continue(())
+    };
+    let gone = method.step(problem, &apart, drive, &mut to, &mut scratch, &mut count);
+    (begun, gone.unwrap_err())
+}
+
+/// The limit of a force depends on the normal force alone where friction is the same everywhere: one solution for the
+/// pressures is enough.
+#[test]
+fn a_force_beyond_the_limit_of_a_given_normal_force_needs_no_further_pressures() {
+    for kind in 0..3 {
+        let (begun, error) = solutions(&problem(kind, 0.4, 32, 0.0), &pulled(1.2, 0.4, 0.3));
+        assert!(matches!(error, FrictionalError::Slides { .. }), "{error}");
+        assert_eq!(begun, 1, "pair {kind}");
+    }
+}
+
+/// A step from separated bodies.
+fn first_step(problem: &ContactProblem, drive: &Drive) -> Result<ContactState, FrictionalError> {
+    let method = Frictional::default();
+    let (mut scratch, apart) =
+        (method.scratch(problem).unwrap(), ContactState::apart(problem.grid()));
+    let mut to = apart.clone();
+    method.step(problem, &apart, drive, &mut to, &mut scratch, &mut ()).map(|_| to)
+}
+
+/// Dissimilar bodies with a blunt side, and a steep one of other friction; their limit under the pressures without
+/// friction; their solution when they have slid far in either direction under the same approach or force.
+fn lopsided(
+    [blunt, steep]: [f64; 2],
+    at_approach: bool,
+) -> (ContactProblem, Driven, f64, [ContactState; 2]) {
+    let grid = Grid::new(24, 24, 1.3, 1.3).unwrap();
+    let gap = |x: f64, y: f64| 0.0008 * (if x > 0.0 { 4.0 * x * x } else { x * x } + y * y);
+    let of = |x: f64| Friction::new(if x > 0.0 { steep } else { blunt }).unwrap();
+    let friction = if blunt == steep {
+        of(0.0).into()
+    } else {
+        let cells = grid.centres().map(|(x, _)| of(x).into()).collect();
+        SurfaceFriction::ByCell(Field::new(grid, cells).unwrap())
+    };
+    let gap = Gap::from_function(grid, gap).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair(1), friction).unwrap();
+    let pressed = Drive { normal: Driven::Load(FORCE), ..Drive::default() };
+    let smooth = first_step(&problem.clone().without_friction(), &pressed).unwrap();
+    let cells = grid.centres().zip(smooth.pressure.values());
+    let first = grid.cell_area() * cells.map(|((x, _), p)| of(x).get() * p).sum::<f64>();
+    let normal = if at_approach { Driven::Shift(smooth.shift.zeta) } else { pressed.normal };
+    let slid = [100.0, -100.0].map(|far| {
+        first_step(&problem, &Drive { normal, x: Driven::Shift(far), ..Drive::default() }).unwrap()
+    });
+    (problem, normal, first, slid)
+}
+
+/// Tractions shift the pressures of dissimilar bodies, here to where friction is greater or to where it is smaller.
+#[test]
+fn a_force_is_held_that_the_pressures_without_friction_would_not_hold() {
+    let (problem, normal, first, slid) = lopsided([0.9, 0.3], false);
+    let [more, less] = slid.map(|slid| slid.load().f_x.abs());
+    assert!(more > 1.05 * first && less < 0.95 * first, "{more} {first} {less}");
+    let pulled = |force| Drive { normal, x: Driven::Load(force), ..Drive::default() };
+    for part in [0.5, 0.9] {
+        let force = first + part * (more - first);
+        let held = first_step(&problem, &pulled(force)).unwrap();
+        assert!((held.load().f_x - force).abs() < 1e-7 * force, "{force}");
+        let force = first + part * (less - first);
+        let error = first_step(&problem, &pulled(-force)).unwrap_err();
+        let FrictionalError::Slides { limit, .. } = error else { panic!("{error}") };
+        assert!((limit / less - 1.0).abs() < 1e-3, "{limit} {less}");
+    }
+}
+
+/// At a given approach the normal force of a lopsided contact depends on the direction of the tractions, and with it
+/// the friction limit.
+#[test]
+fn the_limit_at_a_given_approach_is_that_of_the_bodies_as_they_slide() {
+    let (problem, normal, first, slid) = lopsided([0.9; 2], true);
+    for (sign, slid) in [1.0, -1.0].into_iter().zip(slid) {
+        let expected = slid.load().f_x.abs();
+        assert!((expected / first - 1.0).abs() > 0.01, "{expected} {first}");
+        let x = Driven::Load(1.2 * sign * first);
+        let error = first_step(&problem, &Drive { normal, x, ..Drive::default() }).unwrap_err();
+        let FrictionalError::Slides { limit, .. } = error else { panic!("{error}") };
+        assert!((limit / expected - 1.0).abs() < 1e-3, "{limit} {expected}");
     }
 }

@@ -192,7 +192,7 @@ fn small_grids_stay_within_their_budgets() {
     flat_punch(128, 10.0);
     rough(128, 0.04, [0.05, 0.3]);
     cattaneo(128, 0.0, 12.0, 15.0);
-    cattaneo(128, 0.28, 16.0, 20.0);
+    cattaneo(128, 0.28, 12.0, 19.0);
     history(128, 0.28);
 }
 

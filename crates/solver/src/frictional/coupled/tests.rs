@@ -5,7 +5,7 @@ use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 
-use super::cells::Cells;
+use super::cells::{Cells, Changes};
 use super::origin::Origin;
 use super::system::System;
 use super::*;
@@ -252,4 +252,48 @@ fn a_finished_solution_lies_in_its_cones() {
     assert_eq!((&x[..4], &y[..4]), (&[0.6, 0.0, 0.3, 0.0][..], &[0.8, 0.0, 0.4, 0.0][..]));
     let (slip, apart) = (CellState::Slip, CellState::Exterior);
     assert_eq!(cells[..5], [slip, apart, slip, apart, apart]);
+}
+
+/// A gap below zero, a traction outside its cone, slip along the traction and a pull along the ray are all
+/// violations as displacements: where only half of the cells change, those with the greater ones do, of whatever kind.
+#[test]
+fn the_cells_that_are_farthest_from_their_conditions_change_first() {
+    let (friction, [e_x, e_y]) = (1.5_f64, [0.6, -0.8]);
+    let over = (1.0 + friction * friction).sqrt();
+    let [cos, sin] = [1.0 / over, friction / over];
+    // All orders of four sizes.
+    let orders = (0..256).map(|n| [n & 3, n >> 2 & 3, n >> 4 & 3, n >> 6]);
+    let orders: Vec<_> = orders.filter(|order| (0..4).all(|size| order.contains(&size))).collect();
+    assert_eq!(orders.len(), 24);
+    for order in orders {
+        seen(&problem(|_, _| 1.5), [None; 3], |task, system, cells| {
+            task.pressure.fill(0.0);
+            task.cells.fill(CellState::Exterior);
+            system.gap.fill(1.0);
+            for axis in 0..2 {
+                task.traction[axis].fill(0.0);
+                system.slip[axis].fill(0.0);
+            }
+            let sizes = order.map(|size| 1e-3 * f64::from(size + 1));
+            // As stresses that cause these displacements of their cells alone.
+            let stresses = sizes.map(|size| size / cells.own[0]);
+            let mut set = |cell: usize, state, pressure: f64, traction: f64| {
+                task.cells[cell] = state;
+                task.pressure[cell] = pressure;
+                (task.traction[0][cell], task.traction[1][cell]) = (e_x * traction, e_y * traction);
+                (cells.rim[0][cell], cells.rim[1][cell]) = (e_x, e_y);
+            };
+            set(3, CellState::Exterior, 0.0, 0.0);
+            set(20, CellState::Stick, 1.0 - sin * stresses[1], friction + cos * stresses[1]);
+            set(40, CellState::Slip, 1.0, friction);
+            set(99, CellState::Slip, -cos * stresses[3], -sin * stresses[3]);
+            system.gap[3] = -sizes[0];
+            (system.slip[0][40], system.slip[1][40]) = (e_x * sizes[2], e_y * sizes[2]);
+            let before = task.cells.to_vec();
+            cells.choose(task, system, Changes::GreaterHalf);
+            for (size, cell) in order.into_iter().zip([3, 20, 40, 99]) {
+                assert_eq!(task.cells[cell] != before[cell], size >= 2, "{order:?}: {cell}");
+            }
+        });
+    }
 }
