@@ -265,6 +265,13 @@ fn settles(case: &Case) -> Result<(), TestCaseError> {
             Err(CoupledError::NotSettled { .. }) if law == TurningLaw::FixedDirection => {
                 creates_energy(case)?;
             }
+            // One of ten thousand: great friction that wedges. What was reached is within its estimate.
+            Err(CoupledError::NotSettled { error_estimate, .. }) if case.f > 100.0 => {
+                prop_assert!(error_estimate < 1e-3, "{error_estimate:e} {case:?}");
+                let reached = case.impact().accepting_unsettled().solve(law);
+                let reached = reached.map_err(|error| TestCaseError::fail(error.to_string()))?;
+                case.check(&reached, 10.0 * error_estimate)?;
+            }
             Err(error) => prop_assert!(false, "{error} {law:?} {case:?}"),
         }
     }
