@@ -11,6 +11,7 @@ use crate::raster::indexed_png;
 use crate::span::{Span, with_power};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::{Type, text_width};
+use std::cmp::Reverse;
 
 /// Blue, light blue, grey, light orange, brown: light in the middle, dark at both ends.
 const COLOURS: [[f64; 3]; 5] = [
@@ -225,8 +226,20 @@ fn is_near(one: Pixel, other: Pixel) -> bool {
     (one.x - other.x).abs() < APART[0] && (one.y - other.y).abs() < APART[1]
 }
 
+/// A number of quarters of a pixel. Lengths and places that differ by less count as equal, so that round-off does not
+/// choose between mirror images.
+fn quarters(pixels: f64) -> i64 {
+    (4.0 * pixels).round() as i64
+}
+
+/// The left end and the top of a line.
+fn corner(line: &[Pixel]) -> [i64; 2] {
+    [|at: &Pixel| at.x, |at: &Pixel| at.y]
+        .map(|of| quarters(line.iter().map(of).fold(f64::INFINITY, f64::min)))
+}
+
 /// A place for the number of contour lines of one level: on the longest one, as far left as it goes on
-/// free ground inside the frame.
+/// free ground inside the frame; of equal ones the leftmost, then the topmost.
 fn number_place(
     lines: &[Vec<Pixel>],
     frame: Frame,
@@ -236,13 +249,14 @@ fn number_place(
         line.windows(2).map(|pair| libm::hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y)).sum()
     };
     let long = lines.iter().map(|line| (length(line), line));
-    let (_, line) =
-        long.filter(|(length, _)| *length > SHORTEST).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (_, line) = long
+        .filter(|(length, _)| *length > SHORTEST)
+        .max_by_key(|(length, line)| (quarters(*length), Reverse(corner(line))))?;
     let inner = frame.grown(-0.5 * APART[0]);
     let sides = line.windows(2).flat_map(|ends| between(ends[0], ends[1]));
     let all = line.iter().copied().chain(sides);
     let free = all.filter(|at| inner.holds(*at) && !is_taken(*at));
-    free.min_by(|a, b| a.x.total_cmp(&b.x))
+    free.min_by_key(|at| [quarters(at.x), quarters(at.y)])
 }
 
 /// Numbers on contour lines, each on a light ground.
@@ -381,6 +395,35 @@ mod tests {
         let field = Field::new("q", vec![0.0, 1.0], vec![0.0, 1.0], values).unwrap();
         let heat = Heat::new(&field).unwrap();
         assert_eq!((heat.shade(0.0), heat.shade(-1.0), heat.shade(0.5)), (0, -48, 24));
+    }
+
+    /// Of two mirrored arcs the left one has the number, and of its two ends the upper one, whatever the round-off.
+    #[test]
+    fn round_off_does_not_choose_between_mirror_images() {
+        let frame = Frame { x: 0.0, y: 0.0, width: 400.0, height: 400.0 };
+        let arc = |sign: f64, off: f64| -> Vec<Pixel> {
+            let at = |y: f64| (y * y / 200.0 - 120.0) * sign * (1.0 + off * (y + 7.0));
+            (-100..=100)
+                .map(|y| Pixel { x: 200.0 + at(y.into()), y: 200.0 + f64::from(y) })
+                .collect()
+        };
+        let bent =
+            |off: f64| arc(1.0, off).into_iter().map(|at| Pixel { x: 400.0 - at.x, y: at.y });
+        for [one, other] in [[0.0, 0.0], [1e-13, -1e-13], [-1e-13, 1e-13]] {
+            let lines = [arc(1.0, one), arc(-1.0, other)];
+            for lines in [lines.to_vec(), lines.into_iter().rev().collect()] {
+                let at = number_place(&lines, frame, |_| false).unwrap();
+                assert!(
+                    (at.x - 80.0).abs() < 0.5 && (at.y - 200.0).abs() < 8.0,
+                    "{} {}",
+                    at.x,
+                    at.y
+                );
+            }
+            let ends = [bent(one).collect::<Vec<_>>()];
+            let at = number_place(&ends, frame, |at| at.x > 320.0).unwrap();
+            assert!(at.y < 120.0, "{} {}", at.x, at.y);
+        }
     }
 
     #[test]
