@@ -18,10 +18,13 @@ def run(folder, *command):
     return done.stdout + done.stderr
 
 
-def mypy(folder, *what):
-    """What mypy says in its strictest form."""
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory):
+    """What mypy says in its strictest form of code in a folder. What it has found out about other packages it keeps
+    for the next test."""
     pytest.importorskip("mypy")
-    return run(folder, "mypy", "--strict", "--no-error-summary", "--cache-dir", str(folder / ".mypy"), *what)
+    kept = str(tmp_path_factory.mktemp("mypy"))
+    return lambda folder, *what: run(folder, "mypy", "--strict", "--no-error-summary", "--cache-dir", kept, *what)
 
 
 def pyright(folder):
@@ -57,7 +60,7 @@ def programs(tmp_path_factory):
     return folder
 
 
-def test_user_code_passes_mypy_in_its_strictest_form(programs):
+def test_user_code_passes_mypy_in_its_strictest_form(programs, mypy):
     assert mypy(programs, *(path.name for path in programs.glob("*.py"))) == ""
 
 
@@ -65,7 +68,7 @@ def test_user_code_passes_pyright(programs):
     assert pyright(programs) == ""
 
 
-def test_a_wrong_type_is_found(tmp_path):
+def test_a_wrong_type_is_found(tmp_path, mypy):
     (tmp_path / "wrong.py").write_text(
         "import carom\nx: str = carom.restitution(1.2, 1.0)\ny: float = carom.special.k([1.0])\n"
     )
@@ -73,7 +76,7 @@ def test_a_wrong_type_is_found(tmp_path):
         assert "wrong.py:2:" in says and "wrong.py:3:" in says, says
 
 
-def test_the_package_passes_mypy_in_its_strictest_form(tmp_path):
+def test_the_package_passes_mypy_in_its_strictest_form(tmp_path, mypy):
     assert mypy(tmp_path, "-p", "carom") == ""
 
 

@@ -56,7 +56,7 @@ fn energy_and_momentum_balance_in_the_output() {
     }
 }
 
-const FORMATS: [&str; 3] = ["table", "json", "csv"];
+const FORMATS: [&str; 3] = ["json", "table", "csv"];
 
 /// The cases in `examples/`, sorted by name, each with its command.
 fn examples() -> Vec<(PathBuf, &'static str)> {
@@ -92,16 +92,16 @@ fn runs_and_draws((path, command): &(PathBuf, &'static str), format: &str) {
     assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
 }
 
-/// The first example of each command in every format, the others in one; those whose turn is JSON are left to the
-/// gallery, which compares numbers of theirs.
+/// The first example of each command as a table and as CSV, the others in one of these or not at all: as JSON and with
+/// pictures the gallery runs each, and compares numbers.
 #[test]
-fn every_example_runs_and_draws_and_every_command_in_every_format() {
+fn examples_run_and_draw_and_every_command_in_every_format() {
     let mut whole = Vec::new();
     for (i, example) in examples().iter().enumerate() {
         if whole.contains(&example.1) {
-            runs_and_draws(example, ["table", "csv"][i % 2]);
+            FORMATS[1..].get(i % 3).into_iter().for_each(|format| runs_and_draws(example, format));
         } else {
-            FORMATS.iter().for_each(|format| runs_and_draws(example, format));
+            FORMATS[1..].iter().for_each(|format| runs_and_draws(example, format));
             whole.push(example.1);
         }
     }

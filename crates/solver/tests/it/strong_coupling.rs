@@ -221,16 +221,28 @@ const RECEDING: [[f64; 4]; 3] =
 /// Gaps that differ in the 13th digit: what is found must not hang on round-off.
 const GAP_FACTORS: [f64; 3] = [1.0, 1.0 - 1e-13, 1.0 + 1e-13];
 
+/// Loads of the receding contact at infinite friction, as found at three gaps that differ in the 13th digit.
+const AT_INFINITE_FRICTION: [f64; 3] = [26.284_913_71, -3.351_968_89, 9.330_157_43];
+
+/// Checks loads and work at infinite friction with the gap times a factor.
+fn check_receding(factor: f64) {
+    let (spent, loads) = strong(|x, y| factor * bowl(x, y), f64::INFINITY, &RECEDING);
+    assert!(spent < 7000.0, "{factor}: {spent} products");
+    for (got, known) in loads.iter().zip(AT_INFINITE_FRICTION) {
+        assert!((got - known).abs() < 0.05, "{factor}: {loads:?}");
+    }
+}
+
 /// The continuation alone took 29 000 products and did not converge.
 #[test]
 fn a_receding_contact_of_infinite_friction_is_found() {
-    let mut found = GAP_FACTORS[..2].iter().map(|factor| {
-        let (spent, loads) = strong(|x, y| factor * bowl(x, y), f64::INFINITY, &RECEDING);
-        assert!(spent < 7000.0, "{factor}: {spent} products");
-        loads
-    });
-    let [one, other] = [(); 2].map(|()| found.next().unwrap());
-    assert!((0..3).all(|k| (one[k] - other[k]).abs() < 0.05), "{one:?} {other:?}");
+    check_receding(GAP_FACTORS[1]);
+}
+
+#[test]
+#[ignore = "it takes half a minute"]
+fn a_receding_contact_of_infinite_friction_is_found_whatever_the_round_off() {
+    GAP_FACTORS.map(check_receding);
 }
 
 /// Damped steps that never went back took 10 700 and 19 400 products. At friction 1000 it hangs on round-off whether the
