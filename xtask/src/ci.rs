@@ -22,7 +22,6 @@ const STEPS: &[(&str, Step)] = &[
     ("tests, with the examples of README and documentation", || passed(test::run())),
     ("documentation", documentation),
     ("quick figures", quick_figures),
-    ("the report in a browser", browse::run),
 ];
 
 /// Steps beside these: they fetch packages and hardly compute.
@@ -35,9 +34,10 @@ const FETCHED_WHERE_CHANGED: &[Changed] =
 /// The steps after these.
 const AFTER: &[(&str, Step)] = &[("the Python module", python::install)];
 
-/// The step that every change must pass beside those of [`WHERE_CHANGED`]: it builds nothing and
-/// keeps one core busy.
-const BESIDE: &[(&str, Step)] = &[("the tests of the Python module", python::test)];
+/// The steps that every change must pass beside those of [`WHERE_CHANGED`]: they build nothing and
+/// keep one core busy.
+const BESIDE: &[(&str, Step)] =
+    &[("the tests of the Python module", python::test), ("the report in a browser", browse::run)];
 
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
@@ -85,13 +85,8 @@ const WHERE_CHANGED: &[Changed] = &[
     (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
     (
         &["crates/halfspace", "crates/laws", "crates/impact", "Cargo.toml"],
-        "half-space and impacts without threads, and without operators",
-        || passed(without_threads()),
-    ),
-    (
-        &["crates", "verification", "xtask"],
-        "mutants of packages that changed, each against the test known to detect it",
-        || passed(mutants::quick()),
+        "half-space and impacts without threads and operators",
+        || passed(without_threads(&[""])),
     ),
 ];
 
@@ -110,6 +105,9 @@ const LONG: &[(&str, Step)] = &[
     ("the fuzzer, a minute for each target", || fuzz::run(None, fuzz::SECONDS)),
     ("a Python wheel from its source distribution", sdist::check),
     ("instructions of hot paths", instructions::check),
+    ("half-space and impacts without threads, with operators and without", || {
+        passed(without_threads(&["", "carom-halfspace/operators"]))
+    }),
     ("a search for a bad path of Coulomb's law", adversary),
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];
@@ -219,9 +217,9 @@ fn lints() -> anyhow::Result<Outcome> {
 
 /// Checks the crates that can do without rayon or without operators. Carom as a whole has both, so that no other step
 /// does.
-fn without_threads() -> anyhow::Result<()> {
+fn without_threads(with: &[&str]) -> anyhow::Result<()> {
     let packages = ["--package", "carom-halfspace", "--package", "carom-impact"];
-    for features in ["", "carom-halfspace/operators"] {
+    for features in with {
         let lints =
             ["clippy", "--release", "--lib", "--no-default-features", "--features", features];
         cargo::run(&[&lints[..], &packages, &["--", "-D", "warnings"]].concat())?;

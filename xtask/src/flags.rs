@@ -43,8 +43,8 @@ xflags::xflags! {
         /// and figure quoted in a comment is in the index or the catalogue, and none is missing. Also
         /// checks the links of the book, the places of mutants and the descriptions of the packages.
         cmd tidy {}
-        /// Opens the report of the last run in a headless browser, at three widths and in both themes,
-        /// and checks that there are no script errors, missing or undescribed pictures, small letters,
+        /// Opens the report of the last run in a headless browser, at three widths, one of them in the
+        /// dark theme, and checks that there are no script errors, missing or undescribed pictures, small letters,
         /// overflow or low contrast, that the contents follow the reader and that the search works;
         /// saves screenshots. Skipped without Chromium; in CI that is a failure.
         cmd browse {}

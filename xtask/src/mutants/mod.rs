@@ -13,8 +13,7 @@
 //!
 //! With `--record`, the detecting test is recorded in `xtask/mutants-noticed.toml`. With `--quick`,
 //! that test runs first, and the others only if it no longer detects the mutant; only the required
-//! test targets are built. Continuous integration runs this for one of five groups of packages: one that changed, by
-//! the commit.
+//! test targets are built.
 //!
 //! The Python layer and the LAMMPS plugin have mutants of their own, see [`layers`].
 
@@ -27,7 +26,6 @@ mod sample;
 mod trial;
 mod weave;
 
-use crate::changes;
 use crate::flags;
 use crate::outcome::Outcome;
 use crate::root::root;
@@ -41,11 +39,6 @@ use trial::{Selection, Trial};
 
 /// Runs the mutants selected by the options.
 pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<Outcome> {
-    run_group(options, None)
-}
-
-/// The same, of one group only.
-fn run_group(options: &flags::Mutants, group: Option<Group>) -> anyhow::Result<Outcome> {
     let root = root();
     let list = list::read(&root.join("xtask/mutants.toml"))?;
     let killers_path = root.join("xtask/mutants-noticed.toml");
@@ -59,7 +52,7 @@ fn run_group(options: &flags::Mutants, group: Option<Group>) -> anyhow::Result<O
         ensure!(!chosen.is_empty(), "no mutant of the list has that name");
         layers::run(&root, &chosen, &mut killers)
     } else {
-        run_woven(&root, &list.mutants, options, group, &mut killers).map(|()| Outcome::Passed)
+        run_woven(&root, &list.mutants, options, &mut killers).map(|()| Outcome::Passed)
     };
     if options.record {
         list::write_killers(&killers_path, &killers)?;
@@ -72,14 +65,9 @@ fn run_woven(
     root: &Path,
     mutants: &[Mutant],
     options: &flags::Mutants,
-    group: Option<Group>,
     killers: &mut Killers,
 ) -> anyhow::Result<()> {
-    let mut chosen = chosen(mutants, options, root)?;
-    if let Some(group) = group {
-        chosen.retain(|number| is_of(group, killers.get(&mutants[number - 1].key())));
-        println!("{} mutants, known to the tests of {}", chosen.len(), group.join(", "));
-    }
+    let chosen = chosen(mutants, options, root)?;
     let place = Place::new(root);
     weave::weave(root, &place.tree, mutants)?;
     let verdicts = if options.quick {
@@ -130,47 +118,6 @@ const ALL: flags::Mutants = flags::Mutants {
     record: false,
     layers: false,
 };
-
-/// The mutants in Rust of one group of [`GROUPS`], each against the test known to detect it, for continuous
-/// integration: the commit decides which.
-pub(crate) fn quick() -> anyhow::Result<()> {
-    let group = group_of(&changes::paths()?, seed_of_commit(&root()));
-    run_group(&flags::Mutants { quick: true, ..ALL }, Some(group)).map(drop)
-}
-
-/// The packages whose tests are built together for a group of mutants.
-const GROUPS: [&[&str]; 5] = [
-    &["carom-special", "carom-geometry", "carom-halfspace", "carom-shells"],
-    &["carom-laws"],
-    &["carom-classic", "carom-impact", "carom-plot"],
-    &["carom-solver", "carom-rolling", "carom-capi"],
-    &["carom-cli", "page"],
-];
-
-type Group = &'static [&'static str];
-
-/// One of the groups of which a package changed, or of all if none did; the seed decides.
-fn group_of(paths: &[String], seed: u64) -> Group {
-    let has_changed = |group: &&Group| {
-        let mut folders = group.iter().map(|package| match package.strip_prefix("carom-") {
-            Some(name) => format!("crates/{name}/"),
-            None => "verification/".to_owned(),
-        });
-        folders.any(|folder| paths.iter().any(|path| path.starts_with(&folder)))
-    };
-    let mut groups: Vec<Group> = GROUPS.iter().copied().filter(|g| has_changed(&g)).collect();
-    if groups.is_empty() {
-        groups = GROUPS.to_vec();
-    }
-    groups[(seed % groups.len() as u64) as usize]
-}
-
-/// Whether the test known to detect a mutant belongs to the group, or to none of the groups.
-fn is_of(group: Group, known: Option<&String>) -> bool {
-    let Some(name) = known else { return true };
-    let package = name.split([':', ' ']).next().unwrap_or(name);
-    group.contains(&package) || !GROUPS.iter().any(|group| group.contains(&package))
-}
 
 /// All mutants, each against all tests and pages, for the long run.
 pub(crate) fn all() -> anyhow::Result<Outcome> {
@@ -266,35 +213,5 @@ fn by(trial: &Trial) -> Verdict {
         Verdict { page: name, ..verdict }
     } else {
         Verdict { test: name, ..verdict }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_group_that_changed_is_chosen() {
-        let paths =
-            |paths: &[&str]| paths.iter().map(|path| (*path).to_owned()).collect::<Vec<_>>();
-        for seed in 0..12 {
-            assert_eq!(group_of(&paths(&["crates/laws/src/lib.rs"]), seed), GROUPS[1]);
-            let two = paths(&["verification/src/lib.rs", "docs/a.md", "crates/plot/Cargo.toml"]);
-            assert_eq!(group_of(&two, seed), GROUPS[[2, 4][seed as usize % 2]]);
-            assert_eq!(
-                group_of(&paths(&["README.md"]), seed),
-                GROUPS[seed as usize % GROUPS.len()]
-            );
-        }
-    }
-
-    #[test]
-    fn each_mutant_belongs_to_one_group_or_to_all() {
-        let count = |name: Option<&String>| GROUPS.iter().filter(|g| is_of(g, name)).count();
-        assert_eq!(count(None), GROUPS.len());
-        assert_eq!(count(Some(&"carom-laws::it books::close".to_owned())), 1);
-        assert_eq!(count(Some(&"carom-laws memory::tests::holds".to_owned())), 1);
-        assert_eq!(count(Some(&"page f_8_1".to_owned())), 1);
-        assert_eq!(count(Some(&"tests/test_cases.py::test_one".to_owned())), GROUPS.len());
     }
 }
