@@ -227,9 +227,9 @@ fn is_near(one: Pixel, other: Pixel) -> bool {
 }
 
 /// A number of quarters of a pixel. Lengths and places that differ by less count as equal, so that round-off does not
-/// choose between mirror images.
+/// choose between mirror images. The borders between the numbers are off simple fractions of a pixel, where nodes stand.
 fn quarters(pixels: f64) -> i64 {
-    (4.0 * pixels).round() as i64
+    (4.0 * pixels + std::f64::consts::FRAC_1_PI).floor() as i64
 }
 
 /// The left end and the top of a line.
@@ -421,7 +421,7 @@ mod tests {
                 );
             }
             let ends = [bent(one).collect::<Vec<_>>()];
-            let at = number_place(&ends, frame, |at| at.x > 320.0).unwrap();
+            let at = number_place(&ends, frame, |_| false).unwrap();
             assert!(at.y < 120.0, "{} {}", at.x, at.y);
         }
     }
