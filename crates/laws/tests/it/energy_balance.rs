@@ -26,12 +26,20 @@ fn steps() -> usize {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Energetic for Memory<V, S, P> {
+    fn dimension(&self) -> usize {
+        V::DIMENSION
+    }
+
     fn place(&self) -> Place {
         (self.zeta(), self.shift().components())
     }
 
     fn go(&mut self, (zeta, x): Place) -> [f64; 2] {
         self.advance(zeta, V::from_components(x)).unwrap().components()
+    }
+
+    fn force(&self, to: Place) -> [f64; 2] {
+        self.clone().go(to)
     }
 
     fn stored(&self) -> [f64; 2] {
@@ -70,6 +78,10 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Stuck<V, S, P> {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Energetic for Stuck<V, S, P> {
+    fn dimension(&self) -> usize {
+        V::DIMENSION
+    }
+
     fn place(&self) -> Place {
         (self.memory.zeta(), self.memory.shift().components())
     }
@@ -81,6 +93,10 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Energetic for Stuck<V, S, 
             self.depths.push(from.max(0.0));
         }
         self.memory.advance(zeta, V::from_components(x)).unwrap().components()
+    }
+
+    fn force(&self, to: Place) -> [f64; 2] {
+        self.clone().go(to)
     }
 
     fn stored(&self) -> [f64; 2] {
@@ -112,19 +128,19 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Energetic for Stuck<V, S, 
 }
 
 /// A law on its way, in one direction or two.
-fn wander<V: Lateral, L: Energetic>(name: &str, mut law: L, count: usize) {
+fn wander(name: &str, law: &mut dyn Energetic, count: usize) {
     let mut wanderer = Wanderer::new(31);
     let (mut worst, mut least, mut merged, mut beyond) = ([0.0_f64; 2], 0.0_f64, 0, 0);
     for _ in 0..count {
-        let mut to = wanderer.next(&law);
-        if V::DIMENSION == 1 {
+        let mut to = wanderer.next(law);
+        if law.dimension() == 1 {
             to.1[1] = 0.0;
         }
         let merges = law.merges();
         if (to.0 - law.place().0).abs() < law.least_growth() {
             to.0 = law.place().0;
         }
-        let balance = step(&mut law, to);
+        let balance = step(law, to);
         if law.merges() != merges {
             merged += 1; // the state changed beside the step
             continue;
@@ -133,7 +149,7 @@ fn wander<V: Lateral, L: Energetic>(name: &str, mut law: L, count: usize) {
         let share = |error: f64| (error - 8.0 * balance.rounding) / balance.largest.max(1e-300);
         let errors = [share(balance.total), share(balance.error)];
         worst = [0, 1].map(|i| f64::max(worst[i], errors[i]));
-        let tolerance = if V::DIMENSION == 1 { [TOLERANCE; 2] } else { IN_PLANE };
+        let tolerance = if law.dimension() == 1 { [TOLERANCE; 2] } else { IN_PLANE };
         let fits = (0..2).all(|i| errors[i] <= tolerance[i]);
         beyond += usize::from(errors[0] > TOLERANCE);
         assert!(fits, "{name}: {errors:?} {balance:?} on the way to {to:?}");
@@ -147,24 +163,24 @@ fn wander<V: Lateral, L: Energetic>(name: &str, mut law: L, count: usize) {
 
 #[test]
 fn memories() {
-    wander::<f64, _>("one direction", Memory::<f64>::new(), 3 * steps());
-    wander::<[f64; 2], _>("two directions", Memory::<[f64; 2]>::new(), steps());
+    wander("one direction", &mut Memory::<f64>::new(), 3 * steps());
+    wander("two directions", &mut Memory::<[f64; 2]>::new(), steps());
 }
 
 #[test]
 fn memories_of_fixed_capacity() {
-    wander::<f64, _>("one direction", Memory::<f64, Fixed<f64, 16>>::new(), steps());
-    wander::<[f64; 2], _>("two", Memory::<[f64; 2], Fixed<[f64; 2], 16>>::new(), steps() / 4);
+    wander("one direction", &mut Memory::<f64, Fixed<f64, 16>>::new(), steps());
+    wander("two", &mut Memory::<[f64; 2], Fixed<[f64; 2], 16>>::new(), steps() / 4);
 }
 
 fn profile<P: NormalProfile>(name: &str, profile: P) {
-    let one = Memory::<f64, Growing<f64>, P>::with_profile(profile);
-    wander::<f64, _>(name, one, steps() / 2);
-    let two = Memory::<[f64; 2], Growing<[f64; 2]>, P>::with_profile(profile);
-    wander::<[f64; 2], _>(name, two, steps() / 8);
-    wander::<f64, _>(name, Stuck::<f64, Growing<f64>, P>::new(profile), steps() / 4);
-    let two = Stuck::<[f64; 2], Growing<[f64; 2]>, P>::new(profile);
-    wander::<[f64; 2], _>(name, two, steps() / 4);
+    let mut one = Memory::<f64, Growing<f64>, P>::with_profile(profile);
+    wander(name, &mut one, steps() / 2);
+    let mut two = Memory::<[f64; 2], Growing<[f64; 2]>, P>::with_profile(profile);
+    wander(name, &mut two, steps() / 8);
+    wander(name, &mut Stuck::<f64, Growing<f64>, P>::new(profile), steps() / 4);
+    let mut two = Stuck::<[f64; 2], Growing<[f64; 2]>, P>::new(profile);
+    wander(name, &mut two, steps() / 4);
 }
 
 #[test]
@@ -179,6 +195,10 @@ fn other_profiles() {
 struct Shifted(ShiftLaw<[f64; 2]>);
 
 impl Energetic for Shifted {
+    fn dimension(&self) -> usize {
+        2
+    }
+
     fn place(&self) -> Place {
         (self.0.shift().zeta, [self.0.shift().xi, self.0.shift().eta])
     }
@@ -186,6 +206,10 @@ impl Energetic for Shifted {
     fn go(&mut self, (zeta, [xi, eta]): Place) -> [f64; 2] {
         let load = self.0.advance(Shift { zeta, xi, eta, omega: 0.0 }).unwrap();
         [load.f_x, load.f_y]
+    }
+
+    fn force(&self, to: Place) -> [f64; 2] {
+        self.clone().go(to)
     }
 
     fn stored(&self) -> [f64; 2] {
@@ -227,11 +251,11 @@ fn law_in_its_own_units() {
 
 #[test]
 fn memories_without_slip() {
-    wander::<f64, _>("one direction", Stuck::<f64, Growing<f64>, _>::new(Hertzian), steps());
-    let two = Stuck::<[f64; 2], Growing<[f64; 2]>, _>::new(Hertzian);
-    wander::<[f64; 2], _>("two directions", two, steps());
-    let fixed = Stuck::<[f64; 2], Fixed<[f64; 2], 16>, _>::new(Hertzian);
-    wander::<[f64; 2], _>("fixed capacity", fixed, steps());
+    wander("one direction", &mut Stuck::<f64, Growing<f64>, _>::new(Hertzian), steps());
+    let mut two = Stuck::<[f64; 2], Growing<[f64; 2]>, _>::new(Hertzian);
+    wander("two directions", &mut two, steps());
+    let mut fixed = Stuck::<[f64; 2], Fixed<[f64; 2], 16>, _>::new(Hertzian);
+    wander("fixed capacity", &mut fixed, steps());
 }
 
 /// Heat of the last step in one step and in many, and the same from work and stored energy.

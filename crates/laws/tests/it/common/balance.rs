@@ -23,9 +23,13 @@ const GAUSS: [(f64, f64); 8] = [
 pub(crate) type Place = (f64, [f64; 2]);
 
 /// What the balance asks of a law.
-pub(crate) trait Energetic: Clone {
+pub(crate) trait Energetic {
+    /// The number of directions of the shift.
+    fn dimension(&self) -> usize;
     fn place(&self) -> Place;
     fn go(&mut self, to: Place) -> [f64; 2];
+    /// The force after a step that a copy takes.
+    fn force(&self, to: Place) -> [f64; 2];
     fn stored(&self) -> [f64; 2];
     fn heat(&self, to: Place) -> [f64; 2];
     /// The greatest force at an approach, or one of its size.
@@ -50,7 +54,7 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 /// The parameters at which something happens on a step.
-fn events<L: Energetic>(law: &L, to: Place) -> Vec<f64> {
+fn events(law: &dyn Energetic, to: Place) -> Vec<f64> {
     let from = law.place();
     let (dz, dx) = (to.0 - from.0, [0, 1].map(|i| to.1[i] - from.1[i]));
     let mut events = vec![0.0, 1.0, -from.0 / dz];
@@ -79,10 +83,10 @@ fn events<L: Energetic>(law: &L, to: Place) -> Vec<f64> {
 }
 
 /// The work of the tangential force on a straight step, per direction.
-pub(crate) fn work<L: Energetic>(law: &L, to: Place) -> [f64; 2] {
+pub(crate) fn work(law: &dyn Energetic, to: Place) -> [f64; 2] {
     let from = law.place();
     let dx = [0, 1].map(|i| to.1[i] - from.1[i]);
-    let force = |t: f64| law.clone().go(between(from, to, t));
+    let force = |t: f64| law.force(between(from, to, t));
     let mut mean = [0.0; 2];
     let events = events(law, to);
     let parts: Vec<_> =
@@ -144,7 +148,7 @@ pub(crate) struct Balance {
 }
 
 /// Takes a step and balances it, each direction by itself.
-pub(crate) fn step<L: Energetic>(law: &mut L, to: Place) -> Balance {
+pub(crate) fn step(law: &mut dyn Energetic, to: Place) -> Balance {
     let (work, before, heat) = (work(law, to), law.stored(), law.heat(to));
     let from = law.place();
     law.go(to);
@@ -183,7 +187,7 @@ impl Wanderer {
         Self { random: Random(seed), visited: Vec::new() }
     }
 
-    pub(crate) fn next<L: Energetic>(&mut self, law: &L) -> Place {
+    pub(crate) fn next(&mut self, law: &dyn Energetic) -> Place {
         let to = self.choose(law);
         // Where forces and energies of earlier shifts do not drown those of this one.
         let to = (to.0.clamp(-1.0, 2.0), to.1.map(|x| x.clamp(-3.0, 3.0)));
@@ -194,7 +198,7 @@ impl Wanderer {
         to
     }
 
-    fn choose<L: Energetic>(&mut self, law: &L) -> Place {
+    fn choose(&mut self, law: &dyn Energetic) -> Place {
         let (zeta, x) = law.place();
         let random = &mut self.random;
         let vertices = law.vertices();
