@@ -34,10 +34,11 @@ const FETCHED_WHERE_CHANGED: &[Changed] =
 /// The steps after these.
 const AFTER: &[(&str, Step)] = &[("the Python module", python::install)];
 
-/// The steps that every change must pass beside those of [`WHERE_CHANGED`]: they build nothing and
-/// keep one core busy.
-const BESIDE: &[(&str, Step)] =
-    &[("the tests of the Python module", python::test), ("the report in a browser", browse::run)];
+/// The steps that every change must pass after those of [`WHERE_CHANGED`].
+const LAST: &[(&str, Step)] = &[("the report in a browser", browse::run)];
+
+/// The steps that every change must pass beside these, each busy on one core.
+const BESIDE: &[(&str, Step)] = &[("the tests of the Python module", python::test)];
 
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
@@ -45,19 +46,32 @@ const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/
 /// What the LAMMPS plugin is built of.
 const LAMMPS: &[&str] = &[
     "plugins",
-    "crates/capi",
-    "crates/laws",
-    "crates/halfspace",
-    "crates/special",
-    "crates/geometry",
-    "crates/impact",
+    "crates/*/Cargo.toml",
+    "crates/capi/include",
+    "crates/capi/src",
+    "crates/laws/src",
+    "crates/halfspace/src",
+    "crates/special/src",
+    "crates/geometry/src",
+    "crates/impact/src",
 ];
 
 /// A step that runs if one of these paths changed, and in every long run.
 type Changed = (&'static [&'static str], &'static str, Step);
 
-/// Those that use no program of this workspace: beside the tests of the Python module.
+/// Those that use no program of this workspace: after the tests of the Python module.
 const BESIDE_WHERE_CHANGED: &[Changed] = &[
+    (
+        &[
+            "Cargo.toml",
+            "crates/*/Cargo.toml",
+            "crates/halfspace/src",
+            "crates/laws/src",
+            "crates/impact/src",
+        ],
+        "half-space and impacts without threads and operators",
+        || passed(without_threads(&[""])),
+    ),
     (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
     (MANIFESTS, "packages", || passed(release::pack_quickly())),
     (&["docs"], "the book", book::run),
@@ -83,11 +97,6 @@ const WHERE_CHANGED: &[Changed] = &[
         install_c::check,
     ),
     (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
-    (
-        &["crates/halfspace", "crates/laws", "crates/impact", "Cargo.toml"],
-        "half-space and impacts without threads and operators",
-        || passed(without_threads(&[""])),
-    ),
 ];
 
 /// Additional steps of a long run, before a release and on request.
@@ -145,6 +154,7 @@ pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
         beside.extend(changed(BESIDE_WHERE_CHANGED, &paths));
         building = changed(WHERE_CHANGED, &paths);
     }
+    building.extend(LAST);
     let mut skipped = both(&fetched, STEPS)? + all(AFTER)? + both(&beside, &building)?;
     let mut count = fetched.len() + STEPS.len() + AFTER.len() + beside.len() + building.len();
     if is_long {
