@@ -1014,6 +1014,9 @@ carom_status carom_creep_coefficients(double axis_ratio,
 /* The time step is too long: an impact lasts fewer than 20 steps. */
 #define CAROM_WARNING_TIME_STEP 256
 
+/* The spin about the normal uses up friction, which the law leaves out: R_x may change by more than 0.005. */
+#define CAROM_WARNING_SPIN_ON_SHIFT 512
+
 /* How far a contact or an impact lies within the theory, which holds for elastic contacts that are small
  * compared with the bodies, and how much the result leaves out. R is the smallest radius of curvature of the
  * two bodies at the contact. A ratio is 0 where it does not apply. Of many contacts take the largest of each. */

@@ -120,8 +120,8 @@ pub use twist::{
 pub use validity::{
     CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_APPROACH, CAROM_WARNING_LARGE_CONTACT,
     CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
-    CAROM_WARNING_TIME_STEP, CAROM_WARNING_WAVE_LOSS, CAROM_WARNING_YIELDS, CaromValidity,
-    carom_encounters_validity, carom_grains_impact_validity, carom_grains_validity,
-    carom_pair_validity, carom_validity_text, carom_warning_text,
+    CAROM_WARNING_SPIN_ON_SHIFT, CAROM_WARNING_TIME_STEP, CAROM_WARNING_WAVE_LOSS,
+    CAROM_WARNING_YIELDS, CaromValidity, carom_encounters_validity, carom_grains_impact_validity,
+    carom_grains_validity, carom_pair_validity, carom_validity_text, carom_warning_text,
 };
 pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

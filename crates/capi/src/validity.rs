@@ -35,6 +35,8 @@ pub const CAROM_WARNING_LARGE_APPROACH: u32 = 64;
 pub const CAROM_WARNING_YIELDS: u32 = 128;
 /// The time step is too long: an impact lasts fewer than 20 steps.
 pub const CAROM_WARNING_TIME_STEP: u32 = 256;
+/// The spin about the normal uses up friction, which the law leaves out: R_x may change by more than 0.005.
+pub const CAROM_WARNING_SPIN_ON_SHIFT: u32 = 512;
 
 /// How far a contact or an impact lies within the theory, which holds for elastic contacts that are small
 /// compared with the bodies, and how much the result leaves out. R is the smallest radius of curvature of the
@@ -70,6 +72,7 @@ const fn bit_of(limit: Limit) -> u32 {
         Limit::Yields => CAROM_WARNING_YIELDS,
         Limit::Waves => CAROM_WARNING_WAVE_LOSS,
         Limit::Spin => CAROM_WARNING_SPIN_LEFT_ALONE,
+        Limit::SpinOnShift => CAROM_WARNING_SPIN_ON_SHIFT,
         Limit::TimeStep => CAROM_WARNING_TIME_STEP,
     }
 }

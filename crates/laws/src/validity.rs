@@ -33,19 +33,22 @@ pub enum Limit {
     Waves,
     /// Friction does not act on the spin about the normal.
     Spin,
+    /// The spin about the normal does not act on the tangential motion.
+    SpinOnShift,
     /// An impact has too few time steps.
     TimeStep,
 }
 
 impl Limit {
     /// All limits, in the order in which they are told.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Coupling,
         Self::LargeContact,
         Self::LargeApproach,
         Self::Yields,
         Self::Waves,
         Self::Spin,
+        Self::SpinOnShift,
         Self::TimeStep,
     ];
 
@@ -68,6 +71,9 @@ impl Limit {
             Self::Spin => {
                 c"torsion is not computed, which would take more than 1 % of the relative spin about the normal"
             }
+            Self::SpinOnShift => {
+                c"the spin about the normal uses up friction, which the law leaves out"
+            }
             Self::TimeStep => {
                 c"the time step is too long: an impact should last 20 steps at the least, 50 for accurate \
                   friction"
@@ -85,6 +91,7 @@ impl Limit {
             Self::Yields => 1.0,
             Self::Waves => Validity::NOTICEABLE_WAVE_SHARE,
             Self::Spin => Validity::NOTICEABLE_SPIN_SHARE,
+            Self::SpinOnShift => Validity::NEGLIGIBLE_COUPLING,
             Self::TimeStep => Validity::LONG_STEP,
         }
     }
@@ -118,7 +125,9 @@ impl Display for Excess {
         let percent = short_number(100.0 * self.value);
         let number = short_number(self.value);
         match self.limit {
-            Limit::Coupling => write!(f, "{words}: R_x of an impact changes by up to {number}"),
+            Limit::Coupling | Limit::SpinOnShift => {
+                write!(f, "{words}: R_x of an impact changes by up to {number}")
+            }
             Limit::LargeContact => write!(f, "{words}: it is {number}"),
             Limit::LargeApproach => write!(f, "{words}: it is {number} times the radius"),
             Limit::Yields => write!(f, "{words}: it is {number} times that"),
@@ -162,6 +171,8 @@ pub struct Validity {
     /// The share of the relative spin about the normal that friction would take at most, if the result leaves
     /// this out.
     pub spin_share: f64,
+    /// A bound of the change of R_x by the spin about the normal, if the result leaves it out.
+    pub spin_on_shift: f64,
     /// The time step over the duration of the shortest impact; 0 without time steps.
     pub step_over_duration: f64,
 }
@@ -175,7 +186,7 @@ impl Validity {
     pub const LARGE_WAVE_SHARE: f64 = 0.1;
     /// The share of the energy of elastic waves that is worth a word.
     pub const NOTICEABLE_WAVE_SHARE: f64 = 0.01;
-    /// Largest change of R_x by neglected coupling that is not worth a word.
+    /// Largest change of R_x by coupling or by the spin about the normal, left out, that is not worth a word.
     pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
     /// The share of the spin about the normal, left out, that is worth a word.
     pub const NOTICEABLE_SPIN_SHARE: f64 = 0.01;
@@ -233,6 +244,7 @@ impl Validity {
             wave_share: self.wave_share.max(other.wave_share),
             coupling: self.coupling.max(other.coupling),
             spin_share: self.spin_share.max(other.spin_share),
+            spin_on_shift: self.spin_on_shift.max(other.spin_on_shift),
             step_over_duration: self.step_over_duration.max(other.step_over_duration),
         }
     }
@@ -247,6 +259,7 @@ impl Validity {
             Limit::Yields => self.pressure_over_yield,
             Limit::Waves => self.wave_share,
             Limit::Spin => self.spin_share,
+            Limit::SpinOnShift => self.spin_on_shift,
             Limit::TimeStep => self.step_over_duration,
         }
     }

@@ -175,11 +175,11 @@ fn many_contacts_are_as_bad_as_the_worst_in_each_ratio() {
     let met = |grains, radii: [f64; 2], zeta: f64| CaromEncounter {
         grains,
         touch: null_mut(),
-        one: grain(0.0, radii[0]),
-        two: grain(radii[0] + radii[1] - zeta, radii[1]),
+        one: grain(3e-3, radii[0]),
+        two: grain(3e-3 + radii[0] + radii[1] - zeta, radii[1]),
         load: CaromGrainLoad::default(),
     };
-    let (small, large) = ([1e-3, 1e-3], [2e-3, 4e-3]);
+    let (small, large) = ([1e-3, 3e-3], [4e-3, 2e-3]);
     let all = [met(&hard, small, 1e-5), met(&soft, large, 2e-6), met(&soft, large, -1e-6)];
     let worst = |all: &[CaromEncounter]| {
         // SAFETY: all pointers are references, and touches are not read.

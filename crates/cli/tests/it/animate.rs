@@ -50,6 +50,22 @@ fn bodies_of_every_shape_touch_and_part() {
     }
 }
 
+#[test]
+fn a_plane_is_wider_than_the_ball_and_lies_below_it() {
+    let outlines = moving(&animated("rubber_on_table"), "polygon");
+    let [ball, plane] = [0, 1].map(|body: usize| &outlines[body][16]);
+    let ends = |points: &[[f64; 2]], axis: usize| {
+        let of = || points.iter().map(|point| point[axis]);
+        [of().fold(f64::MAX, f64::min), of().fold(f64::MIN, f64::max)]
+    };
+    let ([left, right], [_, low]) = (ends(ball, 0), ends(ball, 1));
+    let ([from, to], [top, bottom]) = (ends(plane, 0), ends(plane, 1));
+    assert!(from < left && to > right, "{from} {left} {right} {to}");
+    assert!((top - low).abs() < 1.0 && bottom > top + 5.0, "{top} {bottom} {low}");
+    let level = plane.iter().filter(|point| (point[1] - top).abs() < 0.1).count();
+    assert!(level >= plane.len() - 3, "{level} of {}", plane.len());
+}
+
 /// The spinning ring is seen along its axis: twice around, outside with 50 mm and inside with 10 mm.
 #[test]
 fn a_torus_has_its_hole() {

@@ -231,6 +231,14 @@ fn every_bad_value_is_named_with_its_range() {
             assert!(message.starts_with("line ") && message.ends_with(&expected), "{message}");
         }
     }
+    // A mass too small and one too large for a number.
+    for density in ["1e-320", "1e308"] {
+        let large = changed("4000.0", density).replace("0.0025", "1e10");
+        let small = changed("4000.0", density).replace("0.0025", "1e-10");
+        let message = error(if density == "1e308" { &large } else { &small });
+        let end = "is out of range: must be such that the mass is finite and > 0";
+        assert!(message.contains("`body_1.density` = ") && message.ends_with(end), "{message}");
+    }
     let message = error(&changed("0.092", "1e-40"));
     assert!(message.starts_with("line 17: `contact.friction` = 1e-40 is"), "{message}");
 }

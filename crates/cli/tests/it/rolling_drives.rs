@@ -276,6 +276,7 @@ fn what_cannot_be_driven_is_refused_by_name() {
         (CASE, "elements = 24", "cells = [10, 10]", vec!["grid.cells", "elements"]),
         (GAP, "NORMAL", "", vec!["rolling.F_z", "is missing", "`zeta`"]),
         (GAP, "cells = [48, 48]", "elements = 12", vec!["grid.elements", "`cells`"]),
+        (GAP, "spin = 2", "distance = 0.23", vec!["`rolling.distance` = 0.23", "of the grid"]),
         (GAP, "MAP", "F_z = 3", vec!["contact.F_z", "rolling.F_z"]),
         (GAP, "NORMAL", "F_z = \"1000 MN\"", vec!["reaches", "border"]),
     ] {
@@ -285,5 +286,16 @@ fn what_cannot_be_driven_is_refused_by_name() {
         assert_eq!(output.status.code(), Some(2), "{new}: {said}");
         assert!(output.stdout.is_empty());
         assert!(parts.iter().all(|part| said.contains(part)), "{said} lacks one of {parts:?}");
+    }
+}
+
+/// A hundred times the longer side of the grid may be rolled, whichever it is.
+#[test]
+fn the_longer_side_of_a_grid_limits_the_distance() {
+    let far = GAP.replace("spin = 2", "distance = 0.21").replace("NORMAL", "F_z = 1000");
+    let turned = far.replace("[\"1.6 mm\", \"2.2 mm\"]", "[\"2.2 mm\", \"1.6 mm\"]");
+    for (name, text) in [("far.toml", &far), ("far_turned.toml", &turned)] {
+        let output = carom(&["check", &case(name, &text.replace("MAP", ""))]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     }
 }

@@ -210,3 +210,43 @@ fn deep_in_ellipsoid(squared: &Vector3<f64>, shortest: usize, from: &Vector3<f64
     point[shortest] = libm::sqrt(squared[shortest] * rest.max(0.0)).copysign(from[shortest]);
     point
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The surface point at spherical angles, which need not be those of its direction.
+    fn at(semi_axes: &Vector3<f64>, polar: f64, around: f64) -> Vector3<f64> {
+        let ((s, c), (sin, cos)) = (libm::sincos(polar), libm::sincos(around));
+        semi_axes.component_mul(&Vector3::new(s * cos, s * sin, c))
+    }
+
+    #[test]
+    fn no_point_of_an_ellipsoid_is_closer_than_the_closest() {
+        let inside = [[0.2, 0.1, 0.0], [0.0, 0.0, 0.0], [1.4, -0.1, 0.0], [0.3, -0.2, 0.1]];
+        let outside = [[4.0, 0.0, 0.0], [1.0, -3.0, 0.5]];
+        for axes in [[3.0, 2.0, 1.0], [1.0, 3.0, 2.0], [2.0, 1.0, 3.0], [2.0, 2.0, 1.0]] {
+            let axes = Vector3::from(axes);
+            for from in inside.into_iter().chain(outside).map(Vector3::from) {
+                let found = closest_on_ellipsoid(&axes, &from);
+                let on = found.point.component_div(&axes).norm_squared();
+                assert!((on - 1.0).abs() < 1e-11, "{found:?} from {from:?}");
+                let foot = found.point + found.normal * found.distance;
+                assert!((foot - from).norm() < 1e-10, "{found:?} from {from:?}");
+                let steps = (0..=200).flat_map(|i| (0..400).map(move |j| (i, j)));
+                let least = steps
+                    .map(|(i, j)| {
+                        let [polar, around] =
+                            [i, j].map(|k| f64::from(k) * 0.005 * std::f64::consts::PI);
+                        (at(&axes, polar, around) - from).norm()
+                    })
+                    .fold(f64::INFINITY, f64::min);
+                let own = found.distance.abs();
+                assert!(
+                    own <= least * (1.0 + 1e-12) && own > least - 2e-3,
+                    "{own} {least} {from:?}"
+                );
+            }
+        }
+    }
+}

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use super::{Collision, CollisionError};
 use crate::body::Body;
 use crate::closed_form::restitution_without_slip;
-use crate::coupled::{CoupledOutcome, is_coupled};
+use crate::coupled::{CoupledOutcome, ImpactMethod, is_coupled};
 use crate::motion::Motion;
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
@@ -95,7 +95,15 @@ impl Collision {
             Some(_) => 0.0,
             None => self.normal_spin(before.z).greatest_loss().unwrap_or(0.0),
         };
-        let validity = Validity { spin_share, ..self.validity(&outcome, &maximal_contact, share) };
+        let spin_on_shift = match outcome.method {
+            ImpactMethod::Rings => 0.0,
+            _ => self.spin_on_shift(),
+        };
+        let validity = Validity {
+            spin_share,
+            spin_on_shift,
+            ..self.validity(&outcome, &maximal_contact, share)
+        };
         let warnings = self.warnings(validity).chain(outcome.warning).collect();
         Ok(Rebound {
             motions,

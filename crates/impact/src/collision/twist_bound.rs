@@ -51,24 +51,40 @@ impl Collision {
     /// rings combines spin and shift.
     #[must_use]
     pub fn twist_bound(&self) -> TwistBound {
+        match self.restitution_by_spin().filter(|_| self.is_symmetric()) {
+            Some(restitution) => {
+                let spin = self.normal_spin(self.velocity().z).greatest_loss().unwrap_or(0.0);
+                TwistBound { restitution, spin }
+            }
+            None => TwistBound::default(),
+        }
+    }
+
+    /// How much the relative spin about the normal may change R_x, which all laws but that of rings leave out.
+    /// For bodies other than spheres and planes the bound is that of a sphere whose contact has their larger
+    /// semi-axis.
+    pub(super) fn spin_on_shift(&self) -> f64 {
+        self.restitution_by_spin().filter(|_| self.is_tangential()).unwrap_or(0.0)
+    }
+
+    /// [`TwistBound::restitution`] for any bodies; `None` if the spin counts for nothing.
+    fn restitution_by_spin(&self) -> Option<f64> {
         let speed = self.velocity().z;
         let omega = self.relative_spin().abs();
         let friction = self.friction.get();
-        let is_counted = self.torsion != TorsionMode::LeftOut && self.is_symmetric();
+        let is_counted = self.torsion != TorsionMode::LeftOut;
         if !is_counted || speed <= 0.0 || omega == 0.0 || friction == 0.0 {
-            return TwistBound::default();
+            return None;
         }
         let (d_zz, c_z) = (self.mobility.matrix().m33, self.hertz.stiffness().c_z);
         let contact = NormalImpact::new(d_zz, c_z, speed)
             .and_then(|normal| self.hertz.ellipse(normal.maximal_approach()));
-        let radius = contact.map_or(f64::INFINITY, |contact| contact.semi_axis_b());
+        let radius = contact
+            .map_or(f64::INFINITY, |contact| contact.semi_axis_a().max(contact.semi_axis_b()));
         let inverse = friction * speed / (radius * omega);
         // Infinite friction: shift and twist are linear and independent.
-        if inverse * NO_SPIN >= 1.0 && friction.is_finite() {
-            return TwistBound::default();
-        }
-        let restitution = SLOPE / (1.0 + inverse);
-        TwistBound { restitution, spin: self.normal_spin(speed).greatest_loss().unwrap_or(0.0) }
+        let is_negligible = inverse * NO_SPIN >= 1.0 && friction.is_finite();
+        (!is_negligible).then(|| SLOPE / (1.0 + inverse))
     }
 
     /// Whether the contact points have a tangential velocity beyond the round-off of the velocities that it

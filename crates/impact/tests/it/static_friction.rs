@@ -15,6 +15,7 @@ use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
 use carom_laws::shift_law::StaticFrictionLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
+use carom_laws::validity::Limit;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
@@ -256,6 +257,55 @@ fn what_cannot_be_computed_is_refused_by_name() {
     // The solver that chooses computes what it can, without torsion.
     let chosen = AnalyticOrRings.solve(&spins.with_torsion_mode(TorsionMode::Auto)).unwrap();
     assert!(chosen.rebound().unwrap().torsion.is_none());
+}
+
+/// How far the spin about the normal, left out, may change R_x, if that is told.
+fn told_of_spin(collision: &Collision) -> Option<f64> {
+    let outcome = AnalyticOrRings.solve(collision).unwrap();
+    let warnings = &outcome.rebound().unwrap().warnings;
+    warnings.iter().find_map(|warning| warning.ratio(Limit::SpinOnShift))
+}
+
+/// A spin that is fast against f v_z turns the friction of the whole contact away from the shift.
+#[test]
+fn what_the_spin_does_to_the_shift_is_told_where_it_is_left_out() {
+    let spinning = |surface: &Surface, spin: f64, friction: ImpactFriction| {
+        let motion = Motion::new([0.4, 0.0, -1.0], [0.0, 0.0, spin]).unwrap();
+        let body = Body::new(surface.clone(), steel(), surface.solid(0.3).unwrap()).moving(motion);
+        Collision::new(body, Body::plane(steel()), friction).unwrap()
+    };
+    let ball = Surface::sphere(0.02).unwrap();
+    let (both, one) = (friction(F_S, F_K), Friction::new(F_K).unwrap());
+    let fast = spinning(&ball, 3000.0, both.into());
+    assert_eq!(
+        told_of_spin(&fast),
+        Some(fast.twist_bound().restitution),
+        "computed without the spin"
+    );
+    let with_one = spinning(&ball, 3000.0, one.into());
+    assert_eq!(told_of_spin(&with_one), None, "rings count the spin");
+    let r_x = |collision: &Collision| {
+        AnalyticOrRings.solve(collision).unwrap().rebound().unwrap().r_x.unwrap()
+    };
+    let change = (r_x(&fast) - r_x(&with_one)).abs();
+    assert!(change > 0.3 && change < fast.twist_bound().restitution, "{change}");
+    // Little spin, a spin that is to be left out, and none are not worth a word.
+    assert_eq!(told_of_spin(&spinning(&ball, 0.001, both.into())), None);
+    let left = fast.with_torsion_mode(TorsionMode::LeftOut);
+    assert_eq!(told_of_spin(&left), None);
+    let still = Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, 3000.0]).unwrap();
+    let still = Body::new(ball.clone(), steel(), ball.solid(0.3).unwrap()).moving(still);
+    let still = Collision::new(still, Body::plane(steel()), both).unwrap();
+    assert_eq!(told_of_spin(&still), None, "no shift to act on");
+    // No law for other bodies counts the spin: the larger semi-axis decides.
+    let egg = |axes: [f64; 3]| {
+        let egg = spinning(&Surface::ellipsoid(axes).unwrap(), 300.0, one.into());
+        assert_eq!(egg.twist_bound().restitution, 0.0);
+        told_of_spin(&egg).unwrap()
+    };
+    let [long, across] = [[0.03, 0.02, 0.015], [0.02, 0.03, 0.015]].map(egg);
+    assert!((long - across).abs() < 1e-12 * long && long > 0.005, "{long} {across}");
+    assert!(long > egg([0.02, 0.02, 0.015]), "{long}");
 }
 
 /// An ellipsoid that slips along an axis stays on a line; across both, the slip turns.

@@ -282,6 +282,10 @@ fn return_point_memory() {
     let (one, two) = (inner.advance(1.0, 0.35).unwrap(), outer.advance(1.0, 0.35).unwrap());
     assert!((one - two).abs() < 4e-15);
     assert!((inner.tangent().by_shift[0][0] - outer.tangent().by_shift[0][0]).abs() < 4e-15);
+    // Nothing depends on a second direction.
+    let tangent = inner.tangent();
+    assert_eq!((tangent.by_shift[0][1], tangent.by_shift[1]), (0.0, [0.0; 2]));
+    assert_eq!(tangent.by_approach[1], 0.0);
 }
 
 /// `1 - (1-t)^(5/3) - (5t/6) [1 + (1-t)^(2/3)]`, summed as a series where it cancels.
