@@ -381,10 +381,11 @@ mod tests {
                 Validity { pressure_over_yield: value, ..none },
                 Validity { wave_share: 0.01 * value, ..none },
                 Validity { spin_share: 0.01 * value, ..none },
+                Validity { spin_on_shift: 5e-3 * value, ..none },
                 Validity { step_over_duration: value / 20.0, ..none },
             ]
         };
-        let numbers = ["0.01", "0.2", "0.2", "2 times", "2 %", "2 %", "lasts 10"];
+        let numbers = ["0.01", "0.2", "0.2", "2 times", "2 %", "2 %", "0.01", "lasts 10"];
         for (i, limit) in Limit::ALL.into_iter().enumerate() {
             let [at, above] = [1.0, 2.0].map(|value| of(value)[i]);
             assert_eq!(at.exceeded().count(), 0, "{limit:?}");
@@ -400,8 +401,14 @@ mod tests {
     #[test]
     fn what_a_result_leaves_out_does_not_make_it_wrong() {
         let none = Validity::default();
-        let left_out = Validity { coupling: 0.7, spin_share: 0.5, wave_share: 0.09, ..none };
-        assert!(left_out.holds() && !left_out.is_outside() && left_out.exceeded().count() == 3);
+        let left_out = Validity {
+            coupling: 0.7,
+            spin_share: 0.5,
+            spin_on_shift: 0.5,
+            wave_share: 0.09,
+            ..none
+        };
+        assert!(left_out.holds() && !left_out.is_outside() && left_out.exceeded().count() == 4);
         let wrong = [
             Validity { semi_axis_over_radius: 0.11, ..none },
             Validity { approach_over_radius: 0.11, ..none },
