@@ -258,9 +258,9 @@ impl Collision {
 
     /// The same collision with the torsional impact of chapter 10 on the spin about the normal.
     ///
-    /// By default that spin is not changed, and [`carom_laws::validity::Limit::Spin`] tells where this matters,
-    /// [`carom_laws::validity::Limit::SpinOnShift`] where the friction that the spin uses up does;
-    /// the neglected change of the spin is of the order of zeta_max/R. The torsional impact is computed as if there were
+    /// By default that spin is not changed. [`carom_laws::validity::Limit::Spin`] tells where friction would change
+    /// it, [`carom_laws::validity::Limit::SpinOnShift`] where it would change R_x. The neglected change of the
+    /// spin is of the order of zeta_max/R. The torsional impact is computed as if there were
     /// no tangential impact. This is an approximation if both slip, since they share one friction limit.
     /// [`Collision::solve`] then rejects bodies whose spin about the normal is coupled to other motion.
     /// Spheres, planes and bodies that touch at the end of an axis of symmetry are accepted.

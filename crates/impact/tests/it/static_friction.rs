@@ -282,6 +282,11 @@ fn what_the_spin_does_to_the_shift_is_told_where_it_is_left_out() {
         Some(fast.twist_bound().restitution),
         "computed without the spin"
     );
+    let outcome = AnalyticOrRings.solve(&fast).unwrap();
+    let radius = outcome.rebound().unwrap().maximal_contact.semi_axis_a();
+    let t = radius * 3000.0 / F_K; // v_z = 1
+    let bound = 2.0 * t / (1.0 + t);
+    assert!((told_of_spin(&fast).unwrap() - bound).abs() < 1e-9, "{bound}");
     let with_one = spinning(&ball, 3000.0, one.into());
     assert_eq!(told_of_spin(&with_one), None, "rings count the spin");
     let r_x = |collision: &Collision| {
