@@ -5,13 +5,50 @@ use anyhow::{Context as _, bail};
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// All packages but the benches, whose framework selects other features of common dependencies: with it,
 /// everything above them would be compiled once for the tests and once more for the programs.
 pub(crate) const WITHOUT_BENCHES: &[&str] = &["--workspace", "--exclude", "carom-benches"];
 
+/// Whether there is a [`Lints`].
+static LINTS: AtomicBool = AtomicBool::new(false);
+
+/// While it exists, cargo lints the crates of the workspace as it compiles them and documents them as it tests the
+/// examples of their documentation; warnings are errors. Steps of their own would check every dependency once more.
+pub(crate) struct Lints(());
+
+impl Lints {
+    pub(crate) fn with_builds() -> Self {
+        LINTS.store(true, Ordering::Relaxed);
+        Self(())
+    }
+
+    /// Sets the compiler and the documentation tool of a command that calls cargo.
+    pub(crate) fn set(command: &mut Command) {
+        if LINTS.load(Ordering::Relaxed) {
+            let tools = root().join(".ci");
+            command.env("RUSTC_WORKSPACE_WRAPPER", tools.join("rustc"));
+            command.env("RUSTDOC", tools.join("rustdoc"));
+        }
+    }
+}
+
+impl Drop for Lints {
+    fn drop(&mut self) {
+        LINTS.store(false, Ordering::Relaxed);
+    }
+}
+
 /// A cargo command at the root of the workspace, with the cargo that runs this task.
 pub(crate) fn command(arguments: &[&str]) -> Command {
+    let mut command = unlinted(arguments);
+    Lints::set(&mut command);
+    command
+}
+
+/// The same, without [`Lints`]: compiled as users compile it.
+pub(crate) fn unlinted(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.args(arguments).current_dir(root());
@@ -21,6 +58,11 @@ pub(crate) fn command(arguments: &[&str]) -> Command {
 /// Runs cargo; an exit code other than 0 is an error.
 pub(crate) fn run(arguments: &[&str]) -> anyhow::Result<()> {
     finish(&mut command(arguments), arguments)
+}
+
+/// Runs cargo without [`Lints`].
+pub(crate) fn run_unlinted(arguments: &[&str]) -> anyhow::Result<()> {
+    finish(&mut unlinted(arguments), arguments)
 }
 
 /// Runs cargo with an additional environment variable.

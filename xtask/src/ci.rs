@@ -1,5 +1,6 @@
 //! The steps of continuous integration.
 
+use crate::cargo::Lints;
 use crate::outcome::Outcome;
 use crate::{
     book, browse, cargo, changes, deny, doors, fuzz, install_c, instructions, lammps, mutants,
@@ -14,13 +15,11 @@ type Step = fn() -> anyhow::Result<Outcome>;
 /// Duration of the search for a path with a large error of Coulomb's law, in seconds.
 const ADVERSARY: &str = "60";
 
-/// Steps that every change must pass, each test once.
+/// Steps that every change must pass, each test once. Cargo lints and documents what they compile, as [`Lints`] says.
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
     ("index of equations, places of mutants, descriptions of packages", || passed(tidy::run())),
-    ("lints", lints),
-    ("tests, with the examples of README and documentation", || passed(test::run())),
-    ("documentation", documentation),
+    ("tests, with lints, documentation and its examples", || passed(test::run())),
     ("quick figures", quick_figures),
 ];
 
@@ -62,6 +61,11 @@ type Changed = (&'static [&'static str], &'static str, Step);
 /// Those that use no program of this workspace: after the tests of the Python module.
 const BESIDE_WHERE_CHANGED: &[Changed] = &[
     (
+        &["Cargo.toml", "benches", "crates/*/Cargo.toml", "crates/*/src"],
+        "lints of the benches",
+        lints,
+    ),
+    (
         &[
             "Cargo.toml",
             "crates/*/Cargo.toml",
@@ -101,6 +105,8 @@ const WHERE_CHANGED: &[Changed] = &[
 
 /// Additional steps of a long run, before a release and on request.
 const LONG: &[(&str, Step)] = &[
+    ("lints of the benches", lints),
+    ("documentation of all packages", documentation),
     ("tests with overflow checks and debug assertions", || passed(test::checked())),
     ("the tests that are ignored otherwise", || passed(test::ignored())),
     ("licences, sources and advisories of the dependencies", deny::run),
@@ -155,7 +161,9 @@ pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
         building = changed(WHERE_CHANGED, &paths);
     }
     building.extend(LAST);
+    let lints = Lints::with_builds();
     let mut skipped = both(&fetched, STEPS)? + all(AFTER)? + both(&beside, &building)?;
+    drop(lints);
     let mut count = fetched.len() + STEPS.len() + AFTER.len() + beside.len() + building.len();
     if is_long {
         skipped += all(LONG)?;
@@ -220,9 +228,10 @@ fn form() -> anyhow::Result<Outcome> {
     passed(cargo::run(&["fmt", "--all", "--check"]))
 }
 
+/// Lints the benches, the only package without tests.
 fn lints() -> anyhow::Result<Outcome> {
-    let clippy = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
-    passed(cargo::run(&clippy))
+    let benches = ["clippy", "--package", "carom-benches", "--all-targets", "--release"];
+    passed(cargo::run(&[&benches[..], &["--", "-D", "warnings"]].concat()))
 }
 
 /// Checks the crates that can do without rayon or without operators. Carom as a whole has both, so that no other step

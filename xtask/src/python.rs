@@ -1,5 +1,6 @@
 //! The Python module: builds its wheel, installs it into a fresh environment and tests it there.
 
+use crate::cargo::Lints;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use anyhow::{Context as _, bail};
@@ -137,7 +138,9 @@ pub(crate) fn build(place: &Place) -> anyhow::Result<PathBuf> {
     }
     let mut maturin = Command::new(place.folder.join("venv/bin/maturin"));
     maturin.current_dir(project()).args(["build", "--release", "--quiet", "--out"]).arg(&wheels);
-    call(maturin.arg("--target-dir").arg(target(&root())))?;
+    maturin.arg("--target-dir").arg(target(&root()));
+    Lints::set(&mut maturin);
+    call(&mut maturin)?;
     wheel(&wheels)
 }
 
