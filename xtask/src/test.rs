@@ -79,10 +79,20 @@ pub(crate) fn chosen(options: &flags::Test) -> anyhow::Result<()> {
 
 /// Runs all tests, documentation examples and example programs, and prints their numbers. The
 /// examples run even if a test fails.
-pub(crate) fn run() -> anyhow::Result<()> {
-    let tests = of_workspace(Which::Usual);
+fn run() -> anyhow::Result<()> {
+    let tests = usual();
+    tests.and(shown())
+}
+
+/// Runs the tests that are not ignored.
+pub(crate) fn usual() -> anyhow::Result<()> {
+    of_workspace(Which::Usual)
+}
+
+/// Runs the documentation examples and the example programs.
+pub(crate) fn shown() -> anyhow::Result<()> {
     let examples = examples();
-    tests.and(examples).and(programs())
+    examples.and(programs())
 }
 
 /// Also runs the tests that take minutes, and prints their duration.

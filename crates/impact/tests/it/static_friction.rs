@@ -350,16 +350,26 @@ fn an_ellipsoid_slips_along_its_axes_and_across_them() {
     }
 }
 
-/// Of random impacts in space all but a few converge, and none gains energy.
 #[test]
 fn random_impacts_in_space_converge() {
+    check_random_impacts(16);
+}
+
+#[test]
+#[ignore = "it takes a minute"]
+fn many_random_impacts_in_space_converge() {
+    check_random_impacts(200);
+}
+
+/// Of random impacts in space all but a few converge, and none gains energy.
+fn check_random_impacts(count: u32) {
     let mut state = 7_u64;
     let mut unit = || {
         state =
             state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 53) as f64
     };
-    let (mut settled, mut slides, count) = (0, 0, 40);
+    let (mut settled, mut slides) = (0, 0);
     for _ in 0..count {
         let [a, b, c] = std::array::from_fn(|_| 0.8 * unit() - 0.4);
         let d = Matrix3::new(3.5, a, b, a, 2.5 + unit(), c, b, c, 1.0);
@@ -378,7 +388,7 @@ fn random_impacts_in_space_converge() {
         slides += u32::from(outcome.error_estimate > 0.0);
     }
     println!("{settled} of {count} converge, {slides} in steps");
-    assert!(settled > count * 95 / 100 && slides > 20, "{settled} {slides}");
+    assert!(settled > count * 95 / 100 && slides > count / 2, "{settled} {slides}");
 }
 
 #[test]
