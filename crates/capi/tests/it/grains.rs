@@ -6,7 +6,7 @@ use std::ptr::{null, null_mut};
 
 use carom_capi::*;
 
-type Vector = [f64; 3];
+pub(super) type Vector = [f64; 3];
 
 fn text(error: &CaromError) -> String {
     error.text.iter().take_while(|byte| **byte != 0).map(|byte| char::from(*byte as u8)).collect()
@@ -16,16 +16,16 @@ fn field(error: &CaromError) -> String {
     error.field.iter().take_while(|byte| **byte != 0).map(|byte| char::from(*byte as u8)).collect()
 }
 
-fn error() -> CaromError {
+pub(super) fn error() -> CaromError {
     // SAFETY: plain numbers.
     unsafe { zeroed() }
 }
 
-fn apart() -> CaromTouch {
+pub(super) fn apart() -> CaromTouch {
     CaromTouch { mark: 0, words: [MaybeUninit::new(0); CAROM_TOUCH_WORDS] }
 }
 
-fn made(
+pub(super) fn made(
     poisson: [f64; 2],
     friction: f64,
     law: u32,
@@ -43,7 +43,7 @@ fn made(
     }
 }
 
-fn step(
+pub(super) fn step(
     grains: &CaromGrains,
     touch: &mut CaromTouch,
     [one, two]: &[CaromGrain; 2],
@@ -60,11 +60,11 @@ fn step(
     load
 }
 
-fn plus(a: Vector, b: Vector, by: f64) -> Vector {
+pub(super) fn plus(a: Vector, b: Vector, by: f64) -> Vector {
     [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]]
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -85,7 +85,7 @@ struct Impact {
 }
 
 const SPEED: f64 = 1e-3;
-const RADII: [f64; 2] = [0.5, 0.35];
+pub(super) const RADII: [f64; 2] = [0.5, 0.35];
 
 impl Impact {
     /// At rest against each other but for the normal velocity and lambda f times it along an axis of no
@@ -399,187 +399,6 @@ fn what_is_out_of_range_is_named() {
         carom_touch_unpack(&grains, 1.0, 1.0, numbers.as_ptr(), &raw mut touch, null_mut())
     };
     assert_eq!(status, CaromStatus::BadState);
-}
-
-/// Two unequal spheres that spin to and fro about their normal: the torque is that of the law of a twist with
-/// the constants of their curvatures, and what turning them costs is stored or heat.
-#[test]
-fn spin_about_the_normal_meets_the_law_of_a_twist() {
-    let grains = made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 0.0).unwrap();
-    let bodies =
-        [0.3, 0.2].map(|poisson| CaromMaterial { young_modulus: 70e9, poisson, yield_stress: 0.0 });
-    let [one, two] = &bodies;
-    let normal = [0.36, 0.48, 0.8];
-    let (zeta, dt) = (1e-5, 1e-3);
-    let body = |sign: f64, radius: f64, spin: f64| CaromGrain {
-        place: normal.map(|n| sign * n * (radius - 0.5 * zeta)),
-        velocity: [0.0; 3],
-        spin: normal.map(|n| spin * n),
-        radius,
-        mass: 1.0,
-    };
-    // SAFETY: plain numbers; all pointers are references or null.
-    unsafe {
-        let (mut pair, zero) = (zeroed(), zeroed::<CaromTwist>());
-        let to = &raw mut pair;
-        let status = carom_pair_of_spheres(
-            one,
-            two,
-            RADII[0],
-            RADII[1],
-            0.4,
-            CAROM_LAW_FIXED_DIRECTION,
-            0.0,
-            to,
-            null_mut(),
-        );
-        assert_eq!(status, CaromStatus::Ok);
-        let (mut twist, mut alone) = (zero, zero);
-        let (mut omega, mut work, mut heats) = (0.0, 0.0, CaromHeats::default());
-        let (mut before, mut largest) = (0.0, 0.0_f64);
-        for step in 0..400 {
-            let spin = 2e-3 * f64::from(step).mul_add(0.02, 0.0).cos();
-            let (grain, other) = (body(1.0, RADII[0], 0.3), body(-1.0, RADII[1], 0.3 + spin));
-            let mut load = CaromGrainLoad::default();
-            let status = carom_touch_twist_grains(
-                &grains,
-                &mut twist,
-                &grain,
-                &other,
-                dt,
-                &mut load,
-                &mut heats,
-                null_mut(),
-            );
-            assert_eq!(status, CaromStatus::Ok);
-            let mut torque = 0.0;
-            if step == 0 {
-                // The step in which they are found in contact.
-                carom_twist_advance(&pair, &mut alone, zeta, 0.0, null_mut(), null_mut());
-            }
-            omega += spin * dt;
-            carom_twist_advance(&pair, &mut alone, zeta, omega, &mut torque, null_mut());
-            largest = largest.max(torque.abs());
-            assert_eq!(load.force, [0.0; 3]);
-            assert_eq!(load.torque_1, load.torque_2.map(|torque| -torque));
-            let off = plus(load.torque_1, normal, -torque);
-            assert!(dot(off, off).sqrt() < 1e-9 * largest);
-            work += 0.5 * (before + torque) * spin * dt;
-            before = torque;
-            // Looked at once more without time: the same bits, wherever the bodies are put.
-            let nearer = CaromGrain { place: plus(grain.place, normal, -0.1 * zeta), ..grain };
-            let kept = twist;
-            for grain in [grain, nearer] {
-                let mut again = CaromGrainLoad::default();
-                carom_touch_twist_grains(
-                    &grains,
-                    &mut twist,
-                    &grain,
-                    &other,
-                    0.0,
-                    &mut again,
-                    null_mut(),
-                    null_mut(),
-                );
-                assert_eq!((again, twist), (load, kept));
-            }
-        }
-        let mut stored = 0.0;
-        let status =
-            carom_touch_twist_energy(&grains, &twist, RADII[0], RADII[1], &mut stored, null_mut());
-        assert_eq!(status, CaromStatus::Ok);
-        println!("work {work:e}, stored {stored:e}, heat {:e}", heats.friction);
-        assert!(heats.friction > 0.1 * work);
-        assert!((work - stored - heats.friction).abs() < 1e-3 * work);
-        // Apart, and all is forgotten.
-        let far = CaromGrain { place: normal.map(|n| -2.0 * n), ..body(-1.0, RADII[1], 0.0) };
-        let mut load = CaromGrainLoad::default();
-        let grain = body(1.0, RADII[0], 0.3);
-        carom_touch_twist_grains(
-            &grains,
-            &mut twist,
-            &grain,
-            &far,
-            dt,
-            &mut load,
-            null_mut(),
-            null_mut(),
-        );
-        assert_eq!((load, twist), (CaromGrainLoad::default(), zero));
-    }
-}
-
-/// Many encounters in one call are those one by one, to the bit: new ones, ones that end, a rest that fills no
-/// group. What cannot go on ends the call and is named, and those before it went on.
-#[test]
-fn encounters_go_through_one_call_as_one_by_one() {
-    const PAIRS: usize = 11;
-    let grains = [
-        made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 1e-7).unwrap(),
-        made([0.1, 0.4], 0.2, CAROM_LAW_COULOMB, 0.0).unwrap(),
-    ];
-    let body = |radius: f64| CaromGrain {
-        place: [0.0; 3],
-        velocity: [0.0; 3],
-        spin: [0.0; 3],
-        radius,
-        mass: 1.0,
-    };
-    let (mut alone, mut many) = (vec![apart(); PAIRS], vec![apart(); PAIRS]);
-    let dt = 1e-6;
-    let all = |encounters: &mut [CaromEncounter]| {
-        let mut error = error();
-        // SAFETY: pointers to what lives on, each touch once.
-        let status = unsafe {
-            carom_touch_many(encounters.as_mut_ptr(), PAIRS, dt, null_mut(), &raw mut error)
-        };
-        (status, error.index)
-    };
-    for now in 0..400 {
-        let t = f64::from(now);
-        let mut encounters: Vec<_> = many
-            .iter_mut()
-            .enumerate()
-            .map(|(i, touch)| {
-                let phase = 0.05 * t + i as f64;
-                let place = [
-                    1e-6 * (0.03 * t).sin(),
-                    2e-6 * (0.02 * phase).cos(),
-                    1.9 - 1e-5 + 3e-5 * phase.sin(),
-                ];
-                let velocity = [0.03 * phase.cos(), 0.02 * (0.02 * phase).sin(), 1.5 * phase.cos()];
-                let one = CaromGrain {
-                    place,
-                    velocity,
-                    spin: [3.0 * phase.sin(), 1.0, 2.0],
-                    ..body(1.0)
-                };
-                let load = CaromGrainLoad::default();
-                CaromEncounter {
-                    grains: &raw const grains[i % 2],
-                    touch,
-                    one,
-                    two: body(0.9),
-                    load,
-                }
-            })
-            .collect();
-        assert_eq!(all(&mut encounters).0, CaromStatus::Ok);
-        for ((i, met), touch) in encounters.iter().enumerate().zip(&mut alone) {
-            let load = step(&grains[i % 2], touch, &[met.one, met.two], dt, None);
-            assert_eq!(load, met.load, "step {now}, pair {i}");
-        }
-        if now == 200 {
-            encounters[6].two.place = encounters[6].one.place;
-            assert_eq!(all(&mut encounters), (CaromStatus::OutOfRange, 6));
-            for ((i, met), touch) in encounters.iter().enumerate().zip(&mut alone).take(6) {
-                step(&grains[i % 2], touch, &[met.one, met.two], dt, None);
-            }
-        }
-    }
-    // SAFETY: nothing is read.
-    let status = unsafe { carom_touch_many(null_mut(), 1, dt, null_mut(), null_mut()) };
-    assert_eq!(status, CaromStatus::NullPointer);
 }
 
 /// Hertz: T = 2.94 zeta_max/v with zeta_max^5 = (15 m v^2/(16 E* sqrt(R)))^2, of a grain on a wall and of two grains.

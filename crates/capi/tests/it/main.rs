@@ -3,8 +3,10 @@
 mod border;
 mod creep;
 mod dissimilar;
+mod encounters;
 mod garbled;
 mod grain_friction;
+mod grain_spin;
 mod grains;
 mod grains_validity;
 mod header;

@@ -220,3 +220,25 @@ fn named(text: &str, name: &str) -> Option<usize> {
     });
     found.map(|(at, _)| text[..at].chars().count())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mark_is_under_the_name_and_not_under_a_longer_one() {
+        let source = "body = { outer_radius = 1, radius_2 = 3, radius = -1 }";
+        let under = |field: &str| {
+            let text = excerpt(source, 1, field);
+            let marks = text.lines().last().unwrap().split_once("| ").unwrap().1.to_owned();
+            (marks.find('^').unwrap(), marks.matches('^').count())
+        };
+        assert_eq!(under("body.radius"), (source.find("radius = -1").unwrap(), 6));
+        assert_eq!(under("body.outer_radius"), (9, 12));
+        assert_eq!(under("radius_2"), (source.find("radius_2").unwrap(), 8));
+        // A name that does not stand there leaves the mark to the one around it.
+        assert_eq!(under("body.mass"), (0, 4));
+        assert_eq!(excerpt(source, 1, "mass"), "");
+        assert_eq!(excerpt(source, 2, "body"), "");
+    }
+}

@@ -70,8 +70,9 @@ impl Collision {
     }
 
     /// As [`Collision::solve`], with the bounds of the effects of coupling and twist added to the error
-    /// estimate. If the effect of friction on the spin about the normal is not negligible, it is computed as if
-    /// there were no tangential impact.
+    /// estimate: twist also for bodies of other shapes, for which no law combines it with shift. If the effect
+    /// of friction on the spin about the normal is not negligible, it is computed as if there were no tangential
+    /// impact.
     ///
     /// # Errors
     /// Those of [`Collision::solve`].
@@ -84,7 +85,7 @@ impl Collision {
             true => self.clone().with_torsion().solve()?,
             false => self.solve()?,
         };
-        let bound = coupling + twist.restitution;
+        let bound = coupling + self.spin_on_shift();
         if let Outcome::Rebound(rebound) = &mut outcome {
             if bound > 0.0 {
                 let velocity = self.velocity();

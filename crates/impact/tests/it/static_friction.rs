@@ -306,7 +306,13 @@ fn what_the_spin_does_to_the_shift_is_told_where_it_is_left_out() {
     let egg = |axes: [f64; 3]| {
         let egg = spinning(&Surface::ellipsoid(axes).unwrap(), 300.0, one.into());
         assert_eq!(egg.twist_bound().restitution, 0.0);
-        told_of_spin(&egg).unwrap()
+        let told = told_of_spin(&egg).unwrap();
+        // The estimate counts it as a change of velocity over the whole velocity.
+        let estimate = AnalyticOrRings.solve(&egg).unwrap().rebound().unwrap().error_estimate;
+        let by_spin = told * 0.4 / 0.4_f64.hypot(1.0);
+        let beyond = estimate - by_spin;
+        assert!(beyond > -1e-12 && beyond < 1e-4, "{estimate} {by_spin}");
+        told
     };
     let [long, across] = [[0.03, 0.02, 0.015], [0.02, 0.03, 0.015]].map(egg);
     assert!((long - across).abs() < 1e-12 * long && long > 0.005, "{long} {across}");
@@ -352,7 +358,8 @@ fn an_ellipsoid_slips_along_its_axes_and_across_them() {
 
 #[test]
 fn random_impacts_in_space_converge() {
-    check_random_impacts(16);
+    // The fifteenth takes eight seconds.
+    check_random_impacts(14);
 }
 
 #[test]

@@ -152,7 +152,9 @@ mod tests {
     #[test]
     fn the_direction_is_said_in_words() {
         assert_eq!(rolls(0.0), "rolls to the right");
+        assert_eq!(rolls(std::f64::consts::FRAC_PI_2), "rolls upwards");
         assert_eq!(rolls(std::f64::consts::PI), "rolls to the left");
+        assert_eq!(rolls(-std::f64::consts::FRAC_PI_2), "rolls downwards");
         assert_eq!(rolls(0.5), "rolls at 28.6479°");
     }
 }
