@@ -14,8 +14,8 @@ pub(crate) const WITHOUT_BENCHES: &[&str] = &["--workspace", "--exclude", "carom
 /// Whether there is a [`Lints`].
 static LINTS: AtomicBool = AtomicBool::new(false);
 
-/// While it exists, cargo lints the crates of the workspace as it compiles them and documents them as it tests the
-/// examples of their documentation; warnings are errors. Steps of their own would check every dependency once more.
+/// While it exists, cargo lints the crates of the workspace as [`compile`] compiles them and documents them as it tests
+/// the examples of their documentation; warnings are errors. Steps of their own would check every dependency once more.
 pub(crate) struct Lints(());
 
 impl Lints {
@@ -42,16 +42,16 @@ impl Drop for Lints {
 
 /// A cargo command at the root of the workspace, with the cargo that runs this task.
 pub(crate) fn command(arguments: &[&str]) -> Command {
-    let mut command = unlinted(arguments);
-    Lints::set(&mut command);
-    command
-}
-
-/// The same, without [`Lints`]: compiled as users compile it.
-pub(crate) fn unlinted(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.args(arguments).current_dir(root());
+    command
+}
+
+/// The same for a command that compiles the workspace, with [`Lints`] if there are.
+pub(crate) fn compiling(arguments: &[&str]) -> Command {
+    let mut command = command(arguments);
+    Lints::set(&mut command);
     command
 }
 
@@ -60,9 +60,9 @@ pub(crate) fn run(arguments: &[&str]) -> anyhow::Result<()> {
     finish(&mut command(arguments), arguments)
 }
 
-/// Runs cargo without [`Lints`].
-pub(crate) fn run_unlinted(arguments: &[&str]) -> anyhow::Result<()> {
-    finish(&mut unlinted(arguments), arguments)
+/// Runs cargo to compile the workspace, with [`Lints`] if there are.
+pub(crate) fn compile(arguments: &[&str]) -> anyhow::Result<()> {
+    finish(&mut compiling(arguments), arguments)
 }
 
 /// Runs cargo with an additional environment variable.
@@ -89,7 +89,7 @@ pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::R
 
 /// The path of a binary or example, built as by [`run_built`].
 pub(crate) fn built(kind: &str, name: &str) -> anyhow::Result<PathBuf> {
-    run(&[&["build", "--release", "--quiet", kind, name], WITHOUT_BENCHES].concat())?;
+    compile(&[&["build", "--release", "--quiet", kind, name], WITHOUT_BENCHES].concat())?;
     let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
     Ok(root().canonicalize()?.join(folder).join(name))
 }

@@ -64,7 +64,7 @@ impl Host {
     /// Builds the plugin with the library that the tests of the workspace have built, for any processor:
     /// the same bits.
     fn build_quickly(&self, plugins: &Path, plugin: &Path) -> anyhow::Result<()> {
-        cargo::run(
+        cargo::compile(
             &[&["build", "--release", "--quiet", "--lib"], cargo::WITHOUT_BENCHES].concat(),
         )?;
         call(self.script(plugins, plugin).env(LIBRARY, library()))

@@ -138,7 +138,7 @@ fn tests(which: Which, packages: &[&str], name: Option<&str>) -> anyhow::Result<
     if cargo::has("nextest") {
         // cargo-nextest prints its own count.
         let name: Vec<&str> = name.into_iter().collect();
-        return cargo::run(&[&["nextest", "run"], packages, which.nextest(), &name].concat());
+        return cargo::compile(&[&["nextest", "run"], packages, which.nextest(), &name].concat());
     }
     println!("cargo-nextest is not installed: using cargo test");
     let (build, run) = which.cargo();
@@ -173,7 +173,7 @@ fn programs() -> anyhow::Result<()> {
 /// Runs cargo, forwards its output, and prints how many tests passed.
 fn counted(name: &str, arguments: &[&str]) -> anyhow::Result<()> {
     let mut child =
-        cargo::command(arguments).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
+        cargo::compiling(arguments).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
     let stdout = child.stdout.take().context("no output of cargo")?;
     let mut passed = 0;
     for line in BufReader::new(stdout).lines() {

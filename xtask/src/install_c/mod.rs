@@ -103,7 +103,7 @@ fn build(shared: &Shared) -> anyhow::Result<()> {
     let link = format!("link-arg={}", shared.argument);
     let what = ["rustc", "--package", "carom-capi", "--lib", "--profile", PROFILE];
     let how = ["--crate-type", "staticlib,cdylib", "--", "-C", &link];
-    cargo::run_unlinted(&[&what[..], &how[..]].concat())
+    cargo::run(&[&what[..], &how[..]].concat())
 }
 
 /// Removes the debug information of Rust's standard library, two fifths of the size, if `strip` is installed.

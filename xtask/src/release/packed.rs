@@ -24,7 +24,7 @@ pub(super) fn check(packages: &[Package]) -> anyhow::Result<()> {
     std::fs::copy(root().join("Cargo.lock"), place.join("Cargo.lock"))?;
     let manifest = place.join("Cargo.toml").canonicalize()?;
     let target = target().canonicalize()?;
-    let mut command = cargo::unlinted(&["check", "--release", "--workspace", "--quiet"]);
+    let mut command = cargo::command(&["check", "--release", "--workspace", "--quiet"]);
     command.arg("--manifest-path").arg(manifest).arg("--target-dir").arg(target);
     let status = command.status().context("cannot start cargo")?;
     ensure!(status.success(), "the crates cannot be built from their packages");
