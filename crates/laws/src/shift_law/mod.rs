@@ -293,7 +293,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     }
 
     /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) with respect
-    /// to (xi, eta, zeta) (columns).
+    /// to (xi, eta, zeta) (columns). With infinite friction it is that of a step that goes on.
     #[must_use]
     pub fn tangent(&self) -> [[f64; 3]; 3] {
         let normal = self.stiffness.c_z * self.shift.zeta.max(0.0).sqrt();

@@ -110,6 +110,9 @@ mod tests {
                 assert_eq!(2 * cut.corner[1] + cut.own.ny(), 160);
             }
         }
+        // A box of a twist reaches as far on the other side of the middle.
+        let cut = Cut::about(all, [[110, 150], [60, 90]], true).unwrap();
+        assert!(cut.holds(all.index(149, 60)) && cut.holds(all.index(50, 89)));
         assert!(Cut::about(all, [[0, 199], [0, 159]], false).is_none());
         assert_eq!([30, 33, 65, 100, 129].map(ladder), [32, 40, 80, 112, 160]);
     }

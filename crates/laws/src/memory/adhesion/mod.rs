@@ -226,7 +226,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         1.0
     }
 
-    /// The tangent of the last step.
+    /// The derivatives of the force as the step goes on without release: annuli that come into contact are not
+    /// stretched at first. The last step itself, if the contact grew in it, is softer: its annuli shared the shift.
     pub(crate) fn tangent(&self) -> Tangent {
         let k = self.profile.stiffness(self.zeta.max(0.0));
         Tangent { by_shift: [[k, 0.0], [0.0, k]], by_approach: [0.0; 2] }
@@ -301,6 +302,25 @@ mod tests {
             let stored = memory.stored_energy();
             assert!(released >= 0.0 && (released - stored).abs() <= 1e-9 * stored, "{released:e}");
             assert!(memory.dissipation(0.0, shift).is_finite());
+        }
+    }
+
+    #[test]
+    fn the_tangent_is_that_of_a_step_that_goes_on() {
+        let mut memory = AdhesionMemory::<[f64; 2]>::new();
+        for (zeta, x) in [(1.0, [0.1, 0.0]), (1.3, [0.4, 0.2]), (1.3, [0.1, 0.9])] {
+            memory.advance(zeta, x).unwrap();
+            let (tangent, force, h) = (memory.tangent(), memory.force(), 1e-6);
+            let rate = |growth: f64, dx: [f64; 2]| {
+                let mut on = memory.clone();
+                let on = on.advance(zeta + growth, [x[0] + dx[0], x[1] + dx[1]]).unwrap();
+                [0, 1].map(|i| (on[i] - force[i]) / h)
+            };
+            for i in [0, 1] {
+                assert!((rate(h, [0.0; 2])[i] - tangent.by_approach[i]).abs() < 1e-5);
+                assert!((rate(h, [h, 0.0])[i] - tangent.by_shift[i][0]).abs() < 1e-5);
+                assert!((rate(0.0, [0.0, h])[i] - tangent.by_shift[i][1]).abs() < 1e-5);
+            }
         }
     }
 
