@@ -9,6 +9,7 @@
 //! | gamma^2 over its largest, that of (1.5 - kappa)^2 and Gamma^2 (f = 1) | 4, Chebyshev's | by all |
 
 use super::groups::DissimilarGroups;
+use wide::f32x4;
 
 pub(super) const SPREADS: usize = 25;
 pub(super) const LAMBDAS: usize = 25;
@@ -182,21 +183,25 @@ impl Nodes {
         let by_ratio = weights(&self.ratio[0], &self.ratio[1], ratio);
         let by_kappa = weights(&self.kappa[0], &self.kappa[1], kappa);
         let by_square = weights(&self.square[0], &self.square[1], square);
-        let mut line = [0.0_f32; LINE];
+        // One row in each register: there is room for all sums.
+        let mut rows = [f32x4::ZERO; KAPPAS];
         for (i, of_ratio) in by_ratio.into_iter().enumerate() {
-            // Few enough to stay in registers.
-            let mut sums = [0.0_f32; LINE];
+            let mut sums = [f32x4::ZERO; KAPPAS];
             for (plane, weight) in planes {
-                let entries = &plane[i * LINE..(i + 1) * LINE];
-                sums.iter_mut().zip(entries).for_each(|(sum, x)| *sum += weight * x);
+                let entries = &plane.as_chunks::<SQUARES>().0[i * KAPPAS..(i + 1) * KAPPAS];
+                for (sum, row) in sums.iter_mut().zip(entries) {
+                    *sum += *weight * f32x4::new(*row);
+                }
             }
-            line.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio as f32 * sum);
+            rows.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio as f32 * sum);
         }
-        let rows = line.chunks_exact(SQUARES).zip(by_kappa);
-        rows.map(|(row, weight)| {
-            weight * row.iter().zip(by_square).map(|(&x, w)| f64::from(x) * w).sum::<f64>()
-        })
-        .sum()
+        let of_kappa = rows.iter().zip(by_kappa);
+        of_kappa
+            .map(|(row, weight)| {
+                let by_square = row.to_array().into_iter().zip(by_square);
+                weight * by_square.map(|(x, w)| f64::from(x) * w).sum::<f64>()
+            })
+            .sum()
     }
 }
 
