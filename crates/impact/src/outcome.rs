@@ -81,7 +81,8 @@ pub struct Rebound {
     /// Number of compressions: 2 or more if the bodies were compressed again before separation.
     pub compressions: u32,
     /// Last change of the velocity under refinement over |v_A|, doubled if annuli slip
-    /// individually; 0 if the solution is exact.
+    /// individually; 0 if the solution is exact. Solvers that choose the analytic law add bounds of what it leaves
+    /// out, also over |v_A|.
     pub error_estimate: f64,
     /// The regimes in order, with the times at which they began.
     pub log: Vec<LogEntry>,

@@ -293,7 +293,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     }
 
     /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) with respect
-    /// to (xi, eta, zeta) (columns). With infinite friction it is that of a step that goes on.
+    /// to (xi, eta, zeta) (columns). With infinite friction it is that of the next small step, also after a
+    /// step in which the contact grew.
     #[must_use]
     pub fn tangent(&self) -> [[f64; 3]; 3] {
         let normal = self.stiffness.c_z * self.shift.zeta.max(0.0).sqrt();

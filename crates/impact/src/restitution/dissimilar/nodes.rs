@@ -195,8 +195,8 @@ impl Nodes {
             }
             rows.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio as f32 * sum);
         }
-        let of_kappa = rows.iter().zip(by_kappa);
-        of_kappa
+        rows.into_iter()
+            .zip(by_kappa)
             .map(|(row, weight)| {
                 let by_square = row.to_array().into_iter().zip(by_square);
                 weight * by_square.map(|(x, w)| f64::from(x) * w).sum::<f64>()
