@@ -363,7 +363,7 @@ fn random_impacts_in_space_converge() {
 }
 
 #[test]
-#[ignore = "it takes a minute"]
+#[ignore = "it takes half a minute"]
 fn many_random_impacts_in_space_converge() {
     check_random_impacts(200);
 }
