@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use crate::common::{carom, case, close, example, folder, json, stdout};
+use crate::common::{carom, case, close, example, folder, json, limited, stdout};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -238,11 +238,8 @@ fn a_full_disk_loses_no_earlier_step() {
         std::fs::remove_file(kept.join(format!("step-{step:06}.npz"))).unwrap();
     }
     let before = files(&kept);
-    let run = format!(
-        "trap '' XFSZ; ulimit -f 20; exec '{}' solve '{case}' --keep '{name}' --resume",
-        env!("CARGO_BIN_EXE_carom")
-    );
-    let output = Command::new("sh").args(["-c", &run]).output().unwrap();
+    let resumed = ["solve", &case, "--keep", name, "--resume"];
+    let output = limited("trap '' XFSZ; ulimit -f 20", &resumed);
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("cannot write") && said.contains("step-000004.npz"), "{said}");

@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use crate::common::{example, folder};
+use crate::common::{example, folder, limited};
 use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -103,12 +103,8 @@ fn a_limit_of_the_address_space_is_an_error_and_no_abort() {
          [grid]\ncells = [2048, 2048]\nsize = [4, 4]\n\
          [contact]\nfriction = 0.3\n[[step]]\nF_z = 0.2\n",
     );
-    let folder = folder();
     for limit in [250_000, 500_000, 1_000_000] {
-        let output = shell(
-            &folder,
-            &format!("ulimit -v {limit}; exec \"$carom\" solve '{case}' --threads 2"),
-        );
+        let output = limited(&format!("ulimit -v {limit}"), &["solve", &case, "--threads", "2"]);
         assert_eq!(output.status.code(), Some(2), "{limit}: {}", said(&output));
         assert!(said(&output).contains("are available"), "{limit}: {}", said(&output));
     }

@@ -141,7 +141,7 @@ impl Spent {
 }
 
 /// Draws loads of 1 - 1e-3 to 1 - 1e-8 of the friction limit of dissimilar bodies.
-fn drawn(seeds: std::ops::Range<u64>, cells: usize, seconds: f64) {
+fn drawn(seeds: std::ops::Range<u64>, cells: usize) {
     let (mut wrong, mut slowest, mut products, mut all) = (Vec::new(), 0.0_f64, 0.0_f64, 0.0);
     let count = seeds.end - seeds.start;
     for seed in seeds {
@@ -167,9 +167,6 @@ fn drawn(seeds: std::ops::Range<u64>, cells: usize, seconds: f64) {
                 "seed {seed}: pair {kind}, f = {friction}, 1 - {missing:.2e}, {angle:.3}: {error} \
                  ({took:.2} s)"
             )),
-        }
-        if took > seconds {
-            wrong.push(format!("seed {seed} took {took} s"));
         }
     }
     println!(
@@ -200,13 +197,13 @@ fn three_loads_that_were_not_found_are_found_in_a_few_hundred_products() {
 
 #[test]
 fn forces_just_below_the_friction_limit_of_dissimilar_bodies_are_held() {
-    drawn(0..24, 32, f64::INFINITY);
+    drawn(0..24, 32);
 }
 
 #[test]
-#[ignore = "a minute, with times: 400 loads"]
+#[ignore = "a minute: 400 loads"]
 fn four_hundred_forces_just_below_the_friction_limit_are_held() {
-    drawn(1000..1400, 32, 2.0);
+    drawn(1000..1400, 32);
 }
 
 /// The states reached by shifts are found again from their loads, however close these are to the

@@ -15,6 +15,13 @@ pub(crate) fn carom(arguments: &[&str]) -> Output {
     command.args(arguments).env_remove("COLUMNS").output().unwrap()
 }
 
+/// The command under limits of the shell: `ulimit -t 5` ends it after five seconds of processor time, by a signal.
+pub(crate) fn limited(limits: &str, arguments: &[&str]) -> Output {
+    let run = format!("{limits}; exec \"$0\" \"$@\"");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &run, env!("CARGO_BIN_EXE_carom")]).args(arguments).output().unwrap()
+}
+
 pub(crate) fn stdout(arguments: &[&str]) -> String {
     successful(arguments, carom(arguments))
 }
