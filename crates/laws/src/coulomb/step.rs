@@ -12,6 +12,8 @@ use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Nodes};
 
 /// Lengths up to these shares of the approach and of the shift count as zero.
 const ZERO_LENGTH_SHARES: [f64; 2] = [1e-13, 1e-15];
+/// Stretches of more approaches have less than ten digits beside the shift.
+const MAX_APPROACHES: f64 = 1e6;
 /// Share of the tolerance by which a join of pieces from the centre to the edge may move the curve.
 const JOIN_SHARE_OF_TOLERANCE: f64 = 0.06;
 /// Where the slipping part of the curve begins.
@@ -56,7 +58,20 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         if square > self.extent * self.extent {
             self.extent = square.sqrt();
         }
+        if square > (MAX_APPROACHES * zeta) * (MAX_APPROACHES * zeta) {
+            self.slide_far(zeta, shift, observer);
+            return;
+        }
         self.step_within_room(zeta, shift, observer);
+    }
+
+    /// A slide over so many approaches that round-off of the shift reaches the stretches. It is made with the origin at its
+    /// end, where they are exact, so that the force is, too.
+    #[cold]
+    fn slide_far(&mut self, zeta: f64, shift: V, observer: &mut impl StepObserver<V>) {
+        self.translate(shift.times(-1.0));
+        self.step_within_room(zeta, V::default(), observer);
+        self.translate(shift);
     }
 
     #[cold]

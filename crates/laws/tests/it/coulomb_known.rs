@@ -1,6 +1,7 @@
 //! Coulomb's law in two directions compared with closed forms.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
+use carom_laws::memory::MemoryRegime;
 
 /// On a circle of radius R a ring of limit r < R follows on a circle of radius sqrt(R^2 - r^2), its
 /// stretch a tangent to it; a stiffer one stays in the middle.
@@ -49,4 +50,27 @@ fn gross_sliding_turns_all_traction_into_its_own_direction() {
     let limit = 0.7_f64.powf(1.5);
     assert!(law.force()[0].abs() < 1e-14 && (law.force()[1] - limit).abs() < 1e-14);
     assert_eq!((law.stick_depth(), law.stick_fraction()), (0.0, 0.0));
+}
+
+/// However far a step slides, and whatever round-off the shift has there: all traction is along the step.
+#[test]
+fn a_slide_of_any_length_ends_at_the_limit_along_itself() {
+    for power in [3, 6, 7, 9, 12, 14, 15, 16, 17, 20, 38, 60] {
+        let length = 10_f64.powi(power);
+        for zeta in [1e-3, 0.5, 1.0, 1.5] {
+            let mut touching = CoulombMemory::<[f64; 2]>::new(Tolerance::FINE);
+            for shift in [[0.0; 2], [0.3, 0.1], [0.1, 0.4]] {
+                touching.advance(1.0, shift).unwrap();
+            }
+            let mut apart = touching.clone();
+            apart.advance(-1.0, [0.1, 0.4]).unwrap();
+            for mut law in [touching, apart] {
+                let force = law.advance(zeta, [0.1 + 0.6 * length, 0.4 - 0.8 * length]).unwrap();
+                let limit = zeta.powf(1.5);
+                let off = (force[0] - 0.6 * limit).hypot(force[1] + 0.8 * limit);
+                assert!(off < 1e-9 * limit, "1e{power} {zeta}: {force:?}");
+                assert_eq!(law.regime(), MemoryRegime::Sliding, "1e{power} {zeta}");
+            }
+        }
+    }
 }
