@@ -182,41 +182,9 @@ fn a_place_changes_no_scene() {
     }
 }
 
-/// Body 2 lies below body 1 wherever that is.
-#[test]
-fn a_place_of_body_1_alone_takes_body_2_along() {
-    let here = r#"[body_1]
-shape = "sphere"
-radius = 0.01
-material = { shear_modulus = 80e9, poisson = 0.3 }
-density = 7850
-velocity = [0.7, 0.3, -2]
-spin = [0, 50, 0]
-[body_2]
-shape = "sphere"
-radius = 0.02
-material = { shear_modulus = 80e9, poisson = 0.3 }
-density = 7850
-velocity = [0, 0, 0]
-[contact]
-friction = 0.15
-law = "coulomb"
-"#;
-    let place = [0.04, -0.07, 0.02];
-    let there = here.replace("radius = 0.01\n", &format!("radius = 0.01\nposition = {place:?}\n"));
-    let (here, there) = (solved("below-here", here), solved("below-there", &there));
-    alike(&here, &there);
-    let [first, second] = centres(&there);
-    for axis in 0..3 {
-        let below = [0.0, 0.0, 0.03][axis];
-        assert!((first[axis] - place[axis]).abs() < 1e-15, "{first:?}");
-        assert!((first[axis] - second[axis] - below).abs() < 1e-15, "{first:?} {second:?}");
-    }
-}
-
-#[test]
-fn a_sphere_with_a_place_is_the_sphere_of_a_simple_case() {
-    let simple = r#"[body_1]
+/// Two spheres that spin.
+fn spheres() -> String {
+    r#"[body_1]
 shape = "sphere"
 radius = 0.01
 material = { shear_modulus = 80e9, poisson = 0.3 }
@@ -234,11 +202,33 @@ spin = [0, 0, -5]
 friction = 0.15
 law = "coulomb"
 torsion = true
-"#;
+"#
+    .to_owned()
+}
+
+/// Body 2 lies below body 1 wherever that is.
+#[test]
+fn a_place_of_body_1_alone_takes_body_2_along() {
+    let here = spheres();
+    let place = [0.04, -0.07, 0.02];
+    let there = here.replace("radius = 0.01\n", &format!("radius = 0.01\nposition = {place:?}\n"));
+    let (here, there) = (solved("below-here", &here), solved("below-there", &there));
+    alike(&here, &there);
+    let [first, second] = centres(&there);
+    for axis in 0..3 {
+        let below = [0.0, 0.0, 0.03][axis];
+        assert!((first[axis] - place[axis]).abs() < 1e-15, "{first:?}");
+        assert!((first[axis] - second[axis] - below).abs() < 1e-15, "{first:?} {second:?}");
+    }
+}
+
+#[test]
+fn a_sphere_with_a_place_is_the_sphere_of_a_simple_case() {
+    let simple = spheres();
     let placed = simple
         .replace("radius = 0.01\n", "radius = 0.01\nposition = [0, 0, 0.01]\n")
         .replace("radius = 0.02\n", "radius = 0.02\nposition = [0, 0, -0.02]\n");
-    let (one, other) = (solved("simple", simple), solved("placed", &placed));
+    let (one, other) = (solved("simple", &simple), solved("placed", &placed));
     assert_eq!(one["method"], "uncoupled");
     assert_eq!(one["error_estimate"], 0.0);
     alike(&one, &other);

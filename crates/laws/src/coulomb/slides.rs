@@ -1,10 +1,8 @@
 //! Coulomb's law with static friction above kinetic friction.
 
-use carom_special::RangeError;
-
 use super::{CoulombMemory, Node};
-use crate::memory::{Lateral, MemoryRegime, NodeStack, Tangent};
-use crate::static_slip::Slides;
+use crate::memory::{Lateral, MemoryRegime, NodeStack};
+use crate::static_slip::{Slides, slides_by_own_names};
 
 /// The annuli of a piece that are asked whether they slip.
 const PARTS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
@@ -13,49 +11,11 @@ impl<V: Lateral, S: NodeStack<Node<V>>> Slides for CoulombMemory<V, S> {
     type V = V;
     type Stack = S;
 
-    fn approach(&self) -> f64 {
-        self.zeta
-    }
-
-    fn place(&self) -> V {
-        self.shift
-    }
-
-    fn phi(&self) -> V {
-        self.force
-    }
-
-    fn rates(&self) -> Tangent {
-        self.tangent()
-    }
-
-    fn stage(&self) -> MemoryRegime {
-        self.regime
-    }
+    slides_by_own_names!();
 
     fn set_stage(&mut self, stage: MemoryRegime) {
         self.regime = stage;
         self.front = if stage == MemoryRegime::Sliding { 0.0 } else { self.front };
-    }
-
-    fn is_in_contact(&self) -> bool {
-        self.is_touching()
-    }
-
-    fn vertices(&self) -> &S {
-        &self.stack
-    }
-
-    fn stick_share(&self) -> f64 {
-        self.stick_fraction()
-    }
-
-    fn begin(&mut self, zeta: f64, shift: V) {
-        self.touch(zeta, shift);
-    }
-
-    fn go(&mut self, zeta: f64, shift: V) {
-        self.step(zeta, shift);
     }
 
     fn annuli(&self) -> impl Iterator<Item = (f64, V)> + '_ {
@@ -74,34 +34,6 @@ impl<V: Lateral, S: NodeStack<Node<V>>> Slides for CoulombMemory<V, S> {
             node.error *= by;
         }
         self.force = self.force.times(by);
-    }
-
-    fn move_by(&mut self, by: V) {
-        self.translate(by);
-    }
-
-    fn elastic(&self) -> V {
-        self.stored_energy()
-    }
-
-    fn heat_of(&self, zeta: f64, shift: V, unit: V) -> f64 {
-        self.heat(zeta, shift, unit)
-    }
-
-    fn loss_of(&self, zeta: f64, shift: V, unit: V) -> f64 {
-        self.lost(zeta, shift, unit)
-    }
-
-    fn traction_at(&self, q: f64) -> V {
-        self.traction(q)
-    }
-
-    fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        self.pack(numbers)
-    }
-
-    fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        self.unpack(numbers)
     }
 }
 

@@ -20,7 +20,7 @@
 mod heat;
 mod slides;
 
-pub(crate) use slides::Slides;
+pub(crate) use slides::{Slides, slides_by_own_names};
 
 use carom_special::RangeError;
 

@@ -64,3 +64,77 @@ pub(crate) trait Slides: Clone {
     /// Reads what was written.
     fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError>;
 }
+
+/// The methods of [`Slides`] that forward to fields and methods which both memories have under the same names.
+macro_rules! slides_by_own_names {
+    () => {
+        fn approach(&self) -> f64 {
+            self.zeta
+        }
+
+        fn place(&self) -> Self::V {
+            self.shift
+        }
+
+        fn phi(&self) -> Self::V {
+            self.force
+        }
+
+        fn rates(&self) -> crate::memory::Tangent {
+            self.tangent()
+        }
+
+        fn stage(&self) -> crate::memory::MemoryRegime {
+            self.regime
+        }
+
+        fn is_in_contact(&self) -> bool {
+            self.is_touching()
+        }
+
+        fn vertices(&self) -> &Self::Stack {
+            &self.stack
+        }
+
+        fn stick_share(&self) -> f64 {
+            self.stick_fraction()
+        }
+
+        fn begin(&mut self, zeta: f64, shift: Self::V) {
+            self.touch(zeta, shift);
+        }
+
+        fn go(&mut self, zeta: f64, shift: Self::V) {
+            self.step(zeta, shift);
+        }
+
+        fn move_by(&mut self, by: Self::V) {
+            self.translate(by);
+        }
+
+        fn elastic(&self) -> Self::V {
+            self.stored_energy()
+        }
+
+        fn heat_of(&self, zeta: f64, shift: Self::V, unit: Self::V) -> f64 {
+            self.heat(zeta, shift, unit)
+        }
+
+        fn loss_of(&self, zeta: f64, shift: Self::V, unit: Self::V) -> f64 {
+            self.lost(zeta, shift, unit)
+        }
+
+        fn traction_at(&self, q: f64) -> Self::V {
+            self.traction(q)
+        }
+
+        fn write(&self, numbers: &mut [f64]) -> Result<(), carom_special::RangeError> {
+            self.pack(numbers)
+        }
+
+        fn read(&mut self, numbers: &[f64]) -> Result<(), carom_special::RangeError> {
+            self.unpack(numbers)
+        }
+    };
+}
+pub(crate) use slides_by_own_names;
