@@ -41,6 +41,14 @@ def test_a_pressure_is_drawn_where_there_is_contact_and_in_its_unit(solver):
     assert axes.get_xlim()[1] > 1.5 * axes.get_ylim()[1]
 
 
+def test_a_contact_on_the_whole_grid_fills_the_picture():
+    flat = carom.Solver(np.zeros((6, 4)), (2e-4, 6e-4), carom.MaterialPair(STEEL), 0.3, cut=True)
+    flat.step(zeta=1e-7)
+    axes = carom.plot.pressure(flat)
+    assert (flat.cells > 0).all()
+    assert axes.get_xlim() == pytest.approx((-100, 100)) and axes.get_ylim() == pytest.approx((-300, 300))
+
+
 def test_stick_and_slip_are_the_states_of_the_cells(solver):
     shown = colours(carom.plot.stick_slip(solver))
     assert np.array_equal(np.nan_to_num(shown), solver.cells)
