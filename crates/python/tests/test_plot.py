@@ -22,10 +22,13 @@ def solver():
     return solving
 
 
+def mesh(axes):
+    return next(child for child in axes.get_children() if isinstance(child, matplotlib.collections.QuadMesh))
+
+
 def colours(axes):
     """The coloured cells: values where they are drawn, NaN elsewhere."""
-    mesh = next(child for child in axes.get_children() if isinstance(child, matplotlib.collections.QuadMesh))
-    return np.ma.filled(mesh.get_array().astype(float), np.nan).reshape(40, 32)
+    return np.ma.filled(mesh(axes).get_array().astype(float), np.nan).reshape(40, 32)
 
 
 def test_a_pressure_is_drawn_where_there_is_contact_and_in_its_unit(solver):
@@ -50,9 +53,11 @@ def test_a_contact_on_the_whole_grid_fills_the_picture():
 
 
 def test_stick_and_slip_are_the_states_of_the_cells(solver):
-    shown = colours(carom.plot.stick_slip(solver))
-    assert np.array_equal(np.nan_to_num(shown), solver.cells)
+    axes = carom.plot.stick_slip(solver)
+    assert np.array_equal(np.nan_to_num(colours(axes)), solver.cells)
     assert set(np.unique(solver.cells)) == {0, 1, 2}
+    named = [patch.get_facecolor() for patch in axes.get_legend().get_patches()]
+    assert np.array_equal(mesh(axes).to_rgba(np.array([1, 2])), named) and named[0] != named[1]
     fresh = carom.Solver(solver.gap, solver.size, carom.MaterialPair(STEEL), 0.3)
     fresh.step(F_z=1.0)
     told = [text.get_text() for text in carom.plot.stick_slip(fresh).get_legend().get_texts()]
