@@ -32,11 +32,13 @@ def watched(script, folder, **variables):
         command += ["-var", name, str(value)]
     with open(folder / "printed", "w") as printed:
         process = subprocess.Popen(command, cwd=folder, stdout=printed, stderr=subprocess.STDOUT)
-        threading.Timer(1500, process.kill).start()
+        limit = threading.Timer(1500, process.kill)
+        limit.start()
         seen = []
         while process.poll() is None:
             seen.append(resident(process.pid))
             time.sleep(1)
+        limit.cancel()
     assert process.returncode == 0, (folder / "printed").read_text()[-2000:]
     return [megabytes for megabytes in seen if megabytes > 0]
 
