@@ -17,14 +17,14 @@ const rigid = radians => ({ push: Math.min(2 / 7 * Math.sin(radians), 2 * FRICTI
 const angle = ({ push, radians }) => Math.atan2(Math.sin(radians) - push, Math.cos(radians)) * 180 / Math.PI;
 const spin = ({ push }) => 2.5 * push;
 
-const panel = ({ value, high, ticks, title }, curves, label) => {
+const panel = ({ value, high, ticks, unit, title }, curves, label) => {
   const x = degrees => (LEFT + WIDTH * degrees / 90).toFixed(1);
   const y = of => (TOP + HEIGHT * (1 - of / high)).toFixed(1);
   const line = curve => curve.map((one, i) => `${i ? 'L' : 'M'}${x(one.radians * 180 / Math.PI)},${y(value(one))}`).join(' ');
   return [
     `<svg viewBox="0 0 340 300" role="img" aria-label="${label}">`,
     `<path class="thin" d="M${LEFT},${TOP} V${TOP + HEIGHT} H${LEFT + WIDTH}"/>`,
-    ...ticks.map(tick => `<text x="${LEFT - 7}" y="${Number(y(tick)) + 5}" text-anchor="end">${tick}</text>`),
+    ...ticks.map(tick => `<text x="${LEFT - 7}" y="${Number(y(tick)) + 5}" text-anchor="end">${tick}${unit}</text>`),
     ...[0, 30, 60, 90].map(tick => `<text x="${x(tick)}" y="${TOP + HEIGHT + 20}" text-anchor="middle">${tick}°</text>`),
     `<path class="two dash" d="${line(curves.rigid)}"/>`, `<path class="one" d="${line(curves.elastic)}"/>`,
     `<text x="${LEFT + 8}" y="${TOP + 6}">${title}</text>`, ...curves.words(x, y, value), '</svg>',
@@ -38,8 +38,8 @@ export const picture = rebound => {
     `<text class="one" x="${one[0]}" y="${one[1]}">elastic</text>`, `<text class="two" x="${other[0]}" y="${other[1]}">rigid</text>`,
   ];
   const panels = [
-    panel({ value: angle, high: 90, ticks: [0, 30, 60, 90], title: 'angle after' }, { ...curves, words: words([200, 200], [150, 150]) }, DESCRIPTION),
-    panel({ value: spin, high: 1, ticks: [0, 0.5, 1], title: 'spin R ω/v after' }, { ...curves, words: words([120, 60], [172, 172]) }, 'The spin after the impact over the angle before.'),
+    panel({ value: angle, high: 90, ticks: [0, 30, 60, 90], unit: '°', title: 'angle after' }, { ...curves, words: words([200, 200], [150, 150]) }, DESCRIPTION),
+    panel({ value: spin, high: 1, ticks: [0, 0.5, 1], unit: '', title: 'spin R ω/v after' }, { ...curves, words: words([120, 60], [172, 172]) }, 'The spin after the impact over the angle before.'),
   ];
   return `${panels.join('\n')}\n`;
 };
