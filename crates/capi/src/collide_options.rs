@@ -180,5 +180,5 @@ impl CaromCollideOptions {
 fn out_of_range(field: &'static str, value: u32, allowed: &str) -> Failure {
     let text = format_args!("{field} = {value} is out of range: must be {allowed}");
     let failure = Failure::new(CaromStatus::OutOfRange, field, text);
-    Failure { value: f64::from(value), ..failure }
+    failure.with_value(f64::from(value))
 }

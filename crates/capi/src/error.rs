@@ -59,14 +59,17 @@ pub extern "C" fn carom_status_text(status: i32) -> *const c_char {
     text.as_ptr()
 }
 
-/// An error before it is written for the caller.
+/// An error before it is written for the caller: one word, since calls that succeed would move a longer one, too.
 #[derive(Debug)]
-pub(crate) struct Failure {
-    pub(crate) status: CaromStatus,
-    pub(crate) index: Option<usize>,
-    pub(crate) field: &'static str,
-    pub(crate) value: f64,
-    pub(crate) text: String,
+pub(crate) struct Failure(Box<Details>);
+
+#[derive(Debug)]
+struct Details {
+    status: CaromStatus,
+    index: Option<usize>,
+    field: &'static str,
+    value: f64,
+    text: String,
 }
 
 impl Failure {
@@ -77,24 +80,37 @@ impl Failure {
         field: &'static str,
         text: impl std::fmt::Display,
     ) -> Self {
-        Self { status, index: None, field, value: 0.0, text: text.to_string() }
+        let text = text.to_string();
+        Self(Box::new(Details { status, index: None, field, value: 0.0, text }))
+    }
+
+    /// The same error with the value of the field.
+    #[cold]
+    pub(crate) fn with_value(mut self, value: f64) -> Self {
+        self.0.value = value;
+        self
     }
 
     /// The same error at an entry of an array.
-    pub(crate) fn at(self, index: usize) -> Self {
-        Self { index: Some(index), ..self }
+    #[cold]
+    pub(crate) fn at(mut self, index: usize) -> Self {
+        self.0.index = Some(index);
+        self
     }
 
     /// The same error, reported as an invalid state.
-    pub(crate) fn in_state(self) -> Self {
-        Self { status: CaromStatus::BadState, ..self }
+    #[cold]
+    pub(crate) fn in_state(mut self) -> Self {
+        self.0.status = CaromStatus::BadState;
+        self
     }
 
     fn write(&self, error: &mut CaromError) {
-        error.index = self.index.and_then(|index| i64::try_from(index).ok()).unwrap_or(-1);
-        error.value = self.value;
-        copy(self.field, &mut error.field);
-        copy(&self.text, &mut error.text);
+        let Details { index, value, field, text, .. } = &*self.0;
+        error.index = index.and_then(|index| i64::try_from(index).ok()).unwrap_or(-1);
+        error.value = *value;
+        copy(field, &mut error.field);
+        copy(text, &mut error.text);
     }
 }
 
@@ -111,8 +127,7 @@ pub(crate) fn copy(text: &str, to: &mut [c_char]) {
 impl From<RangeError> for Failure {
     #[cold]
     fn from(error: RangeError) -> Self {
-        let value = error.value;
-        Self { value, ..Self::new(CaromStatus::OutOfRange, error.field, error) }
+        Self::new(CaromStatus::OutOfRange, error.field, error).with_value(error.value)
     }
 }
 
@@ -138,5 +153,5 @@ pub(crate) unsafe fn border(
         // SAFETY: the caller's promise.
         failure.write(unsafe { &mut *error });
     }
-    failure.status
+    failure.0.status
 }

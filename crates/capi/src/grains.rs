@@ -6,7 +6,7 @@ use carom_impact::normal::NormalImpact;
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::damping::HertzDamping;
 use carom_laws::grains::{
-    Grain, GrainContact, GrainLoad, GrainRings, Meeting, Surface, Wall, compliance_shares,
+    Apart, Grain, GrainContact, GrainLoad, GrainRings, Meeting, Surface, Wall, compliance_shares,
 };
 use carom_laws::hertz::Hertz;
 use carom_laws::rings::Rings;
@@ -71,6 +71,17 @@ impl CaromGrainLoad {
     }
 }
 
+const _: () = assert!(size_of::<CaromGrainLoad>() == size_of::<GrainLoad>());
+
+impl CaromGrainLoad {
+    /// The place of the load that a contact writes.
+    #[inline(always)]
+    pub(crate) fn as_load(&mut self) -> &mut GrainLoad {
+        // SAFETY: both are nine numbers in C's order: a force, the torque on body 1 and that on body 2.
+        unsafe { &mut *(&raw mut *self).cast() }
+    }
+}
+
 impl From<GrainLoad> for CaromGrainLoad {
     #[inline]
     fn from(GrainLoad { force, torques: [torque_1, torque_2] }: GrainLoad) -> Self {
@@ -118,14 +129,10 @@ impl CaromGrains {
         Ok(GrainRings::new(rings, self.relaxation)?.with_restitution(damping))
     }
 
-    /// The meeting of two bodies, whose masses are checked if a restitution needs them.
+    /// Checks the masses of two bodies if a restitution needs them.
     #[inline(always)]
-    pub(crate) fn meeting(&self, bodies: impl Bodies) -> Result<Meeting, Failure> {
-        let meeting = bodies.meeting(self)?;
-        if self.restitution_ratio > 0.0 {
-            meeting.check_masses()?;
-        }
-        Ok(meeting)
+    pub(crate) fn check_masses(&self, meeting: &Meeting) -> Result<(), RangeError> {
+        if self.restitution_ratio > 0.0 { meeting.check_masses() } else { Ok(()) }
     }
 
     /// The constants of a contact of a given relative radius, which is a^2/zeta.
@@ -173,24 +180,38 @@ pub(crate) fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
 
 /// Two bodies that may touch.
 pub(crate) trait Bodies: Copy {
+    /// What is known of bodies that can meet.
+    type Apart: Copy;
+
+    /// Checks that they can meet.
+    fn apart(self) -> Result<Self::Apart, RangeError>;
+
     /// Their relative position and motion at the contact.
-    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure>;
+    fn meeting(self, apart: Self::Apart, grains: &CaromGrains) -> Meeting;
 
     fn radii(self) -> [f64; 2];
 
     /// Their contact, not yet loaded, where they first touch.
+    #[cold]
     #[inline(never)]
-    fn fresh(self, grains: &CaromGrains, meeting: &Meeting) -> Result<Contact, Failure> {
+    fn fresh(self, apart: Self::Apart, grains: &CaromGrains) -> Result<Contact, Failure> {
         let [one, two] = self.radii();
-        grains.contact_at(relative_radius(one, two)?, meeting.slip_speed())
+        grains.contact_at(relative_radius(one, two)?, self.meeting(apart, grains).slip_speed())
     }
 }
 
 impl Bodies for [&Grain; 2] {
+    type Apart = Apart;
+
     #[inline(always)]
-    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
+    fn apart(self) -> Result<Apart, RangeError> {
         let [one, two] = self;
-        Ok(Meeting::of_spheres(one, two, [grains.share_1, grains.share_2])?)
+        Apart::of(one, two)
+    }
+
+    #[inline(always)]
+    fn meeting(self, apart: Apart, grains: &CaromGrains) -> Meeting {
+        Meeting::of_apart(self, &apart, [grains.share_1, grains.share_2])
     }
 
     fn radii(self) -> [f64; 2] {
@@ -199,11 +220,17 @@ impl Bodies for [&Grain; 2] {
 }
 
 impl Bodies for (&Grain, &Wall) {
+    type Apart = ();
+
     #[inline(always)]
-    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
+    fn apart(self) -> Result<(), RangeError> {
+        unit_normal(self.1.normal)
+    }
+
+    #[inline(always)]
+    fn meeting(self, (): (), grains: &CaromGrains) -> Meeting {
         let (grain, wall) = self;
-        unit_normal(wall.normal)?;
-        Ok(Meeting::on_wall(grain, wall, grains.share_1))
+        Meeting::on_wall(grain, wall, grains.share_1)
     }
 
     fn radii(self) -> [f64; 2] {
@@ -212,15 +239,22 @@ impl Bodies for (&Grain, &Wall) {
 }
 
 impl Bodies for (&Grain, &Surface) {
+    type Apart = ();
+
     #[inline]
-    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
-        let (grain, wall) = self;
+    fn apart(self) -> Result<(), RangeError> {
+        let wall = self.1;
         unit_normal(wall.normal)?;
         let [square, along] = [wall.axis, wall.normal].map(|v| dot(wall.axis, v));
         let (length, holds) = (square.sqrt(), square == 0.0 || (square - 1.0).abs() < 1e-9);
         RangeError::check("axis", length, holds, "of length 0 or 1")?;
-        RangeError::check("axis", along, along.abs() < 1e-9, "across the normal")?;
-        Ok(Meeting::on_surface(grain, wall, grains.share_1))
+        RangeError::check("axis", along, along.abs() < 1e-9, "across the normal").map(|_| ())
+    }
+
+    #[inline]
+    fn meeting(self, (): (), grains: &CaromGrains) -> Meeting {
+        let (grain, wall) = self;
+        Meeting::on_surface(grain, wall, grains.share_1)
     }
 
     fn radii(self) -> [f64; 2] {

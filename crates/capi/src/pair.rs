@@ -213,14 +213,14 @@ impl CaromPair {
             CAROM_LAW_RINGS => {
                 let text = "law = rings (2) is for grains only: use carom_ring_touch";
                 let failure = Failure::new(CaromStatus::OutOfRange, "law", text);
-                Err(Failure { value: f64::from(CAROM_LAW_RINGS), ..failure })
+                Err(failure.with_value(f64::from(CAROM_LAW_RINGS)))
             }
             law => {
                 let text = format_args!(
                     "law = {law} is neither coulomb (0), fixed-direction (1) nor rings (2)"
                 );
                 let failure = Failure::new(CaromStatus::OutOfRange, "law", text);
-                Err(Failure { value: f64::from(law), ..failure })
+                Err(failure.with_value(f64::from(law)))
             }
         }
     }

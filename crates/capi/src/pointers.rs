@@ -52,19 +52,19 @@ pub(crate) fn is_place<T>(pointer: *const T) -> bool {
 
 #[inline]
 fn check<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
-    if pointer.is_null() {
-        return Err(Failure::new(
-            CaromStatus::NullPointer,
-            name,
-            format_args!("{name} is a null pointer"),
-        ));
+    if is_place(pointer) { Ok(()) } else { Err(no_place(pointer.is_null(), name, align_of::<T>())) }
+}
+
+/// The error of a pointer that is null or, if not, misaligned.
+#[cold]
+#[inline(never)]
+fn no_place(is_null: bool, name: &'static str, align: usize) -> Failure {
+    if is_null {
+        let text = format_args!("{name} is a null pointer");
+        return Failure::new(CaromStatus::NullPointer, name, text);
     }
-    if !pointer.is_aligned() {
-        let align = align_of::<T>();
-        let text = format_args!("{name} is not aligned to {align} bytes");
-        return Err(Failure::new(CaromStatus::Misaligned, name, text));
-    }
-    Ok(())
+    let text = format_args!("{name} is not aligned to {align} bytes");
+    Failure::new(CaromStatus::Misaligned, name, text)
 }
 
 /// Entries of a caller's array, a given number of bytes from one to the next.

@@ -77,7 +77,8 @@ unsafe fn advance(
     let (touch, load) = unsafe { (write(touch, "touch")?, write(load, "load")?) };
     // SAFETY: the caller's promise.
     let sums = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
-    let meeting = grains.meeting(bodies)?;
+    let meeting = bodies.meeting(bodies.apart()?, grains);
+    grains.check_masses(&meeting)?;
     let rings = constants(grains, rings, bodies.radii())?;
     let mut unasked = Heats::default();
     let heats = sums.unwrap_or(&mut unasked);
@@ -103,7 +104,8 @@ unsafe fn load_of(
     let (grains, rings) = unsafe { (read(grains, "grains")?, read(rings, "rings")?) };
     // SAFETY: the caller's promise.
     let (touch, load) = unsafe { (read(touch, "touch")?, write(load, "load")?) };
-    let meeting = grains.meeting(bodies)?;
+    let meeting = bodies.meeting(bodies.apart()?, grains);
+    grains.check_masses(&meeting)?;
     let rings = constants(grains, rings, bodies.radii())?;
     let told: CaromGrainLoad = match touch.present()? {
         Some(contact) => contact.load(&rings, &meeting),

@@ -2,9 +2,7 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::{
-    Grain, GrainContact, GrainLoad, Heats, Meeting, Surface, Wall, grain_numbers,
-};
+use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Surface, Wall, grain_numbers};
 use carom_laws::law::ContactLaw as _;
 use carom_special::RangeError;
 
@@ -103,12 +101,11 @@ impl CaromTouch {
         let goes_on = |contact: &&mut Contact| !is_renewed || touches(contact);
         let Some(contact) = self.present_mut()?.filter(goes_on) else {
             let mut contact = fresh()?;
-            *load = step(&mut contact, meeting, dt, heats)?.into();
+            step(&mut contact, meeting, dt, heats, load)?;
             self.keep(&contact);
             return Ok(());
         };
-        *load = step(contact, meeting, dt, heats)?.into();
-        Ok(())
+        Ok(step(contact, meeting, dt, heats, load)?)
     }
 
     #[inline]
@@ -135,10 +132,15 @@ fn step(
     meeting: &Meeting,
     dt: f64,
     heats: Option<&mut Heats>,
-) -> Result<GrainLoad, RangeError> {
+    load: &mut CaromGrainLoad,
+) -> Result<(), RangeError> {
     match heats {
-        None => contact.advance(meeting, dt),
-        Some(sums) => contact.advance_accounted(meeting, dt, sums),
+        None => contact.advance_into(meeting, dt, load.as_load()),
+        // A copy, so that the meeting need not be in memory without heat.
+        Some(sums) => {
+            *load = contact.advance_accounted(&{ *meeting }, dt, sums)?.into();
+            Ok(())
+        }
     }
 }
 
@@ -158,8 +160,10 @@ pub(crate) unsafe fn advance(
         unsafe { (read(grains, "grains")?, write(touch, "touch")?, write(load, "load")?) };
     // SAFETY: the caller's promise.
     let heats = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
-    let meeting = grains.meeting(bodies)?;
-    let fresh = || bodies.fresh(grains, &meeting);
+    let apart = bodies.apart()?;
+    let meeting = bodies.meeting(apart, grains);
+    grains.check_masses(&meeting)?;
+    let fresh = || bodies.fresh(apart, grains);
     touch.advance(&meeting, dt, heats, load, (grains.has_slip_friction(), fresh))
 }
 
@@ -173,10 +177,12 @@ unsafe fn load_of(
 ) -> Result<(), Failure> {
     // SAFETY: the caller's promise.
     let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
-    let meeting = grains.meeting(bodies)?;
+    let apart = bodies.apart()?;
+    let meeting = bodies.meeting(apart, grains);
+    grains.check_masses(&meeting)?;
     // SAFETY: the caller's promise.
     let to = unsafe { write(load, "load")? };
-    *to = touch.load(&meeting, || bodies.fresh(grains, &meeting))?.checked()?;
+    *to = touch.load(&meeting, || bodies.fresh(apart, grains))?.checked()?;
     Ok(())
 }
 

@@ -185,7 +185,8 @@ impl CaromRoll {
         rolling.check()?;
         self.check()?;
         let [one, two] = bodies.radii();
-        let (meeting, radius) = (bodies.meeting(grains)?, relative_radius(one, two)?);
+        let (meeting, radius) =
+            (bodies.meeting(bodies.apart()?, grains), relative_radius(one, two)?);
         let (mut next, mut made) = (*self, 0.0);
         if dt > 0.0 {
             let normal_force = dot(load.force, meeting.normal).max(0.0);
@@ -215,10 +216,10 @@ impl CaromRoll {
         let normal = meeting.normal;
         let from = if self.normal == [0.0; 3] { normal } else { self.normal };
         let middle = unit(sum(from, 1.0, normal));
-        let angle = dot(meeting.turning, middle) * dt;
+        let angle = dot(meeting.turning(), middle) * dt;
         let [shift, force] =
             [self.shift, self.force].map(|v| turned(carried(v, from, normal), normal, angle));
-        let rate = cross(meeting.twisting, middle);
+        let rate = cross(meeting.twisting(), middle);
         let way = times(carried(rate, middle, normal), -radius * dt);
         let before = rolling.energy(shift);
         *self = Self::default();

@@ -135,7 +135,7 @@ unsafe fn turn(
     let (grains, twist, _) =
         unsafe { (read(grains, "grains")?, write(twist, "twist")?, write(load, "load")?) };
     grains.check_constant_friction()?;
-    let meeting = bodies.meeting(grains)?;
+    let meeting = bodies.meeting(bodies.apart()?, grains);
     let [one, two] = bodies.radii();
     let pair = grains.pair(relative_radius(one, two)?);
     let mut turned = GrainTwist::new(twist.law(&pair)?);

@@ -390,7 +390,7 @@ pub unsafe extern "C" fn carom_validity_text(
 fn unknown(warning: u32) -> Failure {
     let text = format_args!("warning = {warning} is not the CAROM_WARNING bit of a carom_validity");
     let value = f64::from(warning);
-    Failure { value, ..Failure::new(CaromStatus::OutOfRange, "warning", text) }
+    Failure::new(CaromStatus::OutOfRange, "warning", text).with_value(value)
 }
 
 fn limit_of(warning: u32) -> Option<Limit> {

@@ -127,16 +127,51 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// contact is then unchanged.
     #[inline(always)]
     pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<GrainLoad, RangeError> {
+        let mut load = GrainLoad::default();
+        self.advance_into(meeting, dt, &mut load)?;
+        Ok(load)
+    }
+
+    /// As [`GrainContact::advance`], and writes the load to its place instead of returning it, which takes less time.
+    /// It is not written if the step fails.
+    ///
+    /// ```
+    /// use carom_laws::friction::Friction;
+    /// use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting};
+    /// use carom_laws::memory::Fixed;
+    /// use carom_laws::shift_law::ShiftLaw;
+    /// use carom_laws::stiffness::ContactStiffness;
+    /// let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
+    /// let mut contact = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
+    /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
+    /// let above = Grain { place: [0.0, 0.0, 1.99], ..below };
+    /// let mut load = GrainLoad::default();
+    /// contact.advance_into(&Meeting::of_spheres(&above, &below, [0.5; 2])?, 1e-3, &mut load)?;
+    /// assert!((load.force[2] - 1.2 * 2.0 / 3.0 * 0.01_f64.powf(1.5)).abs() < 1e-15);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`GrainContact::advance`].
+    #[inline(always)]
+    pub fn advance_into(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        load: &mut GrainLoad,
+    ) -> Result<(), RangeError> {
+        // Calls that are not inlined get copies: what they point to must be in memory, in every step.
         if self.is_new() {
-            return self.begin(meeting, dt);
+            return self.begin(&{ *meeting }, dt, load);
+        }
+        if leaves(meeting, dt) {
+            return self.leave(&{ *meeting }, dt, load);
         }
         let step = self.step(meeting, dt);
-        if leaves(meeting, dt) {
-            return self.leave(meeting, &step, dt);
-        }
         let drag = self.checked_drag(meeting, &step, dt)?;
-        let load = self.law.advance(step.to())?;
-        Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y], drag))
+        let end = self.law.advance(step.to())?;
+        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y], drag);
+        Ok(())
     }
 
     /// As [`GrainContact::advance`], and adds the dissipated energy to `heats`. The energy of
@@ -197,13 +232,19 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         elastic(self.law.stiffness().c_z, zeta)
     }
 
+    /// The constant of Hertz's force, and the force.
+    #[inline(always)]
+    fn forces(&self, meeting: &Meeting) -> [f64; 2] {
+        [self.law.stiffness().c_z, self.elastic(meeting.zeta)]
+    }
+
     #[inline(always)]
     fn drag(&self, meeting: &Meeting, dt: f64) -> f64 {
-        self.dashpots.force(meeting, self.law.stiffness().c_z, self.elastic(meeting.zeta), dt)
+        self.dashpots.force_of_one(meeting, self.forces(meeting), dt)
     }
 
     fn first_drag(&self, meeting: &Meeting, dt: f64) -> f64 {
-        self.dashpots.first_force(meeting, self.law.stiffness().c_z, self.elastic(meeting.zeta), dt)
+        self.dashpots.first_force(meeting, self.forces(meeting), dt)
     }
 
     /// The damping force of a step, if no part of its load overflows.
@@ -217,14 +258,14 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let drag = self.drag(meeting, dt);
         match check_beside(meeting.arms, drag) {
             Ok(()) => Ok(drag),
-            Err(error) => Err(self.first_error(step, error)),
+            Err(error) => Err(self.first_error(step.to(), error)),
         }
     }
 
     /// The error of the law if it does not allow the step, which comes first.
     #[cold]
-    fn first_error(&self, step: &Step, error: RangeError) -> RangeError {
-        self.law.check(step.to()).err().unwrap_or(error)
+    fn first_error(&self, to: Shift, error: RangeError) -> RangeError {
+        self.law.check(to).err().unwrap_or(error)
     }
 
     #[inline(always)]
@@ -236,35 +277,48 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     }
 
     #[inline(never)]
-    fn begin(&mut self, meeting: &Meeting, dt: f64) -> Result<GrainLoad, RangeError> {
+    fn begin(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        load: &mut GrainLoad,
+    ) -> Result<(), RangeError> {
         let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
         before.check_finite()?;
         step.to().check_finite()?;
         let drag = self.first_drag(meeting, dt);
         let mut law = self.law.clone();
         law.advance(before)?;
-        let load = law.advance(step.to())?;
+        let end = law.advance(step.to())?;
         check_beside(meeting.arms, drag)?;
         self.law = law;
-        Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y], drag))
+        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y], drag);
+        Ok(())
     }
 
     /// A step in which friction is averaged over half a step before its end and half a step after
     /// it.
     #[inline(never)]
-    fn leave(&mut self, meeting: &Meeting, step: &Step, dt: f64) -> Result<GrainLoad, RangeError> {
+    fn leave(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        load: &mut GrainLoad,
+    ) -> Result<(), RangeError> {
+        let step = self.step(meeting, dt);
         let (from, to) = (self.law.shift(), step.to());
         let between = |part: f64| on_the_way(from, to, part);
-        let drag = self.checked_drag(meeting, step, dt)?;
+        let drag = self.checked_drag(meeting, &step, dt)?;
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
         let past = past.advance(between(0.5))?;
-        let load = law.advance(to)?;
+        let end = law.advance(to)?;
         let mut ahead = law.clone();
         let ahead = ahead.advance(between(1.5))?;
         self.law = law;
         let friction =
-            [mean_about(past.f_x, load.f_x, ahead.f_x), mean_about(past.f_y, load.f_y, ahead.f_y)];
-        Ok(self.keep(meeting, step, load, friction, drag))
+            [mean_about(past.f_x, end.f_x, ahead.f_x), mean_about(past.f_y, end.f_y, ahead.f_y)];
+        *load = self.keep(meeting, &step, end, friction, drag);
+        Ok(())
     }
 
     #[inline(always)]
@@ -272,14 +326,14 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         &mut self,
         meeting: &Meeting,
         step: &Step,
-        load: ContactLoad,
+        end: ContactLoad,
         friction: [f64; 2],
         drag: f64,
     ) -> GrainLoad {
         self.drag = drag;
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
-        load_in([step.tangent, meeting.normal], meeting.arms, load.f_z + self.drag, friction)
+        load_in([step.tangent, meeting.normal], meeting.arms, end.f_z + self.drag, friction)
     }
 }
 

@@ -19,17 +19,16 @@ const LEAST: f64 = 1e-3;
 
 impl<T: Number> Dashpots<T> {
     /// The damping force at the end of a step of duration `dt`; its sum with Hertz's force `elastic`, of the constant
-    /// `c_z`, is never tensile.
+    /// `c_z`, is never tensile. The masses are asked for if there is a restitution.
     #[inline(always)]
-    pub(super) fn force(&self, meeting: &Meeting<T>, c_z: T, elastic: T, dt: f64) -> T {
-        self.force_since(meeting, c_z, elastic, [T::of(1.0), T::of(dt)])
-    }
-
-    /// The force at the end of the step in which the bodies touched: it makes up for the time before the last half
-    /// of the step.
-    #[inline]
-    pub(super) fn first_force(&self, meeting: &Meeting<T>, c_z: T, elastic: T, dt: f64) -> T {
-        self.force_since(meeting, c_z, elastic, [T::of(2.0), T::of(dt)])
+    pub(super) fn force<M>(
+        &self,
+        meeting: &Meeting<T, M>,
+        masses: impl FnOnce() -> [T; 2],
+        [c_z, elastic]: [T; 2],
+        dt: f64,
+    ) -> T {
+        self.force_since(meeting, masses, [c_z, elastic], [T::of(1.0), T::of(dt)])
     }
 
     /// The force of a viscoelastic material, and that of a given restitution over the last `since` half steps and the
@@ -41,11 +40,17 @@ impl<T: Number> Dashpots<T> {
     /// Second, the known speed is that of the middle of the step, half a step before; from there to its end the force
     /// itself slows the approach by F dt/(2 m), so that F (1 + c dt/(2 m)) = elastic + c speed.
     #[inline(always)]
-    fn force_since(&self, meeting: &Meeting<T>, c_z: T, elastic: T, [since, dt]: [T; 2]) -> T {
+    fn force_since<M>(
+        &self,
+        meeting: &Meeting<T, M>,
+        masses: impl FnOnce() -> [T; 2],
+        [c_z, elastic]: [T; 2],
+        [since, dt]: [T; 2],
+    ) -> T {
         let speed = dot(meeting.velocity, meeting.normal);
         let mut force = self.viscosity * meeting.zeta.larger(T::of(0.0)).sqrt() * speed;
         if self.ratio.is_any_positive() {
-            let [one, two] = meeting.masses.map(|mass| T::of(1.0) / mass);
+            let [one, two] = masses().map(|mass| T::of(1.0) / mass);
             let mobility = one + two;
             let root = mean_root(meeting.zeta, T::of(0.5) * dt * speed, since);
             let c = self.ratio * (T::of(2.0 / 3.0) * c_z / mobility).sqrt() * root;
@@ -53,6 +58,21 @@ impl<T: Number> Dashpots<T> {
             force = force + ((elastic + c * speed) / slowed - elastic);
         }
         force.larger(T::of(0.0) - elastic)
+    }
+}
+
+impl Dashpots {
+    /// The force of one contact at the end of a step, as [`Dashpots::force`].
+    #[inline(always)]
+    pub(super) fn force_of_one(&self, meeting: &Meeting, forces: [f64; 2], dt: f64) -> f64 {
+        self.force(meeting, || meeting.masses, forces, dt)
+    }
+
+    /// The force at the end of the step in which the bodies touched: it makes up for the time before the last half
+    /// of the step.
+    #[inline]
+    pub(super) fn first_force(&self, meeting: &Meeting, forces: [f64; 2], dt: f64) -> f64 {
+        self.force_since(meeting, || meeting.masses, forces, [2.0, dt])
     }
 }
 

@@ -5,7 +5,7 @@ use std::array::from_fn;
 use carom_halfspace::MaterialPair;
 use carom_special::RangeError;
 
-use super::number::{LANES, Lanes, Number, lanes};
+use super::number::{LANES, Lanes, Number, hold, lanes};
 use super::vector::{Vector, cross, dot, minus, plus, times};
 
 /// A sphere with its motion, as a particle code stores it.
@@ -57,28 +57,21 @@ pub struct Surface {
 /// Relative position and motion of two bodies at one instant: the input of their contact. The
 /// normal points into body 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting<T = f64> {
+pub struct Meeting<T = f64, M = [f64; 2]> {
     /// The unit normal, from body 2 into body 1.
     pub normal: [T; 3],
     /// The approach zeta; negative if there is a gap.
     pub zeta: T,
     /// Distances from the centres to the contact along the normal; zero for a wall.
     pub arms: [T; 2],
-    /// Velocity of the centre of body 2 relative to that of body 1.
+    /// The fractions of the approach by which the bodies are compressed: their arms shorten by these.
+    pub shares: [T; 2],
+    /// Velocity of the centre of body 2 relative to that of body 1; of a wall, of its place nearest to body 1.
     pub velocity: [T; 3],
-    /// The sum of the angular velocities, each times its arm. Its cross product with the normal is
-    /// the part of the relative velocity at the contact that is due to rotation.
-    pub rolling: [T; 3],
-    /// The decrease of `rolling` per approach, by which the arms become shorter: the sum of the
-    /// angular velocities, each times the fraction of the approach by which its body is compressed.
-    pub rolling_decrease: [T; 3],
-    /// The mean of the angular velocities, rad/s.
-    pub turning: [T; 3],
-    /// Angular velocity of body 2 relative to body 1, rad/s; its component along the normal twists
-    /// the contact.
-    pub twisting: [T; 3],
+    /// The angular velocities of both bodies, rad/s.
+    pub spins: [[T; 3]; 2],
     /// The masses of both bodies, kg; infinite for a wall.
-    pub masses: [T; 2],
+    pub masses: M,
     /// The axis x of the contact, if the bodies determine it ([`Surface::axis`]).
     pub axis: Option<[T; 3]>,
 }
@@ -101,93 +94,123 @@ pub fn compliance_shares(materials: &MaterialPair) -> [f64; 2] {
     [one / (one + two), two / (one + two)]
 }
 
-/// The motion of one sphere, or of several at once.
+/// What else than its place is known of one sphere, or of several at once.
 #[derive(Clone, Copy)]
-struct Moving<T> {
-    place: Vector<T>,
+struct Moving<T, M = f64> {
     velocity: Vector<T>,
     spin: Vector<T>,
     radius: T,
-    mass: T,
+    mass: M,
 }
 
 impl Moving<f64> {
     #[inline(always)]
-    fn of(&Grain { place, velocity, spin, radius, mass }: &Grain) -> Self {
-        Self { place, velocity, spin, radius, mass }
+    fn of(&Grain { velocity, spin, radius, mass, .. }: &Grain) -> Self {
+        Self { velocity, spin, radius, mass }
     }
 }
 
-impl Moving<Lanes> {
+impl Moving<Lanes, ()> {
     #[inline(always)]
     fn of(grains: [&Grain; LANES]) -> Self {
         Self {
-            place: from_fn(|k| lanes(|i| grains[i].place[k])),
             velocity: from_fn(|k| lanes(|i| grains[i].velocity[k])),
             spin: from_fn(|k| lanes(|i| grains[i].spin[k])),
             radius: lanes(|i| grains[i].radius),
-            mass: lanes(|i| grains[i].mass),
+            mass: (),
         }
     }
 }
 
-/// The position of the centre of body 1 relative to that of body 2.
-struct Apart<T> {
+/// The position of the centre of one sphere relative to that of another one: neither zero nor infinite, so that
+/// they have a normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Apart<T = f64> {
     way: Vector<T>,
     square: T,
 }
 
-impl<T: Number> Moving<T> {
+/// Squares of distances that are surely neither zero nor infinite.
+const USUAL: [f64; 2] = [1e-300, 1e300];
+
+impl Apart {
+    /// The position of the first sphere relative to the second.
+    ///
+    /// # Errors
+    /// [`RangeError`] if the distance of the centres is zero, infinite or NaN.
     #[inline(always)]
-    fn apart(&self, two: &Self) -> Apart<T> {
-        let way = minus(self.place, two.place);
-        Apart { way, square: dot(way, way) }
+    pub fn of(one: &Grain, two: &Grain) -> Result<Self, RangeError> {
+        let apart = between(one.place, two.place);
+        Self::check(apart.square)?;
+        Ok(apart)
     }
 
     #[inline(always)]
-    fn meeting(&self, two: &Self, apart: &Apart<T>, shares: [T; 2]) -> Meeting<T> {
-        let one = self;
-        let distance = apart.square.sqrt();
-        let normal = times(apart.way, T::of(1.0) / distance);
-        let zeta = one.radius + two.radius - distance;
-        let arms = [one.radius - shares[0] * zeta, two.radius - shares[1] * zeta];
-        let rolling = plus(times(one.spin, arms[0]), times(two.spin, arms[1]));
-        let rolling_decrease = plus(times(one.spin, shares[0]), times(two.spin, shares[1]));
-        let velocity = minus(two.velocity, one.velocity);
-        let turning = times(plus(one.spin, two.spin), T::of(0.5));
-        let twisting = minus(two.spin, one.spin);
-        let masses = [one.mass, two.mass];
-        let axis = None;
-        Meeting {
-            normal,
-            zeta,
-            arms,
-            velocity,
-            rolling,
-            rolling_decrease,
-            turning,
-            twisting,
-            masses,
-            axis,
-        }
+    fn check(square: f64) -> Result<(), RangeError> {
+        // Narrower than the check itself, which would be compiled to a classification of the number.
+        if square > USUAL[0] && square < USUAL[1] { Ok(()) } else { Self::check_unusual(square) }
+    }
+
+    #[cold]
+    fn check_unusual(square: f64) -> Result<(), RangeError> {
+        let holds = square > 0.0 && square < f64::INFINITY;
+        RangeError::check("distance", square.sqrt(), holds, "positive and finite").map(|_| ())
     }
 }
 
-impl Meeting<Lanes> {
+#[inline(always)]
+fn between<T: Number>(one: Vector<T>, two: Vector<T>) -> Apart<T> {
+    let way = minus(one, two);
+    Apart { way, square: dot(way, way) }
+}
+
+#[inline(always)]
+fn met<T: Number, M>(
+    Apart { way, square }: Apart<T>,
+    [one, two]: [Moving<T, M>; 2],
+    shares: [T; 2],
+) -> Meeting<T, [M; 2]> {
+    let distance = square.sqrt();
+    let normal = times(way, T::of(1.0) / distance);
+    let zeta = one.radius + two.radius - distance;
+    let arms = [one.radius - shares[0] * zeta, two.radius - shares[1] * zeta];
+    let velocity = minus(two.velocity, one.velocity);
+    let (spins, masses) = ([one.spin, two.spin], [one.mass, two.mass]);
+    Meeting { normal, zeta, arms, shares, velocity, spins, masses, axis: None }
+}
+
+/// The relative velocity at the contact, with the arms at the middle of a step in which the approach grew, to which the
+/// velocities belong. With the arms of its end, the work of the force on the bodies would differ from that on the shift by
+/// a share of the step.
+#[inline(always)]
+pub(super) fn slip<T: Number, M>(
+    meeting: &Meeting<T, M>,
+    growth: T,
+    normal: Vector<T>,
+) -> Vector<T> {
+    let half = growth * T::of(0.5);
+    let Meeting { arms, shares, spins: [one, two], .. } = meeting;
+    let [arm_1, arm_2] = [arms[0] + shares[0] * half, arms[1] + shares[1] * half];
+    plus(meeting.velocity, cross(plus(times(*one, arm_1), times(*two, arm_2)), normal))
+}
+
+/// Several pairs of spheres; their masses are read where they are needed.
+pub(super) type Meetings = Meeting<Lanes, [(); 2]>;
+
+impl Meetings {
     /// Several pairs of spheres at once.
     #[inline(always)]
     pub(super) fn of_pairs(
         bodies: [[&Grain; LANES]; 2],
         shares: [Lanes; 2],
     ) -> Result<Self, RangeError> {
-        let [one, two] = bodies.map(Moving::<Lanes>::of);
-        let apart = one.apart(&two);
-        // Narrower than the check itself, which would be compiled to a classification of each number.
-        let within = apart.square.simd_gt(Lanes::splat(1e-300));
-        if !(within & apart.square.simd_lt(Lanes::splat(1e300))).all() {
-            apart.square.to_array().into_iter().try_for_each(Meeting::<f64>::check)?;
+        let [one, two] = bodies.map(|all| from_fn(|k| lanes(|i| all[i].place[k])));
+        let apart = between(one, two);
+        let above = apart.square.simd_gt(Lanes::splat(USUAL[0]));
+        if !hold(above & apart.square.simd_lt(Lanes::splat(USUAL[1]))) {
+            apart.square.to_array().into_iter().try_for_each(Apart::check_unusual)?;
         }
-        Ok(one.meeting(&two, &apart, shares))
+        Ok(met(apart, bodies.map(Moving::<Lanes, ()>::of), shares))
     }
 }
 
@@ -195,20 +218,18 @@ impl Meeting {
     /// Two spheres, each compressed by its fraction of the approach ([`compliance_shares`]).
     ///
     /// # Errors
-    /// [`RangeError`] if the distance of the centres is zero or NaN.
+    /// As [`Apart::of`].
     #[inline]
     pub fn of_spheres(one: &Grain, two: &Grain, shares: [f64; 2]) -> Result<Self, RangeError> {
-        let [one, two] = [one, two].map(Moving::<f64>::of);
-        let apart = one.apart(&two);
-        Self::check(apart.square)?;
-        Ok(one.meeting(&two, &apart, shares))
+        Ok(Self::of_apart([one, two], &Apart::of(one, two)?, shares))
     }
 
-    fn check(square: f64) -> Result<(), RangeError> {
-        if square > 0.0 && square < f64::INFINITY {
-            return Ok(());
-        }
-        Err(RangeError::new("distance", square.sqrt(), "positive and finite"))
+    /// The same of two spheres of which [`Apart::of`] has been asked: a value that no error can replace, so that it
+    /// need not be in memory.
+    #[inline(always)]
+    #[must_use]
+    pub fn of_apart(bodies: [&Grain; 2], apart: &Apart, shares: [f64; 2]) -> Self {
+        met(*apart, bodies.map(Moving::<f64>::of), shares)
     }
 
     /// A sphere (body 1) on a flat wall (body 2); the sphere is compressed by its fraction of the
@@ -217,24 +238,10 @@ impl Meeting {
     #[must_use]
     pub fn on_wall(one: &Grain, wall: &Wall, share: f64) -> Self {
         let zeta = one.radius - dot(minus(one.place, wall.place), wall.normal);
-        let arm = one.radius - share * zeta;
+        let (arms, shares) = ([one.radius - share * zeta, 0.0], [share, 1.0 - share]);
         let velocity = minus(wall.velocity, one.velocity);
-        let (rolling, turning) = (times(one.spin, arm), times(one.spin, 0.5));
-        let (normal, arms, twisting) = (wall.normal, [arm, 0.0], times(one.spin, -1.0));
-        let (masses, axis) = ([one.mass, f64::INFINITY], None);
-        let rolling_decrease = times(one.spin, share);
-        Self {
-            normal,
-            zeta,
-            arms,
-            velocity,
-            rolling,
-            rolling_decrease,
-            turning,
-            twisting,
-            masses,
-            axis,
-        }
+        let (spins, masses) = ([one.spin, [0.0; 3]], [one.mass, f64::INFINITY]);
+        Self { normal: wall.normal, zeta, arms, shares, velocity, spins, masses, axis: None }
     }
 
     /// A sphere (body 1) on a wall of any shape (body 2), which may turn; the sphere is compressed by its fraction
@@ -247,12 +254,24 @@ impl Meeting {
         let below = times(normal, (share - 1.0) * flat.zeta);
         Self {
             velocity: plus(flat.velocity, cross(spin, below)),
-            rolling_decrease: plus(flat.rolling_decrease, times(spin, 1.0 - share)),
-            turning: times(plus(one.spin, spin), 0.5),
-            twisting: minus(spin, one.spin),
+            spins: [one.spin, spin],
             axis: (axis != [0.0; 3]).then_some(axis),
             ..flat
         }
+    }
+
+    /// The mean of the angular velocities, rad/s.
+    #[must_use]
+    pub fn turning(&self) -> [f64; 3] {
+        let [one, two] = self.spins;
+        times(plus(one, two), 0.5)
+    }
+
+    /// Angular velocity of body 2 relative to body 1, rad/s; its component along the normal twists the contact.
+    #[must_use]
+    pub fn twisting(&self) -> [f64; 3] {
+        let [one, two] = self.spins;
+        minus(two, one)
     }
 
     /// The speed at which the bodies slide on each other at the contact, m/s: the tangential part of the
@@ -271,7 +290,7 @@ impl Meeting {
     /// ```
     #[must_use]
     pub fn slip_speed(&self) -> f64 {
-        let slip = plus(self.velocity, cross(self.rolling, self.normal));
+        let slip = slip(self, 0.0, self.normal);
         let slip = minus(slip, times(self.normal, dot(slip, self.normal)));
         dot(slip, slip).sqrt()
     }

@@ -41,7 +41,7 @@ mod vector;
 
 pub use contact::{GrainContact, Heats};
 pub use load::GrainLoad;
-pub use meeting::{Grain, Meeting, Surface, Wall, compliance_shares};
+pub use meeting::{Apart, Grain, Meeting, Surface, Wall, compliance_shares};
 pub use pack::grain_numbers;
 pub use rings::GrainRings;
 pub use rings_pack::{RING_GRAIN_MARK, ring_grain_numbers};

@@ -21,13 +21,14 @@ pub(super) trait Number:
     /// Whether it is > 0 in any lane.
     fn is_any_positive(self) -> bool;
 
-    /// Fast path `then` if all lanes are at most `up_to` in magnitude; otherwise lane by lane.
-    fn where_small(
-        self,
-        up_to: f64,
-        then: impl Fn(Self) -> Self,
-        else_each: impl Fn(f64) -> f64,
-    ) -> Self;
+    /// Three functions of two numbers. `near` computes them if the numbers of all lanes are at most `up_to` in magnitude,
+    /// otherwise `each` does for each lane.
+    fn near_or_each(
+        numbers: [Self; 2],
+        up_to: [f64; 2],
+        near: impl Fn([Self; 2]) -> [Self; 3],
+        each: impl Fn([f64; 2]) -> [f64; 3],
+    ) -> [Self; 3];
 }
 
 impl Number for f64 {
@@ -52,13 +53,14 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn where_small(
-        self,
-        up_to: f64,
-        then: impl Fn(Self) -> Self,
-        else_each: impl Fn(f64) -> f64,
-    ) -> Self {
-        if self.abs() <= up_to { then(self) } else { else_each(self) }
+    fn near_or_each(
+        numbers: [Self; 2],
+        up_to: [f64; 2],
+        near: impl Fn([Self; 2]) -> [Self; 3],
+        each: impl Fn([f64; 2]) -> [f64; 3],
+    ) -> [Self; 3] {
+        let [one, two] = from_fn(|k| numbers[k].abs() <= up_to[k]);
+        if one & two { near(numbers) } else { each(numbers) }
     }
 }
 
@@ -89,24 +91,28 @@ impl Number for Lanes {
 
     #[inline(always)]
     fn is_any_positive(self) -> bool {
-        self.simd_gt(Self::splat(0.0)).any()
+        self.simd_gt(Self::splat(0.0)).to_bitmask() != 0
     }
 
     #[inline(always)]
-    fn where_small(
-        self,
-        up_to: f64,
-        then: impl Fn(Self) -> Self,
-        else_each: impl Fn(f64) -> f64,
-    ) -> Self {
-        if self.abs().simd_le(Self::splat(up_to)).all() {
-            return then(self);
+    fn near_or_each(
+        numbers: [Self; 2],
+        up_to: [f64; 2],
+        near: impl Fn([Self; 2]) -> [Self; 3],
+        each: impl Fn([f64; 2]) -> [f64; 3],
+    ) -> [Self; 3] {
+        let [one, two] = from_fn(|k| numbers[k].abs().simd_le(Self::splat(up_to[k])));
+        if hold(one & two) {
+            return near(numbers);
         }
-        // Lane by lane, with the same bits as a single number.
-        let one = |value: f64| match value.abs() <= up_to {
-            true => then(Self::splat(value)).to_array()[0],
-            false => else_each(value),
-        };
-        Self::new(self.to_array().map(one))
+        let numbers = numbers.map(Self::to_array);
+        let all: [[f64; 3]; LANES] = from_fn(|i| each([numbers[0][i], numbers[1][i]]));
+        from_fn(|k| lanes(|i| all[i][k]))
     }
+}
+
+/// Whether a comparison holds in all lanes: with one branch.
+#[inline(always)]
+pub(super) fn hold(mask: Lanes) -> bool {
+    mask.to_bitmask() == (1 << LANES) - 1
 }

@@ -157,8 +157,8 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let elastic = given.load.f_z;
         let c_z = pressed(elastic, meeting.zeta).unwrap_or(rings.c_z());
         self.drag = match is_new {
-            true => self.dashpots.first_force(meeting, c_z, elastic, dt),
-            false => self.dashpots.force(meeting, c_z, elastic, dt),
+            true => self.dashpots.first_force(meeting, [c_z, elastic], dt),
+            false => self.dashpots.force_of_one(meeting, [c_z, elastic], dt),
         };
         let load = self.keep(meeting, &step, given.load);
         let speed = dot(meeting.velocity, middle_of(normal, meeting.normal, is_new));
@@ -270,5 +270,5 @@ fn pressed(force: f64, zeta: f64) -> Option<f64> {
 
 /// The twist during a step, clockwise as in the law.
 fn turned(meeting: &Meeting, dt: f64) -> f64 {
-    -dot(meeting.twisting, meeting.normal) * dt
+    -dot(meeting.twisting(), meeting.normal) * dt
 }

@@ -1,6 +1,6 @@
 //! A step of two grains: rotation of their axes, and the shift at its end.
 
-use super::meeting::Meeting;
+use super::meeting::{Meeting, slip};
 use super::number::Number;
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::Shift;
@@ -40,10 +40,11 @@ const STEPS_TO_OPENING: f64 = 4.0;
 impl<T: Number> Before<T> {
     /// The end of a step of duration `dt`.
     #[inline(always)]
-    pub(super) fn step(&self, meeting: &Meeting<T>, dt: f64) -> Step<T> {
+    pub(super) fn step<M>(&self, meeting: &Meeting<T, M>, dt: f64) -> Step<T> {
         let half = T::of(0.5);
         let middle = times(plus(self.normal, meeting.normal), half);
-        let tangent = self.carried(meeting, dot(meeting.turning, middle) * T::of(dt));
+        let [one, two] = meeting.spins;
+        let tangent = self.carried(meeting, dot(plus(one, two), middle) * T::of(0.5 * dt));
         let x = times(plus(self.tangent, tangent), half);
         let slip = slip(meeting, meeting.zeta - self.zeta, middle);
         let velocity = [dot(slip, x), dot(slip, cross(middle, x))];
@@ -61,28 +62,19 @@ impl<T: Number> Before<T> {
 
     /// The tangent, rotated with the normal and by an angle about it, unless the bodies determine it.
     #[inline(always)]
-    fn carried(&self, meeting: &Meeting<T>, angle: T) -> Vector<T> {
+    fn carried<M>(&self, meeting: &Meeting<T, M>, angle: T) -> Vector<T> {
         if let Some(axis) = meeting.axis {
             return axis;
         }
         let (old, new) = (self.normal, meeting.normal);
-        let tilt = dot(self.tangent, new) * over_lean(T::of(1.0) - dot(old, new));
+        let [over_lean, sine, cosine] = rotation(T::of(1.0) - dot(old, new), angle);
+        let tilt = dot(self.tangent, new) * over_lean;
         let tangent = minus(self.tangent, times(plus(old, new), tilt));
-        let (sine, cosine) = turn(angle);
         let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
         // Rounding must not accumulate: the correction removes any component along the normal, and
         // one Newton step restores unit length.
         times(turned, T::of(1.5) - T::of(0.5) * dot(turned, turned))
     }
-}
-
-/// The relative velocity at the contact, with the arms at the middle of a step in which the approach grew, to which the
-/// velocities belong. With the arms of its end, the work of the force on the bodies would differ from that on the shift by
-/// a share of the step.
-#[inline(always)]
-fn slip<T: Number>(meeting: &Meeting<T>, growth: T, normal: Vector<T>) -> Vector<T> {
-    let lost = times(meeting.rolling_decrease, growth * T::of(0.5));
-    plus(meeting.velocity, cross(plus(meeting.rolling, lost), normal))
 }
 
 /// What a function gives for either of the two directions.
@@ -99,7 +91,7 @@ pub(super) fn leaves(meeting: &Meeting, dt: f64) -> bool {
 
 /// The growth of the approach in this number of steps.
 #[inline(always)]
-pub(super) fn parting<T: Number>(meeting: &Meeting<T>, dt: f64) -> T {
+pub(super) fn parting<T: Number, M>(meeting: &Meeting<T, M>, dt: f64) -> T {
     T::of(STEPS_TO_OPENING * dt) * dot(meeting.velocity, meeting.normal)
 }
 
@@ -118,15 +110,6 @@ pub(super) fn first_step(meeting: &Meeting, dt: f64) -> Step {
     Step { tangent, zeta, shift, velocity, lead }
 }
 
-/// 1/(2 - e), where 1 - e is the cosine of the rotation of the normal; by its series for small
-/// rotations. A normal that is reversed is rotated about the tangent.
-#[inline(always)]
-fn over_lean<T: Number>(e: T) -> T {
-    let near = |e: T| T::of(0.5) + e * (T::of(0.25) + T::of(0.125) * e);
-    let each = |e: f64| if e < 2.0 - 1e-12 { 1.0 / (2.0 - e) } else { 0.0 };
-    e.where_small(1e-4, near, each)
-}
-
 /// A unit vector perpendicular to another one; arbitrary but always the same.
 fn across(normal: Vector) -> Vector {
     let any = if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
@@ -134,16 +117,46 @@ fn across(normal: Vector) -> Vector {
     times(across, 1.0 / dot(across, across).sqrt())
 }
 
-/// Sine and cosine of the rotation of one step; by series for small angles.
+/// Below these 1/(2 - e), and sine and cosine, are computed by series.
+const NEAR: [f64; 2] = [1e-4, 1e-3];
+
+/// 1/(2 - e), where 1 - e is the cosine of the rotation of the normal in a step, and sine and cosine of the rotation about
+/// it. A normal that is reversed is rotated about the tangent.
 #[inline(always)]
-fn turn<T: Number>(angle: T) -> (T, T) {
-    let (one, sixth) = (T::of(1.0), T::of(1.0 / 6.0));
-    let sine = |angle: T| angle * (one - (angle * angle) * sixth);
-    let cosine = |angle: T| {
-        let square = angle * angle;
-        one - square * (T::of(0.5) - square * T::of(1.0 / 24.0))
+fn rotation<T: Number>(e: T, angle: T) -> [T; 3] {
+    let near = |[e, angle]: [T; 2]| {
+        let [sine, cosine] = turn_near(angle);
+        [over_lean_near(e), sine, cosine]
     };
-    (angle.where_small(1e-3, sine, libm::sin), angle.where_small(1e-3, cosine, libm::cos))
+    T::near_or_each([e, angle], NEAR, near, rotation_of_one)
+}
+
+/// The same of one contact that rotates far.
+#[cold]
+#[inline(never)]
+fn rotation_of_one([e, angle]: [f64; 2]) -> [f64; 3] {
+    let over_lean = match e {
+        e if e.abs() <= NEAR[0] => over_lean_near(e),
+        e if e < 2.0 - 1e-12 => 1.0 / (2.0 - e),
+        _ => 0.0,
+    };
+    let is_near = angle.abs() <= NEAR[1];
+    let [sine, cosine] =
+        if is_near { turn_near(angle) } else { [libm::sin(angle), libm::cos(angle)] };
+    [over_lean, sine, cosine]
+}
+
+#[inline(always)]
+fn over_lean_near<T: Number>(e: T) -> T {
+    T::of(0.5) + e * (T::of(0.25) + T::of(0.125) * e)
+}
+
+#[inline(always)]
+fn turn_near<T: Number>(angle: T) -> [T; 2] {
+    let (one, square) = (T::of(1.0), angle * angle);
+    let sine = angle * (one - square * T::of(1.0 / 6.0));
+    let cosine = one - square * (T::of(0.5) - square * T::of(1.0 / 24.0));
+    [sine, cosine]
 }
 
 /// A point on a straight path, or beyond its end if `part` is above 1.

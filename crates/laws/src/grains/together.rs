@@ -7,8 +7,8 @@ use carom_special::RangeError;
 use super::contact::GrainContact;
 use super::dashpots::Dashpots;
 use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, elastic, forces};
-use super::meeting::{Grain, Meeting};
-use super::number::{LANES, Lanes, lanes};
+use super::meeting::{Grain, Meeting, Meetings};
+use super::number::{LANES, Lanes, hold, lanes};
 use super::step::{Before, Step, parting};
 use super::vector::dot;
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
@@ -74,11 +74,11 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
 ) -> Result<(), RangeError> {
     let shares = from_fn(|k| each(pairs, |pair| pair.shares[k]));
     let bodies = from_fn(|k| from_fn(|i| pairs[i].bodies[k]));
-    let (meeting, before) = (Meeting::of_pairs(bodies, shares)?, before(pairs));
+    let (meeting, before) = (Meetings::of_pairs(bodies, shares)?, before(pairs));
     // A new contact has no tangent.
     let has_begun = dot(before.tangent, before.tangent).simd_gt(Lanes::splat(0.0));
     let stays = parting(&meeting, dt).simd_ge(Lanes::splat(0.0) - meeting.zeta);
-    if (has_begun & stays).all() {
+    if hold(has_begun & stays) {
         go_on(pairs, &meeting, &before, dt, meanwhile)
     } else {
         one_by_one(pairs, dt)
@@ -98,7 +98,7 @@ fn each<S: VertexStack<[f64; 2]>>(
 #[inline(always)]
 fn go_on<S: VertexStack<[f64; 2]>>(
     pairs: &mut Pairs<'_, S>,
-    meeting: &Meeting<Lanes>,
+    meeting: &Meetings,
     before: &Before<Lanes>,
     dt: f64,
     mut meanwhile: impl FnMut(usize),
@@ -110,9 +110,10 @@ fn go_on<S: VertexStack<[f64; 2]>>(
         viscosity: each(pairs, |pair| pair.contact.dashpots.viscosity),
         ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
     };
-    let drag = dashpots.force(meeting, c_z, elastic, dt);
+    let masses = || from_fn(|k| each(pairs, |pair| pair.bodies[k].mass));
+    let drag = dashpots.force(meeting, masses, [c_z, elastic], dt);
     let to = normalised(pairs, &step);
-    if !(allowed(&step, to) & allowed_beside(meeting.arms, drag)).all() {
+    if !hold(allowed(&step, to) & allowed_beside(meeting.arms, drag)) {
         refuse(pairs, dt)?;
     }
     let mut frictions = [[0.0; 2]; TOGETHER];

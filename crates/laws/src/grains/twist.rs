@@ -69,7 +69,7 @@ impl GrainTwist {
         dt: f64,
         advance: impl Fn(&mut TorsionLaw, Shift) -> Result<T, RangeError>,
     ) -> Result<T, RangeError> {
-        let turned = dot(meeting.twisting, meeting.normal) * dt;
+        let turned = dot(meeting.twisting(), meeting.normal) * dt;
         let shift = self.law.shift();
         if shift.zeta > 0.0 {
             // A law that refuses a step is unchanged.

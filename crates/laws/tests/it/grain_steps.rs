@@ -137,7 +137,7 @@ fn slip_is_between_the_surfaces() {
     }
 }
 
-/// As the approach grows the arms of spins shorten, and slip changes by what `rolling_decrease` says.
+/// As the approach grows the arms of spins shorten, and slip changes by the spins times their shares of it.
 #[test]
 fn arms_shorten_as_the_approach_grows() {
     let (spin, share) = ([0.3, -0.7, 0.2], 0.35);
@@ -162,13 +162,18 @@ fn arms_shorten_as_the_approach_grows() {
     };
     // A wall turns the axes as a grain does that turns like it.
     let [other, _, wall_turns] = meetings(0.1);
-    assert_eq!((wall_turns.turning, wall_turns.twisting), (other.turning, other.twisting));
+    assert_eq!((wall_turns.turning(), wall_turns.twisting()), (other.turning(), other.twisting()));
+    let sum =
+        |m: &Meeting, by: [f64; 2]| [0, 1].map(|k| m.spins[0][k] * by[0] + m.spins[1][k] * by[1]);
     // Slip is v + r x n: along x and y.
-    let slip = |m: &Meeting| [m.velocity[0] + m.rolling[1], m.velocity[1] - m.rolling[0]];
+    let slip = |m: &Meeting| {
+        let [r_x, r_y] = sum(m, m.arms);
+        [m.velocity[0] + r_y, m.velocity[1] - r_x]
+    };
     let [shallow, deep] = [0.05, 0.15].map(meetings);
     for (before, after) in shallow.iter().zip(&deep) {
         let [[x, y], [to_x, to_y]] = [before, after].map(slip);
-        let [by_x, by_y, _] = after.rolling_decrease;
+        let [by_x, by_y] = sum(after, after.shares);
         let growth = after.zeta - before.zeta;
         assert!((growth - 0.1).abs() < 1e-15 && (by_x * by_y).abs() > 1e-3);
         assert!((to_x - x + growth * by_y).abs() < 1e-15, "{before:?}");
@@ -292,10 +297,15 @@ fn a_step_whose_load_would_leave_the_numbers_is_refused() {
     long.arms[0] = 1e250;
     let mut none = long;
     none.arms[1] = f64::NAN;
-    for (meeting, field) in [(fast, "damping force"), (long, "arm"), (none, "arm")] {
+    // An arm that is no number makes the shift none, which is checked first.
+    for (meeting, field) in [(fast, "damping force"), (long, "arm"), (none, "xi")] {
         // Without a duration nothing moves, but forces act.
         assert_eq!(damped.advance(&meeting, 0.0).unwrap_err().field, field);
         assert_eq!(damped, before);
+        let mut load = GrainLoad { force: [7.0; 3], ..GrainLoad::default() };
+        let kept = load;
+        assert!(damped.advance_into(&meeting, 0.0, &mut load).is_err());
+        assert_eq!((damped, load), (before, kept));
         let mut heats = Heats::default();
         let refused = damped.advance_accounted(&meeting, 0.0, &mut heats);
         assert!(refused.is_err());

@@ -117,9 +117,9 @@ fn a_wall_is_a_sphere_of_infinite_radius() {
         Meeting::of_spheres(&one, &below, [share, 0.0]).unwrap(),
     );
     for (flat, round, name) in [
-        (flat.turning, round.turning, "turning"),
-        (flat.twisting, round.twisting, "twisting"),
-        (flat.rolling, round.rolling, "rolling"),
+        (flat.turning(), round.turning(), "turning"),
+        (flat.twisting(), round.twisting(), "twisting"),
+        (flat.spins[0], round.spins[0], "spin"),
         (flat.velocity, round.velocity, "velocity"),
         (flat.normal, round.normal, "normal"),
     ] {

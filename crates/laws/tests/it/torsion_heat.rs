@@ -367,10 +367,8 @@ fn the_heat_of_two_grains_that_twist_is_that_of_their_law() {
         zeta,
         arms: [0.02, 0.0],
         velocity: [0.0, 0.0, velocity],
-        rolling: [0.0; 3],
-        rolling_decrease: [0.0; 3],
-        turning: [0.0, 0.0, 0.5 * spin],
-        twisting: [0.0, 0.0, spin],
+        shares: [0.5; 2],
+        spins: [[0.0; 3], [0.0, 0.0, spin]],
         masses: [1.0, f64::INFINITY],
         axis: None,
     };
