@@ -1,4 +1,5 @@
-//! Cost of a step of the contact of two grains through the C interface: one by one, and many in a call.
+//! Cost of a step of the contact of two grains through the C interface: one by one, and many in a call; with a given
+//! restitution and without.
 
 use std::hint::black_box;
 use std::mem::{MaybeUninit, zeroed};
@@ -7,7 +8,7 @@ use std::ptr::null_mut;
 use carom_capi::{
     CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_TOUCH_WORDS, CaromEncounter, CaromGrain,
     CaromGrainLoad, CaromGrains, CaromMaterial, CaromStatus, CaromTouch, carom_grains_of,
-    carom_touch_grains, carom_touch_many,
+    carom_grains_restitution, carom_touch_grains, carom_touch_many,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -15,13 +16,15 @@ const PAIRS: usize = 64;
 const STEPS: usize = 256;
 const DT: f64 = 1e-6;
 
-fn grains(law: u32) -> CaromGrains {
+fn grains(law: u32, restitution: f64) -> CaromGrains {
     let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
     // SAFETY: plain numbers; all pointers are references or null.
     unsafe {
         let mut grains = zeroed();
         let to = &raw mut grains;
         let status = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 1e-7, to, null_mut());
+        assert_eq!(status, CaromStatus::Ok);
+        let status = carom_grains_restitution(to, restitution, null_mut());
         assert_eq!(status, CaromStatus::Ok);
         grains
     }
@@ -93,10 +96,13 @@ fn many(grains: &CaromGrains, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
 
 fn steps(criterion: &mut Criterion) {
     let path = path();
-    for (name, law) in
-        [("fixed-direction", CAROM_LAW_FIXED_DIRECTION), ("coulomb", CAROM_LAW_COULOMB)]
-    {
-        let grains = grains(law);
+    for (name, law, restitution) in [
+        ("fixed-direction", CAROM_LAW_FIXED_DIRECTION, 1.0),
+        ("fixed-direction, restitution", CAROM_LAW_FIXED_DIRECTION, 0.8),
+        ("coulomb", CAROM_LAW_COULOMB, 1.0),
+        ("coulomb, restitution", CAROM_LAW_COULOMB, 0.8),
+    ] {
+        let grains = grains(law, restitution);
         let [alone, together] = [one_by_one(&grains, &path), many(&grains, &path)];
         assert!((alone / together - 1.0).abs() < 1e-12);
         let mut group = criterion.benchmark_group(format!("grains, {name}"));
