@@ -224,8 +224,12 @@ impl Lateral for [f64; 2] {
             return m;
         }
         // tan(phi/2), from the form without cancellation; the tractrix reduces it (8.56).
+        let left = left_after(length / from, (to - from) / from);
+        if cos <= 0.0 && sin.abs() < LEAST_SINE {
+            return turned([sin, (1.0 - cos) * left], ahead);
+        }
         let half = if cos > 0.0 { sin / (1.0 + cos) } else { (1.0 - cos) / sin };
-        let half = half * left_after(length / from, (to - from) / from);
+        let half = half * left;
         let scale = 1.0 / (1.0 + half * half);
         let (cos, sin) = ((1.0 - half) * (1.0 + half) * scale, 2.0 * half * scale);
         [ahead[0] * cos - ahead[1] * sin, ahead[1] * cos + ahead[0] * sin]
@@ -234,6 +238,18 @@ impl Lateral for [f64; 2] {
     fn sliding_onset(offset: Self, dx: Self, zeta: f64, dz: f64) -> f64 {
         cone_exit(offset, dx, zeta, dz)
     }
+}
+
+/// Below this sine of an angle near pi, the square of the tangent of its half is too large for a number.
+const LEAST_SINE: f64 = 1e-150;
+
+/// The direction at an angle from another one, by two numbers whose ratio, second to first, is the tangent of its half.
+#[cold]
+fn turned([near, far]: [f64; 2], ahead: [f64; 2]) -> [f64; 2] {
+    let length = libm::hypot(near, far);
+    let (near, far) = (near / length, far / length);
+    let (cos, sin) = ((near - far) * (near + far), 2.0 * near * far);
+    [ahead[0] * cos - ahead[1] * sin, ahead[1] * cos + ahead[0] * sin]
 }
 
 /// `exp(-pull ln(1 + growth)/growth)`; by series for small steps, truncated below rounding.

@@ -157,6 +157,37 @@ fn slip_that_grows_from_next_to_nothing_turns_and_has_a_force() {
     }
 }
 
+/// A slide that is opposite to the traction but for next to nothing: the tangent of half the angle between them is no
+/// number. As the contact recedes the traction stays as it was; a long slide back turns it.
+#[test]
+fn tractions_opposite_to_a_slide_are_numbers_whatever_lies_beside() {
+    for beside in [5e-324, 1e-320, 1e-313, 1e-300, 1e-160, 1e-155, 1e-150, 1e-100] {
+        for mut law in laws(0.3) {
+            law.advance(Shift { zeta: 1e-7, ..Shift::default() }).unwrap();
+            let steps = [(1e-7, -1e-5, -1.0), (5e-8, -9.99e-6, -1.0), (4e-8, 5e-5, 1.0)];
+            for (zeta, xi, way) in steps {
+                let load = law.advance(Shift { zeta, xi, eta: beside, omega: 0.0 }).unwrap();
+                let part = load.f_x / (0.3 * load.f_z);
+                assert!((part - way).abs() < 1e-12, "{beside:e} {xi}: {load:?}");
+                assert!(load.f_y.abs() < 1e-12 * load.f_z, "{beside:e} {xi}: {load:?}");
+            }
+        }
+    }
+}
+
+/// Once no number: a slope of next to nothing, in a contact of next to no approach.
+#[test]
+fn a_slope_of_next_to_nothing_is_dragged_to_a_number() {
+    let [mut law, _] = laws(0.4);
+    let (at, beside) = (-1.976e-6, 1.642e-8);
+    let mut numbers = [0.0; NUMBERS];
+    numbers[..8].copy_from_slice(&[20101.0, 5e-324, at, beside, at, beside, 0.0, 4.3458e-311]);
+    law.unpack(&numbers).unwrap();
+    let Shift { xi, .. } = law.shift();
+    let load = law.advance(Shift { zeta: 1e-12, xi, eta: 3.16e-7, omega: 0.0 }).unwrap();
+    assert!((load.f_y / (0.4 * load.f_z) - 1.0).abs() < 1e-12, "{load:?}");
+}
+
 #[test]
 fn anchors_beyond_the_friction_cone_are_refused() {
     let places: [&[(usize, &str)]; 2] = [
