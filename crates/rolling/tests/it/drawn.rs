@@ -1,6 +1,8 @@
 //! Drawn rolling problems: every answer satisfies the conditions of contact, computed anew from the
 //! coefficients, and every problem ends.
 
+use std::ops::Range;
+
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_halfspace::{Field, Grid, Material, MaterialPair, Offset, RectangleInfluence};
 use carom_laws::friction::Friction;
@@ -214,9 +216,9 @@ struct Tally {
 }
 
 /// Solves drawn problems, checks the answers and counts.
-fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
+fn check(seed: u64, numbers: Range<u64>, most: usize, by_load: bool) -> Tally {
     let mut tally = Tally::default();
-    for number in 0..count {
+    for number in numbers {
         let mut draw = Draw(
             seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)
                 .wrapping_add(number.wrapping_mul(0xD134_2543_DE82_EF95)),
@@ -315,14 +317,25 @@ fn check(seed: u64, count: u64, most: usize, by_load: bool) -> Tally {
 
 #[test]
 fn drawn_creepages() {
-    let tally = check(1, 300, 14, false);
+    let tally = check(1, 0..300, 14, false);
     assert!(tally.failed.is_empty() && tally.solved == 300, "{tally:#?}");
 }
 
 #[test]
 fn drawn_forces() {
-    let tally = check(2, 300, 12, true);
+    let tally = check(2, 0..300, 12, true);
     assert!(tally.failed.is_empty() && tally.solved > 240, "{tally:#?}");
+}
+
+/// Given forces for which Newton's steps leave the solution, up to tractions that were no numbers; cylinders under
+/// much spin among them.
+#[test]
+fn forces_from_which_steps_lead_away_are_met() {
+    for (seed, number) in [(32, 8), (10, 53), (17, 68), (19, 180), (23, 165), (25, 114), (36, 169)]
+    {
+        let tally = check(seed, number..number + 1, 12 + seed as usize % 12, true);
+        assert!(tally.failed.is_empty() && tally.solved == 1, "{seed} {number}: {tally:#?}");
+    }
 }
 
 /// Run with `--ignored` before a release: 15 000 problems, a minute.
@@ -330,23 +343,22 @@ fn drawn_forces() {
 #[ignore = "a long sample"]
 fn many_drawn_creepages() {
     for seed in 10..40 {
-        let tally = check(seed, 500, 12 + seed as usize % 12, false);
+        let tally = check(seed, 0..500, 12 + seed as usize % 12, false);
         println!("{seed}: {tally:?}");
         assert!(tally.failed.is_empty(), "{tally:#?}");
     }
 }
 
-/// Run with `--ignored` before a release: 6000 problems, a minute. Most of those without an answer
-/// are cylinders with two given forces under much spin.
+/// Run with `--ignored` before a release: 6000 problems, a minute.
 #[test]
 #[ignore = "a long sample"]
 fn many_drawn_forces() {
     let mut failed = 0;
     for seed in 10..40 {
-        let tally = check(seed, 200, 12 + seed as usize % 12, true);
+        let tally = check(seed, 0..200, 12 + seed as usize % 12, true);
         println!("{seed}: {tally:?}");
         failed += tally.failed.len();
     }
     // As measured; each ends with an error that says so.
-    assert!(failed <= 29, "{failed}");
+    assert!(failed <= 4, "{failed}");
 }

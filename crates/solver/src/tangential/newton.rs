@@ -35,6 +35,8 @@ const PATIENCE: usize = 10;
 /// Number of slow steps at first; each time they are needed again it doubles, at most so often.
 const DESCENT_STEPS: usize = 16;
 pub(super) const MOST_PHASES: usize = 7;
+/// Steps are not made whose motions exceed so many times what all cells at their limits could displace one of them.
+const FARTHEST: f64 = 1e3;
 /// A cell slips in the direction that its slip asks for if its bound is below this fraction of the
 /// traction that sticking would need.
 const NEGLIGIBLE_BOUND: f64 = 0.003;
@@ -54,12 +56,14 @@ impl ActiveSet {
         self.begin(task, &mut state)?;
         let (mut iteration, mut phases) = (0, 0);
         let (mut least, mut since) = (f64::INFINITY, 0);
+        let mut best = Best::default();
         loop {
             iteration += 1;
             let off = self.take_to_discs(task, &mut state)?;
             self.choose_states(task);
             let tangential = off.distance.max(self.unbalance(task, touching)) / scale;
             let tangential = if off.distance.is_nan() { off.distance } else { tangential };
+            best.see(tangential, task);
             if tangential < 0.5 * least {
                 (least, since) = (tangential, 0);
             } else {
@@ -67,7 +71,8 @@ impl ActiveSet {
             }
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if tangential.is_nan() || (since > PATIENCE && phases >= most_phases) {
+            let is_lost = tangential.is_nan() || since > PATIENCE;
+            let stop = if is_lost && phases >= most_phases {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance || tangential < 0.1 * limits.change {
                 Some(Stop::Converged)
@@ -81,7 +86,9 @@ impl ActiveSet {
                 let products = state.products;
                 return Ok(Convergence { iterations: iteration, products, residuals, stop });
             }
-            if since > PATIENCE {
+            if is_lost {
+                best.restore(task);
+                best = Best::default();
                 let steps = DESCENT_STEPS << phases;
                 Descent::new(task.operator).run_twice(self, task, steps, &mut state.products)?;
                 (phases, least, since) = (phases + 1, f64::INFINITY, 0);
@@ -187,7 +194,7 @@ impl ActiveSet {
         }
     }
 
-    /// Makes a step; returns false if there is none, as where no cell can take up a load.
+    /// Makes a step; returns false if there is none, as where no cell can take up a load, or if it leads too far.
     fn newton_step(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -207,7 +214,11 @@ impl ActiveSet {
         let mut step = vec![0.0; 2 * n + 3];
         let least = LINEAR_RESIDUAL * krylov::norm(&right);
         krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
-        if !step.iter().all(|value| value.is_finite()) {
+        let farthest = FARTHEST * self.own * task.limits.iter().sum::<f64>();
+        let arm = rigid::half_diagonal(task.operator.grid());
+        let [x, y, turn] = [0, 1, 2].map(|k| step[2 * n + k].abs());
+        let moves_far = x.max(y).max(arm * turn) > farthest;
+        if moves_far || !step.iter().all(|value| value.is_finite()) {
             return Ok(false);
         }
         for axis in 0..2 {
@@ -226,6 +237,41 @@ impl ActiveSet {
             self.slip[1][i] += self.image[1][i] - y;
         }
         Ok(true)
+    }
+}
+
+/// The tractions and motions with the least violation since the last slow steps. Newton's steps may lead away from any
+/// solution: near the friction limit the loads hardly depend on the motions, and steps grow without bound.
+struct Best {
+    violation: f64,
+    traction: [Vec<f64>; 2],
+    moved: [f64; 3],
+}
+
+impl Default for Best {
+    fn default() -> Self {
+        Self { violation: f64::INFINITY, traction: Default::default(), moved: [0.0; 3] }
+    }
+}
+
+impl Best {
+    fn see(&mut self, violation: f64, task: &TangentialTask<'_>) {
+        if violation < self.violation {
+            (self.violation, self.moved) = (violation, task.rigid.moved);
+            for (own, traction) in self.traction.iter_mut().zip(&task.traction) {
+                own.clear();
+                own.extend_from_slice(traction);
+            }
+        }
+    }
+
+    fn restore(&self, task: &mut TangentialTask<'_>) {
+        if self.violation < f64::INFINITY {
+            task.rigid.moved = self.moved;
+            for (traction, own) in task.traction.iter_mut().zip(&self.traction) {
+                traction.copy_from_slice(own);
+            }
+        }
     }
 }
 
