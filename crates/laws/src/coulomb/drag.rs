@@ -244,7 +244,8 @@ impl<V: Lateral> Step<V> {
         let (at, met) = (along - rest, limit - self.slope * rest);
         let arm = (at * at + across * across).sqrt();
         let grazes = grazes || (!inside && at < self.slope * arm);
-        let half = if met > 0.0 { self.half(at, across, arm) } else { None };
+        // Below the root of the least number a stretch has no length, and no direction but that of the step.
+        let half = if met > 0.0 && arm > 0.0 { self.half(at, across, arm) } else { None };
         LimitPoint { rest, at, arm, limit: met, half, grazes }
     }
 

@@ -66,10 +66,14 @@ impl<V: Lateral> Step<V> {
         let (settled, before) =
             (self.settled(depth, anchor), self.shift.minus(self.ahead.times(self.length)));
         let [from, to] = [anchor, settled].map(|anchor| before.minus(anchor));
-        let direction = Units { unit, ahead: from.times(1.0 / from.length()) };
-        let snap = 0.5 * (from.dot(from) - to.dot(to)).max(0.0);
+        let beyond = 0.5 * (from.dot(from) - to.dot(to));
+        let snap = if beyond > 0.0 {
+            beyond * Units { unit, ahead: from.times(1.0 / from.length()) }.of(1.0, 0.0)
+        } else {
+            0.0
+        };
         let slip = self.slip(depth, settled);
-        snap * direction.of(1.0, 0.0) + slip.map_or(0.0, |slip| self.slip_heat(&slip, unit))
+        snap + slip.map_or(0.0, |slip| self.slip_heat(&slip, unit))
     }
 
     /// The heat of an annulus that is in contact at the end and was within its limit.

@@ -175,6 +175,37 @@ fn tractions_opposite_to_a_slide_are_numbers_whatever_lies_beside() {
     }
 }
 
+/// Once no numbers: a force after a slide of 1e13 approaches, of which next to nothing was across; the heat of a slide at
+/// next to no approach, whose stretch is zero to round-off.
+#[test]
+fn slides_with_next_to_nothing_across_have_forces_and_heat() {
+    let least = 5e-324;
+    let long: &[_] = &[
+        (3.3e-3, -least, -9.4e-6),
+        (3.3e-3, 4.6e-21, -9.4e-6),
+        (4e-4, 4.6e-21, -4.1e-5),
+        (4e-4, 1e-5, -4.1e-5),
+        (3.4005599722540232e-6, -least, -5.119188113833143e-21),
+        (3.4005599722540232e-6, -least, -33432617.567479074),
+    ];
+    let beside: &[_] = &[
+        (1.2e-7, 2.3450539291062422e-8, 0.0),
+        (1.0443043116597183e-39, 7.395737768706943e-9, -1.3470278740133708e-8),
+        (2.6753573093748463e-24, 7.395737768706946e-9, -1.3470278740133708e-8),
+    ];
+    for steps in [long, beside] {
+        for mut law in laws(0.4) {
+            for &(zeta, xi, eta) in steps {
+                let to = Shift { zeta, xi, eta, omega: 0.0 };
+                assert!(law.dissipation(to).is_finite(), "{to:?}");
+                let load = law.advance(to).unwrap();
+                let force = load.f_x.hypot(load.f_y);
+                assert!(force <= 0.4 * load.f_z * (1.0 + 1e-12), "{to:?}: {load:?}");
+            }
+        }
+    }
+}
+
 /// Once no number: a slope of next to nothing, in a contact of next to no approach.
 #[test]
 fn a_slope_of_next_to_nothing_is_dragged_to_a_number() {
