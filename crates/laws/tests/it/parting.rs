@@ -116,6 +116,7 @@ fn a_wall_is_a_sphere_of_infinite_radius() {
         Meeting::on_wall(&one, &wall, share),
         Meeting::of_spheres(&one, &below, [share, 0.0]).unwrap(),
     );
+    assert_eq!((flat.turning(), flat.twisting()), ([0.1, -0.15, 0.35], [-0.2, 0.3, -0.7]));
     for (flat, round, name) in [
         (flat.turning(), round.turning(), "turning"),
         (flat.twisting(), round.twisting(), "twisting"),
