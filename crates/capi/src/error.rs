@@ -59,7 +59,8 @@ pub extern "C" fn carom_status_text(status: i32) -> *const c_char {
     text.as_ptr()
 }
 
-/// An error before it is written for the caller: one word, since calls that succeed would move a longer one, too.
+/// An error before it is written for the caller. It is one word, since each result that may hold an error is moved, also
+/// if it holds none.
 #[derive(Debug)]
 pub(crate) struct Failure(Box<Details>);
 

@@ -136,7 +136,7 @@ fn step(
 ) -> Result<(), RangeError> {
     match heats {
         None => contact.advance_into(meeting, dt, load.as_load()),
-        // A copy, so that the meeting need not be in memory without heat.
+        // A copy, so that the meeting itself stays in registers where no heat is asked for.
         Some(sums) => {
             *load = contact.advance_accounted(&{ *meeting }, dt, sums)?.into();
             Ok(())

@@ -160,7 +160,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
-        // Calls that are not inlined get copies: what they point to must be in memory, in every step.
+        // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
         if self.is_new() {
             return self.begin(&{ *meeting }, dt, load);
         }

@@ -224,8 +224,8 @@ impl Meeting {
         Ok(Self::of_apart([one, two], &Apart::of(one, two)?, shares))
     }
 
-    /// The same of two spheres of which [`Apart::of`] has been asked: a value that no error can replace, so that it
-    /// need not be in memory.
+    /// The same for two spheres whose relative position `apart` has been checked. It cannot fail, so that the compiler
+    /// can keep it in registers.
     #[inline(always)]
     #[must_use]
     pub fn of_apart(bodies: [&Grain; 2], apart: &Apart, shares: [f64; 2]) -> Self {
