@@ -7,8 +7,9 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// All packages but the benches, whose framework selects other features of common dependencies: with it,
-/// everything above them would be compiled once for the tests and once more for the programs.
+/// All packages but the benches, whose framework only those who measure need to compile. Tasks select these packages
+/// even for one program: alone it might select other features of a dependency, and all above that would be compiled
+/// once more.
 pub(crate) const WITHOUT_BENCHES: &[&str] = &["--workspace", "--exclude", "carom-benches"];
 
 /// Whether there is a [`Lints`].
@@ -24,9 +25,14 @@ impl Lints {
         Self(())
     }
 
+    /// Whether cargo lints what it compiles now.
+    pub(crate) fn exist() -> bool {
+        LINTS.load(Ordering::Relaxed)
+    }
+
     /// Sets the compiler and the documentation tool of a command that calls cargo.
     pub(crate) fn set(command: &mut Command) {
-        if LINTS.load(Ordering::Relaxed) {
+        if Self::exist() {
             let tools = root().join(".ci");
             command.env("RUSTC_WORKSPACE_WRAPPER", tools.join("rustc"));
             command.env("RUSTDOC", tools.join("rustdoc"));
@@ -89,16 +95,16 @@ pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::R
 
 /// The path of a binary or example, built as by [`run_built`].
 pub(crate) fn built(kind: &str, name: &str) -> anyhow::Result<PathBuf> {
-    compile(&[&["build", "--release", "--quiet", kind, name], WITHOUT_BENCHES].concat())?;
+    compile(&[&["build", "--release", kind, name], WITHOUT_BENCHES].concat())?;
     let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
     Ok(root().canonicalize()?.join(folder).join(name))
 }
 
 /// Runs carom-verify with these arguments at the root of the workspace; returns its exit code.
 pub(crate) fn verify(arguments: impl IntoIterator<Item = OsString>) -> anyhow::Result<u8> {
-    let mut command = command(&["run", "--release", "--package", "carom-verification"]);
-    command.args(["--bin", "carom-verify", "--"]).args(arguments);
-    let status = command.status().context("cannot start cargo")?;
+    let mut command = Command::new(built("--bin", "carom-verify")?);
+    let status = command.args(arguments).current_dir(root()).status();
+    let status = status.context("cannot start carom-verify")?;
     Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
 }
 

@@ -31,10 +31,24 @@ const FETCHED_WHERE_CHANGED: &[Changed] =
     &[(LAMMPS, "the pinned release of LAMMPS", lammps::packages)];
 
 /// The first of the steps after these, which run two at a time, each busy on one core.
-const FIRST: &[(&str, Step)] = &[
-    ("the Python module and its tests", || Ok(python::install()?.and(python::test()?))),
-    ("documentation, its examples and the example programs", || passed(test::shown())),
-];
+const PYTHON: (&str, Step) =
+    ("the Python module and its tests", || Ok(python::install()?.and(python::test(&[])?)));
+
+/// In its place if no path of [`TYPED`] changed.
+const PYTHON_WITHOUT_TYPES: (&str, Step) =
+    ("the Python module and its tests, but for those of types", || {
+        Ok(python::install()?.and(python::test(&[python::TYPES])?))
+    });
+
+/// What type checkers of Python read.
+const TYPED: &[&str] = &["crates/python", "docs/book/src"];
+
+/// The second of them.
+const SHOWN: (&str, Step) =
+    ("documentation, its examples and the example programs", || passed(test::shown()));
+
+/// One of [`WHERE_CHANGED`], and of every long run.
+const BENCHES: (&str, Step) = ("the benches, compiled and linted", benches);
 
 /// The last of them, after those of [`WHERE_CHANGED`].
 const LAST: &[(&str, Step)] = &[("the quick figures, and the report in a browser", report)];
@@ -73,11 +87,7 @@ const WHERE_CHANGED: &[Changed] = &[
     ),
     (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
     (&["docs"], "the book", book::run),
-    (
-        &["Cargo.toml", "benches", "crates/*/Cargo.toml", "crates/*/src"],
-        "lints of the benches",
-        lints,
-    ),
+    (&["Cargo.toml", "benches", "crates/*/Cargo.toml", "crates/*/src"], BENCHES.0, BENCHES.1),
     (
         &[
             "Cargo.toml",
@@ -102,7 +112,6 @@ const WHERE_CHANGED: &[Changed] = &[
 
 /// Additional steps of a long run, before a release and on request.
 const LONG: &[(&str, Step)] = &[
-    ("lints of the benches", lints),
     ("documentation of all packages", documentation),
     ("tests with overflow checks and debug assertions", || passed(test::checked())),
     ("the tests that are ignored otherwise", || passed(test::ignored())),
@@ -149,9 +158,13 @@ fn is_among(path: &str, decisive: &[&str]) -> bool {
 /// that must not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
-    let (mut fetched, mut together) = (FETCHED.to_vec(), FIRST.to_vec());
-    if !is_long {
+    let (mut fetched, mut together) = (FETCHED.to_vec(), Vec::new());
+    if is_long {
+        together.extend([PYTHON, SHOWN, BENCHES]);
+    } else {
         let paths = changes::paths()?;
+        let is_typed = paths.iter().any(|path| is_among(path, TYPED));
+        together.extend([if is_typed { PYTHON } else { PYTHON_WITHOUT_TYPES }, SHOWN]);
         fetched.extend(changed(FETCHED_WHERE_CHANGED, &paths));
         together.extend(changed(WHERE_CHANGED, &paths));
     }
@@ -248,10 +261,10 @@ fn form() -> anyhow::Result<Outcome> {
     passed(cargo::run(&["fmt", "--all", "--check"]))
 }
 
-/// Lints the benches, the only package without tests.
-fn lints() -> anyhow::Result<Outcome> {
-    let benches = ["clippy", "--package", "carom-benches", "--all-targets", "--release"];
-    passed(cargo::run(&[&benches[..], &["--", "-D", "warnings"]].concat()))
+/// Compiles the benches, the only package without tests, with the lints of [`Lints`].
+fn benches() -> anyhow::Result<Outcome> {
+    let benches = ["build", "--release", "--workspace", "--bench", "*", "--example", "*"];
+    passed(cargo::compile(&benches))
 }
 
 /// Checks the crates that can do without rayon or without operators. Carom as a whole has both, so that no other step

