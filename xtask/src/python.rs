@@ -96,12 +96,12 @@ pub(crate) fn test(left_out: &[&str]) -> anyhow::Result<Outcome> {
     // In another folder, so that the installed module is tested and not its sources.
     let project = project();
     let mut pytest = Command::new(place.python());
-    pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
+    pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]).arg(&project);
     let tests = project.join("tests");
     for name in left_out {
         pytest.arg("--ignore").arg(tests.join(name));
     }
-    pytest.arg(&project).arg(tests);
+    pytest.arg(tests);
     self::pytest(&mut pytest, &place.folder)
 }
 
