@@ -96,8 +96,8 @@ pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::R
 /// The path of a binary or example, built as by [`run_built`].
 pub(crate) fn built(kind: &str, name: &str) -> anyhow::Result<PathBuf> {
     compile(&[&["build", "--release", kind, name], WITHOUT_BENCHES].concat())?;
-    let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
-    Ok(root().canonicalize()?.join(folder).join(name))
+    let folder = if kind == "--example" { "release/examples" } else { "release" };
+    Ok(crate::release::target().join(folder).join(name))
 }
 
 /// Runs carom-verify with these arguments at the root of the workspace; returns its exit code.
