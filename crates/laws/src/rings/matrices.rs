@@ -37,7 +37,7 @@ impl<const N: usize, const M: usize> RingMatrices<N, M> {
     /// The first ones of a size take some 0.01 s, further ones 0.1 ms (6 x 8) to 2 ms.
     ///
     /// # Errors
-    /// [`RangeError`] for a constant that is out of range.
+    /// [`RangeError`] for a constant that is out of range, and for gamma beyond -1/2 to 1/2 under friction above 2.
     pub fn new(kappa: f64, gamma: f64, friction: Friction) -> Result<Self, RangeError> {
         Self::at(kappa, gamma, friction)
     }
@@ -46,7 +46,7 @@ impl<const N: usize, const M: usize> RingMatrices<N, M> {
 impl<const N: usize, const M: usize, S: Symmetry<M>> RingMatrices<N, M, S> {
     /// As [`RingMatrices::new`], for motions with this symmetry.
     pub(super) fn at(kappa: f64, gamma: f64, friction: Friction) -> Result<Self, RangeError> {
-        RingConstants { c_z: 1.0, radius: 1.0, kappa, gamma }.checked()?;
+        RingConstants { c_z: 1.0, radius: 1.0, kappa, gamma }.checked()?.stable(friction)?;
         let f = friction.get();
         let pair = (f > 0.0).then(|| Pair::new(kappa, gamma.abs(), f));
         Ok(Self { pair, kappa, gamma, friction })
