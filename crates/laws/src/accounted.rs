@@ -72,6 +72,10 @@ impl<L: Dissipative> ContactLaw for Accounted<L> {
     fn jumps(&self, to: Shift) -> bool {
         self.law.jumps(to)
     }
+
+    fn slides_on(&self, rates: Shift) -> Option<bool> {
+        self.law.slides_on(rates)
+    }
 }
 
 impl<L: Dissipative> Energies for Accounted<L> {

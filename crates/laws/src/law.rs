@@ -111,6 +111,13 @@ pub trait ContactLaw: Clone {
     fn jumps(&self, _to: Shift) -> bool {
         false
     }
+
+    /// Whether a contact that slides as a whole would slide on if the shift went on at these rates. None if it does not
+    /// slide, or if the end of sliding does not change its friction. An integration in time ends a step where sliding
+    /// ends.
+    fn slides_on(&self, _rates: Shift) -> Option<bool> {
+        None
+    }
 }
 
 /// A contact law that can be used in an impact. A law without further information implements it as

@@ -123,6 +123,10 @@ impl ContactLaw for AnyLaw {
     fn jumps(&self, to: Shift) -> bool {
         each!(self, law => law.jumps(to))
     }
+
+    fn slides_on(&self, rates: Shift) -> Option<bool> {
+        each!(self, law => law.slides_on(rates))
+    }
 }
 
 impl Staged for AnyLaw {

@@ -87,7 +87,8 @@ impl Trajectory {
     ///
     /// The steps are of Verlet's kind: one evaluation of the law each, of second order. The path
     /// between two instants is straight. Where the load of the law jumps
-    /// ([`ContactLaw::jumps`]), a step ends; that instant is observed before and after the jump.
+    /// ([`ContactLaw::jumps`]), a step ends; that instant is observed before and after the jump. A step also ends where
+    /// sliding ends, if friction then rises ([`ContactLaw::slides_on`]).
     ///
     /// # Errors
     /// The error of the law, with the number of the step.
@@ -140,9 +141,21 @@ impl Trajectory {
                 observe(&now, law);
                 continue;
             }
+            let slides = law.slides_on(as_shift(&now.velocity)) == Some(true);
+            let held = slides.then(|| law.clone());
             let force = as_vector(&law.advance(as_shift(&shift)).map_err(failed)?);
-            now = self.reached(&now, &recent, length, (shift, force));
-            recent.push(length, force);
+            let next = self.reached(&now, &recent, length, (shift, force));
+            let ends = law.slides_on(as_shift(&next.velocity)) != Some(true);
+            if let Some(held) = held.filter(|_| ends) {
+                let from = now;
+                (now, *law) =
+                    self.at_end_of_sliding(&from, &recent, length, &held).map_err(failed)?;
+                steps.cut(length, now.time - from.time);
+                recent.restart(now.force);
+            } else {
+                now = next;
+                recent.push(length, force);
+            }
             observe(&now, law);
         }
         Ok(None)
@@ -178,6 +191,26 @@ impl Trajectory {
         let [before, after] = [jump.before, jump.after].map(place);
         let force = as_vector(&law.advance(as_shift(&before))?);
         Ok(self.reached(now, recent, jump.after, (after, force)))
+    }
+
+    // The instant within a step from which the contact no longer slides, and the law there.
+    fn at_end_of_sliding<L: ContactLaw>(
+        &self,
+        now: &Point,
+        recent: &Adams,
+        length: f64,
+        law: &L,
+    ) -> Result<(Point, L), L::Error> {
+        let reached = |length: f64| {
+            let (mut law, shift) = (law.clone(), self.place(now, recent, length));
+            let force = as_vector(&law.advance(as_shift(&shift))?);
+            Ok((self.reached(now, recent, length, (shift, force)), law))
+        };
+        let ends = |length: f64| {
+            let at: Result<(Point, L), L::Error> = reached(length);
+            at.is_ok_and(|(at, law)| law.slides_on(as_shift(&at.velocity)) != Some(true))
+        };
+        reached(Jump::find(length, ends).after)
     }
 
     fn steps(&self) -> Steps {

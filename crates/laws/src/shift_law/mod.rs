@@ -393,6 +393,15 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
             _ => false,
         }
     }
+
+    fn slides_on(&self, rates: Shift) -> Option<bool> {
+        let along = self.normalised(rates);
+        match &self.state {
+            State::StaticFixedDirection(memory) => memory.slides_along(rates.zeta, along),
+            State::StaticCoulomb(memory) => memory.slides_along(rates.zeta, along),
+            _ => None,
+        }
+    }
 }
 
 impl<V: Lateral, S: VertexStack<V>> Checked for ShiftLaw<V, S> {

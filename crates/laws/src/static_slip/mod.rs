@@ -49,6 +49,16 @@ enum Leg {
     Within,
 }
 
+/// The way of a straight step. Whether a contact slides on depends on its direction alone, which is that of the whole
+/// step at each place of it: what is left behind a drop may be as short as the round-off of the shift.
+#[derive(Debug, Clone, Copy)]
+struct Way<V> {
+    /// The shift, in the units of f_k.
+    path: V,
+    /// The growth of the approach.
+    growth: f64,
+}
+
 /// A contact that recedes may drop, stick again at once, and drop in another direction.
 const MOST_DROPS: usize = 8;
 /// Sliding by this many approaches in the units of f_k aligns all tractions with the path, to the
@@ -131,12 +141,18 @@ impl<M: Slides> StaticMemory<M> {
 
     /// Whether the force drops on a straight step.
     pub(crate) fn jumps(&self, zeta: f64, shift: M::V) -> bool {
-        if !self.memory.is_in_contact() || self.slides_on(zeta, shift) {
+        if !self.memory.is_in_contact() || self.slides_on(&self.way(zeta, shift)) {
             return false;
         }
         let mut at_rest = self.clone();
         at_rest.stick();
         at_rest.onset(zeta, shift).is_some()
+    }
+
+    /// Whether a contact that slides would slide on at these rates of approach and shift; none if it does not slide.
+    pub(crate) fn slides_along(&self, growth: f64, rate: M::V) -> Option<bool> {
+        let way = Way { path: rate, growth: growth * self.ratio };
+        self.slides().then(|| self.is_outward(&way))
     }
 
     /// Takes the legs of a step that ends in contact; `see` is called before each of them.
@@ -147,8 +163,9 @@ impl<M: Slides> StaticMemory<M> {
         if zeta == self.zeta() && shift == self.shift() {
             return; // not a step at all: what slides, slides on
         }
+        let way = self.way(zeta, shift);
         for _ in 0..MOST_DROPS {
-            if self.slides_on(zeta, shift) {
+            if self.slides_on(&way) {
                 see(self, Leg::Slide);
                 self.slide(zeta, shift);
                 return;
@@ -157,7 +174,7 @@ impl<M: Slides> StaticMemory<M> {
             let Some(onset) = self.onset(zeta, shift) else { break };
             see(self, Leg::Rise { onset });
             self.rise(onset, zeta, shift);
-            if self.is_outward(zeta, shift) {
+            if self.is_outward(&way) {
                 see(self, Leg::Slide);
                 self.slide(zeta, shift);
                 return;
@@ -230,16 +247,20 @@ impl<M: Slides> StaticMemory<M> {
         }
     }
 
-    /// Whether sliding goes on at the start of a straight step, and then to its end.
-    fn slides_on(&self, zeta: f64, shift: M::V) -> bool {
-        self.slides() && self.is_outward(zeta, shift)
+    /// The way of a straight step from here.
+    fn way(&self, zeta: f64, shift: M::V) -> Way<M::V> {
+        Way { path: self.path(zeta, shift), growth: zeta - self.zeta() }
     }
 
-    /// Whether no traction comes within its limit of f_k where a straight step begins.
-    fn is_outward(&self, zeta: f64, shift: M::V) -> bool {
-        let (path, dz) = (self.path(zeta, shift), zeta - self.zeta());
-        let least = dz - LEAST_COSINE * path.length();
-        self.memory.annuli().all(|(_, stretch)| stretch.dot(path) >= least * stretch.length())
+    /// Whether sliding goes on at the start of a straight step, and then to its end.
+    fn slides_on(&self, way: &Way<M::V>) -> bool {
+        self.slides() && self.is_outward(way)
+    }
+
+    /// Whether no traction comes within its limit of f_k on this way.
+    fn is_outward(&self, way: &Way<M::V>) -> bool {
+        let least = way.growth - LEAST_COSINE * way.path.length();
+        self.memory.annuli().all(|(_, stretch)| stretch.dot(way.path) >= least * stretch.length())
     }
 
     /// Whether every annulus in contact at the end of a straight path would exceed its limit there.
