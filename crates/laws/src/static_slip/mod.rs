@@ -151,6 +151,7 @@ impl<M: Slides> StaticMemory<M> {
 
     /// Whether a contact that slides would slide on at these rates of approach and shift; none if it does not slide.
     pub(crate) fn slides_along(&self, growth: f64, rate: M::V) -> Option<bool> {
+        // Times f_k/f_s, since only the direction counts.
         let way = Way { path: rate, growth: growth * self.ratio };
         self.slides().then(|| self.is_outward(&way))
     }
