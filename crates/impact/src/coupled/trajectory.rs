@@ -30,6 +30,9 @@ pub struct Trajectory {
 /// Largest number of steps of a contact, over that of a free impact.
 const MAX_STEPS_OVER_FREE_IMPACT: usize = 1 << 14;
 
+/// The part of a step to which the end of sliding is found: the direction of so short a path is still beyond round-off.
+const LEAST_PART_OF_SLIDING: f64 = 1.0 / (1_u64 << 20) as f64;
+
 /// How the next step is chosen.
 #[derive(Debug, Clone, Copy)]
 enum Steps {
@@ -149,7 +152,7 @@ impl Trajectory {
             if let Some(held) = held.filter(|_| ends) {
                 let from = now;
                 (now, *law) =
-                    self.at_end_of_sliding(&from, &recent, length, &held).map_err(failed)?;
+                    self.at_end_of_sliding(&from, &recent, length, held).map_err(failed)?;
                 steps.cut(length, now.time - from.time);
                 recent.restart(now.force);
             } else {
@@ -193,24 +196,39 @@ impl Trajectory {
         Ok(self.reached(now, recent, jump.after, (after, force)))
     }
 
-    // The instant within a step from which the contact no longer slides, and the law there.
+    // The instant within a step from which the contact no longer slides, and the law there. The law decides by the
+    // direction of a straight step where it begins, which is that of the velocity there only if the step is short: half
+    // of what is left of the step is taken as long as the contact slides at its end.
     fn at_end_of_sliding<L: ContactLaw>(
+        &self,
+        now: &Point,
+        recent: &Adams,
+        length: f64,
+        law: L,
+    ) -> Result<(Point, L), L::Error> {
+        let (mut now, mut recent, mut law, mut rest) = (*now, *recent, law, length);
+        while rest > LEAST_PART_OF_SLIDING * length {
+            rest *= 0.5;
+            let (next, held) = self.tried(&now, &recent, rest, &law)?;
+            if held.slides_on(as_shift(&next.velocity)) == Some(true) {
+                recent.restart(next.force);
+                (now, law) = (next, held);
+            }
+        }
+        self.tried(&now, &recent, rest, &law)
+    }
+
+    // A step of this length from a copy of the law.
+    fn tried<L: ContactLaw>(
         &self,
         now: &Point,
         recent: &Adams,
         length: f64,
         law: &L,
     ) -> Result<(Point, L), L::Error> {
-        let reached = |length: f64| {
-            let (mut law, shift) = (law.clone(), self.place(now, recent, length));
-            let force = as_vector(&law.advance(as_shift(&shift))?);
-            Ok((self.reached(now, recent, length, (shift, force)), law))
-        };
-        let ends = |length: f64| {
-            let at: Result<(Point, L), L::Error> = reached(length);
-            at.is_ok_and(|(at, law)| law.slides_on(as_shift(&at.velocity)) != Some(true))
-        };
-        reached(Jump::find(length, ends).after)
+        let (mut law, shift) = (law.clone(), self.place(now, recent, length));
+        let force = as_vector(&law.advance(as_shift(&shift))?);
+        Ok((self.reached(now, recent, length, (shift, force)), law))
     }
 
     fn steps(&self) -> Steps {
