@@ -1,6 +1,7 @@
 //! The steps of continuous integration.
 
 use crate::cargo::Lints;
+use crate::lammps::Which;
 use crate::outcome::Outcome;
 use crate::{
     book, browse, cargo, changes, deny, doors, fuzz, install_c, instructions, lammps, mutants,
@@ -26,29 +27,28 @@ const STEPS: &[(&str, Step)] = &[
 /// Steps beside these: they fetch packages and hardly compute.
 const FETCHED: &[(&str, Step)] = &[("the packages of the tests in Python", python::packages)];
 
-/// The same for steps of [`WHERE_CHANGED`].
-const FETCHED_WHERE_CHANGED: &[Changed] =
-    &[(LAMMPS, "the pinned release of LAMMPS", lammps::packages)];
+/// One more of them, for [`LAMMPS`].
+const HOST: (&str, Step) = ("the pinned release of LAMMPS", lammps::packages);
 
 /// The first of the steps after these, which run two at a time, each busy on one core.
 const PYTHON: (&str, Step) =
     ("the Python module and its tests", || Ok(python::install()?.and(python::test(&[])?)));
 
-/// In its place if no path of [`TYPED`] changed.
-const PYTHON_WITHOUT_TYPES: (&str, Step) =
-    ("the Python module and its tests, but for those of types", || {
-        Ok(python::install()?.and(python::test(&[python::TYPES])?))
+/// In its place if no path of [`WRITTEN`] changed.
+const PYTHON_AS_IT_WAS: (&str, Step) =
+    ("the Python module and its tests, but for those of types and notebooks", || {
+        Ok(python::install()?.and(python::test(python::WRITTEN)?))
     });
 
-/// What type checkers of Python read.
-const TYPED: &[&str] = &["crates/python", "docs/book/src"];
+/// What is written in Python.
+const WRITTEN: &[&str] = &["crates/python", "docs/book/src"];
 
 /// The second of them.
 const SHOWN: (&str, Step) =
     ("documentation, its examples and the example programs", || passed(test::shown()));
 
 /// One of [`WHERE_CHANGED`], and of every long run.
-const BENCHES: (&str, Step) = ("the benches, compiled and linted", benches);
+const BENCHES: (&str, Step) = ("the benches, checked and linted", benches);
 
 /// The last of them, after those of [`WHERE_CHANGED`].
 const LAST: &[(&str, Step)] = &[("the quick figures, and the report in a browser", report)];
@@ -56,22 +56,27 @@ const LAST: &[(&str, Step)] = &[("the quick figures, and the report in a browser
 /// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
 
-/// The LAMMPS plugin, what it calls, and the laws of its contacts. What these are built on is tested below them.
-const LAMMPS: &[&str] = &[
-    "plugins",
-    "crates/capi/Cargo.toml",
-    "crates/capi/include",
-    "crates/capi/src",
-    "crates/laws/Cargo.toml",
-    "crates/laws/src",
+/// The LAMMPS plugin, and what it calls.
+const PLUGIN: &[&str] =
+    &["plugins", "crates/capi/Cargo.toml", "crates/capi/include", "crates/capi/src"];
+
+/// The laws of its contacts. What these are built on is tested below them.
+const LAWS: &[&str] = &["crates/laws/Cargo.toml", "crates/laws/src"];
+
+/// The tests of the plugin, if one of these paths changed; the first that applies. They take longest: before other
+/// steps they do not wait for what those compile.
+const LAMMPS: [Changed; 2] = [
+    (PLUGIN, "the LAMMPS plugin, in the pinned release", || lammps::run(Which::Short)),
+    (LAWS, "the contacts of the LAMMPS plugin, in the pinned release", || {
+        lammps::run(Which::OfLaws)
+    }),
 ];
 
 /// A step that runs if one of these paths changed, and in every long run.
 type Changed = (&'static [&'static str], &'static str, Step);
 
-/// Such steps. LAMMPS takes longest; before the others it does not wait for what they compile.
+/// Such steps.
 const WHERE_CHANGED: &[Changed] = &[
-    (LAMMPS, "the LAMMPS plugin, in the pinned release", || lammps::run(true)),
     (MANIFESTS, "packages", || passed(release::pack_quickly())),
     (
         &[
@@ -89,13 +94,7 @@ const WHERE_CHANGED: &[Changed] = &[
     (&["docs"], "the book", book::run),
     (&["Cargo.toml", "benches", "crates/*/Cargo.toml", "crates/*/src"], BENCHES.0, BENCHES.1),
     (
-        &[
-            "Cargo.toml",
-            "crates/*/Cargo.toml",
-            "crates/halfspace/src",
-            "crates/laws/src",
-            "crates/impact/src",
-        ],
+        &["Cargo.toml", "crates/*/Cargo.toml", "crates/halfspace/src", "crates/impact/src"],
         "half-space and impacts without threads and operators",
         || passed(without_threads(&[""])),
     ),
@@ -118,7 +117,7 @@ const LONG: &[(&str, Step)] = &[
     ("licences, sources and advisories of the dependencies", deny::run),
     ("packages", || passed(release::pack_quickly())),
     ("the book", book::run),
-    ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
+    ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(Which::All)),
     ("the installed C library, by pkg-config and CMake", install_c::check),
     ("the doors to other engines", doors::run),
     ("the examples, by the checker of editors", taplo::run),
@@ -163,9 +162,12 @@ pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
         together.extend([PYTHON, SHOWN, BENCHES]);
     } else {
         let paths = changes::paths()?;
-        let is_typed = paths.iter().any(|path| is_among(path, TYPED));
-        together.extend([if is_typed { PYTHON } else { PYTHON_WITHOUT_TYPES }, SHOWN]);
-        fetched.extend(changed(FETCHED_WHERE_CHANGED, &paths));
+        let is_written = paths.iter().any(|path| is_among(path, WRITTEN));
+        together.extend([if is_written { PYTHON } else { PYTHON_AS_IT_WAS }, SHOWN]);
+        if let Some(lammps) = changed(&LAMMPS, &paths).into_iter().next() {
+            fetched.push(HOST);
+            together.push(lammps);
+        }
         together.extend(changed(WHERE_CHANGED, &paths));
     }
     together.extend(LAST);
@@ -261,7 +263,7 @@ fn form() -> anyhow::Result<Outcome> {
     passed(cargo::run(&["fmt", "--all", "--check"]))
 }
 
-/// Compiles the benches, the only package without tests, with the lints of [`Lints`].
+/// Checks the benches, the only package without tests, with the lints of [`Lints`].
 fn benches() -> anyhow::Result<Outcome> {
     let benches = ["build", "--release", "--workspace", "--bench", "*", "--example", "*"];
     passed(cargo::compile(&benches))

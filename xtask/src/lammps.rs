@@ -97,24 +97,55 @@ pub(crate) fn packages() -> anyhow::Result<Outcome> {
     })
 }
 
-/// Builds and tests the plugin; skipped if the Python package registry cannot be reached. The short
-/// form omits tests that take minutes, and takes the library for any processor.
-pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
+/// The tests of the plugin that are run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Which {
+    All,
+    /// Without those that take minutes, with the library for any processor.
+    Short,
+    /// Of these, without those in [`OF_THE_PLUGIN`].
+    OfLaws,
+}
+
+impl Which {
+    /// The tests of a run on request.
+    pub(crate) fn asked(options: &crate::flags::Lammps) -> Self {
+        if options.short { Self::Short } else { Self::All }
+    }
+}
+
+/// Tests of shapes of walls, of input and of files, which the laws of contacts do not decide.
+const OF_THE_PLUGIN: &[&str] = &[
+    "test_damaged.py",
+    "test_input.py",
+    "test_meshes.py",
+    "test_periodic_meshes.py",
+    "test_periodic_refusals.py",
+    "test_shapes.py",
+];
+
+/// Builds and tests the plugin; skipped if the Python package registry cannot be reached.
+pub(crate) fn run(which: Which) -> anyhow::Result<Outcome> {
     let Some(host) = Host::place()? else {
         return Ok(Outcome::skipped(Part::Lammps, UNREACHED));
     };
     let plugins = crate::root::root().canonicalize()?.join("plugins/lammps");
-    let plugin = host.folder.join("caromplugin.so");
-    if short {
-        host.build_quickly(&plugins, &plugin)?;
-    } else {
+    let (plugin, tests) = (host.folder.join("caromplugin.so"), plugins.join("tests"));
+    if which == Which::All {
         host.build(&plugins, &plugin)?;
+    } else {
+        host.build_quickly(&plugins, &plugin)?;
     }
     let mut pytest = host.pytest(&plugin);
-    if short {
+    if which != Which::All {
         pytest.args(["-m", "not slow"]).env(LIBRARY, library());
     }
-    pytest.arg("--rootdir").arg(&plugins).arg(plugins.join("tests"));
+    if which == Which::OfLaws {
+        for name in OF_THE_PLUGIN {
+            pytest.arg("--ignore").arg(tests.join(name));
+        }
+    }
+    pytest.arg("--rootdir").arg(&plugins).arg(&tests);
     python::pytest(&mut pytest, &host.folder).context("the tests of the LAMMPS plugin")
 }
 

@@ -73,7 +73,9 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
                 false => drop(generate::run(mode)?.accept()?),
             }
         }
-        flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
+        flags::XtaskCmd::Lammps(options) => {
+            lammps::run(lammps::Which::asked(&options))?.accept().map(drop)?;
+        }
         flags::XtaskCmd::Doors(doors) => drop(doors::chosen(doors.name.as_deref())?.accept()?),
         flags::XtaskCmd::Fuzz(options) => {
             let seconds = options.seconds.unwrap_or(fuzz::SECONDS);

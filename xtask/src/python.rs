@@ -87,8 +87,9 @@ fn made() -> Option<Place> {
     place.python().exists().then_some(place)
 }
 
-/// The tests of types: type checkers read the package, the examples and the pages of the book.
-pub(crate) const TYPES: &str = "test_types.py";
+/// Tests of what is written in Python: type checkers read the package, the examples and the pages of the book, and the
+/// notebooks run.
+pub(crate) const WRITTEN: &[&str] = &["test_types.py", "test_notebook.py"];
 
 /// Tests the module in the environment of [`install`], without the files of these names. Builds nothing.
 pub(crate) fn test(left_out: &[&str]) -> anyhow::Result<Outcome> {

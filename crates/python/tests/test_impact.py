@@ -245,7 +245,7 @@ def test_an_interrupt_does_not_wait_for_the_end():
 def test_a_sweep_on_dask_has_the_same_bits():
     pytest.importorskip("distributed")
     sweep = example("sweep")
-    np.testing.assert_array_equal(sweep.main(100_000), sweep.rebounds(sweep.motions(100_000)))
+    np.testing.assert_array_equal(sweep.main(20_000), sweep.rebounds(sweep.motions(20_000)))
 
 
 def test_a_sweep_survives_a_killed_worker():

@@ -283,17 +283,17 @@ fn dragged_rings(stiffness: &ContactStiffness, coulomb: &Curve) -> Vec<(f64, f64
 /// The anchor of an annulus after a small step of the shift (x, x): it slips by λ t until the traction t = C
 /// (x - W) is at its limit again.
 fn dragged(anchor: [f64; 2], shift: f64, c: [f64; 2], limit: f64) -> [f64; 2] {
-    let trial = [0, 1].map(|i| c[i] * (shift - anchor[i]));
-    let at = |slip: f64| [0, 1].map(|i| trial[i] / (1.0 + slip * c[i]));
-    let size = |t: [f64; 2]| libm::hypot(t[0], t[1]);
-    if size(trial) <= limit {
+    let [trial_x, trial_y] = [c[0] * (shift - anchor[0]), c[1] * (shift - anchor[1])];
+    let at = |slip: f64| [trial_x / (1.0 + slip * c[0]), trial_y / (1.0 + slip * c[1])];
+    let is_beyond = |[x, y]: [f64; 2]| x * x + y * y > limit * limit;
+    if !is_beyond([trial_x, trial_y]) {
         return anchor;
     }
     let mut enough = 1.0;
-    while size(at(enough)) > limit && enough < 1e9 {
+    while is_beyond(at(enough)) && enough < 1e9 {
         enough *= 2.0;
     }
-    let [_, slip] = bisect([0.0, enough], 40, |slip| size(at(slip)) > limit);
-    let claims_that_hold = at(slip);
-    [0, 1].map(|i| shift - claims_that_hold[i] / c[i])
+    let [_, slip] = bisect([0.0, enough], 40, |slip| is_beyond(at(slip)));
+    let [x, y] = at(slip);
+    [shift - x / c[0], shift - y / c[1]]
 }
