@@ -110,7 +110,7 @@ pub(crate) fn fetches(manifest: &str) -> anyhow::Result<bool> {
     }
     // A small crate tells a lock file that does not fit from a registry that does not answer.
     if cargo::run(&["info", "--registry", "crates-io", "--quiet", "autocfg"]).is_ok() {
-        bail!("{manifest}: its crates cannot be fetched");
+        bail!("{manifest}: its lock file, as it is, does not fetch its crates");
     }
     Ok(false)
 }

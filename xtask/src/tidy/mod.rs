@@ -1,5 +1,6 @@
 //! Checks that the index of equations, `verification/equations.toml`, and the list of mutants,
-//! `xtask/mutants.toml`, fit the code, and that the descriptions of the packages are complete.
+//! `xtask/mutants.toml`, fit the code, that lock files outside the workspace fit its crates, and that the descriptions
+//! of the packages are complete.
 //!
 //! Each item in the index must exist, and a test, an example or a page must reach it. If its
 //! comments quote equations, one of them must be an equation that the index assigns to it.
@@ -7,6 +8,7 @@
 mod calls;
 mod index;
 mod items;
+mod locks;
 mod quoted;
 
 use crate::root::root;
@@ -73,13 +75,18 @@ pub(crate) fn run() -> anyhow::Result<()> {
             }
         }
     }
+    faults.extend(locks::faults(&root)?);
     if faults.is_empty() {
         println!("{} equations and {} figures: in order", index.count(), figures.len());
         release::whole()?;
         book::check(&root)?;
         return mutants::check(&root);
     }
-    bail!("{} faults in the index of equations:\n  {}", faults.len(), faults.join("\n  "))
+    bail!(
+        "{} faults in the index of equations and in lock files:\n  {}",
+        faults.len(),
+        faults.join("\n  ")
+    )
 }
 
 fn read(path: &Path) -> anyhow::Result<String> {
