@@ -20,7 +20,9 @@ const ADVERSARY: &str = "60";
 /// Steps that every change must pass, each test once. Cargo lints and documents what they compile, as [`Lints`] says.
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
-    ("index of equations, lock files, places of mutants, descriptions of packages", || passed(tidy::run())),
+    ("index of equations, lock files, places of mutants, descriptions of packages", || {
+        passed(tidy::run())
+    }),
     ("lints and tests", || passed(test::usual())),
 ];
 
