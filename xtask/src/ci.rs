@@ -113,6 +113,7 @@ const WHERE_CHANGED: &[Changed] = &[
 
 /// Additional steps of a long run, before a release and on request.
 const LONG: &[(&str, Step)] = &[
+    ("all figures", || passed(cargo::run_built("--bin", "carom-verify", &[]))),
     ("documentation of all packages", documentation),
     ("tests with overflow checks and debug assertions", || passed(test::checked())),
     ("the tests that are ignored otherwise", || passed(test::ignored())),
