@@ -1,5 +1,5 @@
-//! Lock files outside the workspace know all dependencies of its crates. Cargo brings its own lock file up to date; these
-//! are read as they are, by steps of a long run, which a manifest changed since would stop.
+//! Checks that the lock files outside the workspace list every dependency of its crates. Cargo updates the workspace's
+//! own lock file; steps of the long run read these as they are, and fail if a manifest has changed since.
 
 use super::read;
 use anyhow::Context as _;
