@@ -2,7 +2,8 @@
 
 use carom_impact::coupled::TurningLaw;
 use carom_impact::{
-    Collision, ImpactFriction, NeededLaw, NormalRestitution, Outcome, RingImpact, TorsionMode,
+    AnalyticOrRings, Collision, CollisionSolver as _, ImpactFriction, NormalRestitution, Outcome,
+    RingImpact, TorsionMode,
 };
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
@@ -58,10 +59,11 @@ pub struct CaromCollideOptions {
     /// The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
     /// elastic, 0 leaves the bodies together.
     pub normal_restitution: f64,
-    /// Relative tolerance of the outcome; 0 for the default.
+    /// Largest error of the contact velocity after the impact, over that before; 0 for the default. Rings that do
+    /// not reach it set CAROM_WARNING_NOT_SETTLED.
     pub tolerance: f64,
-    /// How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
-    /// it.
+    /// How friction acts on the spin about the normal, a CAROM_TORSION constant. CAROM_IMPACT_RINGS counts it unless
+    /// it is left out.
     pub torsion: u32,
     /// The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s.
     pub relaxation: f64,
@@ -140,28 +142,15 @@ impl CaromCollideOptions {
             torsion => return Err(out_of_range("torsion", torsion, "a CAROM_TORSION, 0 to 2")),
         }
         Ok(match self.law {
-            CAROM_IMPACT_AUTO => match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
-                NeededLaw::Analytic => collision.solve_with_coupling_bound()?,
-                NeededLaw::Rings => self.rings(&collision)?,
-                // There is no grid solver behind this interface: CAROM_WARNING_COUPLING reports the neglected
-                // coupling.
-                NeededLaw::Grid => collision.solve()?,
-            },
+            // There is no grid solver behind this interface: CAROM_WARNING_COUPLING reports what is neglected.
+            CAROM_IMPACT_AUTO => AnalyticOrRings.solve(&collision)?,
             CAROM_IMPACT_COULOMB => collision.with_law(TurningLaw::Coulomb).solve()?,
             CAROM_IMPACT_FIXED_DIRECTION => {
                 collision.with_law(TurningLaw::FixedDirection).solve()?
             }
-            CAROM_IMPACT_RINGS => self.rings(&collision)?,
+            CAROM_IMPACT_RINGS => RingImpact::new(&collision).solve()?,
             law => return Err(out_of_range("law", law, "a CAROM_IMPACT, 0 to 3")),
         })
-    }
-
-    fn rings(&self, collision: &Collision) -> Result<Outcome, Failure> {
-        let mut impact = RingImpact::new(collision);
-        if self.tolerance != 0.0 {
-            impact = impact.within(self.tolerance)?;
-        }
-        Ok(impact.solve()?)
     }
 
     /// The coefficient of normal restitution that the options describe.

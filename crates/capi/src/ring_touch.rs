@@ -87,7 +87,9 @@ unsafe fn advance(
     } else {
         let mut contact = grains.ring_contact(&rings)?;
         *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
-        touch.keep(&contact);
+        if !contact.is_new() {
+            touch.keep(&contact);
+        }
     }
     Ok(())
 }

@@ -102,7 +102,9 @@ impl CaromTouch {
         let Some(contact) = self.present_mut()?.filter(goes_on) else {
             let mut contact = fresh()?;
             step(&mut contact, meeting, dt, heats, load)?;
-            self.keep(&contact);
+            if !contact.is_new() {
+                self.keep(&contact);
+            }
             return Ok(());
         };
         Ok(step(contact, meeting, dt, heats, load)?)

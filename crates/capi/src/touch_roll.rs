@@ -188,7 +188,7 @@ impl CaromRoll {
         let (meeting, radius) =
             (bodies.meeting(bodies.apart()?, grains), relative_radius(one, two)?);
         let (mut next, mut made) = (*self, 0.0);
-        if dt > 0.0 {
+        if dt > 0.0 || meeting.is_apart() {
             let normal_force = dot(load.force, meeting.normal).max(0.0);
             made = next.turn(rolling, &meeting, radius, dt, normal_force);
         }

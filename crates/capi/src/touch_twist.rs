@@ -140,7 +140,7 @@ unsafe fn turn(
     let pair = grains.pair(relative_radius(one, two)?);
     let mut turned = GrainTwist::new(twist.law(&pair)?);
     let is_new = turned.law().shift().zeta <= 0.0;
-    if dt == 0.0 && !is_new {
+    if dt == 0.0 && !is_new && !meeting.is_apart() {
         return Ok(turned.torque(&meeting));
     }
     let torque = if heats.is_null() {

@@ -64,7 +64,7 @@ pub enum CollisionLawError {
 /// What is used for one collision.
 enum Used {
     Analytic(TurningLaw),
-    AnalyticWithinBound,
+    AnalyticWithTorsion,
     Rings,
     Grid,
 }
@@ -105,7 +105,7 @@ impl CollisionLaw {
     pub fn solve(self, collision: &Collision) -> Result<Outcome, CollisionLawError> {
         Ok(match self.used(collision) {
             Used::Analytic(law) => collision.clone().with_law(law).solve()?,
-            Used::AnalyticWithinBound => collision.solve_with_coupling_bound()?,
+            Used::AnalyticWithTorsion => collision.solve_with_needed_torsion()?,
             Used::Rings => RingImpact::new(collision).solve()?,
             Used::Grid => NumericalImpact::new(collision).solve()?,
         })
@@ -123,7 +123,7 @@ impl CollisionLaw {
     ) -> Result<Vec<HistoryPoint>, CollisionLawError> {
         Ok(match self.used(collision) {
             Used::Analytic(law) => collision.clone().with_law(law).history(count)?,
-            Used::AnalyticWithinBound => collision.history(count)?,
+            Used::AnalyticWithTorsion => collision.history(count)?,
             Used::Rings => RingImpact::new(collision).history(count)?,
             Used::Grid => NumericalImpact::new(collision).history(count)?,
         })
@@ -134,8 +134,8 @@ impl CollisionLaw {
             Self::Analytic(law) => Used::Analytic(law),
             Self::Rings => Used::Rings,
             Self::Numerical => Used::Grid,
-            Self::Auto => match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
-                NeededLaw::Analytic => Used::AnalyticWithinBound,
+            Self::Auto => match collision.default_law() {
+                NeededLaw::Analytic => Used::AnalyticWithTorsion,
                 NeededLaw::Rings => Used::Rings,
                 NeededLaw::Grid if collision.friction().coefficient().is_none() => {
                     Used::Analytic(TurningLaw::Coulomb)

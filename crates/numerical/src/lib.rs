@@ -77,6 +77,8 @@ pub struct NumericalImpact<'a> {
 /// How fine an impact is solved.
 #[derive(Debug, Clone, Copy)]
 enum Refinement {
+    /// As the collision asks.
+    Asked,
     Within(f64),
     At(Fineness),
 }
@@ -85,10 +87,11 @@ impl<'a> NumericalImpact<'a> {
     /// The default tolerance: 1e-2.
     pub const TOLERANCE: f64 = 1e-2;
 
-    /// With the default tolerance: the tangential velocity may be off by 1e-2 of f times the velocity of approach.
+    /// With the tolerance of the collision ([`Collision::within`]) or, if it has none, the default: the tangential
+    /// velocity may be off by 1e-2 of f times the velocity of approach.
     #[must_use]
     pub const fn new(collision: &'a Collision) -> Self {
-        Self { collision, refinement: Refinement::Within(Self::TOLERANCE) }
+        Self { collision, refinement: Refinement::Asked }
     }
 
     /// With another tolerance of the tangential velocity over f v_z (over v_z where f > 1), and of the normal velocity over
@@ -156,7 +159,11 @@ impl<'a> NumericalImpact<'a> {
 
     fn found(&self, problem: &Problem<'_>) -> Result<Found, NumericalImpactError> {
         match self.refinement {
-            Refinement::Within(tolerance) => problem.settled(tolerance),
+            Refinement::Asked => problem.settled(match self.collision.allowed_error() {
+                Some(error) => [error / problem.scale(), error],
+                None => [Self::TOLERANCE; 2],
+            }),
+            Refinement::Within(tolerance) => problem.settled([tolerance; 2]),
             Refinement::At(fineness) => problem.at(fineness),
         }
     }

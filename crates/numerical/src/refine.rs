@@ -52,12 +52,13 @@ struct Refined {
 }
 
 impl Problem<'_> {
-    /// Refines what seems to be off most until the estimate is below the tolerance, or nothing finer is left.
-    pub(crate) fn settled(&self, tolerance: f64) -> Result<Found, NumericalImpactError> {
+    /// Refines what seems to be off most until the estimates of the tangential velocity over f v_z and of the normal one
+    /// over v_z are as allowed, or nothing finer is left.
+    pub(crate) fn settled(&self, allowed: [f64; 2]) -> Result<Found, NumericalImpactError> {
         let mut refined = self.begun(FIRST)?;
         loop {
             let found = self.judged(&refined);
-            if found.tangential.max(found.normal) <= tolerance {
+            if found.tangential <= allowed[0] && found.normal <= allowed[1] {
                 return Ok(self.found(refined, found));
             }
             let Fineness { cells, steps } = refined.fineness;

@@ -8,7 +8,7 @@ use carom_capi::*;
 
 pub(super) type Vector = [f64; 3];
 
-fn text(error: &CaromError) -> String {
+pub(super) fn text(error: &CaromError) -> String {
     error.text.iter().take_while(|byte| **byte != 0).map(|byte| char::from(*byte as u8)).collect()
 }
 

@@ -1,5 +1,6 @@
 //! Tests of `carom-capi` through its public interface: one executable with a module for each subject.
 
+mod apart;
 mod border;
 mod creep;
 mod dissimilar;

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use super::{Collision, CollisionError};
 use crate::body::Body;
 use crate::closed_form::restitution_without_slip;
-use crate::coupled::{CoupledOutcome, ImpactMethod, is_coupled};
+use crate::coupled::{CoupledOutcome, is_coupled};
 use crate::motion::Motion;
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
@@ -95,16 +95,24 @@ impl Collision {
             Some(_) => 0.0,
             None => self.normal_spin(before.z).greatest_loss().unwrap_or(0.0),
         };
-        let spin_on_shift = match outcome.method {
-            ImpactMethod::Rings => 0.0,
-            _ => self.spin_on_shift(),
-        };
+        let [coupling, spin_on_shift] = self.left_out(outcome.method);
+        let slip = libm::hypot(before.x, before.y);
+        let left_out = (coupling + spin_on_shift) * slip / libm::hypot(slip, before.z);
+        let error_estimate = outcome.error_estimate + left_out;
+        if let Some(torsion) = torsion.as_mut().filter(|_| known.torsion.is_none()) {
+            // It is computed as if there were no tangential motion.
+            torsion.error_estimate +=
+                if self.is_tangential() { self.twist_bound().spin } else { 0.0 };
+        }
         let validity = Validity {
             spin_share,
             spin_on_shift,
+            coupling,
             ..self.validity(&outcome, &maximal_contact, share)
         };
-        let warnings = self.warnings(validity).chain(outcome.warning).collect();
+        let warnings = self.warnings(validity);
+        let warnings = warnings.chain(outcome.warning.or(self.missed_tolerance(error_estimate)));
+        let warnings = warnings.collect();
         Ok(Rebound {
             motions,
             impulse: self.frame().to_space(&impulse),
@@ -123,11 +131,16 @@ impl Collision {
             friction: self.friction,
             method: outcome.method,
             compressions: outcome.compressions,
-            error_estimate: outcome.error_estimate,
+            error_estimate,
             log,
             validity,
             warnings,
         })
+    }
+
+    fn missed_tolerance(&self, error_estimate: f64) -> Option<Warning> {
+        let tolerance = self.tolerance.filter(|tolerance| error_estimate > *tolerance)?;
+        Some(Warning::NotSettled { error_estimate, tolerance })
     }
 
     fn torsion(&self, velocity: f64) -> Result<Option<Torsion>, NormalSpinError> {
@@ -206,10 +219,8 @@ impl Collision {
         let largest = [contact.semi_axis_b(), outcome.maximal_approach, pressure];
         let radius = self.contact.smallest_radius();
         let wave_share = if self.normal_restitution.is_elastic() { wave_share } else { 0.0 };
-        let coupling = if outcome.method.counts_coupling() { 0.0 } else { self.coupling_bound() };
         Validity {
             wave_share,
-            coupling,
             ..Validity::of_contact(largest, self.materials.yield_stress(), radius)
         }
     }

@@ -291,14 +291,33 @@ impl Collision {
         Self { normal_restitution, ..self }
     }
 
-    /// The same collision with another tolerance of its impact than the default; as
-    /// [`CoupledImpact::within`].
+    /// The same collision with another tolerance of its impact than the default: the error of the contact velocity
+    /// after the impact, over that before.
+    ///
+    /// Every law refines to it, and [`NeededLaw`] follows it. Analytic laws that do not reach it refuse the impact
+    /// ([`CoupledError::NotSettled`]); rings and grids, whose finest resolution is given, return their best outcome
+    /// with [`crate::Warning::NotSettled`].
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         RangeError::positive("tolerance", tolerance)?;
         Ok(Self { tolerance: Some(tolerance), ..self })
+    }
+
+    /// The tolerance that was given.
+    #[must_use]
+    pub const fn tolerance(&self) -> Option<f64> {
+        self.tolerance
+    }
+
+    /// The largest error of the tangential and of the normal velocity after the impact, over the velocity of approach,
+    /// with which both keep the given tolerance.
+    #[must_use]
+    pub fn allowed_error(&self) -> Option<f64> {
+        let before = self.velocity();
+        let whole = self.tolerance? * before.norm() / before.z;
+        Some(whole * std::f64::consts::FRAC_1_SQRT_2)
     }
 
     /// The same collision, which gives its best outcome with [`crate::Warning::NotSettled`] if the impact

@@ -69,33 +69,29 @@ impl Collision {
         }
     }
 
-    /// As [`Collision::solve`], with the bounds of the effects of coupling and twist added to the error
-    /// estimate: twist also for bodies of other shapes, for which no law combines it with shift. If the effect
-    /// of friction on the spin about the normal is not negligible, it is computed as if there were no tangential
-    /// impact.
+    /// [`Collision::needed_law`] for the tolerance of this collision, or for
+    /// [`Collision::NEGLIGIBLE_COUPLING`] where that is less or none was given.
+    #[must_use]
+    pub fn default_law(&self) -> NeededLaw {
+        let velocity = self.velocity();
+        let slip = libm::hypot(velocity.x, velocity.y);
+        let of_restitution = |tolerance: f64| tolerance * libm::hypot(slip, velocity.z) / slip;
+        let asked = self.tolerance.map_or(f64::INFINITY, of_restitution);
+        self.needed_law(asked.min(Self::NEGLIGIBLE_COUPLING))
+    }
+
+    /// As [`Collision::solve`]; friction acts on the spin about the normal where that is not negligible, as if there
+    /// were no tangential impact.
     ///
     /// # Errors
     /// Those of [`Collision::solve`].
-    pub fn solve_with_coupling_bound(&self) -> Result<Outcome, CollisionError> {
-        let (coupling, twist) = (self.coupling_bound(), self.twist_bound());
+    pub fn solve_with_needed_torsion(&self) -> Result<Outcome, CollisionError> {
         let needs_torsion = self.torsion == TorsionMode::Auto
             && self.static_friction.is_none()
-            && twist.spin > Self::NEGLIGIBLE_COUPLING;
-        let mut outcome = match needs_torsion {
-            true => self.clone().with_torsion().solve()?,
-            false => self.solve()?,
-        };
-        let bound = coupling + self.spin_on_shift();
-        if let Outcome::Rebound(rebound) = &mut outcome {
-            if bound > 0.0 {
-                let velocity = self.velocity();
-                let slip = libm::hypot(velocity.x, velocity.y);
-                rebound.error_estimate += bound * slip / libm::hypot(slip, velocity.z);
-            }
-            if let Some(torsion) = rebound.torsion.as_mut().filter(|_| self.is_tangential()) {
-                torsion.error_estimate += twist.spin;
-            }
+            && self.twist_bound().spin > Self::NEGLIGIBLE_COUPLING;
+        match needs_torsion {
+            true => self.clone().with_torsion().solve(),
+            false => self.solve(),
         }
-        Ok(outcome)
     }
 }

@@ -50,8 +50,8 @@ impl CollisionSolver for AnalyticOrRings {
     type Error = CollisionError;
 
     fn solve(&self, collision: &Collision) -> Result<Outcome, CollisionError> {
-        match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
-            NeededLaw::Analytic => collision.solve_with_coupling_bound(),
+        match collision.default_law() {
+            NeededLaw::Analytic => collision.solve_with_needed_torsion(),
             NeededLaw::Rings => Ok(RingImpact::new(collision).solve()?),
             NeededLaw::Grid => collision.solve(),
         }

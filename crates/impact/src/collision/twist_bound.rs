@@ -1,6 +1,7 @@
 //! The effect of friction on the spin about the normal, and bounds of it.
 
 use super::Collision;
+use crate::coupled::ImpactMethod;
 use crate::normal::NormalImpact;
 use crate::outcome::TorsionMode;
 
@@ -51,7 +52,8 @@ impl Collision {
     /// rings combines spin and shift.
     #[must_use]
     pub fn twist_bound(&self) -> TwistBound {
-        match self.restitution_by_spin().filter(|_| self.is_symmetric()) {
+        let is_counted = self.torsion != TorsionMode::LeftOut && self.is_symmetric();
+        match self.restitution_by_spin().filter(|_| is_counted) {
             Some(restitution) => {
                 let spin = self.normal_spin(self.velocity().z).greatest_loss().unwrap_or(0.0);
                 TwistBound { restitution, spin }
@@ -60,11 +62,22 @@ impl Collision {
         }
     }
 
-    /// How much the relative spin about the normal may change R_x, which all laws but that of rings leave out.
-    /// For bodies other than spheres and planes the bound is that of a sphere whose contact has their larger
-    /// semi-axis.
-    pub(super) fn spin_on_shift(&self) -> f64 {
-        self.restitution_by_spin().filter(|_| self.is_tangential()).unwrap_or(0.0)
+    /// How much the relative spin about the normal may change R_x where a method leaves it out: all but that of
+    /// rings do, and it does with [`TorsionMode::LeftOut`]. For bodies other than spheres and planes the bound is
+    /// that of a sphere whose contact has their larger semi-axis.
+    fn spin_on_shift(&self, method: ImpactMethod) -> f64 {
+        let is_counted = method == ImpactMethod::Rings && self.torsion != TorsionMode::LeftOut;
+        if is_counted || !self.is_tangential() {
+            return 0.0;
+        }
+        self.restitution_by_spin().unwrap_or(0.0)
+    }
+
+    /// Bounds of the change of R_x by what this method leaves out: the coupling of dissimilar materials and the
+    /// spin about the normal.
+    pub(super) fn left_out(&self, method: ImpactMethod) -> [f64; 2] {
+        let coupling = if method.counts_coupling() { 0.0 } else { self.coupling_bound() };
+        [coupling, self.spin_on_shift(method)]
     }
 
     /// [`TwistBound::restitution`] for any bodies; `None` if the spin counts for nothing.
@@ -72,8 +85,7 @@ impl Collision {
         let speed = self.velocity().z;
         let omega = self.relative_spin().abs();
         let friction = self.friction.get();
-        let is_counted = self.torsion != TorsionMode::LeftOut;
-        if !is_counted || speed <= 0.0 || omega == 0.0 || friction == 0.0 {
+        if speed <= 0.0 || omega == 0.0 || friction == 0.0 {
             return None;
         }
         let (d_zz, c_z) = (self.mobility.matrix().m33, self.hertz.stiffness().c_z);

@@ -31,7 +31,7 @@ pub(crate) fn by_groups(impact: &GroupImpact, tolerance: f64) -> Result<[f64; 2]
     let spread = impact.gamma.abs() / impact.friction.get();
     let lambda = impact.lambda.min(FAST * (1.0 + spread));
     let problem = impact.problem(lambda);
-    let (found, limit) = problem.followed(tolerance)?;
+    let (found, limit) = problem.followed([tolerance, f64::INFINITY])?;
     if let Some(limit) = limit {
         return Ok(limit);
     }

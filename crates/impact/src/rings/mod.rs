@@ -55,7 +55,7 @@ const EVEN: f64 = 1e-12;
 #[derive(Debug, Clone, Copy)]
 pub struct RingImpact<'a> {
     collision: &'a Collision,
-    tolerance: f64,
+    tolerance: Option<f64>,
 }
 
 impl<'a> RingImpact<'a> {
@@ -66,21 +66,21 @@ impl<'a> RingImpact<'a> {
     /// finest rings. The estimate covered 193 of the errors; its median was 4.7 times the error.
     pub const TOLERANCE: f64 = 1e-2;
 
-    /// With the default tolerance: the error of the tangential velocity is at most 1e-2 f times the normal
-    /// velocity before.
+    /// With the tolerance of the collision ([`Collision::within`]) or, if it has none, the default: the error of
+    /// the tangential velocity is at most 1e-2 f times the normal velocity before.
     #[must_use]
     pub const fn new(collision: &'a Collision) -> Self {
-        Self { collision, tolerance: Self::TOLERANCE }
+        Self { collision, tolerance: None }
     }
 
-    /// With another tolerance. If the finest rings do not reach it, the error estimate of the outcome exceeds
+    /// With another tolerance of the tangential velocity, over f times the normal velocity before. If the finest rings do not reach it, the error estimate of the outcome exceeds
     /// it.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         RangeError::positive("tolerance", tolerance)?;
-        Ok(Self { tolerance, ..self })
+        Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
     /// Computes the impact up to separation.
@@ -93,7 +93,7 @@ impl<'a> RingImpact<'a> {
     /// tangents; else as [`Collision::solve`].
     pub fn solve(&self) -> Result<Outcome, RingImpactError> {
         let Some(problem) = self.problem()? else { return Ok(self.collision.missed()) };
-        let (found, limit) = problem.followed(self.tolerance)?;
+        let (found, limit) = problem.followed(self.allowed(&problem))?;
         let [speed, xi, eta, omega] = problem.motion.before;
         let [zeta_after, xi_after, eta_after, omega_after] = found.passage.after;
         let before = Vector3::new(xi, eta, speed);
@@ -134,11 +134,21 @@ impl<'a> RingImpact<'a> {
     pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, RingImpactError> {
         RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
         let Some(problem) = self.problem()? else { return Ok(Vec::new()) };
-        let level = problem.found(self.tolerance)?.level;
+        let level = problem.found(self.allowed(&problem))?.level;
         let mut samples = Vec::new();
         level.observed(&problem, &mut |sample| samples.push(sample))?;
         let [speed, xi, eta, _] = problem.motion.before;
         Ok(self.collision.sampled(&samples, count, &Vector3::new(xi, eta, speed))?)
+    }
+
+    /// The largest errors of the tangential velocity over f v_z and of the normal velocity over v_z.
+    fn allowed(&self, problem: &Problem) -> [f64; 2] {
+        let whole = |tolerance| [tolerance, f64::INFINITY];
+        match (self.tolerance, self.collision.allowed_error()) {
+            (Some(tolerance), _) => whole(tolerance),
+            (None, Some(error)) => [error / problem.scale(), error],
+            (None, None) => whole(Self::TOLERANCE),
+        }
     }
 
     /// None if the bodies do not approach each other.

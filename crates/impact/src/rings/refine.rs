@@ -41,8 +41,9 @@ pub(super) struct Found {
 }
 
 impl Problem {
-    /// Refines until the estimate is below the tolerance.
-    pub(super) fn found(&self, tolerance: f64) -> Result<Found, RingImpactError> {
+    /// Refines until the estimates of the tangential velocity over f v_z and of the normal one over v_z are
+    /// as allowed.
+    pub(super) fn found(&self, [allowed, normal]: [f64; 2]) -> Result<Found, RingImpactError> {
         if let Some(Slide { passage, estimate, normal }) = self.slide()? {
             let [speed, xi, eta, _] = self.motion.before;
             let touch = Sample {
@@ -65,7 +66,7 @@ impl Problem {
             if let Some(old) = &last {
                 let found = Found { samples, ..self.judged(&level, old, &now, exact) };
                 // Finer rings do not reduce the error of the law itself.
-                let enough = found.estimate <= tolerance.max(left_out);
+                let enough = found.estimate <= allowed.max(left_out) && found.normal <= normal;
                 best = Some(Found { estimate: found.estimate + left_out, ..found });
                 if enough {
                     break;
@@ -82,14 +83,14 @@ impl Problem {
     /// [`PROBE`] are scaled from the one at `PROBE`.
     pub(super) fn followed(
         &self,
-        tolerance: f64,
+        allowed: [f64; 2],
     ) -> Result<(Found, Option<[f64; 2]>), RingImpactError> {
         let [speed, xi, eta, omega] = self.motion.before;
         let (size, probe) = (xi.hypot(eta), PROBE * self.scale() * speed);
         if size >= probe {
-            return Ok((self.found(tolerance)?, None));
+            return Ok((self.found(allowed)?, None));
         }
-        let (limit, probed) = self.limit(probe, tolerance)?;
+        let (limit, probed) = self.limit(probe, allowed)?;
         let [speed_after, _, across, omega_after] = probed.passage.after;
         // Spin and coupling together cause a velocity perpendicular to the tangential velocity before.
         let side = if omega == 0.0 { 0.0 } else { across / probe };
@@ -104,10 +105,10 @@ impl Problem {
     /// R_x for small tangential velocities: that of similar bodies plus the effect of coupling, which is
     /// computed at `size` along x. A velocity of spin at the edge above `size` smooths the kink of similar
     /// bodies at small velocities.
-    fn limit(&self, size: f64, tolerance: f64) -> Result<(f64, Found), RingImpactError> {
+    fn limit(&self, size: f64, allowed: [f64; 2]) -> Result<(f64, Found), RingImpactError> {
         let mut probe = *self;
         (probe.motion.before[1], probe.motion.before[2]) = (size, 0.0);
-        let found = probe.found(tolerance)?;
+        let found = probe.found(allowed)?;
         let edge = self.constants.radius * found.passage.maximal_approach.sqrt();
         let part = 1.0 / (1.0 + (edge * self.motion.before[3] / size).powi(2));
         let kink = self.exact_restitution()? - probe.exact_restitution()?;

@@ -180,6 +180,9 @@ impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
                 self.finish(end, self.stack.len() - 1);
                 if released {
                     (self.regime, self.front) = (Regime::Release, zeta);
+                } else if self.regime == Regime::Separated {
+                    // A first contact whose slip is within the round-off of a large shift.
+                    (self.regime, self.front) = (Regime::Adhesion, self.zeta);
                 }
                 return;
             }

@@ -8,7 +8,7 @@ use super::dashpots::Dashpots;
 use super::drag_heat::{DragHeat, check_heat, middle_of};
 use super::load::{GrainLoad, check_beside, elastic, load_in};
 use super::meeting::Meeting;
-use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
+use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
 use crate::damping::HertzDamping;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
@@ -29,7 +29,8 @@ use crate::shift_law::ShiftLaw;
 /// without acceleration no force changes. An oscillation without slip loses `(omega dt)^4/24` of
 /// its amplitude per step and is stable up to `omega dt = sqrt 3`; the limit of the leapfrog is 2.
 /// Second, if the gap opens within four steps, friction is averaged over the neighbouring half
-/// steps, because it then decreases with the power 3/2 of the time.
+/// steps, because it then decreases with the power 3/2 of the time. What is left for the step in
+/// which the gap opens acts one step before, because bodies that are apart exert no force.
 ///
 /// Damping is that of a viscoelastic material in the quasi-static limit: it adds `(2/3) c_z (3/2) A
 /// sqrt(zeta) dzeta/dt` to Hertz's force, with a relaxation time A of the material. The sum with
@@ -121,6 +122,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     /// Advances by a step of duration `dt`, at the end of which the bodies are as given. The
     /// velocities are those that moved them there; for a leapfrog those at the middle of the step.
+    /// Bodies that are apart at the end exert no force; a new contact then remains new.
     ///
     /// # Errors
     /// [`RangeError`] for a shift that the law does not allow, or an arm or a damping force beyond all range; the
@@ -190,6 +192,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
         let is_new = self.is_new();
+        if is_new && meeting.is_apart() {
+            return self.advance(meeting, dt);
+        }
         let middle = middle_of(self.normal, meeting.normal, is_new);
         let friction = if is_new {
             let (mut law, before) = (self.law.clone(), one_step_before(meeting, dt));
@@ -215,6 +220,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     #[inline]
     #[must_use]
     pub fn load(&self, meeting: &Meeting) -> GrainLoad {
+        if meeting.is_apart() {
+            return GrainLoad::default();
+        }
         let normal_force = self.elastic(meeting.zeta) + self.drag;
         if self.is_new() {
             let force = times(meeting.normal, self.elastic(meeting.zeta));
@@ -223,7 +231,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         load_in([self.tangent, meeting.normal], meeting.arms, normal_force, self.friction)
     }
 
-    pub(super) fn is_new(&self) -> bool {
+    /// Whether the bodies have not touched yet; the contact then has no history.
+    #[must_use]
+    pub fn is_new(&self) -> bool {
         self.tangent == [0.0; 3]
     }
 
@@ -291,6 +301,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         law.advance(before)?;
         let end = law.advance(step.to())?;
         check_beside(meeting.arms, drag)?;
+        if meeting.is_apart() {
+            *load = GrainLoad::default();
+            return Ok(());
+        }
         self.law = law;
         *load = self.keep(meeting, &step, end, [end.f_x, end.f_y], drag);
         Ok(())
@@ -315,8 +329,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let mut ahead = law.clone();
         let ahead = ahead.advance(between(1.5))?;
         self.law = law;
+        let ending = Ending::of(meeting, dt);
         let friction =
-            [mean_about(past.f_x, end.f_x, ahead.f_x), mean_about(past.f_y, end.f_y, ahead.f_y)];
+            [ending.mean(past.f_x, end.f_x, ahead.f_x), ending.mean(past.f_y, end.f_y, ahead.f_y)];
         *load = self.keep(meeting, &step, end, friction, drag);
         Ok(())
     }

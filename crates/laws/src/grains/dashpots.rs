@@ -19,7 +19,7 @@ const LEAST: f64 = 1e-3;
 
 impl<T: Number> Dashpots<T> {
     /// The damping force at the end of a step of duration `dt`; its sum with Hertz's force `elastic`, of the constant
-    /// `c_z`, is never tensile. The masses are asked for if there is a restitution.
+    /// `c_z`, is never tensile. It is 0 where the bodies are apart. The masses are asked for if there is a restitution.
     #[inline(always)]
     pub(super) fn force<M>(
         &self,
@@ -48,16 +48,21 @@ impl<T: Number> Dashpots<T> {
         [since, dt]: [T; 2],
     ) -> T {
         let speed = dot(meeting.velocity, meeting.normal);
-        let mut force = self.viscosity * meeting.zeta.larger(T::of(0.0)).sqrt() * speed;
+        // Without damping 0 and never -0, whichever damping the contacts beside have.
+        let mut force =
+            T::of(0.0) + self.viscosity * meeting.zeta.larger(T::of(0.0)).sqrt() * speed;
         if self.ratio.is_any_positive() {
             let [one, two] = masses().map(|mass| T::of(1.0) / mass);
             let mobility = one + two;
             let root = mean_root(meeting.zeta, T::of(0.5) * dt * speed, since);
             let c = self.ratio * (T::of(2.0 / 3.0) * c_z / mobility).sqrt() * root;
             let slowed = T::of(1.0) + c * mobility * (T::of(0.5) * dt);
-            force = force + ((elastic + c * speed) / slowed - elastic);
+            // Masses of contacts without a restitution beside this one may be anything.
+            let by_restitution = (elastic + c * speed) / slowed - elastic;
+            force = force + by_restitution.where_positive(self.ratio);
         }
-        force.larger(T::of(0.0) - elastic)
+        // Bodies that are apart exert no force on each other, however fast they approach.
+        force.larger(T::of(0.0) - elastic).where_positive(meeting.zeta)
     }
 }
 
@@ -80,7 +85,6 @@ impl Dashpots {
 /// to `way` after it; per one `2 way`.
 #[inline(always)]
 fn mean_root<T: Number>(zeta: T, way: T, since: T) -> T {
-    let zeta = zeta.larger(T::of(0.0));
     let way = way.larger(T::of(0.0) - way).larger(T::of(LEAST) * zeta);
     let way = way.larger(T::of(f64::MIN_POSITIVE));
     // The integral of zeta^(1/4) is (4/5) zeta^(5/4).

@@ -274,6 +274,13 @@ impl Meeting {
         minus(two, one)
     }
 
+    /// Whether the bodies do not overlap, so that they exert no force on each other.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_apart(&self) -> bool {
+        self.zeta <= 0.0
+    }
+
     /// The speed at which the bodies slide on each other at the contact, m/s: the tangential part of the
     /// relative velocity there, rotation included.
     ///

@@ -18,6 +18,9 @@ pub(super) trait Number:
 
     fn larger(self, other: Self) -> Self;
 
+    /// The number where `other` is > 0, and 0 elsewhere.
+    fn where_positive(self, other: Self) -> Self;
+
     /// Whether it is > 0 in any lane.
     fn is_any_positive(self) -> bool;
 
@@ -45,6 +48,11 @@ impl Number for f64 {
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.max(other)
+    }
+
+    #[inline(always)]
+    fn where_positive(self, other: Self) -> Self {
+        if other > 0.0 { self } else { 0.0 }
     }
 
     #[inline(always)]
@@ -87,6 +95,12 @@ impl Number for Lanes {
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.max(other)
+    }
+
+    #[inline(always)]
+    fn where_positive(self, other: Self) -> Self {
+        // Numbers and comparisons are of one type: a comparison that holds has all bits.
+        self & other.simd_gt(Self::splat(0.0))
     }
 
     #[inline(always)]

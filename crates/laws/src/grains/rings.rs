@@ -7,7 +7,7 @@ use super::dashpots::Dashpots;
 use super::drag_heat::{DragHeat, check_heat, middle_of};
 use super::load::{GrainLoad, elastic, load_in};
 use super::meeting::Meeting;
-use super::step::{Before, Step, first_step, leaves, mean_about, on_the_way, one_step_before};
+use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
 use crate::damping::HertzDamping;
 use crate::law::{ContactLoad, Shift};
@@ -136,6 +136,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             RangeError::finite("load", part)?;
         }
         check_heat(friction + damping)?;
+        if self.is_new() && meeting.is_apart() {
+            return Ok(GrainLoad::default());
+        }
         *self = next;
         heats.friction += friction;
         heats.damping += damping;
@@ -170,6 +173,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
     /// Hertz's force only.
     #[must_use]
     pub fn load(&self, rings: &Rings<'_, N, M>, meeting: &Meeting) -> GrainLoad {
+        if meeting.is_apart() {
+            return GrainLoad::default();
+        }
         if self.is_new() {
             let force = times(meeting.normal, elastic(rings.c_z(), meeting.zeta));
             return GrainLoad { force, ..GrainLoad::default() };
@@ -178,7 +184,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         self.exerted(meeting, pressed)
     }
 
-    pub(super) fn is_new(&self) -> bool {
+    /// Whether the bodies have not touched yet; the contact then has no history.
+    #[must_use]
+    pub fn is_new(&self) -> bool {
         self.tangent == [0.0; 3]
     }
 
@@ -210,7 +218,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let step = before.step(meeting, dt);
         let to = Shift { omega: from.omega + turned(meeting, dt), ..step.to() };
         if leaves(meeting, dt) {
-            return Ok((step, self.leave(rings, to)?));
+            return Ok((step, self.leave(rings, to, Ending::of(meeting, dt))?));
         }
         let heat = self.memory.advance(rings, to)?;
         Ok((step, Given { load: self.memory.load(rings), heat }))
@@ -218,7 +226,12 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
 
     /// A step in which friction is averaged over half a step before its end and half a step after it.
     #[inline(never)]
-    fn leave(&mut self, rings: &Rings<'_, N, M>, to: Shift) -> Result<Given, RangeError> {
+    fn leave(
+        &mut self,
+        rings: &Rings<'_, N, M>,
+        to: Shift,
+        ending: Ending,
+    ) -> Result<Given, RangeError> {
         let from = self.memory.shift();
         let loaded = |mut memory: RingMemory<N, M>, part: f64| {
             let heat = memory.advance(rings, on_the_way(from, to, part))?;
@@ -228,7 +241,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let (memory, Given { load: now, heat }) = loaded(self.memory, 1.0)?;
         let (_, Given { load: ahead, .. }) = loaded(memory, 1.5)?;
         self.memory = memory;
-        let mean = |of: fn(&ContactLoad) -> f64| mean_about(of(&past), of(&now), of(&ahead));
+        let mean = |of: fn(&ContactLoad) -> f64| ending.mean(of(&past), of(&now), of(&ahead));
         let load = ContactLoad {
             f_x: mean(|load| load.f_x),
             f_y: mean(|load| load.f_y),

@@ -170,7 +170,34 @@ pub(super) fn on_the_way(from: Shift, to: Shift, part: f64) -> Shift {
     }
 }
 
-/// The mean over the half step before now and the half step after it, by trapezoids.
-pub(super) fn mean_about(past: f64, now: f64, ahead: f64) -> f64 {
-    0.5 * now + 0.25 * (past + ahead)
+/// What a force that ends with the contact is in each of its last steps.
+#[derive(Clone, Copy)]
+pub(super) enum Ending {
+    /// More steps in contact follow.
+    Later,
+    /// The gap opens in the next step.
+    Next,
+    /// The bodies are apart.
+    Over,
+}
+
+impl Ending {
+    pub(super) fn of(meeting: &Meeting, dt: f64) -> Self {
+        let next = meeting.zeta + dt * dot(meeting.velocity, meeting.normal);
+        match (meeting.is_apart(), next <= 0.0) {
+            (true, _) => Self::Over,
+            (false, true) => Self::Next,
+            (false, false) => Self::Later,
+        }
+    }
+
+    /// The mean over the half step before now and the half step after it, by trapezoids. Bodies that are apart exert no
+    /// force: what is left for the step in which the gap opens acts one step before.
+    pub(super) fn mean(self, past: f64, now: f64, ahead: f64) -> f64 {
+        match self {
+            Self::Later => 0.5 * now + 0.25 * (past + ahead),
+            Self::Next => 0.5 * (now + ahead) + 0.25 * past,
+            Self::Over => 0.0,
+        }
+    }
 }

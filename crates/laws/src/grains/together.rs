@@ -114,7 +114,7 @@ fn go_on<S: VertexStack<[f64; 2]>>(
     let drag = dashpots.force(meeting, masses, [c_z, elastic], dt);
     let to = normalised(pairs, &step);
     if !hold(allowed(&step, to) & allowed_beside(meeting.arms, drag)) {
-        refuse(pairs, dt)?;
+        return one_by_one(pairs, dt);
     }
     let mut frictions = [[0.0; 2]; TOGETHER];
     for (i, pair) in pairs.iter_mut().enumerate() {
@@ -181,19 +181,7 @@ fn allowed_beside([one, two]: [Lanes; 2], drag: Lanes) -> Lanes {
     up_to(one, LARGEST_ARM) & up_to(two, LARGEST_ARM) & up_to(drag, LARGEST_DRAG)
 }
 
-/// The error of the first contact whose step is not allowed. It computes the steps again, so that they need not be in
-/// memory where all are allowed.
-#[cold]
-#[inline(never)]
-fn refuse<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>, dt: f64) -> Result<(), RangeError> {
-    for pair in pairs {
-        let meeting = pair.meeting()?;
-        pair.contact.checked_drag(&meeting, &pair.contact.step(&meeting, dt), dt)?;
-    }
-    Ok(())
-}
-
-/// Advances the contacts one after the other, if one begins or ends.
+/// Advances the contacts one after the other, if one begins, ends or is refused.
 #[cold]
 #[inline(never)]
 fn one_by_one<S: VertexStack<[f64; 2]>>(

@@ -34,6 +34,9 @@ impl GrainTwist {
     /// The torque on body 1 at the end of the last step, N m; the torque on body 2 is the opposite.
     #[must_use]
     pub fn torque(&self, meeting: &Meeting) -> [f64; 3] {
+        if meeting.is_apart() {
+            return [0.0; 3];
+        }
         times(meeting.normal, self.law.load().m_z)
     }
 
@@ -62,8 +65,8 @@ impl GrainTwist {
         Ok(self.torque(meeting))
     }
 
-    /// Moves the law to the end of a step by `advance`.
-    fn step<T>(
+    /// Moves the law to the end of a step by `advance`; bodies that were apart and are so still do not count.
+    fn step<T: Default>(
         &mut self,
         meeting: &Meeting,
         dt: f64,
@@ -81,6 +84,9 @@ impl GrainTwist {
         law.advance(Shift { zeta: meeting.zeta - by, ..Shift::default() })?;
         let omega = law.shift().omega + turned;
         let told = advance(&mut law, Shift { zeta: meeting.zeta, omega, ..Shift::default() })?;
+        if meeting.is_apart() {
+            return Ok(T::default());
+        }
         self.law = law;
         Ok(told)
     }

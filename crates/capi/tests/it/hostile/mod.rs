@@ -16,6 +16,7 @@ use std::time::Instant;
 
 use carom_capi::*;
 
+pub(crate) use random::Random;
 use world::World;
 
 /// Where the library gave up, in a status that says so.
@@ -48,7 +49,7 @@ fn call(count: u64, seed: u64) {
     for i in 0..count {
         if i % RENEWED == 0 {
             world.renew();
-            if let random::Random::Seed(now) = world.random {
+            if let Random::Seed(now) = world.random {
                 begun = now;
             }
         }
@@ -102,7 +103,7 @@ fn call_by(bytes: &[u8]) {
 
 #[test]
 fn calls_chosen_by_bytes_end_with_a_status() {
-    let mut random = random::Random::Seed(3);
+    let mut random = Random::Seed(3);
     for _ in 0..20 {
         let bytes: Vec<u8> = (0..500).flat_map(|_| random.bits().to_le_bytes()).collect();
         call_by(&bytes);
