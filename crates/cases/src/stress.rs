@@ -56,6 +56,8 @@ pub struct Solved {
     /// The point of greatest equivalent stress, found by a search that starts at the greatest of the
     /// points and goes on between them.
     pub greatest: StressPoint,
+    /// The point of greatest shear stress, found likewise; it is another one.
+    pub greatest_shear: StressPoint,
 }
 
 impl Solved {
@@ -78,8 +80,11 @@ pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
     let stick_radius = stick_radius(&case);
     let field = StressField::new(&case, &state, stick_radius);
     let points = field.at_all(&case.places).map_err(failed)?;
-    let greatest = field.greatest(&case.places, &points).map_err(failed)?;
-    Ok(Solved { case, state, stick_radius, points, greatest })
+    let greatest =
+        |size: fn(&Stress) -> f64| field.greatest(&case.places, &points, size).map_err(failed);
+    let (greatest, greatest_shear) =
+        (greatest(Stress::von_mises)?, greatest(Stress::maximum_shear)?);
+    Ok(Solved { case, state, stick_radius, points, greatest, greatest_shear })
 }
 
 /// a*/a of Cattaneo and Mindlin: (1 - F_t/(f F_z))^(1/3).
@@ -100,8 +105,10 @@ struct StressField {
     side: f64,
 }
 
-/// The search for the greatest stress ends with steps of this part of the first ones.
+/// The search for the greatest stress ends with steps of this part of the first ones, and of the contact.
 const FINEST: f64 = 1e-7;
+/// More rounds of the search than any takes: some 25 halvings an axis, and moves between them.
+const MOST_ROUNDS: usize = 2000;
 
 impl StressField {
     fn new(case: &StressCase, state: &HertzState, stick_radius: f64) -> Self {
@@ -134,14 +141,15 @@ impl StressField {
         (0..xs.len() * ys.len() * depths.len()).into_par_iter().map(at).collect()
     }
 
-    /// The point of greatest equivalent stress between the places: from the greatest of the points
-    /// along each axis to either side, with half the steps where no step leads up.
+    /// The point between the places at which a measure of the stress is greatest: from the greatest of the points
+    /// along each axis to either side, with half the step of an axis where it does not lead up.
     fn greatest(
         &self,
         places: &[Vec<f64>; 3],
         points: &[StressPoint],
+        measure: fn(&Stress) -> f64,
     ) -> Result<StressPoint, RangeError> {
-        let size = |point: &StressPoint| point.stress.von_mises();
+        let size = |point: &StressPoint| measure(&point.stress);
         let mut best = points
             .iter()
             .fold(points[0], |best, point| if size(point) > size(&best) { *point } else { best });
@@ -154,23 +162,25 @@ impl StressField {
             let parts = (places[axis].len() - 1).max(1) as f64;
             (ends[axis][1] - ends[axis][0]) / parts
         });
-        let mut part = 1.0;
-        while part > FINEST {
-            let mut found = best;
+        let finest = steps.map(|step| FINEST * step.min(self.ellipse.semi_axis_b()));
+        let mut way = steps;
+        for _ in 0..MOST_ROUNDS {
             for axis in (0..3).filter(|axis| steps[*axis] > 0.0) {
-                for way in [-part, part] {
-                    let mut at = best.at;
-                    at[axis] = (at[axis] + way * steps[axis]).clamp(ends[axis][0], ends[axis][1]);
+                let from = best;
+                for by in [-way[axis], way[axis]] {
+                    let mut at = from.at;
+                    at[axis] = (at[axis] + by).clamp(ends[axis][0], ends[axis][1]);
                     let point = self.at(at)?;
-                    if size(&point) > size(&found) {
-                        found = point;
+                    if size(&point) > size(&best) {
+                        best = point;
                     }
                 }
+                let is_better = size(&best) > size(&from);
+                way[axis] =
+                    if is_better { steps[axis].min(2.0 * way[axis]) } else { 0.5 * way[axis] };
             }
-            if size(&found) > size(&best) {
-                best = found;
-            } else {
-                part *= 0.5;
+            if (0..3).all(|axis| way[axis] <= finest[axis]) {
+                break;
             }
         }
         Ok(best)

@@ -17,6 +17,20 @@ pub(crate) enum Array {
     Bytes(Vec<usize>, Vec<u8>),
 }
 
+impl Array {
+    /// Its shape and values as bytes.
+    pub(crate) fn bytes(&self) -> Vec<u8> {
+        let (shape, values) = match self {
+            Self::Numbers(shape, values) => {
+                (shape, values.iter().flat_map(|value| value.to_le_bytes()).collect())
+            }
+            Self::Bytes(shape, values) => (shape, values.clone()),
+        };
+        let counts = shape.iter().flat_map(|count| (*count as u64).to_le_bytes());
+        counts.chain(values).collect()
+    }
+}
+
 /// Encodes the arrays as an archive.
 ///
 /// # Errors
@@ -79,8 +93,14 @@ fn read_npy(data: &[u8]) -> Option<Array> {
     let counts = shape.split(',').map(str::trim).filter(|count| !count.is_empty());
     let shape: Vec<usize> = counts.map(|count| count.parse().ok()).collect::<Option<_>>()?;
     let count = shape.iter().try_fold(1_usize, |all, count| all.checked_mul(*count))?;
+    if !head.contains("'fortran_order': False") {
+        return None;
+    }
     if head.contains("'|u1'") {
         return (values.len() == count).then(|| Array::Bytes(shape, values.to_vec()));
+    }
+    if !head.contains("'<f8'") {
+        return None;
     }
     let numbers =
         values.chunks_exact(8).map(|bytes| Some(f64::from_le_bytes(bytes.try_into().ok()?)));

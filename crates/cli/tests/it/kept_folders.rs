@@ -293,3 +293,43 @@ fn a_folder_that_is_refused_is_refused_before_anything_is_computed() {
     let output = limited(FEW_SECONDS, &["solve", &long, "--keep", kept.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(2), "{}", said(&output));
 }
+
+/// What a saved step is told apart by: its place in the history and every number that it holds.
+#[test]
+fn steps_that_were_exchanged_changed_or_added_are_refused() {
+    let (case, kept) = (example("solve_torsion_with_shift.toml"), folder());
+    let kept = kept.to_str().unwrap();
+    let resumed = ["solve", &case, "--keep", kept, "--resume"];
+    assert!(carom(&resumed).status.success());
+    let step = |number: usize| Path::new(kept).join(format!("step-{number:06}.npz"));
+    let whole: Vec<_> = (1..=9).map(|number| std::fs::read(step(number)).unwrap()).collect();
+    let refused = |number: usize, bytes: &[u8], text: &str| {
+        std::fs::write(step(number), bytes).unwrap();
+        let output = carom(&resumed);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains(text), "{said}");
+        match whole.get(number - 1) {
+            Some(bytes) => std::fs::write(step(number), bytes).unwrap(),
+            None => std::fs::remove_file(step(number)).unwrap(),
+        }
+    };
+    refused(3, &whole[4], "another step");
+    refused(10, &whole[8], "no step 10");
+    // A traction of the last step, doubled, and the same numbers in another order of bytes.
+    let mut changed = zip::ZipArchive::new(std::io::Cursor::new(whole[8].clone())).unwrap();
+    let mut again = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for i in 0..changed.len() {
+        let mut file = changed.by_index(i).unwrap();
+        let name = file.name().unwrap().to_string();
+        let mut bytes = Vec::new();
+        std::io::Read::read_to_end(&mut file, &mut bytes).unwrap();
+        if name == "traction_x.npy" {
+            let at = bytes.len() - 8 * (bytes.len() / 16) + 7;
+            bytes[at] ^= 0x80;
+        }
+        again.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        std::io::Write::write_all(&mut again, &bytes).unwrap();
+    }
+    refused(9, &again.finish().unwrap().into_inner(), "were changed");
+    assert!(carom(&resumed).status.success());
+}

@@ -31,6 +31,7 @@ mod spheres;
 mod static_friction;
 mod symmetry;
 mod systems_of_units;
+mod tolerances;
 mod torsional;
 mod torsional_collocation;
 mod twist;

@@ -216,7 +216,7 @@ fn input_error(path: &Path, reason: &str) -> CliError {
 }
 
 /// FNV-1a, 64 bits, of all inputs with their lengths and of the version of the program.
-fn fingerprint(inputs: &[&[u8]]) -> u64 {
+pub(super) fn fingerprint(inputs: &[&[u8]]) -> u64 {
     let version = env!("CARGO_PKG_VERSION").as_bytes();
     let mut sum = 0xcbf2_9ce4_8422_2325_u64;
     for input in inputs.iter().chain([&version]) {

@@ -86,7 +86,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     let run = Run::new(&file.path, &case, &bodies)?;
     let store = keep.map(Folder::open).transpose()?.map(Store::new);
     let found = match &store {
-        Some(store) => store.find(run.window().grid())?,
+        Some(store) => store.find(run.window().grid(), run.count())?,
         None => Found::default(),
     };
     let followed = follow(run, found, store.as_ref(), messages)?;
@@ -185,11 +185,15 @@ fn few_cells(followed: &Followed) -> Option<String> {
     })?;
     let last = followed.steps.last()?;
     let error = last.estimates.map(|all| Estimates::worst(&[all]));
-    let error = error.map_or_else(
-        || "no error estimate is available".to_owned(),
-        |error| format!("the estimated error of loads and shifts is {:.1} %", 100.0 * error),
-    );
-    Some(format!("the contact is only {across} cells wide: {error}"))
+    let error = match error {
+        None => "no error estimate is available".to_owned(),
+        Some(error) if error < 1.0 => {
+            format!("the estimated error of loads and shifts is {:.1} %", 100.0 * error)
+        }
+        Some(_) => "the error of loads and shifts cannot be estimated on this grid".to_owned(),
+    };
+    let cells = if across == 1 { "cell" } else { "cells" };
+    Some(format!("the contact is only {across} {cells} wide: {error}"))
 }
 
 /// A warning if steps within the legs, or increments between steps, have larger errors than

@@ -1,7 +1,7 @@
 //! A folder with the history so far: `loads.csv`, and the fields of each step as `step-000001.npz`,
 //! from which a run continues bit for bit.
 
-use super::kept::{LOADS, Owned, step_name};
+use super::kept::{LOADS, Owned, fingerprint, step_name};
 use crate::columns;
 use crate::command::npz::{self, Array};
 use crate::error::CliError;
@@ -26,20 +26,27 @@ impl Store {
         Self(folder)
     }
 
-    /// Reads the stored steps; their fields must be on this grid.
+    /// Reads the stored steps, at most `count`; their fields must be on this grid.
     ///
     /// # Errors
-    /// If one cannot be read, is damaged or belongs to another case.
-    pub(super) fn find(&self, grid: Grid) -> Result<Found, CliError> {
+    /// If one cannot be read, is damaged, was changed or belongs to another case or place, or if there are too many.
+    pub(super) fn find(&self, grid: Grid, count: usize) -> Result<Found, CliError> {
         let mut found = Found::default();
         let below = |grid: Option<Grid>| grid.and_then(|grid| grid.coarser().ok());
         let coarse = [below(Some(grid)), below(below(Some(grid)))];
         for number in 1..=self.0.steps() {
             let name = step_name(number);
+            if number > count {
+                let reason = format!("the case has no step {number}, only {count}");
+                return Err(self.0.input_error(&name, &reason));
+            }
             let arrays = npz::decode(&self.0.read(&name, most_bytes(grid))?)
                 .ok_or_else(|| self.0.input_error(&name, DAMAGED))?;
             if arrays.get("case") != Some(&self.stamp()) {
                 return Err(self.0.input_error(&name, "this step belongs to another case"));
+            }
+            if arrays.get(SEAL) != Some(&self.seal(number, &arrays)) {
+                return Err(self.0.input_error(&name, CHANGED));
             }
             let read = || Some((read_numbers(&arrays)?, read_state(&arrays, "", grid)?));
             let (step, state) = read().ok_or_else(|| self.0.input_error(&name, DAMAGED))?;
@@ -62,7 +69,9 @@ impl Store {
     ) -> Result<(), CliError> {
         let Some(last) = steps.last() else { return Ok(()) };
         let name = step_name(steps.len());
-        let archive = npz::encode(&self.arrays(last, history, window))
+        let mut arrays = self.arrays(last, history, window);
+        arrays.insert(SEAL.to_owned(), self.seal(steps.len(), &arrays));
+        let archive = npz::encode(&arrays)
             .map_err(|source| CliError::io("write", Path::new(&name), source))?;
         self.0.write(&name, &archive)?;
         let text = columns::rows(Format::Csv, &StepSummary::columns(), steps)?;
@@ -71,6 +80,17 @@ impl Store {
 
     fn stamp(&self) -> Array {
         Array::Bytes(vec![8], self.0.fingerprint().to_le_bytes().to_vec())
+    }
+
+    /// A checksum of the case, the number of a step and all its arrays but the seal itself.
+    fn seal(&self, number: usize, arrays: &BTreeMap<String, Array>) -> Array {
+        let (case, number) = (self.0.fingerprint().to_le_bytes(), (number as u64).to_le_bytes());
+        let named = arrays.iter().filter(|(name, _)| *name != SEAL);
+        let parts: Vec<(&str, Vec<u8>)> =
+            named.map(|(name, array)| (name.as_str(), array.bytes())).collect();
+        let all = parts.iter().flat_map(|(name, bytes)| [name.as_bytes(), bytes]);
+        let inputs: Vec<&[u8]> = [&case[..], &number[..]].into_iter().chain(all).collect();
+        Array::Bytes(vec![8], fingerprint(&inputs).to_le_bytes().to_vec())
     }
 
     fn arrays(
@@ -102,6 +122,10 @@ impl Store {
     }
 }
 
+/// The name of the checksum of a step.
+const SEAL: &str = "seal";
+const CHANGED: &str = "this is another step, or its numbers were changed since carom wrote them; delete this step \
+                       and those behind it, and resume";
 const DAMAGED: &str = "this is not a step of carom, or it is damaged";
 
 /// Upper bound of the size in bytes of a step on this grid and two coarser ones: 41 per cell, and

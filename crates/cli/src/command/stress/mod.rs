@@ -22,8 +22,8 @@ use field::FieldFile;
 /// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
 /// examples/stress_*.toml. x is the direction of the larger relative curvature, so that a <= b. The
 /// tangential force was applied after the normal force: an outer annulus of the ellipse slips, all
-/// of it at the limit. Stresses are exact for these tractions. The table gives the point of greatest
-/// equivalent stress, also between the points; CSV and JSON give every point. The picture shows the equivalent stress in a
+/// of it at the limit. Stresses are exact for these tractions. The table gives the points of greatest
+/// equivalent stress and of greatest shear stress, also between the points; CSV and JSON give every point. The picture shows the equivalent stress in a
 /// plane, or all stresses along a line.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each point", StressPoint::COLUMNS))]
@@ -46,6 +46,8 @@ struct Report<'a> {
     points: Vec<Record<'a, StressPoint>>,
     /// The point of greatest equivalent stress, searched between the points too.
     greatest: Record<'a, StressPoint>,
+    /// The point of greatest shear stress, searched likewise.
+    greatest_shear: Record<'a, StressPoint>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
@@ -53,7 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
     })?;
     let solved = stress::solved(&file)?;
-    let Solved { case, state, stick_radius, points, greatest } = &solved;
+    let Solved { case, state, stick_radius, points, greatest, greatest_shear } = &solved;
     columns::check(&file.path, StressPoint::COLUMNS, points)?;
     let format = arguments.given.format();
     let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
@@ -63,12 +65,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             stick_radius: *stick_radius,
             points: records(),
             greatest: Record::new(StressPoint::COLUMNS, greatest),
+            greatest_shear: Record::new(StressPoint::COLUMNS, greatest_shear),
         })?,
         Format::Table(page) => {
             columns::upright(page, &row(HertzState::COLUMNS, Some(state)))
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
                 + "greatest equivalent stress, searched between the points too:\n"
                 + &columns::upright(page, &row(StressPoint::COLUMNS, Some(greatest)))
+                + "greatest shear stress, searched likewise:\n"
+                + &columns::upright(page, &row(StressPoint::COLUMNS, Some(greatest_shear)))
         }
         Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, points)?,
     };
