@@ -5,6 +5,7 @@ import importlib
 import pathlib
 import subprocess
 import sys
+import warnings
 
 import pytest
 
@@ -19,21 +20,37 @@ def test_examples_run(name):
     assert results.failed == 0
 
 
-def test_examples_of_the_readme_run():
-    readme = pathlib.Path(__file__).parents[1] / "README.md"
-    results = doctest.testfile(str(readme), module_relative=False)
-    assert results.attempted > 0
+def shown(page):
+    """Runs the examples of a page, which warn of nothing but what it shows."""
+    text = page.read_text(encoding="utf-8")
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        results = doctest.testfile(str(page), module_relative=False)
+    words = " ".join(text.split())
+    for warning in told:
+        assert str(warning.message) in words, f"{page.name} does not show: {warning.message}"
     assert results.failed == 0
+    return results.attempted
 
 
-@pytest.mark.parametrize(("page", "least"), [("start/python.md", 10), ("tasks/rail.md", 4)])
-def test_examples_of_the_book_run(monkeypatch, page, least):
+def test_a_warning_that_a_page_does_not_show_is_found(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(">>> import warnings\n>>> warnings.warn('the ball yields')\n\n")
+    with pytest.raises(AssertionError, match="does not show: the ball yields"):
+        shown(page)
+    page.write_text(page.read_text() + "It warns that\nthe ball\nyields.\n")
+    assert shown(page) == 2
+
+
+@pytest.mark.parametrize(
+    ("page", "least"),
+    [("crates/python/README.md", 20), ("docs/book/src/start/python.md", 10), ("docs/book/src/tasks/rail.md", 4)],
+)
+def test_examples_of_the_pages_run(monkeypatch, page, least):
     pytest.importorskip("matplotlib").use("Agg")
     root = pathlib.Path(__file__).parents[3]
     monkeypatch.chdir(root)
-    results = doctest.testfile(str(root / "docs/book/src" / page), module_relative=False)
-    assert results.attempted > least
-    assert results.failed == 0
+    assert shown(root / page) > least
 
 
 def test_result_classes_are_current():
