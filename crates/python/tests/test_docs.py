@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import pathlib
+import re
 import subprocess
 import sys
 import warnings
@@ -27,8 +28,9 @@ def shown(page):
         warnings.simplefilter("always")
         results = doctest.testfile(str(page), module_relative=False)
     words = " ".join(text.split())
-    for warning in told:
-        assert str(warning.message) in words, f"{page.name} does not show: {warning.message}"
+    for line in [line for warning in told for line in str(warning.message).splitlines()]:
+        # Up to its first number, which may differ in a digit elsewhere.
+        assert re.split(r"\d", line)[0].strip() in words, f"{page.name} does not show: {line}"
     assert results.failed == 0
     return results.attempted
 
@@ -47,7 +49,8 @@ def test_a_warning_that_a_page_does_not_show_is_found(tmp_path):
     [("crates/python/README.md", 20), ("docs/book/src/start/python.md", 10), ("docs/book/src/tasks/rail.md", 4)],
 )
 def test_examples_of_the_pages_run(monkeypatch, page, least):
-    pytest.importorskip("matplotlib").use("Agg")
+    if page.endswith("start/python.md"):
+        pytest.importorskip("matplotlib").use("Agg")
     root = pathlib.Path(__file__).parents[3]
     monkeypatch.chdir(root)
     assert shown(root / page) > least
