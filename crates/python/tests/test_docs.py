@@ -8,6 +8,7 @@ import subprocess
 import sys
 import warnings
 
+import carom
 import pytest
 
 MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._creep", "carom._impact", "carom._roll", "carom._solver", "carom.cases", "carom.plot"]
@@ -16,7 +17,9 @@ MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts",
 @pytest.mark.parametrize("name", MODULES)
 def test_examples_run(name):
     module = importlib.import_module(name)
-    results = doctest.testmod(module, optionflags=doctest.IGNORE_EXCEPTION_DETAIL | doctest.ELLIPSIS)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", carom.CaromWarning)
+        results = doctest.testmod(module, optionflags=doctest.IGNORE_EXCEPTION_DETAIL | doctest.ELLIPSIS)
     assert results.attempted > 0
     assert results.failed == 0
 
@@ -37,7 +40,7 @@ def shown(page):
 
 def test_a_warning_that_a_page_does_not_show_is_found(tmp_path):
     page = tmp_path / "page.md"
-    page.write_text(">>> import warnings\n>>> warnings.warn('the ball yields')\n\n")
+    page.write_text(">>> import warnings\n>>> warnings.warn('the ball ' + 'yields')\n\n")
     with pytest.raises(AssertionError, match="does not show: the ball yields"):
         shown(page)
     page.write_text(page.read_text() + "It warns that\nthe ball\nyields.\n")
@@ -64,16 +67,12 @@ def test_result_classes_are_current():
 
 
 def test_results_tell_their_units():
-    import carom
-
     assert carom.HertzState.units["peak_pressure"] == "Pa"
     assert "peak_pressure" in carom.HertzState.__doc__
     assert carom.HistoryPoint.units["F"] == "N"
 
 
 def test_everything_public_is_documented():
-    import carom
-
     for name in carom.__all__:
         thing = getattr(carom, name)
         if callable(thing):
@@ -84,8 +83,6 @@ def test_everything_public_is_documented():
 
 
 def test_module_is_installed_and_typed():
-    import carom
-
     folder = pathlib.Path(carom.__file__).parent
     assert "site-packages" in folder.parts
     assert (folder / "py.typed").exists()
