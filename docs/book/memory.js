@@ -2,6 +2,42 @@
 // cone |X - W(s)| <= zeta - s. Lengths are in units of the greatest approach, forces in units of f F_z there.
 'use strict';
 (() => {
+  // The two diagrams and the sliders, in place of the pictures that the page shows without this script.
+  const markup = `
+<svg viewBox="0 0 340 270" role="img" aria-label="Anchors W over depth s. The cone with its tip at the approach zeta and the shift X opens to the left. The polyline of the anchors is flat where annuli stick, and follows the side of the cone where they slip.">
+<defs>
+<marker id="arrow-ink" viewBox="0 0 10 10" refX="8" refY="5" markerUnits="userSpaceOnUse" markerWidth="11" markerHeight="11" orient="auto-start-reverse"><path class="ink" d="M0,0 L10,5 L0,10 L3,5 z"/></marker>
+<clipPath id="memory-frame"><path d="M50,5 H320 V265 H50 z"/></clipPath>
+</defs>
+<g clip-path="url(#memory-frame)"><path class="patch" data-part="cone" d="M50,-13 L300,77 L50,167 Z"/></g>
+<path class="line" d="M50,140 H322" marker-end="url(#arrow-ink)"/>
+<path class="line" d="M50,265 V10" marker-end="url(#arrow-ink)"/>
+<text class="math" x="326" y="145">s</text>
+<text class="math" x="20" y="24">W</text>
+<path class="arrow one" data-part="sticks" d="M50,140 L125,140"/>
+<path class="arrow two" data-part="slips" d="M125,140 L300,77"/>
+<circle class="ink" data-part="tip" cx="300" cy="77" r="5"/>
+<text class="one" x="70" y="258">sticks</text>
+<text class="two" x="130" y="258">slips</text>
+</svg>
+<svg viewBox="0 0 340 270" role="img" aria-label="The tangential force over the shift, between the friction limits.">
+<path class="line" d="M20,140 H318" marker-end="url(#arrow-ink)"/>
+<path class="line" d="M170,265 V10" marker-end="url(#arrow-ink)"/>
+<text class="math" x="322" y="145">X</text>
+<text class="math" x="136" y="22">F<tspan class="sub" dy="4">x</tspan></text>
+<path class="thin dash" data-part="limits" d="M30,30 H310 M30,250 H310"/>
+<text class="math" x="276" y="24">f F<tspan class="sub" dy="4">z</tspan></text>
+<path class="arrow three" data-part="trace" d=""/>
+<circle class="ink" data-part="now" cx="170" cy="140" r="5"/>
+</svg>
+<div class="controls" data-part="controls" hidden>
+<label>Shift <input type="range" data-part="shift" min="-1.3" max="1.3" step="0.05" value="0"></label>
+<label>Approach <input type="range" data-part="approach" min="0" max="1" step="0.05" value="1"></label>
+<button type="button" data-part="again">Start again</button>
+<output data-part="says"></output>
+</div>
+`;
+
   const fresh = { zeta: 1, x: 0, anchors: [[0, 0], [1, 0]], slipsFrom: 1 };
 
   /** How far an anchor lies outside the cone; negative inside. */
@@ -75,6 +111,7 @@
 
   /** Draws into the figure and listens to its sliders. */
   function start(figure) {
+    figure.querySelector('p').outerHTML = markup;
     const find = name => figure.querySelector(`[data-part="${name}"]`);
     const [shift, approach] = ['shift', 'approach'].map(find);
     const place = ([s, w]) => `${(50 + 250 * s).toFixed(1)},${(140 - 90 * w).toFixed(1)}`;

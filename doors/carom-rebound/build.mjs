@@ -1,5 +1,5 @@
-// Writes src/table-data.js, from the table that the library stores, index.html, from the module and page/, and the drawing
-// of the book. `node build.mjs --check` compares only. Needs the sources of carom around this folder.
+// Writes src/table-data.js, from the table that the library stores, index.html, from the module and page/, and the drawings
+// of the book and of README. `node build.mjs --check` compares only. Needs the sources of carom around this folder.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -47,5 +47,8 @@ const finish = files => {
 
 const table = data();
 finish({ 'src/table-data.js': table, 'index.html': page(table) });
-const [{ rebound }, { picture }] = await Promise.all([import('./src/index.js'), import('./picture.mjs')]);
-finish({ '../../docs/book/drawings/rebound.svg': picture(rebound) });
+const [{ rebound }, { pictures }, { bounce }] = await Promise.all(
+  ['./src/index.js', './picture.mjs', './bounce.mjs'].map(path => import(path)));
+const [angle, spin] = pictures(rebound);
+const DRAWINGS = '../../docs/book/src/drawings';
+finish({ [`${DRAWINGS}/rebound-1.svg`]: angle, [`${DRAWINGS}/rebound-2.svg`]: spin, [`${DRAWINGS}/bounce.svg`]: bounce(rebound) });

@@ -1,4 +1,4 @@
-// The drawing of the book: how a ball leaves a plane, elastic and rigid.
+// The drawings of the book: how a ball leaves a plane, elastic and rigid.
 
 const [FRICTION, POISSON] = [0.3, 0.3];
 const [LEFT, TOP, WIDTH, HEIGHT] = [48, 16, 270, 236];
@@ -14,6 +14,10 @@ const elastic = (rebound, radians) => {
 // The contact comes to rest or slides throughout.
 const rigid = radians => ({ push: Math.min(2 / 7 * Math.sin(radians), 2 * FRICTION * Math.cos(radians)), radians });
 
+const STYLE = '<style>path { fill: none; stroke: #222; stroke-width: 1.5 } .thin { stroke-width: 1 } .dash { stroke-dasharray: 5 4 }\n'
+  + '.one { stroke: #0066a1 } .two { stroke: #b84f00 } text { fill: #222; stroke: none; font: 15px Helvetica, Arial, sans-serif }\n'
+  + 'text.one { fill: #0066a1; stroke: none } text.two { fill: #b84f00; stroke: none }</style>';
+
 const angle = ({ push, radians }) => Math.atan2(Math.sin(radians) - push, Math.cos(radians)) * 180 / Math.PI;
 const spin = ({ push }) => 2.5 * push;
 
@@ -22,7 +26,8 @@ const panel = ({ value, high, ticks, unit, title }, curves, label) => {
   const y = of => (TOP + HEIGHT * (1 - of / high)).toFixed(1);
   const line = curve => curve.map((one, i) => `${i ? 'L' : 'M'}${x(one.radians * 180 / Math.PI)},${y(value(one))}`).join(' ');
   return [
-    `<svg viewBox="0 0 340 300" role="img" aria-label="${label}">`,
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 340 300" width="340" height="300" role="img" aria-label="${label}">`,
+    STYLE, '<rect width="340" height="300" fill="#fff"/>',
     `<path class="thin" d="M${LEFT},${TOP} V${TOP + HEIGHT} H${LEFT + WIDTH}"/>`,
     ...ticks.map(tick => `<text x="${LEFT - 7}" y="${Number(y(tick)) + 5}" text-anchor="end">${tick}${unit}</text>`),
     ...[0, 30, 60, 90].map(tick => `<text x="${x(tick)}" y="${TOP + HEIGHT + 20}" text-anchor="middle">${tick}°</text>`),
@@ -31,15 +36,14 @@ const panel = ({ value, high, ticks, unit, title }, curves, label) => {
   ].join('\n');
 };
 
-export const picture = rebound => {
+export const pictures = rebound => {
   const all = Array.from({ length: 90 }, (_, i) => i * Math.PI / 180);
   const curves = { elastic: all.map(radians => elastic(rebound, radians)), rigid: all.map(rigid) };
   const words = (one, other) => () => [
     `<text class="one" x="${one[0]}" y="${one[1]}">elastic</text>`, `<text class="two" x="${other[0]}" y="${other[1]}">rigid</text>`,
   ];
-  const panels = [
+  return [
     panel({ value: angle, high: 90, ticks: [0, 30, 60, 90], unit: '°', title: 'angle after' }, { ...curves, words: words([200, 200], [150, 150]) }, DESCRIPTION),
     panel({ value: spin, high: 1, ticks: [0, 0.5, 1], unit: '', title: 'spin R ω/v after' }, { ...curves, words: words([120, 60], [172, 172]) }, 'The spin after the impact over the angle before.'),
-  ];
-  return `${panels.join('\n')}\n`;
+  ].map(panel => `${panel}\n`);
 };

@@ -101,11 +101,7 @@ const WHERE_CHANGED: &[Changed] = &[
         || passed(without_threads(&[""])),
     ),
     (
-        &[
-            "doors/carom-rebound",
-            "docs/book/drawings/rebound.svg",
-            "crates/impact/src/restitution/table",
-        ],
+        &["doors/carom-rebound", "docs/book/src/drawings", "crates/impact/src/restitution/table"],
         "the JavaScript module of the rebound",
         doors::rebound,
     ),

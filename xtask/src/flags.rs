@@ -60,8 +60,8 @@ xflags::xflags! {
             /// Pack without building the packages, and leave out the wheel.
             optional --quick
         }
-        /// Checks the links of the book below docs/book. If mdbook is installed, builds its pages in target/book; if a
-        /// browser is there too, looks at them.
+        /// Checks the links of all pages, and builds the book in target/book by mdbook, which it installs below target/
+        /// if it is missing. If there is a browser, looks at the pages.
         cmd book {}
         /// Writes the files that are generated from the sources: the C header, the book's pictures and case reference,
         /// the result classes of Python. Snapshots of figures are written by `verify --update`, the record of

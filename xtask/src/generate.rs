@@ -1,9 +1,9 @@
 //! Generated files of the repository: written, or compared with what would be written.
 
-use crate::cargo;
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, NONE};
 use crate::root::root;
+use crate::{book, cargo};
 use anyhow::{Context as _, ensure};
 use std::process::Command;
 
@@ -21,6 +21,7 @@ const GENERATORS: &[Generator] = &[
     ("the C header crates/capi/include/carom.h", |mode| by_test("carom-capi", "header::", mode)),
     ("the schemas of cases, docs/schema", |mode| by_test("carom-cli", "schema::", mode)),
     ("pictures and case reference of the book", |mode| by_test("carom-cli", "book::", mode)),
+    ("copies of sources on pages", book::copies),
     ("the result classes of Python, crates/python/python/carom/_records.py", records),
 ];
 

@@ -3,11 +3,12 @@
 //! They are built with optimisation, so that tests, figures and the command share one build of the
 //! dependencies.
 
+use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use crate::{cargo, changes, flags};
 use anyhow::{Context as _, bail, ensure};
 use std::io::{BufRead as _, BufReader};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 /// Build profile and selection of the tests.
@@ -77,11 +78,35 @@ pub(crate) fn chosen(options: &flags::Test) -> anyhow::Result<()> {
     }
 }
 
-/// Runs all tests, documentation examples and example programs, and prints their numbers. The
-/// examples run even if a test fails.
+/// Runs all tests, documentation examples and example programs, and prints their numbers and what this machine lacks for
+/// some of them. The examples run even if a test fails.
 fn run() -> anyhow::Result<()> {
     let tests = usual();
-    tests.and(shown())
+    let shown = shown();
+    lacking().accept()?;
+    println!("tests of their own: cargo xtask python, lammps, doors, install-c, book");
+    tests.and(shown)
+}
+
+/// The tools without which tests of the C interface leave out programs.
+fn lacking() -> Outcome {
+    let answers = |tool: &&str| {
+        let mut command = Command::new(tool);
+        command.arg("--version").stdout(Stdio::null()).stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    let tools = ["cc", "c++", "gfortran", "valgrind"];
+    let missing: Vec<&str> = tools.into_iter().filter(|tool| !answers(tool)).collect();
+    match missing.as_slice() {
+        [] => Outcome::Passed,
+        missing => {
+            let missing = missing.join(", ");
+            let reason = format!(
+                "programs in C, C++ and Fortran that need {missing}, which is not installed"
+            );
+            Outcome::skipped(Part::OwnTests, reason)
+        }
+    }
 }
 
 /// Runs the tests that are not ignored.

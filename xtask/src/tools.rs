@@ -25,9 +25,8 @@ pub(crate) const CARGO_DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2"
 pub(crate) const CARGO_FUZZ: Tool = Tool { name: "cargo-fuzz", version: "0.13.2", options: &[] };
 
 impl Tool {
-    /// Whether the tool is installed. In continuous integration a missing one is installed into
-    /// `target/tools`, which `.ci/run` adds to the path, and kept there: each runs for
-    /// seconds and is built without optimisation, which would take a minute more.
+    /// Whether the tool is installed. In continuous integration a missing one is installed, as by
+    /// [`Self::brought`].
     ///
     /// # Errors
     /// If it cannot be installed.
@@ -36,6 +35,22 @@ impl Tool {
             self.install()?;
         }
         Ok(self.answers())
+    }
+
+    /// The program, which is installed into `target/tools` if it is missing, and kept there: `.ci/run` adds that folder
+    /// to the path. It runs for seconds and is built without optimisation, which would take a minute more.
+    ///
+    /// # Errors
+    /// If it cannot be installed.
+    pub(crate) fn brought(&self) -> anyhow::Result<Command> {
+        if self.answers() {
+            return Ok(Command::new(self.name));
+        }
+        let own = folder().join("bin").join(self.name);
+        if !own.is_file() {
+            self.install()?;
+        }
+        Ok(Command::new(own))
     }
 
     /// The command with which a user installs it.
@@ -50,8 +65,8 @@ impl Tool {
     }
 
     fn install(&self) -> anyhow::Result<()> {
-        println!("installing {} {}", self.name, self.version);
-        let tools = crate::root::root().join("target/tools");
+        println!("installing {} {} into target/tools, some minutes", self.name, self.version);
+        let tools = folder();
         let mut command = cargo::command(&["install", self.name, "--version", self.version]);
         command.args(["--locked", "--quiet"]).args(self.options);
         command.arg("--root").arg(&tools).arg("--target-dir").arg(tools.join("build"));
@@ -62,4 +77,9 @@ impl Tool {
         anyhow::ensure!(status.success(), "cannot install {}", self.name);
         Ok(())
     }
+}
+
+/// Where missing tools are installed.
+fn folder() -> std::path::PathBuf {
+    crate::root::root().join("target/tools")
 }

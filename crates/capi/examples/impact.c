@@ -28,8 +28,8 @@ static void impact(void) {
   ball.sizes[0] = 0.01;
   ball.mass = 0.0327;
   ball.material = steel;
-  ball.velocity[0] = 1.0;
-  ball.velocity[2] = -2.0;
+  ball.velocity[0] = 0.5;
+  ball.velocity[2] = -1.0;
   plate.shape = CAROM_SHAPE_PLANE;
   plate.material = steel;
 
@@ -49,7 +49,7 @@ static void impact(void) {
   for (uint32_t bit = 1; bit != 0 && bit <= rebound.warnings; bit *= 2) {
     if (rebound.warnings & bit) printf("warning: %s\n", carom_warning_text(bit));
   }
-  must(fabs(rebound.body_1_velocity[2] - 2.0) < 1e-12, "it rises as fast as it fell");
+  must(fabs(rebound.body_1_velocity[2] - 1.0) < 1e-12, "it rises as fast as it fell");
   const double balance = rebound.energy_before - rebound.energy_after - rebound.energy_dissipated;
   must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
 
@@ -59,7 +59,7 @@ static void impact(void) {
   options.loss = CAROM_LOSS_GIVEN;
   options.normal_restitution = 0.9;
   must(carom_collide(&ball, &plate, 0.15, up, &options, &rebound, &error) == CAROM_STATUS_OK &&
-           fabs(rebound.body_1_velocity[2] - 1.8) < 1e-12 && rebound.energy_lost > 0.0,
+           fabs(rebound.body_1_velocity[2] - 0.9) < 1e-12 && rebound.energy_lost > 0.0,
        "it rises slower");
 
   ball.mass = -1.0;

@@ -17,19 +17,84 @@
 //! | rings and shells | [`shells`] | propositions 4, 5 |
 //! | special functions | [`special`] | |
 //!
+//! # Layer by layer
+//!
+//! From the top down. Each layer has a one-page program in the folder `examples` of this crate as well, such as
+//! `cargo run --release -p carom --example motion`.
+//!
+//! **Motion.** A collision is made of two bodies, with their materials and motions, and a coefficient of friction.
+//!
 //! ```
 //! use carom::prelude::*;
 //!
-//! // An alumina ball of 5 mm meets a plate of the same material at 45 degrees with 3.9 m/s.
-//! let alumina = Material::from_young(380e9, 0.23)?;
-//! let ball = Body::sphere(2.5e-3, alumina, 2.618e-4)?
-//!     .moving(Motion::new([2.758, 0.0, -2.758], [0.0; 3])?);
-//! let collision = Collision::new(ball, Body::plane(alumina), Friction::new(0.092)?)?;
-//! let outcome = collision.solve()?;
-//! let rebound = outcome.rebound().ok_or("the bodies approach each other")?;
-//! // Friction slows the ball and spins it up; here it slides throughout.
-//! assert!(rebound.motions[0].velocity.x < 2.758 && rebound.motions[0].spin.y > 0.0);
+//! let steel = Material::from_young(208e9, 0.3)?;
+//! let ball = Body::sphere(0.01, steel, 0.033)?.moving(Motion::new([0.5, 0.0, -1.0], [0.0; 3])?);
+//! let outcome = Collision::new(ball, Body::plane(steel), Friction::new(0.15)?)?.solve()?;
+//! let rebound = outcome.rebound().ok_or("they meet")?;
+//! let regimes: Vec<_> = rebound.log.iter().map(|entry| entry.regime.name()).collect();
+//! assert_eq!(regimes, ["slide+", "adhesion", "slip-", "slide-"]);
+//! assert!(rebound.energy.after < rebound.energy.before && rebound.warnings.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Laws.** A contact law turns a history of relative displacements into forces. `zeta` is the approach along the
+//! normal, `xi` the tangential shift. The law remembers the history.
+//!
+//! ```
+//! use carom::laws::shift_law::ShiftLaw;
+//! use carom::prelude::*;
+//!
+//! let stiffness = ContactStiffness::new(0.8, 0.8, 1.0)?;
+//! let mut law = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(0.3)?);
+//! law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+//! law.advance(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() })?;
+//! let back = law.advance(Shift { zeta: 1.0, xi: 0.0, ..Shift::default() })?;
+//! assert!(back.f_x < 0.0); // hysteresis: after the way back a force remains
+//! # Ok::<(), RangeError>(())
+//! ```
+//!
+//! **Numerical contact.** The solver takes any gap and any load history on a grid. Each motion is prescribed by its
+//! displacement or by its load.
+//!
+//! ```
+//! use carom::halfspace::{Grid, Material, MaterialPair};
+//! use carom::laws::friction::Friction;
+//! use carom::solver::{CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method};
+//!
+//! let grid = Grid::new(40, 40, 0.055, 0.055)?;
+//! let ball = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
+//! let (rubber, steel) = (Material::from_shear(1.0, 0.5)?, Material::RIGID);
+//! let problem = ContactProblem::of_half_spaces(ball, MaterialPair::new(rubber, steel)?, Friction::new(0.4)?)?;
+//! let (method, apart) = (Frictional::default(), ContactState::apart(grid));
+//! let (mut scratch, mut state) = (method.scratch(&problem)?, apart.clone());
+//! let pulled = Drive { normal: Driven::Load(4.0), x: Driven::Load(0.8), ..Drive::default() };
+//! let report = method.step(&problem, &apart, &pulled, &mut state, &mut scratch, &mut ())?;
+//! assert!((state.load().f_x - 0.8).abs() < 1e-7 && state.count(CellState::Slip) > 0);
+//! assert!(report.residuals.tangential < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Half-space.** The elastic half-space gives displacements and stresses under loads on its surface, here under a point
+//! force.
+//!
+//! ```
+//! use carom::halfspace::{Force, Material, Point, PointLoad};
+//!
+//! let load = PointLoad::new(Material::from_shear(1.0, 0.5)?, Force { z: 1.0, ..Force::default() })?;
+//! let surface = load.displacement(Point::on_surface(0.5, 0.0))?;
+//! assert!((surface.w - 0.5 / std::f64::consts::PI).abs() < 1e-15);
+//! # Ok::<(), carom::prelude::RangeError>(())
+//! ```
+//!
+//! **Special functions.** Elliptic integrals take the axis ratio of the contact instead of the modulus. Slender contacts
+//! then lose no digits.
+//!
+//! ```
+//! use carom::special::{AxisRatio, elliptic::complete};
+//!
+//! let slender = AxisRatio::new(1e-200)?;
+//! assert!((complete::k(slender) - (4e200_f64).ln()).abs() < 1e-12);
+//! # Ok::<(), carom::prelude::RangeError>(())
 //! ```
 #![forbid(unsafe_code)]
 

@@ -22,11 +22,6 @@ pub mod range;
 mod round_off;
 pub mod rows;
 
-/// The examples of the README, run as documentation tests.
-#[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
-struct Readme;
-
 /// The examples of the book, run as documentation tests.
 #[cfg(doctest)]
 mod book {

@@ -3,9 +3,12 @@
 import doctest
 import importlib
 import pathlib
+import re
 import subprocess
 import sys
+import warnings
 
+import carom
 import pytest
 
 MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._creep", "carom._impact", "carom._roll", "carom._solver", "carom.cases", "carom.plot"]
@@ -14,26 +17,46 @@ MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts",
 @pytest.mark.parametrize("name", MODULES)
 def test_examples_run(name):
     module = importlib.import_module(name)
-    results = doctest.testmod(module, optionflags=doctest.IGNORE_EXCEPTION_DETAIL | doctest.ELLIPSIS)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", carom.CaromWarning)
+        results = doctest.testmod(module, optionflags=doctest.IGNORE_EXCEPTION_DETAIL | doctest.ELLIPSIS)
     assert results.attempted > 0
     assert results.failed == 0
 
 
-def test_examples_of_the_readme_run():
-    readme = pathlib.Path(__file__).parents[1] / "README.md"
-    results = doctest.testfile(str(readme), module_relative=False)
-    assert results.attempted > 0
+def shown(page):
+    """Runs the examples of a page, which warn of nothing but what it shows."""
+    text = page.read_text(encoding="utf-8")
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        results = doctest.testfile(str(page), module_relative=False)
+    words = " ".join(text.split())
+    for line in [line for warning in told for line in str(warning.message).splitlines()]:
+        # Up to its first number, which may differ in a digit elsewhere.
+        assert re.split(r"\d", line)[0].strip() in words, f"{page.name} does not show: {line}"
     assert results.failed == 0
+    return results.attempted
 
 
-@pytest.mark.parametrize(("page", "least"), [("start/python.md", 10), ("tasks/rail.md", 4)])
-def test_examples_of_the_book_run(monkeypatch, page, least):
-    pytest.importorskip("matplotlib").use("Agg")
+def test_a_warning_that_a_page_does_not_show_is_found(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(">>> import warnings\n>>> warnings.warn('the ball ' + 'yields')\n\n")
+    with pytest.raises(AssertionError, match="does not show: the ball yields"):
+        shown(page)
+    page.write_text(page.read_text() + "It warns that\nthe ball\nyields.\n")
+    assert shown(page) == 2
+
+
+@pytest.mark.parametrize(
+    ("page", "least"),
+    [("crates/python/README.md", 20), ("docs/book/src/start/python.md", 10), ("docs/book/src/tasks/rail.md", 4)],
+)
+def test_examples_of_the_pages_run(monkeypatch, page, least):
+    if page.endswith("start/python.md"):
+        pytest.importorskip("matplotlib").use("Agg")
     root = pathlib.Path(__file__).parents[3]
     monkeypatch.chdir(root)
-    results = doctest.testfile(str(root / "docs/book/src" / page), module_relative=False)
-    assert results.attempted > least
-    assert results.failed == 0
+    assert shown(root / page) > least
 
 
 def test_result_classes_are_current():
@@ -44,16 +67,12 @@ def test_result_classes_are_current():
 
 
 def test_results_tell_their_units():
-    import carom
-
     assert carom.HertzState.units["peak_pressure"] == "Pa"
     assert "peak_pressure" in carom.HertzState.__doc__
     assert carom.HistoryPoint.units["F"] == "N"
 
 
 def test_everything_public_is_documented():
-    import carom
-
     for name in carom.__all__:
         thing = getattr(carom, name)
         if callable(thing):
@@ -64,8 +83,6 @@ def test_everything_public_is_documented():
 
 
 def test_module_is_installed_and_typed():
-    import carom
-
     folder = pathlib.Path(carom.__file__).parent
     assert "site-packages" in folder.parts
     assert (folder / "py.typed").exists()

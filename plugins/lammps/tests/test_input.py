@@ -97,14 +97,21 @@ def test_a_release_it_was_not_built_for_is_refused(tmp_path):
     assert "Unrecognized pair style 'carom'" in str(failed.value)
 
 
-def test_readme_example_runs_as_it_stands(tmp_path):
+def test_readme_example_bounces_as_it_says(tmp_path):
     text = (ROOT / "plugins/lammps/README.md").read_text()
     script = re.search(r"```lammps\n(.*?)```", text, re.S).group(1)
     built = tmp_path / "target/lammps"
     built.mkdir(parents=True)
     (built / "caromplugin.so").symlink_to(PLUGIN)
     said = lmp(script, tmp_path)
-    assert "Loop time" in said and "pair carom" in said
+    assert "pair carom" in said
+    for warning in re.findall("WARNING: (.*)", said):
+        assert warning.split(" (")[0] in text, f"the page does not show: {warning}"
+    gap, along, spin = (thermo(said)[name] for name in ("v_gap", "c_along", "c_spin"))
+    assert gap[0] == 11 and along[-1] < along[0] and spin[-1] > spin[0] == 0
+    peaks = [gap[i] for i in range(1, len(gap) - 1) if gap[i - 1] < gap[i] > gap[i + 1]]
+    # Of the heights printed each 0.01 s: at most g (0.005 s)^2/2 below the top.
+    assert len(peaks) >= 2 and all(-0.02 < 11 * 0.81**k - peak < 0.15 for k, peak in enumerate(peaks, 1))
 
 
 def test_plugin_path(tmp_path, monkeypatch):

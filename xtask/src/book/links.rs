@@ -1,4 +1,4 @@
-//! Links and inclusions of Markdown.
+//! Links of Markdown.
 
 use std::path::Path;
 
@@ -87,34 +87,6 @@ fn anchors(text: &str) -> Vec<String> {
     anchors
 }
 
-/// The faults of `{{#include file:anchor}}` on a page.
-pub(super) fn inclusions(path: &Path, text: &str) -> Vec<String> {
-    let mut faults = Vec::new();
-    for rest in text.split("{{#include ").skip(1) {
-        let Some((what, _)) = rest.split_once("}}") else { continue };
-        let (file, anchor) = what.split_once(':').unwrap_or((what, ""));
-        let fault_of = |why: &str| format!("{}: {what}: {why}", path.display());
-        match std::fs::read_to_string(path.parent().unwrap_or(Path::new("")).join(file)) {
-            Err(_) => faults.push(fault_of("nothing is there")),
-            Ok(source) => {
-                let has = |mark: &str| {
-                    let mark = format!("{mark}: {anchor}");
-                    source.lines().any(|line| {
-                        line.split_once(&mark).is_some_and(|(_, rest)| {
-                            !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_')
-                        })
-                    })
-                };
-                let is_whole = anchor.is_empty() || has("ANCHOR") && has("ANCHOR_END");
-                if !is_whole {
-                    faults.push(fault_of("no such anchor"));
-                }
-            }
-        }
-    }
-    faults
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,10 +120,5 @@ mod tests {
         assert!(fault("others.md#nothing", true).unwrap().contains("no such heading"));
         assert!(fault("../../../README.md", true).unwrap().contains("leads out of the book"));
         assert_eq!(fault("../../../README.md", false), None);
-        let included = |what: &str| inclusions(&page, &format!("{{{{#include {what}}}}}")).len();
-        assert_eq!(included("../../../README.md"), 0);
-        assert_eq!(included("../../../crates/capi/examples/impact.c:impact"), 0);
-        assert_eq!(included("../../../crates/capi/examples/impact.c:imp"), 1);
-        assert_eq!(included("nothing.c"), 1);
     }
 }

@@ -24,7 +24,7 @@
     for (const image of inside.images) if (!image.naturalWidth) fault(`no picture ${image.src}`);
     for (const math of all('math')) if (/[&\\$]|<mo/.test(math.textContent)) fault(`formula: ${math.textContent}`);
     const ground = luminance(parts(view.getComputedStyle(root).backgroundColor));
-    for (const drawing of all('.drawing svg')) {
+    const look = (drawing, view, ground) => {
       drawings += 1;
       const box = drawing.getBoundingClientRect();
       if (box.width < 200 || box.height < 150) fault(`a drawing of ${box.width} x ${box.height} pixels`);
@@ -38,6 +38,18 @@
         const contrast = (Math.max(ink, ground) + 0.05) / (Math.min(ink, ground) + 0.05);
         if (contrast < 4.5) fault(`pale letters "${text.textContent}" in a drawing: ${contrast.toFixed(1)}`);
       }
+    };
+    for (const drawing of all('.drawing svg')) look(drawing, view, ground);
+    // A picture is opened as a page in its size here; its ground is white.
+    for (const image of all('img[src*="drawings/"]')) {
+      const { width, height } = image.getBoundingClientRect();
+      const own = document.createElement('iframe');
+      [own.width, own.height, own.src] = [width, height, image.src];
+      document.body.append(own);
+      await new Promise(done => { own.onload = done; });
+      if (!image.alt) fault(`no words for ${image.src}`);
+      look(own.contentDocument.documentElement, own.contentWindow, 1);
+      own.remove();
     }
     for (const figure of all('[data-drawing="memory"]')) {
       if (!(Number(figure.dataset.misses) < 1e-12)) fault(`the drawing of memory is off by ${figure.dataset.misses}`);

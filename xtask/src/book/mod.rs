@@ -2,30 +2,34 @@
 
 mod links;
 mod look;
+mod mirror;
 
 use crate::browse;
 use crate::cargo;
+use crate::generate::Mode;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use crate::tools::MDBOOK;
 use anyhow::{Context as _, ensure};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 const SOURCES: &str = "docs/book/src";
 /// The variable with the program that mdBook calls for the formulas, in place of the one in `book.toml`, for which
 /// cargo would compile the dependencies again with fewer features.
 const FORMULAS: &str = "MDBOOK_PREPROCESSOR__FORMULAS__COMMAND";
 
-/// Checks the book and, if mdBook is installed, builds its pages in target/book/ and looks at them
-/// in a browser.
+/// Checks the book, builds its pages in target/book/ by mdBook, which it installs if it is missing, and looks at them in a
+/// browser.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     check(&root())?;
-    if !MDBOOK.is_there()? {
-        return Ok(Outcome::skipped(Part::BookPages, MDBOOK.advice()));
-    }
-    let mut mdbook = Command::new("mdbook");
+    let mut mdbook = match MDBOOK.brought() {
+        Ok(mdbook) => mdbook,
+        Err(error) => {
+            let reason = format!("{error:#}; {}", MDBOOK.advice());
+            return Ok(Outcome::skipped(Part::BookPages, reason));
+        }
+    };
     mdbook.arg("build").env(FORMULAS, cargo::built("--bin", "carom-formulas")?);
     let status = mdbook.current_dir(root().join("docs/book")).status()?;
     ensure!(status.success(), "`mdbook build` failed ({status})");
@@ -35,7 +39,8 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let mut files = std::fs::read_dir(root().join("target/book"))?;
     let has_search = files.any(|file| file.is_ok_and(|file| is_index(&file.file_name())));
     ensure!(has_search, "target/book has no index for the search: mdbook without `search`?");
-    println!("the book: target/book/index.html");
+    let place = root().join("target/book/index.html");
+    println!("the book, with search: open {}", place.display());
     let sources = root().join(SOURCES).canonicalize()?;
     let mut pages = Vec::new();
     for chapter in markdown(&sources)?.iter().filter(|path| !path.ends_with("SUMMARY.md")) {
@@ -50,7 +55,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
 }
 
 /// Checks that all chapters are in the table of contents, and that all links of the book and of
-/// other Markdown pages have a target.
+/// other Markdown pages have a target, and that a reader sees the pages as they stand.
 pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     let sources = root.join(SOURCES);
     let chapters = chapters(root)?;
@@ -72,7 +77,13 @@ pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
         count += found.len();
         let below = chapters.contains(&path).then_some(sources.as_path());
         faults.extend(found.iter().filter_map(|link| links::fault(&path, link, below)));
-        faults.extend(links::inclusions(&path, &text));
+        let told = |fault: String| format!("{}: {fault}", path.display());
+        faults.extend(mirror::hidden(&text).into_iter().map(told));
+        match mirror::renewed(root, &text) {
+            Ok(page) if page == text => {}
+            Ok(_) => faults.push(told("a copy is not current: cargo xtask generate".to_owned())),
+            Err(fault) => faults.push(told(fault)),
+        }
     }
     ensure!(faults.is_empty(), "{} faults in the book:\n  {}", faults.len(), faults.join("\n  "));
     println!("{} chapters, {count} links: in order", chapters.len());
@@ -84,34 +95,48 @@ pub(crate) fn chapters(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     markdown(&root.join(SOURCES))
 }
 
-/// Markdown pages outside the book.
-fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let mut pages = [
-        "README.md",
-        "ARCHITECTURE.md",
-        "CONTRIBUTING.md",
-        "CHANGELOG.md",
-        "RELEASE.md",
-        "paper/paper.md",
-        "benches/README.md",
-        "plugins/lammps/README.md",
-    ]
-    .map(|name| root.join(name))
-    .to_vec();
-    for entry in std::fs::read_dir(root.join("crates"))? {
-        pages.push(entry?.path().join("README.md"));
+/// Writes the copies of sources on all pages, or compares them.
+pub(crate) fn copies(mode: Mode) -> anyhow::Result<Outcome> {
+    let root = root();
+    if mode == Mode::Write {
+        for path in chapters(&root)?.into_iter().chain(beside(&root)?) {
+            let text = std::fs::read_to_string(&path)?;
+            let page = mirror::renewed(&root, &text).map_err(anyhow::Error::msg)?;
+            if page != text {
+                std::fs::write(&path, page)?;
+            }
+        }
     }
-    pages.retain(|page| page.is_file());
+    check(&root).map(|()| Outcome::Passed)
+}
+
+/// Markdown pages outside the book, but for those in folders that are built or hidden.
+fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let mut pages = Vec::new();
+    for entry in std::fs::read_dir(root)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && !name.starts_with('.') && name != "target" {
+            pages.extend(markdown(&path)?);
+        } else if path.extension().is_some_and(|end| end == "md") {
+            pages.push(path);
+        }
+    }
+    let is_page = |path: &PathBuf| {
+        !path.starts_with(root.join(SOURCES)) && !path.ends_with("report/texts.md")
+    };
+    pages.retain(is_page);
     pages.sort();
     Ok(pages)
 }
 
-/// All Markdown files below a folder.
+/// All Markdown files below a folder, but for what was built there.
 fn markdown(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).with_context(|| folder.display().to_string())? {
         let path = entry?.path();
-        if path.is_dir() {
+        let is_built = ["target", "node_modules"].iter().any(|name| path.ends_with(name));
+        if path.is_dir() && !is_built {
             found.extend(markdown(&path)?);
         } else if path.extension().is_some_and(|end| end == "md") {
             found.push(path);

@@ -87,7 +87,10 @@ fn compiles_as_written(page: &str, compiler: &str) {
         word => word.as_ref(),
     });
     run(Command::new(compiler).current_dir(root().join("../..")).args(words));
-    run(&mut Command::new(&program));
+    let said = run(&mut Command::new(&program));
+    for warning in said.lines().filter(|line| line.contains("warning")) {
+        assert!(page.contains(warning), "the page does not show `{warning}`");
+    }
     std::fs::remove_dir_all(folder).unwrap();
 }
 

@@ -60,6 +60,10 @@ pub(super) const MATERIAL: Field = Field::new(
 )
 .begun(&[(&YOUNG, ""), (&POISSON, "")]);
 
+/// The field `material` of a body in an impact: a new case states the yield stress, so that it tells whether the body
+/// yields.
+pub(super) const YIELDING: Field = MATERIAL.begun(&[(&YOUNG, ""), (&POISSON, ""), (&YIELD, "2e9")]);
+
 /// Reads the material of a body in contact.
 pub(super) fn read(body: &Section<'_>) -> Result<Material, CaseError> {
     let table = body.section(&MATERIAL)?;

@@ -1,38 +1,38 @@
 //! The commands of the README, and those at the beginning of `carom --help`, run.
 
+use crate::book::{blocks, root, run, shelf};
 use crate::common;
-
-use std::path::Path;
 use std::process::Command;
 
 #[test]
-fn the_commands_of_the_readme_run() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
-    let commands: Vec<&str> = readme
-        .lines()
-        .filter_map(|line| line.strip_prefix("cargo run --release -p carom-cli -- "))
-        .collect();
-    assert!(commands.len() >= 3);
-    let folder = common::folder();
-    std::fs::create_dir_all(folder.join("target")).unwrap();
-    for command in commands {
-        let arguments =
-            command.split_whitespace().map(|argument| match argument.strip_prefix("examples/") {
-                Some(name) => root.join("examples").join(name).to_str().unwrap().to_owned(),
-                None => argument.to_owned(),
-            });
-        let output = Command::new(env!("CARGO_BIN_EXE_carom"))
-            .args(arguments)
-            .current_dir(&folder)
-            .output()
-            .unwrap();
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        let draws = ["--plot", "--map", "--animate"].iter().any(|option| command.contains(option));
-        let is_quiet = draws && !command.contains("--format");
-        assert!(output.status.success(), "{command}: {stderr}");
-        assert_eq!(output.stdout.is_empty(), is_quiet, "{command}");
+#[cfg(unix)]
+fn the_readme_shows_what_its_commands_print() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let (folder, mut said) = (shelf(), String::new());
+    for block in blocks(&readme, "sh") {
+        said += &run(&folder, block, &readme);
     }
+    assert!(folder.join("ball.svg").exists() && folder.join("slow_motion.svg").exists());
+    // The lines of the table: name, value and the last words of the meaning.
+    let [table] = blocks(&readme, "text")[..] else { panic!("one table") };
+    for line in table.lines() {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let has = |row: &str| words.iter().all(|word| row.contains(word));
+        assert!(said.lines().any(has), "{line}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_warning_that_a_page_does_not_show_is_found() {
+    let folder = shelf();
+    let warns = "carom impact examples/rubber_on_table.toml --plot ball.svg";
+    for shown in ["", "OUTSIDE THE THEORY: elastic waves would carry away more than 10 %"] {
+        assert!(std::panic::catch_unwind(|| run(&folder, warns, shown)).is_err(), "{shown}");
+    }
+    let page = "OUTSIDE THE THEORY: elastic waves would carry away more than 10 %, large contact: a/R exceeds 0.1, \
+                elastic waves would carry away more than 10";
+    run(&folder, warns, page);
 }
 
 #[test]

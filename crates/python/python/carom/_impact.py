@@ -121,9 +121,9 @@ def collide(
     A fixed body that moves, like a racket, does work on the other: then the energies do not balance.
 
     >>> import carom
-    >>> rubber = carom.Material(5e6, 0.5)
-    >>> ball = carom.sphere(0.02, rubber, 0.037, velocity=(1, 0, -3))
-    >>> rebound = carom.collide(ball, carom.plane(carom.RIGID), friction=0.9)
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> ball = carom.sphere(0.01, steel, 0.033, velocity=(0.25, 0, -0.5))
+    >>> rebound = carom.collide(ball, carom.plane(steel), friction=0.2)
     >>> bool(rebound.R_x > 0.1)  # it bounces back
     True
     >>> lost = rebound.energy_before - rebound.energy_after
@@ -163,7 +163,7 @@ def collide_many(
     >>> import carom, numpy as np
     >>> steel = carom.Material(208e9, 0.3)
     >>> ball = carom.sphere(0.01, steel, 0.033)
-    >>> velocities = np.stack([np.linspace(0, 3, 7), np.zeros(7), np.full(7, -2.0)], axis=1)
+    >>> velocities = np.stack([np.linspace(0, 1.5, 7), np.zeros(7), np.full(7, -1.0)], axis=1)
     >>> rebound = carom.collide_many(ball, carom.plane(steel), 0.15, body_1_velocity=velocities)
     >>> rebound.body_1_velocity.shape, rebound.R_x.shape
     ((7, 3), (7,))

@@ -193,7 +193,7 @@ def scene(path: Path, *, points: int = 0) -> Scene:
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
-    >>> _ = path.write_text(carom.cases.new("scene"))
+    >>> _ = path.write_text(carom.cases.new("scene").replace("[0, 0, 0.5]", "[0, 0, 0.1]"))
     >>> scene = carom.cases.scene(path, points=20)
     >>> len(scene.path) % 20, bool(scene.path.time[-1] <= scene.end.time)
     (0, True)

@@ -1,7 +1,7 @@
 //! The fields of `[body_1]`, `[body_2]` and `[ball]`.
 
 use crate::case::field::{AXES, Default, Field, Form, Usual};
-use crate::case::material::MATERIAL;
+use crate::case::material::{MATERIAL, YIELDING};
 use crate::case::range::Range;
 use crate::case::unit::{Dimension, Measure};
 
@@ -149,7 +149,7 @@ pub(super) const ANGLES: Field = Field::new(
 pub(in crate::case) const VELOCITY: Field =
     Field::vector("velocity", Range::Speed.of(Dimension::Speed), "velocity of the centre of mass")
         .may("at rest, or as `[approach]` says")
-        .such_as("[0.5, 0, -1]");
+        .such_as("[0.25, 0, -0.5]");
 pub(super) const SPIN: Field = Field::vector(
     "spin",
     Range::Speed.of(Dimension::Spin),
@@ -161,7 +161,7 @@ pub(super) const SPIN: Field = Field::vector(
 /// All fields of a body.
 pub(super) const FIELDS: &[Field] = &[
     SHAPE, RADIUS, LENGTH, TUBE, SEMI_AXES, EDGES, RADII, POINT, NORMAL, OUTWARD, DIRECTION,
-    MATERIAL, DENSITY, MASS, FIXED, INERTIA, POSITION, QUATERNION, ANGLES, VELOCITY, SPIN,
+    YIELDING, DENSITY, MASS, FIXED, INERTIA, POSITION, QUATERNION, ANGLES, VELOCITY, SPIN,
 ];
 /// Fields of a moving body in a new case.
 pub(super) const MOVING: &[(&Field, &str)] = &[(&DENSITY, ""), (&VELOCITY, ""), (&SPIN, "")];

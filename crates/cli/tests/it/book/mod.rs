@@ -3,7 +3,7 @@
 
 mod gallery;
 
-use crate::common::{folder, stdout};
+use crate::common::{Folder, folder, stdout};
 use carom_cases::case::{CaseKind, Entry, Need};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -47,32 +47,51 @@ fn chapters(folder: &Path) -> Vec<(PathBuf, String)> {
 }
 
 /// The blocks of a language.
-fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
+pub(crate) fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
     let parts = text.split("\n```").skip(1).step_by(2);
     let parts = parts.filter_map(|part| part.split_once('\n'));
     parts.filter(|(head, _)| *head == language).map(|(_, body)| body).collect()
 }
 
-#[test]
+/// A folder with the examples, in which commands of a page run.
 #[cfg(unix)]
-fn the_commands_of_the_book_run_and_draw_its_pictures() {
+pub(crate) fn shelf() -> Folder {
     let folder = folder();
     std::fs::create_dir_all(folder.join("pictures")).unwrap();
     std::os::unix::fs::symlink(root().join("examples"), folder.join("examples")).unwrap();
+    folder
+}
+
+/// Runs a block of commands, which warns of nothing but what the page shows, and what it prints.
+#[cfg(unix)]
+pub(crate) fn run(folder: &Path, block: &str, page: &str) -> String {
     let carom = Path::new(env!("CARGO_BIN_EXE_carom"));
     let path = std::env::var("PATH").unwrap_or_default();
     let path = format!("{}:{path}", carom.parent().unwrap().display());
+    let mut shell = Command::new("sh");
+    shell.args(["-e", "-c", block]).current_dir(folder).env("PATH", path);
+    let output = shell.output().unwrap();
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{block}: {stderr}");
+    for warning in stderr.lines().filter_map(|line| line.strip_prefix("warning: ")) {
+        // Up to its first number, which may differ in a digit elsewhere.
+        let head = warning.split(|letter: char| letter.is_ascii_digit()).next().unwrap();
+        assert!(
+            page.contains(head),
+            "the page does not show what this warns of: {block}: {warning}"
+        );
+    }
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+#[cfg(unix)]
+fn the_commands_of_the_book_run_and_draw_its_pictures() {
+    let folder = shelf();
     let mut count = 0;
-    for (chapter, text) in chapters(&sources()) {
+    for (_, text) in chapters(&sources()) {
         for block in blocks(&text, "sh") {
-            let output = Command::new("sh")
-                .args(["-e", "-c", block])
-                .current_dir(&folder)
-                .env("PATH", &path)
-                .output()
-                .unwrap();
-            let stderr = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{}: {block}: {stderr}", chapter.display());
+            run(&folder, block, &text);
             count += block.lines().filter(|line| line.contains("carom ")).count();
         }
     }
