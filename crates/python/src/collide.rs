@@ -14,6 +14,7 @@ use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
 use crate::error::Fault;
 use crate::friction::{Beside, checked};
+use crate::quantities::{In, Normal, Row, Tolerance};
 use crate::records::{self, arrays};
 use crate::room;
 use crate::told::{Told, of_impacts};
@@ -33,11 +34,12 @@ struct Way {
 
 impl Way {
     fn new(
-        normal: Option<[f64; 3]>,
+        normal: Option<Row<Normal, 3>>,
         torsion: Option<bool>,
         law: &str,
-        tolerance: Option<f64>,
+        tolerance: Option<In<Tolerance>>,
     ) -> PyResult<Self> {
+        let (normal, tolerance) = (normal.map(|normal| normal.0), tolerance.map(|given| given.0));
         let torsion = torsion.into();
         let law = law.parse();
         let law = law.map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
@@ -82,10 +84,10 @@ pub(crate) fn collide<'py>(
     body_2: Body,
     friction: f64,
     beside: Beside,
-    normal: Option<[f64; 3]>,
+    normal: Option<Row<Normal, 3>>,
     torsion: Option<bool>,
     law: &str,
-    tolerance: Option<f64>,
+    tolerance: Option<In<Tolerance>>,
     loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
@@ -107,10 +109,10 @@ pub(crate) fn collide_many<'py>(
     friction: Numbers<'py>,
     beside: Beside,
     motions: [Rows<'py>; 4],
-    normal: Option<[f64; 3]>,
+    normal: Option<Row<Normal, 3>>,
     torsion: Option<bool>,
     law: &str,
-    tolerance: Option<f64>,
+    tolerance: Option<In<Tolerance>>,
     loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
@@ -145,9 +147,9 @@ pub(crate) fn history<'py>(
     friction: f64,
     beside: Beside,
     points: usize,
-    normal: Option<[f64; 3]>,
+    normal: Option<Row<Normal, 3>>,
     law: &str,
-    tolerance: Option<f64>,
+    tolerance: Option<In<Tolerance>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let way = Way::new(normal, None, law, tolerance)?;
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;

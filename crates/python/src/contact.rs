@@ -5,9 +5,12 @@ use carom::prelude::{ContactLoad, RangeError};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
 
-use crate::arrays::{Numbers, same_length};
+use crate::arrays::same_length;
 use crate::error::Fault;
 use crate::hertz::Given;
+use crate::quantities::{
+    Angle, Argument, Eta, Friction, In, Omega, R, StaticFriction, Tolerance, Xi, Zeta, line,
+};
 use crate::show::{self, Quantity, repr};
 use crate::walked::{Arguments, Constants, VERTICES, Walked};
 
@@ -52,20 +55,20 @@ impl Contact {
     #[new]
     #[pyo3(
         signature = (
-            stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, static_friction=None, *, heat=true
+            stiffness, friction, law="coulomb".to_owned(), tolerance=In::of(1e-3), static_friction=None, *, heat=true
         ),
         text_signature =
             "(stiffness, friction, law='coulomb', tolerance=0.001, static_friction=None, *, heat=True)"
     )]
     fn new(
         stiffness: Given,
-        friction: f64,
+        friction: In<Friction>,
         law: String,
-        tolerance: f64,
-        static_friction: Option<f64>,
+        tolerance: In<Tolerance>,
+        static_friction: Option<In<StaticFriction>>,
         heat: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { given: stiffness, friction, law, tolerance, static_friction };
+        let constants = Constants::new(stiffness, friction, law, tolerance, static_friction);
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
         Ok(Self { constants, law })
     }
@@ -75,9 +78,18 @@ impl Contact {
     /// zeta is the approach, xi and eta are the shifts of body 2 against body 1 along x and y, omega is the
     /// twist about the normal in radians, for law 'rings' only: u = xi + y omega. A zeta that is not positive
     /// separates the bodies, and the history is lost. A failed step leaves the contact as it was.
-    #[pyo3(signature = (zeta, xi=0.0, eta=0.0, omega=0.0))]
-    fn advance(&mut self, zeta: f64, xi: f64, eta: f64, omega: f64) -> PyResult<(f64, f64, f64)> {
-        let shift = Shift { zeta, xi, eta, omega };
+    #[pyo3(
+        signature = (zeta, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO),
+        text_signature = "($self, zeta, xi=0.0, eta=0.0, omega=0.0)"
+    )]
+    fn advance(
+        &mut self,
+        zeta: In<Zeta>,
+        xi: In<Xi>,
+        eta: In<Eta>,
+        omega: In<Omega>,
+    ) -> PyResult<(f64, f64, f64)> {
+        let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
         Ok(triple(self.law.advance(shift).map_err(Fault::from)?))
     }
 
@@ -96,15 +108,10 @@ impl Contact {
         eta: Option<&Bound<'py, PyAny>>,
         omega: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let zeta = line("zeta", zeta)?;
-        let across = |name, given: Option<&Bound<'py, PyAny>>| {
-            let Some(given) = given else { return Ok(vec![0.0; zeta.len()]) };
-            let line = line(name, given)?;
-            same_length(name, line.len(), zeta.len())?;
-            PyResult::Ok(line)
-        };
+        let zeta = path::<Zeta>(zeta)?;
         let width = if omega.is_some() { 4 } else { 3 };
-        let (xi, eta, omega) = (across("xi", xi)?, across("eta", eta)?, across("omega", omega)?);
+        let (xi, eta) = (across::<Xi>(xi, zeta.len())?, across::<Eta>(eta, zeta.len())?);
+        let omega = across::<Omega>(omega, zeta.len())?;
         let mut law = self.law.clone();
         let walk = || -> Result<(Walked, Vec<f64>), Fault> {
             let mut loads = Vec::with_capacity(width * zeta.len());
@@ -183,15 +190,15 @@ impl Contact {
     /// The traction over the friction limit at the centre of the contact, as a function of the elliptical
     /// radius r = sqrt(x^2/a^2 + y^2/b^2); None without friction or with infinite friction. Not for law
     /// 'rings'.
-    fn traction(&self, r: f64) -> PyResult<Option<(f64, f64)>> {
-        Ok(self.law.shift_law()?.traction(r * r).map(|[x, y]| (x, y)))
+    fn traction(&self, r: In<R>) -> PyResult<Option<(f64, f64)>> {
+        Ok(self.law.shift_law()?.traction(r.0 * r.0).map(|[x, y]| (x, y)))
     }
 
     /// Rotates the contact axes by an angle (radians, from x to y); the state is transformed to the new axes.
     /// Not for law 'rings'.
-    fn turn_frame(&mut self, angle: f64) -> PyResult<()> {
-        RangeError::finite("angle", angle).map_err(Fault::from)?;
-        self.law.turn_frame(angle)
+    fn turn_frame(&mut self, angle: In<Angle>) -> PyResult<()> {
+        RangeError::finite("angle", angle.0).map_err(Fault::from)?;
+        self.law.turn_frame(angle.0)
     }
 
     fn __copy__(&self) -> Self {
@@ -227,11 +234,17 @@ impl Contact {
     }
 }
 
-/// A one-dimensional array of real numbers, from any Python object.
-fn line(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-    let read = given.py().import("carom._arrays")?.call_method1("path", (name, given))?;
-    let numbers: Numbers<'_> = read.extract()?;
-    Ok(numbers.as_slice()?.to_vec())
+/// The numbers of a path.
+fn path<A: Argument>(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    line(A::NAME, given, A::UNIT)
+}
+
+/// As many numbers, or zeros.
+fn across<A: Argument>(given: Option<&Bound<'_, PyAny>>, count: usize) -> PyResult<Vec<f64>> {
+    let Some(given) = given else { return Ok(vec![0.0; count]) };
+    let line = path::<A>(given)?;
+    same_length(A::NAME, line.len(), count)?;
+    Ok(line)
 }
 
 fn triple(ContactLoad { f_x, f_y, f_z, .. }: ContactLoad) -> (f64, f64, f64) {

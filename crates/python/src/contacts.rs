@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use crate::arrays::{Numbers, Rows, same_length};
 use crate::error::Fault;
 use crate::hertz::Given;
+use crate::quantities::{Friction, In, StaticFriction, Tolerance};
 use crate::room;
 use crate::threads::without_python;
 use crate::walked::{Constants, Member, check};
@@ -54,21 +55,21 @@ pub(crate) struct Contacts {
 impl Contacts {
     #[new]
     #[pyo3(signature = (
-        count, stiffness, friction, law="coulomb".to_owned(), tolerance=1e-2, static_friction=None, directions=2,
+        count, stiffness, friction, law="coulomb".to_owned(), tolerance=In::of(1e-2), static_friction=None, directions=2,
         threads=false
     ))]
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         count: usize,
         stiffness: Given,
-        friction: f64,
+        friction: In<Friction>,
         law: String,
-        tolerance: f64,
-        static_friction: Option<f64>,
+        tolerance: In<Tolerance>,
+        static_friction: Option<In<StaticFriction>>,
         directions: i64,
         threads: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { given: stiffness, friction, law, tolerance, static_friction };
+        let constants = Constants::new(stiffness, friction, law, tolerance, static_friction);
         let laws = match directions {
             1 => Laws::Line(equal(&constants.law()?, count)?),
             2 if constants.is_of_rings() => Laws::Rings(equal(&constants.rings()?, count)?),

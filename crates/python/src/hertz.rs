@@ -10,6 +10,7 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, map};
 use crate::error::Fault;
 use crate::materials::MaterialPair;
+use crate::quantities::{Angle, CurvatureA, CurvatureB, In, Radii1, Radii2, Row, Stiffness};
 use crate::records::arrays;
 use crate::show::{self, Quantity, repr};
 
@@ -39,8 +40,12 @@ impl PartialEq for Hertz {
 impl Hertz {
     /// The contact of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
     #[new]
-    fn new(materials: MaterialPair, curvature_a: f64, curvature_b: f64) -> PyResult<Self> {
-        let gap = RelativeCurvature::from_coefficients(curvature_a, curvature_b);
+    fn new(
+        materials: MaterialPair,
+        curvature_a: In<CurvatureA>,
+        curvature_b: In<CurvatureB>,
+    ) -> PyResult<Self> {
+        let gap = RelativeCurvature::from_coefficients(curvature_a.0, curvature_b.0);
         let hertz = Contact::new(gap.map_err(Fault::from)?, materials.0);
         Ok(Self(hertz.map_err(Fault::from)?))
     }
@@ -50,14 +55,14 @@ impl Hertz {
     #[staticmethod]
     fn of_radii(
         materials: MaterialPair,
-        radii_1: [f64; 2],
-        radii_2: [f64; 2],
-        angle: f64,
+        radii_1: Row<Radii1, 2>,
+        radii_2: Row<Radii2, 2>,
+        angle: In<Angle>,
     ) -> PyResult<Self> {
         let make = || -> Result<Contact, Fault> {
-            let one = PrincipalRadii::new(radii_1[0], radii_1[1])?;
-            let two = PrincipalRadii::new(radii_2[0], radii_2[1])?;
-            let gap = RelativeCurvature::new(one, two, angle)?;
+            let one = PrincipalRadii::new(radii_1.0[0], radii_1.0[1])?;
+            let two = PrincipalRadii::new(radii_2.0[0], radii_2.0[1])?;
+            let gap = RelativeCurvature::new(one, two, angle.0)?;
             Ok(Contact::new(gap, materials.0)?)
         };
         Ok(Self(make()?))
@@ -91,6 +96,7 @@ impl Hertz {
     }
 
     /// The loaded contact for given values of "force", "approach", "semi_axis_a" or "semi_axis_b".
+    #[pyo3(name = "_state")]
     fn state<'py>(
         &self,
         py: Python<'py>,
@@ -152,9 +158,9 @@ impl<'py> FromPyObject<'_, 'py> for Given {
         if let Ok(hertz) = given.extract::<Hertz>() {
             return Ok(Self::Hertz(hertz));
         }
-        let [c_x, c_y, c_z] = given.extract::<[f64; 3]>().map_err(|_| {
-            PyValueError::new_err("stiffness: must be a Hertz contact or (c_x, c_y, c_z)")
-        })?;
+        let wrong = |error: String| PyValueError::new_err(format!("{error}; or a Hertz contact"));
+        let three = given.extract::<Row<Stiffness, 3>>();
+        let [c_x, c_y, c_z] = three.map_err(|error| wrong(error.value(given.py()).to_string()))?.0;
         Ok(Self::Stiffness(ContactStiffness::new(c_x, c_y, c_z).map_err(Fault::from)?))
     }
 }

@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 use crate::arrays::{Numbers, of_one};
 use crate::error::Fault;
 use crate::hertz::Hertz;
+use crate::quantities::{self, Eta, In, Omega, Xi, Zeta};
 use crate::show::repr;
 
 /// A contact that twists about its normal: Lubkin's solution with memory. An elliptical contact is
@@ -30,16 +31,17 @@ pub(crate) struct Twist {
 #[pymethods]
 impl Twist {
     #[new]
-    fn new(hertz: Hertz, friction: f64) -> PyResult<Self> {
+    fn new(hertz: Hertz, friction: In<quantities::Friction>) -> PyResult<Self> {
+        let friction = friction.0;
         let law = Accounted::new(torsion(&hertz, friction)?);
         Ok(Self { hertz, friction, law })
     }
 
     /// Moves the contact straight to a new approach (m) and twist (radians) and returns (M_z, F_z), N m and
     /// N.
-    #[pyo3(signature = (zeta, omega=0.0))]
-    fn advance(&mut self, zeta: f64, omega: f64) -> PyResult<(f64, f64)> {
-        let shift = Shift { zeta, omega, ..Shift::default() };
+    #[pyo3(signature = (zeta, omega=In::ZERO), text_signature = "($self, zeta, omega=0.0)")]
+    fn advance(&mut self, zeta: In<Zeta>, omega: In<Omega>) -> PyResult<(f64, f64)> {
+        let shift = Shift { zeta: zeta.0, omega: omega.0, ..Shift::default() };
         let load = self.law.advance(shift).map_err(Fault::from)?;
         Ok((load.m_z, load.f_z))
     }
@@ -135,7 +137,8 @@ fn numbers_of(law: &TorsionLaw) -> Result<Vec<f64>, Fault> {
 #[pymethods]
 impl ShiftTwist {
     #[new]
-    fn new(hertz: Hertz, friction: f64) -> PyResult<Self> {
+    fn new(hertz: Hertz, friction: In<quantities::Friction>) -> PyResult<Self> {
+        let friction = friction.0;
         let friction_law = Friction::new(friction).map_err(Fault::from)?;
         let law = ShiftTwistLaw::new(&hertz.0, friction_law).map_err(Fault::from)?;
         Ok(Self { hertz, friction, law: Accounted::new(law) })
@@ -143,15 +146,19 @@ impl ShiftTwist {
 
     /// Moves the contact straight to a new shift (m) and twist (radians) and returns (F_x, F_y, F_z, M_z), N
     /// and N m.
-    #[pyo3(signature = (zeta, xi=0.0, eta=0.0, omega=0.0))]
+    #[pyo3(
+        signature = (zeta, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO),
+        text_signature = "($self, zeta, xi=0.0, eta=0.0, omega=0.0)"
+    )]
     fn advance(
         &mut self,
-        zeta: f64,
-        xi: f64,
-        eta: f64,
-        omega: f64,
+        zeta: In<Zeta>,
+        xi: In<Xi>,
+        eta: In<Eta>,
+        omega: In<Omega>,
     ) -> PyResult<(f64, f64, f64, f64)> {
-        let load = self.law.advance(Shift { zeta, xi, eta, omega }).map_err(Fault::from)?;
+        let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
+        let load = self.law.advance(shift).map_err(Fault::from)?;
         Ok((load.f_x, load.f_y, load.f_z, load.m_z))
     }
 

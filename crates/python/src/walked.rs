@@ -16,6 +16,7 @@ use pyo3::prelude::*;
 use crate::error::Fault;
 use crate::friction::with_threshold;
 use crate::hertz::Given;
+use crate::quantities::{self, In, StaticFriction};
 
 /// Capacity of the history of one contact, in load reversals.
 pub(crate) const VERTICES: usize = 64;
@@ -43,6 +44,17 @@ pub(crate) struct Constants {
 pub(crate) type Arguments = (Given, f64, String, f64, Option<f64>);
 
 impl Constants {
+    pub(crate) fn new(
+        given: Given,
+        friction: In<quantities::Friction>,
+        law: String,
+        tolerance: In<quantities::Tolerance>,
+        static_friction: Option<In<StaticFriction>>,
+    ) -> Self {
+        let static_friction = static_friction.map(|friction| friction.0);
+        Self { given, friction: friction.0, law, tolerance: tolerance.0, static_friction }
+    }
+
     pub(crate) fn is_of_rings(&self) -> bool {
         self.law == RINGS
     }

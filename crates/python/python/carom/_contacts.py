@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom, _show
-from ._arrays import counted, line, numbers, spread
+from ._arrays import counted, line, number, numbers, spread
+from ._quantities import bare
 from ._carom import Hertz
 from ._types import Array
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+UNITS = {"zeta": "m", "xi": "m", "eta": "m", "omega": "rad"}
 
 
 class Contacts:
@@ -51,10 +54,11 @@ class Contacts:
         directions: int = 2,
         threads: bool = False,
     ) -> None:
+        ways = counted("directions", directions)
         self._native = _carom.Contacts(
-            counted("count", count), stiffness, friction, law, tolerance, static_friction, directions, threads
+            counted("count", count), stiffness, friction, law, tolerance, static_friction, ways, threads
         )
-        self._about = (stiffness, float(friction), law, directions)
+        self._about = (stiffness, number("friction", friction), law, ways)
 
     def __len__(self) -> int:
         return len(self._native)
@@ -73,7 +77,7 @@ class Contacts:
         """
 
         def column(name: str, shift: ArrayLike) -> Array:
-            return spread(name, shift, (len(self),)).reshape(-1, 1)
+            return spread(name, shift, (len(self),), UNITS[name]).reshape(-1, 1)
 
         across = None if eta is None else column("eta", eta)
         twist = None if omega is None else column("omega", omega)
@@ -96,14 +100,14 @@ class Contacts:
         told = {"zeta": zeta, "xi": xi} | {
             name: shift for name, shift in (("eta", eta), ("omega", omega)) if shift is not None
         }
-        given = {name: numbers(name, v) for name, v in told.items()}
+        given = {name: numbers(name, v, UNITS[name]) for name, v in told.items()}
         lengths = (v.shape[-1] for v in given.values() if v.ndim)
         steps = next((length for length in lengths if length != 1), 1)
         shape = (len(self), steps)
         paths = {name: line(spread(name, v, shape)) for name, v in given.items()}
         whole = shape + (3 if omega is None else 4,)
         loads = np.empty(whole) if out is None else out
-        fits = isinstance(loads, np.ndarray) and loads.shape == whole and loads.dtype == np.float64
+        fits = isinstance(loads, np.ndarray) and bare("out", loads, "N") is loads and loads.shape == whole and loads.dtype == np.float64
         if not fits or not loads.flags.carray:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {whole}")
         if any(np.may_share_memory(loads, way) for way in paths.values()):

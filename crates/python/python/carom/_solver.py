@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carom, _show
-from ._arrays import blocks, counted, line, numbers, two
+from ._arrays import blocks, counted, counts, line, number, numbers, two
 from ._carom import MaterialPair, Plate
 from ._records import SolverStep
 from ._types import Array
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
+UNITS = {"zeta": "m", "xi": "m", "eta": "m", "omega": "rad", "F_z": "N", "F_x": "N", "F_y": "N", "M_z": "N*m"}
 FIELDS = ("pressure", "traction_x", "traction_y", "displacement_x", "displacement_y")
 
 
@@ -33,11 +34,9 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
     >>> x[0]
     array([-1.5, -0.5,  0.5,  1.5])
     """
-    if np.shape(shape) != (2,):
-        raise ValueError(f"shape: must be (ny, nx), not {str(shape):.60}")
-    ny, nx = (counted("shape", n) for n in shape)
+    ny, nx = counts("shape", shape, "(ny, nx)")
     counted("shape", nx * ny, 2 * 8)
-    width, height = two("size", size)
+    width, height = two("size", size, "m")
     if not (0 < width < np.inf and 0 < height < np.inf):
         raise ValueError(f"size: must be finite and > 0, not {(width, height)}")
     x = (np.arange(nx) - 0.5 * (nx - 1)) * (width / max(nx, 1))
@@ -92,15 +91,15 @@ class Solver:
         plate: Plate | None = None,
         influence: Mapping[str, ArrayLike] | None = None,
     ) -> None:
-        heights = numbers("gap", gap).copy()
+        heights = numbers("gap", gap, "m").copy()
         if heights.ndim != 2:
             raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
         ny, nx = heights.shape
         fine = numbers("friction", friction)
         if fine.shape not in ((), (ny, nx)):
             raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
-        self._gap, self._size, self._materials = heights, two("size", size), materials
-        self._friction, self._tolerance, self._cut = fine, float(tolerance), bool(cut)
+        self._gap, self._size, self._materials = heights, two("size", size, "m"), materials
+        self._friction, self._tolerance, self._cut = fine, number("tolerance", tolerance), bool(cut)
         self._plate = plate
         if plate is not None and influence is not None:
             raise ValueError("plate and influence are both given: give one of them")
@@ -135,7 +134,8 @@ class Solver:
             if shift is not None and load is not None:
                 raise ValueError(f"{names[0]} and {names[1]}: only one of them can be given")
             if shift is not None or load is not None:
-                given[i] = (load is not None, float(shift if load is None else load))  # type: ignore[arg-type]
+                name = names[load is not None]
+                given[i] = (load is not None, number(name, shift if load is None else load, UNITS[name]))
         columns = self._native.step(given)
         self._given = given
         return SolverStep._of(columns)
@@ -218,7 +218,8 @@ class Solver:
             raise ValueError("stress: is that of half-spaces, and unknown beside influence numbers")
         if self._plate is not None and body == 2:
             raise ValueError("body = 2: must be 1 beside a plate; stresses are those of a half-space")
-        arrays = np.broadcast_arrays(*(numbers(n, a) for n, a in zip("xyz", (x, y, z), strict=True)))
+        body = counted("body", body)
+        arrays = np.broadcast_arrays(*(numbers(n, a, "m") for n, a in zip("xyz", (x, y, z), strict=True)))
         material = (self._materials.material_1, self._materials.material_2)[body == 2]
         stress = self._native.stress(material, body, *(line(a) for a in arrays))
         return stress.reshape((*arrays[0].shape, 6))

@@ -24,6 +24,7 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 
 use crate::error::{CaromError, Fault};
+use crate::quantities::{Accuracy, In};
 use crate::records::arrays;
 use crate::threads::without_python;
 use crate::told::{Told, heeded, of_impacts};
@@ -62,7 +63,7 @@ pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_,
 pub(crate) fn case_solve<'py>(
     py: Python<'py>,
     path: PathBuf,
-    accuracy: Option<f64>,
+    accuracy: Option<In<Accuracy>>,
 ) -> PyResult<(
     Bound<'py, PyDict>,
     [Bound<'py, PyArray1<f64>>; 2],
@@ -71,6 +72,7 @@ pub(crate) fn case_solve<'py>(
     Told,
     Vec<String>,
 )> {
+    let accuracy = accuracy.map(|accuracy| accuracy.0);
     let solved = without_python(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
     let solved = solved.map_err(raised)?;
     let (mut left, mut is_left) = heeded(solved.heed(), "steps");
