@@ -137,7 +137,7 @@ fn told<'py>(py: Python<'py>, outcomes: &[Outcome]) -> PyResult<(Bound<'py, PyDi
     Ok((arrays(py, Outcome::COLUMNS, outcomes)?, of_impacts(outcomes)))
 }
 
-/// The history of a collision at equally spaced instants.
+/// The history of a collision at equally spaced instants; also gives its warnings.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn history<'py>(
@@ -150,12 +150,14 @@ pub(crate) fn history<'py>(
     normal: Option<Row<Normal, 3>>,
     law: &str,
     tolerance: Option<In<Tolerance>>,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, None, law, tolerance)?;
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let trace = || -> Result<Vec<HistoryPoint>, Fault> {
-        Ok(way.law.history(&way.collision(one, two, checked(friction, beside)?)?, points)?)
+    let trace = || -> Result<(Vec<HistoryPoint>, Outcome), Fault> {
+        let collision = way.collision(one, two, checked(friction, beside)?)?;
+        Ok((way.law.history(&collision, points)?, way.law.solve(&collision)?))
     };
-    arrays(py, HistoryPoint::COLUMNS, &py.detach(trace)?)
+    let (course, outcome) = py.detach(trace)?;
+    Ok((arrays(py, HistoryPoint::COLUMNS, &course)?, of_impacts(&[outcome])))
 }

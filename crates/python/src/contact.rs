@@ -12,6 +12,7 @@ use crate::quantities::{
     Angle, Argument, Eta, Friction, In, Omega, R, StaticFriction, Tolerance, Xi, Zeta, line,
 };
 use crate::show::{self, Quantity, repr};
+use crate::told::Watch;
 use crate::walked::{Arguments, Constants, VERTICES, Walked};
 
 const QUANTITIES: &[Quantity] = &[
@@ -48,6 +49,7 @@ const QUANTITIES: &[Quantity] = &[
 pub(crate) struct Contact {
     constants: Constants,
     law: Walked,
+    watch: Watch,
 }
 
 #[pymethods]
@@ -70,7 +72,8 @@ impl Contact {
     ) -> PyResult<Self> {
         let constants = Constants::new(stiffness, friction, law, tolerance, static_friction);
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
-        Ok(Self { constants, law })
+        let watch = constants.watch()?;
+        Ok(Self { constants, law, watch })
     }
 
     /// Moves the contact straight to a new shift (m) and returns the load (F_x, F_y, F_z), N.
@@ -84,13 +87,15 @@ impl Contact {
     )]
     fn advance(
         &mut self,
+        py: Python<'_>,
         zeta: In<Zeta>,
         xi: In<Xi>,
         eta: In<Eta>,
         omega: In<Omega>,
     ) -> PyResult<(f64, f64, f64)> {
         let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
-        Ok(triple(self.law.advance(shift).map_err(Fault::from)?))
+        let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
+        Ok(triple(load))
     }
 
     /// Moves the contact along a path and returns the loads (F_x, F_y, F_z) at each of its points, an array
@@ -123,6 +128,8 @@ impl Contact {
             Ok((law, loads))
         };
         let (law, loads) = py.detach(walk)?;
+        let greatest = zeta.iter().copied().fold(0.0, f64::max);
+        self.watch.see(py, &[greatest], 1, 2)?;
         self.law = law;
         PyArray1::from_vec(py, loads).reshape([zeta.len(), width])
     }

@@ -15,6 +15,7 @@ use crate::hertz::Given;
 use crate::quantities::{Friction, In, StaticFriction, Tolerance};
 use crate::room;
 use crate::threads::without_python;
+use crate::told::Watch;
 use crate::walked::{Constants, Member, check};
 
 /// Capacity of the history of each contact, in load reversals.
@@ -49,6 +50,7 @@ pub(crate) struct Contacts {
     constants: Constants,
     threads: bool,
     laws: Laws,
+    watch: Watch,
 }
 
 #[pymethods]
@@ -79,7 +81,8 @@ impl Contacts {
                 return Err(PyValueError::new_err(text));
             }
         };
-        Ok(Self { constants, threads, laws })
+        let watch = constants.watch()?;
+        Ok(Self { constants, threads, laws, watch })
     }
 
     fn __len__(&self) -> usize {
@@ -113,9 +116,11 @@ impl Contacts {
         let path = Path { eta: eta.unwrap_or(&[]), omega: omega.unwrap_or(&[]), ..path };
         let loads = loads.as_slice_mut()?;
         same_length("loads", loads.len(), path.width() * count)?;
+        of_any!(&self.laws, laws => path.check(laws)?);
+        self.watch.see(py, path.zeta, steps, 4)?;
         let threads = self.threads;
         let laws = &mut self.laws;
-        without_python(py, || of_any!(laws, laws => path.follow(laws, loads, threads)))?;
+        without_python(py, || of_any!(laws, laws => path.follow(laws, loads, threads)));
         Ok(())
     }
 
@@ -152,7 +157,8 @@ impl Contacts {
             Laws::Plane(laws) => Laws::Plane(copied(laws)?),
             Laws::Rings(laws) => Laws::Rings(copied(laws)?),
         };
-        Ok(Self { constants: self.constants.clone(), threads: self.threads, laws })
+        let (constants, watch) = (self.constants.clone(), self.watch.clone());
+        Ok(Self { constants, threads: self.threads, laws, watch })
     }
 
     fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
@@ -209,18 +215,16 @@ impl Path<'_> {
         if self.omega.is_empty() { 3 } else { 4 }
     }
 
-    /// Advances all contacts along their paths; if a shift is out of range, none is advanced.
-    fn follow<L: Member>(
-        &self,
-        laws: &mut [L],
-        loads: &mut [f64],
-        threads: bool,
-    ) -> Result<(), Fault> {
-        if let Some(law) = laws.first() {
-            (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))?;
-        }
+    /// Checks that no shift is out of range.
+    fn check<L: Member>(&self, laws: &[L]) -> Result<(), Fault> {
+        let Some(law) = laws.first() else { return Ok(()) };
+        (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))
+    }
+
+    /// Advances all contacts along their paths, which are checked.
+    fn follow<L: Member>(&self, laws: &mut [L], loads: &mut [f64], threads: bool) {
         if self.steps == 0 {
-            return Ok(());
+            return;
         }
         let (steps, width) = (self.steps, self.width());
         let walk = |(contact, (law, loads)): (usize, (&mut L, &mut [f64]))| {
@@ -242,7 +246,6 @@ impl Path<'_> {
                 laws.zip(loads.par_chunks_exact_mut(width * steps)).enumerate().for_each(walk);
             }
         }
-        Ok(())
     }
 }
 

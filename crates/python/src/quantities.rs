@@ -54,6 +54,7 @@ arguments! {
     SideA "a" "m",
     SideB "b" "m",
     Sizes "sizes" "m",
+    SmallestRadius "smallest_radius" "m",
     Spin "spin" "rad/s",
     StaticFriction "static_friction" "",
     StickRadius "stick_radius" "",

@@ -17,6 +17,7 @@ use crate::error::Fault;
 use crate::friction::with_threshold;
 use crate::hertz::Given;
 use crate::quantities::{self, In, StaticFriction};
+use crate::told::Watch;
 
 /// Capacity of the history of one contact, in load reversals.
 pub(crate) const VERTICES: usize = 64;
@@ -95,8 +96,14 @@ impl Constants {
         if self.is_of_rings() {
             return Ok(Some(0.0));
         }
-        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        let friction = self.static_friction.unwrap_or(self.friction);
+        let friction = Friction::new(friction).map_err(Fault::from)?;
         Ok(Some(coupling_bound(hertz.0.materials().gamma(), friction)))
+    }
+
+    /// What tells where the contact leaves the theory.
+    pub(crate) fn watch(&self) -> PyResult<Watch> {
+        Ok(Watch::new(&self.given, self.coupling_bound()?))
     }
 
     /// Number of numbers of a packed state; without slip a stored load reversal takes more of them.

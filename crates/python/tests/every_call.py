@@ -141,7 +141,8 @@ CALLS = {
         Call(carom.Contacts.follow, PATH | {"out": In(np.zeros((2, 2, 4)), "N")},
              lambda **given: carom.Contacts(2, HERTZ, 0.3, law="rings").follow(**given)),
     ],
-    "Hertz": [Call(carom.Hertz, {"materials": PAIR, "curvature_a": In(50.0, "1/m"), "curvature_b": In(40.0, "1/m")})],
+    "Hertz": [Call(carom.Hertz, {"materials": PAIR, "curvature_a": In(50.0, "1/m"), "curvature_b": In(40.0, "1/m"),
+                                    "smallest_radius": In(0.01, "m")})],
     "Hertz.of_radii": [
         Call(carom.Hertz.of_radii, {"materials": PAIR, "radii_1": In([0.1, 0.2], "m"), "radii_2": In([0.3, 0.4], "m"), "angle": In(0.2, "rad")}),
     ],
@@ -268,8 +269,12 @@ def drawn(plot, given):
     import matplotlib
 
     matplotlib.use("Agg")
+    from matplotlib import pyplot
+
     axes = plot(**given)
-    return [line.get_xydata() for line in axes.lines]
+    curves = [line.get_xydata() for line in axes.lines]
+    pyplot.close(axes.figure)
+    return curves
 
 
 def public():

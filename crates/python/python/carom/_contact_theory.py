@@ -14,6 +14,7 @@ from ._arrays import line, number, numbers, over
 from ._carom import Hertz, Material, MaterialPair
 from ._records import DissimilarRestitution, DissimilarRestitutions, HertzState, HertzStates
 from ._types import Array, Number, Numbers, Several, of_one
+from ._validity import warn
 
 Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
 
@@ -76,7 +77,8 @@ def hertz(
         raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
     ((name, values),) = given
     plain = numbers(name, values, HertzState.units[name])
-    columns = contact._state(name, line(plain))
+    columns, exceeded = contact._state(name, line(plain))
+    warn(exceeded)
     return HertzStates._either(columns, plain.shape)  # type: ignore[no-any-return]
 
 
@@ -278,7 +280,8 @@ def stress(
     """
     arrays = np.broadcast_arrays(*(numbers(n, v, "m") for n, v in zip("xyz", (x, y, z), strict=True)))
     points = [line(v) for v in arrays]
-    values = _carom.stress(semi_axes, material, pressure, traction, stick_radius, *points)
+    values, exceeded = _carom.stress(semi_axes, material, pressure, traction, stick_radius, *points)
+    warn(exceeded)
     return values.reshape(arrays[0].shape + (6,))
 
 

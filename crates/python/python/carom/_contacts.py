@@ -81,7 +81,7 @@ class Contacts:
 
         across = None if eta is None else column("eta", eta)
         twist = None if omega is None else column("omega", omega)
-        return self.follow(column("zeta", zeta), column("xi", xi), across, twist)[:, 0]
+        return self._follow(column("zeta", zeta), column("xi", xi), across, twist, None)[:, 0]
 
     def follow(
         self,
@@ -97,6 +97,12 @@ class Contacts:
         If one shift is out of range, no contact is advanced. The loads are written into `out`, if given.
         With `omega`, for law 'rings' only, they include M_z after the forces: (n, steps, 4).
         """
+        return self._follow(zeta, xi, eta, omega, out)
+
+    def _follow(
+        self, zeta: ArrayLike, xi: ArrayLike, eta: ArrayLike | None, omega: ArrayLike | None, out: Array | None
+    ) -> Array:
+        """Moves along paths, one function below the call of the user, to which warnings point."""
         told = {"zeta": zeta, "xi": xi} | {
             name: shift for name, shift in (("eta", eta), ("omega", omega)) if shift is not None
         }

@@ -12,6 +12,7 @@ from ._arrays import counts, line, numbers
 from ._carom import Hertz
 from ._records import FastsimForce, FastsimForces, LinearCreep, LinearCreeps
 from ._types import Number, Several
+from ._validity import warn
 
 
 @overload
@@ -172,5 +173,6 @@ def fastsim(
     given = (numbers(*one) for one in zip(names, values, units, strict=True))
     arrays = np.broadcast_arrays(*given)
     pair = counts("mesh", mesh, "two numbers")
-    columns = _carom.fastsim(contact, [line(array) for array in arrays], pair)
+    columns, exceeded = _carom.fastsim(contact, [line(array) for array in arrays], pair)
+    warn(exceeded)
     return FastsimForces._either(columns, arrays[0].shape)  # type: ignore[no-any-return]

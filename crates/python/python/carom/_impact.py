@@ -218,5 +218,6 @@ def history(
     along = _along(body_1, body_2, normal)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
+    columns, exceeded = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
+    warn(exceeded)
     return HistoryPoints._shaped(columns, (len(columns["time"]),))
