@@ -17,6 +17,7 @@ use crate::friction::{Beside, checked};
 use crate::quantities::{In, Normal, Row, Tolerance};
 use crate::records::{self, arrays};
 use crate::room;
+use crate::threads::without_python;
 use crate::told::{Told, of_impacts};
 
 /// Least number of impacts for a thread: an exact impact takes some microseconds, a stepped one much longer.
@@ -95,7 +96,7 @@ pub(crate) fn collide<'py>(
     let solve = || -> Result<Outcome, Fault> {
         Ok(way.law.solve(&way.collision(one, two, checked(friction, beside)?)?)?)
     };
-    told(py, &[py.detach(solve)?])
+    told(py, &[without_python(py, solve)??])
 }
 
 /// Computes the collisions of two bodies for many motions; also gives their warnings. Friction by the slip speed replaces
@@ -158,6 +159,6 @@ pub(crate) fn history<'py>(
         let collision = way.collision(one, two, checked(friction, beside)?)?;
         Ok((way.law.history(&collision, points)?, way.law.solve(&collision)?))
     };
-    let (course, outcome) = py.detach(trace)?;
+    let (course, outcome) = without_python(py, trace)??;
     Ok((arrays(py, HistoryPoint::COLUMNS, &course)?, of_impacts(&[outcome])))
 }

@@ -2,6 +2,7 @@
 
 use carom::laws::law::Shift;
 use carom::prelude::{ContactLoad, RangeError};
+use carom::special::interrupt::is_wanted;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
 
@@ -12,6 +13,7 @@ use crate::quantities::{
     Angle, Argument, Eta, Friction, In, Omega, R, StaticFriction, Tolerance, Xi, Zeta, line,
 };
 use crate::show::{self, Quantity, repr};
+use crate::threads::without_python;
 use crate::told::Watch;
 use crate::walked::{Arguments, Constants, VERTICES, Walked};
 
@@ -121,13 +123,16 @@ impl Contact {
         let walk = || -> Result<(Walked, Vec<f64>), Fault> {
             let mut loads = Vec::with_capacity(width * zeta.len());
             for (i, zeta) in zeta.iter().enumerate() {
+                if i % 64 == 0 && is_wanted() {
+                    return Err(Fault::interrupted());
+                }
                 let shift = Shift { zeta: *zeta, xi: xi[i], eta: eta[i], omega: omega[i] };
                 let load = law.advance(shift).map_err(|error| Fault::from(error).at(i))?;
                 loads.extend(&[load.f_x, load.f_y, load.f_z, load.m_z][..width]);
             }
             Ok((law, loads))
         };
-        let (law, loads) = py.detach(walk)?;
+        let (law, loads) = without_python(py, walk)??;
         let greatest = zeta.iter().copied().fold(0.0, f64::max);
         self.watch.see(py, &[greatest], 1, 2)?;
         self.law = law;

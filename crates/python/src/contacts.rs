@@ -4,6 +4,7 @@ use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
 use carom::laws::memory::Fixed;
 use carom::laws::rings::RingLaw;
 use carom::laws::shift_law::ShiftLaw;
+use carom::special::interrupt::asked;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -14,12 +15,17 @@ use crate::error::Fault;
 use crate::hertz::Given;
 use crate::quantities::{Friction, In, StaticFriction, Tolerance};
 use crate::room;
-use crate::threads::without_python;
+use crate::threads::{beside, without_python};
 use crate::told::Watch;
 use crate::walked::{Constants, Member, check};
 
 /// Capacity of the history of each contact, in load reversals.
 const VERTICES: usize = 16;
+/// Steps between two questions for an interrupt.
+const ASKS_EVERY: usize = 256;
+/// Steps that take less than a second, and how much longer one by rings takes.
+const MANY: usize = 1 << 23;
+const RINGS: usize = 100;
 /// Least number of contacts for a thread.
 const SHARE: usize = 256;
 
@@ -118,10 +124,19 @@ impl Contacts {
         same_length("loads", loads.len(), path.width() * count)?;
         of_any!(&self.laws, laws => path.check(laws)?);
         self.watch.see(py, path.zeta, steps, 4)?;
-        let threads = self.threads;
-        let laws = &mut self.laws;
-        without_python(py, || of_any!(laws, laws => path.follow(laws, loads, threads)));
-        Ok(())
+        let before = if self.lasts(count) { self.__copy__().ok() } else { None };
+        let (threads, laws) = (self.threads, &mut self.laws);
+        let ends = before.is_some();
+        let walk = || of_any!(laws, laws => path.follow(laws, loads, threads, ends));
+        let walked = if threads { beside(py, walk) } else { without_python(py, walk) };
+        match (walked, before) {
+            (Err(error), Some(before)) => {
+                self.laws = before.laws;
+                Err(error)
+            }
+            // Without a copy the way back is unknown: an interrupt then comes after the last step.
+            (walked, _) => walked,
+        }
     }
 
     /// The present loads (F_x, F_y, F_z), N, an array (n, 3).
@@ -202,6 +217,14 @@ struct Path<'a> {
     omega: &'a [f64],
 }
 
+impl Contacts {
+    /// Whether so many steps may take a second, so that an interrupt is worth a copy of all contacts.
+    fn lasts(&self, steps: usize) -> bool {
+        let each = if matches!(self.laws, Laws::Rings(_)) { RINGS } else { 1 };
+        steps.saturating_mul(each) > MANY
+    }
+}
+
 impl Path<'_> {
     #[inline]
     fn at(&self, i: usize) -> Shift {
@@ -221,14 +244,19 @@ impl Path<'_> {
         (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))
     }
 
-    /// Advances all contacts along their paths, which are checked.
-    fn follow<L: Member>(&self, laws: &mut [L], loads: &mut [f64], threads: bool) {
+    /// Advances all contacts along their paths, which are checked; an interrupt ends that where it may.
+    fn follow<L: Member>(&self, laws: &mut [L], loads: &mut [f64], threads: bool, ends: bool) {
         if self.steps == 0 {
             return;
         }
         let (steps, width) = (self.steps, self.width());
+        let ask = if ends { asked() } else { None };
+        let is_wanted = || ask.as_ref().is_some_and(|ask| ask());
         let walk = |(contact, (law, loads)): (usize, (&mut L, &mut [f64]))| {
             for (step, load) in loads.chunks_exact_mut(width).enumerate() {
+                if (contact * steps + step).is_multiple_of(ASKS_EVERY) && is_wanted() {
+                    return;
+                }
                 if let Ok(got) = law.advance(self.at(contact * steps + step)) {
                     load.copy_from_slice(&[got.f_x, got.f_y, got.f_z, got.m_z][..width]); // cannot fail: checked above
                 }

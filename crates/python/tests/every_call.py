@@ -101,6 +101,7 @@ WINDOW = {
     "tolerance": none(1e-8),
     "cut": False,
 }
+ESTIMATED = WINDOW | {"estimates": True}
 BLOCK = In(1e-17 * np.outer(0.5 ** np.arange(12), 0.5 ** np.arange(12)), "m/Pa")
 LAMBDA = {"kappa": none(1.2), "lam": none([1.0, 2.0])}
 POINTS = {"x": In([0.0, 1e-5], "m"), "y": In(1e-5, "m"), "z": In(2e-5, "m")}
@@ -160,7 +161,7 @@ CALLS = {
     "SlipSpeedFriction": [Call(carom.SlipSpeedFriction, {"a": none(0.1), "b": none(0.2), "c": In(0.9, "s/m")})],
     "SlipSpeedFriction.at": [Call(carom.SlipSpeedFriction(0.1, 0.2, 0.9).at, {"speed": In([1.0, 2.0], "m/s")})],
     "Solver": [
-        Call(carom.Solver, WINDOW, lambda **given: carom.Solver(**given).step(F_z=10.0)),
+        Call(carom.Solver, ESTIMATED, lambda **given: carom.Solver(**given).step(F_z=10.0)),
         Call(carom.Solver, WINDOW | {"friction": none(np.full((12, 12), 0.3))}, lambda **given: carom.Solver(**given).step(F_z=10.0)),
         Call(carom.Solver, {"gap": In(GAP, "m"), "size": In((2.6e-4, 2.6e-4), "m"), "materials": PAIR, "friction": none(0.0),
                             "plate": carom.Plate(2.6e-4, 2.6e-4, 1e-4)}, lambda **given: carom.Solver(**given).step(F_z=1.0)),

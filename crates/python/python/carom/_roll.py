@@ -76,7 +76,7 @@ def roll(
         ((zeta, F_z), (creepage, F_x), (creepage_across, F_y), (spin, M_z)), distance is not None
     )
     cell = [width / max(nx, 1), height / max(ny, 1)]
-    rows, (fields, states), exceeded, others = _carom.roll(
+    rows, (fields, states), (exceeded, is_outside), others = _carom.roll(
         [nx, ny],
         cell,
         line(heights),
@@ -92,13 +92,13 @@ def roll(
         bool(cut),
         blocks(influence),
     )
-    warn(exceeded)
+    warn((exceeded + others, is_outside))
     axes = [(np.arange(n) - 0.5 * (n - 1)) * d for n, d in zip((nx, ny), cell, strict=True)]
     return Rolled(
         {
             "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
             "coefficients": None,
-            **gridded(axes, fields, states, exceeded[0] + others),
+            **gridded(axes, fields, states, exceeded + others),
         }
     )
 
