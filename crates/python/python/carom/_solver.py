@@ -64,7 +64,7 @@ class Solver:
     They must obey Betti's theorem, and tractions must do positive work. Materials then count for warnings only.
 
     Each step has error estimates from two coarser grids (`zeta_error`, `F_z_error`, ...), where these can be solved; `estimates=False`
-    saves a quarter of the time. A contact of few cells, one that yields and a plate bent too far are told by a warning, once
+    saves two fifths of the time. A contact of few cells, one that yields and a plate bent too far are told by a warning, once
     each.
 
     A steel ball of 1 cm radius on steel, pressed with 10 N and loaded tangentially:
