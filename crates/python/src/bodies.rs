@@ -211,6 +211,10 @@ impl Body {
             return self.held();
         }
         let inertia = match self.moments {
+            Some(_) if self.hollow => {
+                let text = "hollow and moments are both given: give one of them";
+                return Err(PyValueError::new_err(text));
+            }
             Some(moments) => Inertia::new(self.mass, moments).map_err(SurfaceError::from),
             None if self.hollow => surface.shell(self.mass),
             None => surface.solid(self.mass),
@@ -219,11 +223,13 @@ impl Body {
     }
 
     fn held(&self) -> PyResult<Inertia> {
-        match self.moments {
-            Some(_) => {
-                Err(PyValueError::new_err("moments: a fixed body, without a mass, has none"))
-            }
+        let given = [("moments", self.moments.is_some()), ("hollow", self.hollow)];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(Inertia::FIXED),
+            Some((name, _)) => {
+                let text = format!("{name}: must not be given for a fixed body, without a mass");
+                Err(PyValueError::new_err(text))
+            }
         }
     }
 }

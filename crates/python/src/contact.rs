@@ -27,15 +27,18 @@ const QUANTITIES: &[Quantity] = &[
     ("dissipated", "J", "heat since the beginning"),
 ];
 
+/// The tolerance of a contact, if none is given.
+const TOLERANCE: f64 = 1e-3;
+
 /// A contact with memory: rigid shifts in, loads out.
 ///
-/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, static_friction=None, heat=True): `stiffness` is a
+/// Contact(stiffness, friction, law='coulomb', tolerance=None, static_friction=None, heat=True): `stiffness` is a
 /// Hertz contact or (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). With a `static_friction`
 /// above it the contact sticks or slips in part up to f_s F_z, and slides as a whole with f_k = `friction`; not
 /// for law 'rings'.
 ///
 /// `law='coulomb'` applies the exact return mapping at each depth of the contact, to a `tolerance` of the
-/// friction limit. `law='fixed-direction'` gives a slip annulus one direction of traction. On straight paths
+/// friction limit, by default 1e-3. `law='fixed-direction'` has no tolerance and gives a slip annulus one direction of traction. On straight paths
 /// both are exact. They remember at most 64 load reversals, neglect the coupling of normal and tangential
 /// displacements of dissimilar materials, which may change R_x of an impact by `coupling_bound`, and do not
 /// take a twist.
@@ -59,20 +62,21 @@ impl Contact {
     #[new]
     #[pyo3(
         signature = (
-            stiffness, friction, law="coulomb".to_owned(), tolerance=In::of(1e-3), static_friction=None, *, heat=true
+            stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, *, heat=true
         ),
         text_signature =
-            "(stiffness, friction, law='coulomb', tolerance=0.001, static_friction=None, *, heat=True)"
+            "(stiffness, friction, law='coulomb', tolerance=None, static_friction=None, *, heat=True)"
     )]
     fn new(
         stiffness: Given,
         friction: In<Friction>,
         law: String,
-        tolerance: In<Tolerance>,
+        tolerance: Option<In<Tolerance>>,
         static_friction: Option<In<StaticFriction>>,
         heat: bool,
     ) -> PyResult<Self> {
-        let constants = Constants::new(stiffness, friction, law, tolerance, static_friction);
+        let constants =
+            Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
         let watch = constants.watch()?;
         Ok(Self { constants, law, watch })

@@ -21,6 +21,8 @@ use crate::walked::{Constants, Member, check};
 
 /// Capacity of the history of each contact, in load reversals.
 const VERTICES: usize = 16;
+/// The tolerance of contacts, if none is given.
+const TOLERANCE: f64 = 1e-2;
 /// Steps between two questions for an interrupt.
 const ASKS_EVERY: usize = 256;
 /// Steps that take less than a second, and how much longer one by rings takes.
@@ -63,7 +65,7 @@ pub(crate) struct Contacts {
 impl Contacts {
     #[new]
     #[pyo3(signature = (
-        count, stiffness, friction, law="coulomb".to_owned(), tolerance=In::of(1e-2), static_friction=None, directions=2,
+        count, stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, directions=2,
         threads=false
     ))]
     #[allow(clippy::too_many_arguments)] // named ones, in Python
@@ -72,14 +74,18 @@ impl Contacts {
         stiffness: Given,
         friction: In<Friction>,
         law: String,
-        tolerance: In<Tolerance>,
+        tolerance: Option<In<Tolerance>>,
         static_friction: Option<In<StaticFriction>>,
         directions: i64,
         threads: bool,
     ) -> PyResult<Self> {
-        let constants = Constants::new(stiffness, friction, law, tolerance, static_friction);
+        let constants =
+            Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
         let laws = match directions {
-            1 => Laws::Line(equal(&constants.law()?, count)?),
+            1 => {
+                constants.refuse_tolerance("in one direction the law is exact")?;
+                Laws::Line(equal(&constants.law()?, count)?)
+            }
             2 if constants.is_of_rings() => Laws::Rings(equal(&constants.rings()?, count)?),
             2 => Laws::Plane(equal(&constants.law()?, count)?),
             _ => {
@@ -181,7 +187,7 @@ impl Contacts {
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`
-    fn __getnewargs__(&self) -> (usize, Given, f64, String, f64, Option<f64>, usize, bool) {
+    fn __getnewargs__(&self) -> (usize, Given, f64, String, Option<f64>, Option<f64>, usize, bool) {
         let (stiffness, friction, law, tolerance, at_rest) = self.constants.arguments();
         let directions = if matches!(self.laws, Laws::Line(_)) { 1 } else { 2 };
         (self.__len__(), stiffness, friction, law, tolerance, at_rest, directions, self.threads)

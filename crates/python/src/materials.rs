@@ -1,5 +1,6 @@
 //! Materials.
 
+use carom::prelude::RangeError;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -46,7 +47,11 @@ impl Material {
         use carom::halfspace::Material;
         let poisson = poisson.0;
         let material = match (young_modulus.map(|e| e.0), shear_modulus.map(|g| g.0)) {
-            (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => Ok(Material::RIGID),
+            (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => {
+                let is_own = poisson == 0.0 || poisson == Material::RIGID.poisson();
+                RangeError::check("poisson", poisson, is_own, "0 for a rigid body, which has none")
+                    .map(|_| Material::RIGID)
+            }
             (Some(modulus), None) => Material::from_young(modulus, poisson),
             (None, Some(modulus)) => Material::from_shear(modulus, poisson),
             _ => {

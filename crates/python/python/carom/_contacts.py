@@ -24,7 +24,7 @@ class Contacts:
     """Many contacts with the same constants, advanced together: arrays of shifts in, arrays of loads out.
 
     `stiffness` is a Hertz contact or (c_x, c_y, c_z), N/m^1.5. `law` is 'coulomb', to a `tolerance` of the
-    friction limit, or 'fixed-direction', with one direction of traction in a slip annulus: faster, and
+    friction limit, by default 1e-2, or 'fixed-direction', with one direction of traction in a slip annulus: faster, and
     exact on straight paths. `directions=1` allows only xi; the law is then exact and fastest. `threads`
     uses all cores and gives the same bits. With a `static_friction` above `friction` a contact sticks or slips in
     part up to f_s F_z, and slides as a whole with f_k = `friction`; not for law 'rings'.
@@ -49,7 +49,7 @@ class Contacts:
         friction: float,
         *,
         law: str = "coulomb",
-        tolerance: float = 1e-2,
+        tolerance: float | None = None,
         static_friction: float | None = None,
         directions: int = 2,
         threads: bool = False,
