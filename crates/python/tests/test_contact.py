@@ -394,20 +394,3 @@ def test_static_friction_that_is_not_allowed_is_named():
         carom.Contact(HERTZ, 0.2, static_friction=0.1)
     with pytest.raises(ValueError, match="static_friction: not for law = 'rings'"):
         carom.Contacts(2, HERTZ, 0.2, law="rings", static_friction=0.3)
-
-
-@pytest.mark.parametrize("law", ["coulomb", "fixed-direction", "rings"])
-@pytest.mark.parametrize("heat", [True, False])
-def test_bodies_that_have_parted_are_separated(law, heat):
-    contact = carom.Contact(HERTZ, F, law=law, heat=heat)
-    assert contact.regime == "separated"
-    for parted in (0.0, -1e-7):
-        contact.advance(1e-6)
-        contact.advance(1e-6, 1e-5)
-        assert contact.regime == "sliding"
-        assert contact.advance(parted, 1e-5) == (0.0, 0.0, 0.0) and contact.regime == "separated"
-        contact.advance(1e-6, 1e-5)
-        assert contact.regime == "adhesion"
-    # As all of a path.
-    contact.follow([1e-6, 0.0], [1e-5, 1e-5])
-    assert contact.regime == "separated" and contact.sticking in (0.0, 1.0)

@@ -113,16 +113,8 @@ class Solver:
         self._estimates = bool(estimates)
         cell = [self._size[0] / max(nx, 1), self._size[1] / max(ny, 1)]
         self._native = _carom.Solver(
-            [nx, ny],
-            cell,
-            line(heights),
-            materials,
-            line(fine),
-            self._tolerance,
-            self._cut,
-            plate,
-            table,
-            self._estimates,
+            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance, self._cut, plate, table,
+            self._estimates
         )
 
     def step(
