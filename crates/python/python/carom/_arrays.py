@@ -36,6 +36,8 @@ def numbers(name: str, x: ArrayLike, unit: str = "") -> Array:
 
 def number(name: str, x: object, unit: str = "") -> float:
     """A single real number, in this unit."""
+    if type(x) is float:
+        return x
     given = numbers(name, x, unit)  # type: ignore[arg-type]
     if given.ndim:
         raise ValueError(f"{name}: must be a number, not {str(x):.60}")
