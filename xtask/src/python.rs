@@ -11,6 +11,7 @@ use std::process::Command;
 const REQUIRED_PACKAGES: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
 /// Optional packages of the tests.
 const OPTIONAL_PACKAGES: &[&str] = &[
+    "astropy",
     "distributed",
     "ipykernel",
     "jsonschema",
@@ -19,7 +20,9 @@ const OPTIONAL_PACKAGES: &[&str] = &[
     "nbclient",
     "pandas",
     "pandas-stubs",
+    "pint",
     "pyright[nodejs]",
+    "unyt",
     "xarray",
 ];
 

@@ -18,6 +18,9 @@ use std::path::{Path, PathBuf};
 /// An error of reading or computing a case.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
+    /// The computation was [ended](carom_special::interrupt) from outside.
+    #[error("interrupted")]
+    Interrupted,
     /// The case file has an error.
     #[error("{}: {message}", path.display())]
     Case {
@@ -200,6 +203,7 @@ impl Error {
     #[must_use]
     pub fn is_bad_input(&self) -> bool {
         match self {
+            Self::Interrupted => false,
             Self::Collision { source, .. } => is_bad(source),
             Self::CollisionLaw { source, .. } => is_bad_collision(source),
             Self::Step { source, .. } => is_beyond(source),

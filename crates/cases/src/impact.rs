@@ -5,6 +5,7 @@ use crate::case::{CaseError, ImpactCase, ImpactFile, Input};
 use crate::input::CaseFile;
 use carom_impact::{CollisionError, HistoryPoint, Outcome};
 use carom_numerical::CollisionLawError;
+use carom_special::interrupt;
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -29,7 +30,13 @@ pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let Some((input, values)) = file.sweep() else {
         return Ok(Followed { swept: None, outcomes: vec![outcome(path, file.nominal())?] });
     };
-    let outcome = |value: &f64| outcome(path, &swept(path, &file, *value)?);
+    let ask = interrupt::asked();
+    let outcome = |value: &f64| {
+        interrupt::under(ask.clone(), || match interrupt::is_wanted() {
+            true => Err(Error::Interrupted),
+            false => outcome(path, &swept(path, &file, *value)?),
+        })
+    };
     let outcomes = values.par_iter().map(outcome).collect::<Result<_, _>>()?;
     Ok(Followed { swept: Some((name(input), input.unit, values.to_vec())), outcomes })
 }

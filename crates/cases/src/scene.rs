@@ -6,6 +6,7 @@ use crate::input::CaseFile;
 use crate::theory::Heed;
 use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
+use carom_special::interrupt::is_wanted;
 use carom_table::Column;
 use std::path::Path;
 
@@ -49,7 +50,8 @@ pub fn follow<E: From<Error>>(
     let mut legs = legs.map_err(at_fault)?;
     let mut ending = Ending::Time;
     loop {
-        let some = legs.by_ref().take(BLOCK).collect::<Result<Vec<_>, _>>().map_err(at_fault)?;
+        let block = legs.by_ref().take(BLOCK).take_while(|_| !is_wanted());
+        let some = block.collect::<Result<Vec<_>, _>>().map_err(at_fault)?;
         let Some(last) = some.last() else { break };
         ending = last.ending().unwrap_or(ending);
         visit(&some)?;

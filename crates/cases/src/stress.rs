@@ -8,7 +8,7 @@ use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::partial_slip_stress;
 use carom_laws::hertz::HertzState;
 use carom_laws::validity::Validity;
-use carom_special::RangeError;
+use carom_special::{RangeError, interrupt};
 use carom_table::Column;
 use rayon::prelude::*;
 
@@ -125,7 +125,11 @@ impl StressField {
         Self { ellipse: state.ellipse, stick_radius, body, peak, side }
     }
 
+    /// The stress at a point; nothing after an interrupt.
     fn at(&self, at: [f64; 3]) -> Result<StressPoint, RangeError> {
+        if interrupt::is_wanted() {
+            return Ok(StressPoint { at, stress: Stress::default() });
+        }
         let point = Point { x: at[0], y: at[1], z: at[2] };
         let s = partial_slip_stress(self.ellipse, self.body, self.peak, self.stick_radius, point)?;
         let stress = Stress { yz: self.side * s.yz, zx: self.side * s.zx, ..s };
@@ -134,9 +138,11 @@ impl StressField {
 
     /// The stresses at all points: for each depth, for each y, for each x.
     fn at_all(&self, [xs, ys, depths]: &[Vec<f64>; 3]) -> Result<Vec<StressPoint>, RangeError> {
+        let ask = interrupt::asked();
         let at = |i: usize| {
             let (column, rest) = (i % xs.len(), i / xs.len());
-            self.at([xs[column], ys[rest % ys.len()], depths[rest / ys.len()]])
+            let place = [xs[column], ys[rest % ys.len()], depths[rest / ys.len()]];
+            interrupt::under(ask.clone(), || self.at(place))
         };
         (0..xs.len() * ys.len() * depths.len()).into_par_iter().map(at).collect()
     }

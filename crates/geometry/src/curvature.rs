@@ -69,6 +69,20 @@ impl PrincipalRadii {
     pub fn radii(&self) -> [f64; 2] {
         self.curvatures.map(|c| if c == 0.0 { f64::INFINITY } else { 1.0 / c })
     }
+
+    /// The smallest radius of curvature of two surfaces, convex or concave; infinite for two planes.
+    ///
+    /// ```
+    /// use carom_geometry::curvature::PrincipalRadii;
+    /// let (ball, groove) = (PrincipalRadii::sphere(0.02)?, PrincipalRadii::new(-0.025, f64::INFINITY)?);
+    /// assert_eq!(PrincipalRadii::smallest([ball, groove]), 0.02);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    #[must_use]
+    pub fn smallest(both: [Self; 2]) -> f64 {
+        let all = both.map(|radii| radii.curvatures).concat();
+        all.into_iter().fold(0.0, |most: f64, one| most.max(one.abs())).recip()
+    }
 }
 
 fn curvature_of(field: &'static str, radius: f64) -> Result<f64, RangeError> {

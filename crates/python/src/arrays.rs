@@ -1,5 +1,6 @@
 //! Functions over arrays of numbers.
 
+use carom::special::interrupt::{asked, is_wanted, under};
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -8,14 +9,16 @@ use std::ops::Range;
 
 use crate::error::Fault;
 use crate::room;
-use crate::threads::without_python;
+use crate::threads::{beside, without_python};
 
 /// Least number of entries for a thread, in functions of about a microsecond an entry.
 const SHARE: usize = 1024;
 /// Number of shares from which on all threads are used.
 const MANY: usize = 8;
-/// Number of shares between two checks for an interrupt.
+/// Number of shares for which a thread is begun.
 const BLOCK: usize = 128;
+/// Questions for an interrupt in a share.
+const ASKS: usize = 16;
 
 pub(crate) type Numbers<'py> = PyReadonlyArray1<'py, f64>;
 pub(crate) type Rows<'py> = PyReadonlyArray2<'py, f64>;
@@ -37,14 +40,44 @@ pub(crate) fn map_by<T: Send>(
     count: usize,
     f: impl Fn(usize) -> Result<T, Fault> + Sync + Send,
 ) -> PyResult<Vec<T>> {
-    let at = |i: usize| f(i).map_err(|fault| fault.at(i));
     let mut values = room::vector("count", count)?;
+    if count < MANY * share {
+        let all = || {
+            for i in 0..count {
+                values.push(at_entry(&f, i, share, is_wanted)?);
+            }
+            Ok::<_, Fault>(values)
+        };
+        return Ok(without_python(py, all)??);
+    }
     while values.len() < count {
         let block = values.len()..count.min(values.len() + BLOCK * share);
-        values.extend(without_python(py, || over(block, share, &at))?);
-        py.check_signals()?;
+        let over = || {
+            let ask = asked();
+            let is_wanted = || ask.as_ref().is_some_and(|ask| ask());
+            // What lasts may ask itself.
+            let at = |i| match share {
+                SHARE => at_entry(&f, i, share, is_wanted),
+                _ => under(ask.clone(), || at_entry(&f, i, share, is_wanted)),
+            };
+            over(block, share, &at)
+        };
+        values.extend(beside(py, over)??);
     }
     Ok(values)
+}
+
+/// The value at an index. Asks for an interrupt from time to time.
+fn at_entry<T>(
+    f: &impl Fn(usize) -> Result<T, Fault>,
+    i: usize,
+    share: usize,
+    is_wanted: impl Fn() -> bool,
+) -> Result<T, Fault> {
+    if i.is_multiple_of(share.div_ceil(ASKS)) && is_wanted() {
+        return Err(Fault::interrupted());
+    }
+    f(i).map_err(|fault| fault.at(i))
 }
 
 fn over<T: Send>(
@@ -52,9 +85,6 @@ fn over<T: Send>(
     share: usize,
     at: &(impl Fn(usize) -> Result<T, Fault> + Sync + Send),
 ) -> Result<Vec<T>, Fault> {
-    if block.len() < MANY * share {
-        return block.map(at).collect();
-    }
     let places = block.clone().into_par_iter().with_min_len(share);
     let all: Result<Vec<T>, Fault> = places.map(at).collect();
     let first = || block.into_par_iter().find_map_first(|i| at(i).err());

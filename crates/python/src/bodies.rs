@@ -9,6 +9,9 @@ use pyo3::types::PyDict;
 
 use crate::error::Fault;
 use crate::materials::Material;
+use crate::quantities::{
+    Attitude as Turned, Centre, In, Mass, Moments, Row, Several, Sizes, Spin, Velocity,
+};
 use crate::show::{self, Quantity, repr};
 
 const QUANTITIES: &[Quantity] = &[
@@ -77,7 +80,8 @@ impl Body {
     #[pyo3(
         signature = (
             shape, sizes, material, mass=None, *, hollow=false, moments=None,
-            centre=AT_REST, attitude=ALONG_SPACE, velocity=AT_REST, spin=AT_REST
+            centre=Row::of(AT_REST), attitude=Row::of(ALONG_SPACE), velocity=Row::of(AT_REST),
+            spin=Row::of(AT_REST)
         ),
         text_signature = "(shape, sizes, material, mass=None, *, hollow=False, moments=None, \
                           centre=(0.0, 0.0, 0.0), attitude=(1.0, 0.0, 0.0, 0.0), \
@@ -86,27 +90,27 @@ impl Body {
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         shape: String,
-        sizes: Vec<f64>,
+        sizes: Several<Sizes>,
         material: Material,
-        mass: Option<f64>,
+        mass: Option<In<Mass>>,
         hollow: bool,
-        moments: Option<[f64; 3]>,
-        centre: [f64; 3],
-        attitude: [f64; 4],
-        velocity: [f64; 3],
-        spin: [f64; 3],
+        moments: Option<Row<Moments, 3>>,
+        centre: Row<Centre, 3>,
+        attitude: Row<Turned, 4>,
+        velocity: Row<Velocity, 3>,
+        spin: Row<Spin, 3>,
     ) -> PyResult<Self> {
         let body = Self {
             shape,
-            sizes,
+            sizes: sizes.0,
             material,
-            mass: mass.unwrap_or(f64::INFINITY),
+            mass: mass.map_or(f64::INFINITY, |mass| mass.0),
             hollow,
-            moments,
-            centre,
-            attitude,
-            velocity,
-            spin,
+            moments: moments.map(|moments| moments.0),
+            centre: centre.0,
+            attitude: attitude.0,
+            velocity: velocity.0,
+            spin: spin.0,
         };
         body.colliding()?; // checks all
         Ok(body)
@@ -114,10 +118,11 @@ impl Body {
 
     /// A copy of the body with another motion.
     #[pyo3(
-        signature = (velocity=AT_REST, spin=AT_REST),
+        signature = (velocity=Row::of(AT_REST), spin=Row::of(AT_REST)),
         text_signature = "($self, velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0))"
     )]
-    fn moving(&self, velocity: [f64; 3], spin: [f64; 3]) -> PyResult<Self> {
+    fn moving(&self, velocity: Row<Velocity, 3>, spin: Row<Spin, 3>) -> PyResult<Self> {
+        let (velocity, spin) = (velocity.0, spin.0);
         motion(velocity, spin)?;
         Ok(Self { velocity, spin, ..self.clone() })
     }
@@ -206,6 +211,10 @@ impl Body {
             return self.held();
         }
         let inertia = match self.moments {
+            Some(_) if self.hollow => {
+                let text = "hollow and moments are both given: give one of them";
+                return Err(PyValueError::new_err(text));
+            }
             Some(moments) => Inertia::new(self.mass, moments).map_err(SurfaceError::from),
             None if self.hollow => surface.shell(self.mass),
             None => surface.solid(self.mass),
@@ -214,11 +223,13 @@ impl Body {
     }
 
     fn held(&self) -> PyResult<Inertia> {
-        match self.moments {
-            Some(_) => {
-                Err(PyValueError::new_err("moments: a fixed body, without a mass, has none"))
-            }
+        let given = [("moments", self.moments.is_some()), ("hollow", self.hollow)];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(Inertia::FIXED),
+            Some((name, _)) => {
+                let text = format!("{name}: must not be given for a fixed body, without a mass");
+                Err(PyValueError::new_err(text))
+            }
         }
     }
 }

@@ -14,8 +14,10 @@ use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
 use crate::error::Fault;
 use crate::friction::{Beside, checked};
+use crate::quantities::{In, Normal, Row, Tolerance};
 use crate::records::{self, arrays};
 use crate::room;
+use crate::threads::without_python;
 use crate::told::{Told, of_impacts};
 
 /// Least number of impacts for a thread: an exact impact takes some microseconds, a stepped one much longer.
@@ -33,11 +35,12 @@ struct Way {
 
 impl Way {
     fn new(
-        normal: Option<[f64; 3]>,
+        normal: Option<Row<Normal, 3>>,
         torsion: Option<bool>,
         law: &str,
-        tolerance: Option<f64>,
+        tolerance: Option<In<Tolerance>>,
     ) -> PyResult<Self> {
+        let (normal, tolerance) = (normal.map(|normal| normal.0), tolerance.map(|given| given.0));
         let torsion = torsion.into();
         let law = law.parse();
         let law = law.map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
@@ -82,10 +85,10 @@ pub(crate) fn collide<'py>(
     body_2: Body,
     friction: f64,
     beside: Beside,
-    normal: Option<[f64; 3]>,
+    normal: Option<Row<Normal, 3>>,
     torsion: Option<bool>,
     law: &str,
-    tolerance: Option<f64>,
+    tolerance: Option<In<Tolerance>>,
     loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
@@ -93,7 +96,7 @@ pub(crate) fn collide<'py>(
     let solve = || -> Result<Outcome, Fault> {
         Ok(way.law.solve(&way.collision(one, two, checked(friction, beside)?)?)?)
     };
-    told(py, &[py.detach(solve)?])
+    told(py, &[without_python(py, solve)??])
 }
 
 /// Computes the collisions of two bodies for many motions; also gives their warnings. Friction by the slip speed replaces
@@ -107,10 +110,10 @@ pub(crate) fn collide_many<'py>(
     friction: Numbers<'py>,
     beside: Beside,
     motions: [Rows<'py>; 4],
-    normal: Option<[f64; 3]>,
+    normal: Option<Row<Normal, 3>>,
     torsion: Option<bool>,
     law: &str,
-    tolerance: Option<f64>,
+    tolerance: Option<In<Tolerance>>,
     loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
@@ -135,7 +138,7 @@ fn told<'py>(py: Python<'py>, outcomes: &[Outcome]) -> PyResult<(Bound<'py, PyDi
     Ok((arrays(py, Outcome::COLUMNS, outcomes)?, of_impacts(outcomes)))
 }
 
-/// The history of a collision at equally spaced instants.
+/// The history of a collision at equally spaced instants; also gives its warnings.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn history<'py>(
@@ -145,15 +148,17 @@ pub(crate) fn history<'py>(
     friction: f64,
     beside: Beside,
     points: usize,
-    normal: Option<[f64; 3]>,
+    normal: Option<Row<Normal, 3>>,
     law: &str,
-    tolerance: Option<f64>,
-) -> PyResult<Bound<'py, PyDict>> {
+    tolerance: Option<In<Tolerance>>,
+) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, None, law, tolerance)?;
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let trace = || -> Result<Vec<HistoryPoint>, Fault> {
-        Ok(way.law.history(&way.collision(one, two, checked(friction, beside)?)?, points)?)
+    let trace = || -> Result<(Vec<HistoryPoint>, Outcome), Fault> {
+        let collision = way.collision(one, two, checked(friction, beside)?)?;
+        Ok((way.law.history(&collision, points)?, way.law.solve(&collision)?))
     };
-    arrays(py, HistoryPoint::COLUMNS, &py.detach(trace)?)
+    let (course, outcome) = without_python(py, trace)??;
+    Ok((arrays(py, HistoryPoint::COLUMNS, &course)?, of_impacts(&[outcome])))
 }

@@ -2,13 +2,19 @@
 
 use carom::laws::law::Shift;
 use carom::prelude::{ContactLoad, RangeError};
+use carom::special::interrupt::is_wanted;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
 
-use crate::arrays::{Numbers, same_length};
+use crate::arrays::same_length;
 use crate::error::Fault;
 use crate::hertz::Given;
+use crate::quantities::{
+    Angle, Argument, Eta, Friction, In, Omega, R, StaticFriction, Tolerance, Xi, Zeta, line,
+};
 use crate::show::{self, Quantity, repr};
+use crate::threads::without_python;
+use crate::told::Watch;
 use crate::walked::{Arguments, Constants, VERTICES, Walked};
 
 const QUANTITIES: &[Quantity] = &[
@@ -21,15 +27,18 @@ const QUANTITIES: &[Quantity] = &[
     ("dissipated", "J", "heat since the beginning"),
 ];
 
+/// The tolerance of a contact, if none is given.
+const TOLERANCE: f64 = 1e-3;
+
 /// A contact with memory: rigid shifts in, loads out.
 ///
-/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, static_friction=None, heat=True): `stiffness` is a
+/// Contact(stiffness, friction, law='coulomb', tolerance=None, static_friction=None, heat=True): `stiffness` is a
 /// Hertz contact or (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). With a `static_friction`
 /// above it the contact sticks or slips in part up to f_s F_z, and slides as a whole with f_k = `friction`; not
 /// for law 'rings'.
 ///
 /// `law='coulomb'` applies the exact return mapping at each depth of the contact, to a `tolerance` of the
-/// friction limit. `law='fixed-direction'` gives a slip annulus one direction of traction. On straight paths
+/// friction limit, by default 1e-3. `law='fixed-direction'` has no tolerance and gives a slip annulus one direction of traction. On straight paths
 /// both are exact. They remember at most 64 load reversals, neglect the coupling of normal and tangential
 /// displacements of dissimilar materials, which may change R_x of an impact by `coupling_bound`, and do not
 /// take a twist.
@@ -45,6 +54,7 @@ const QUANTITIES: &[Quantity] = &[
 pub(crate) struct Contact {
     constants: Constants,
     law: Walked,
+    watch: Watch,
 }
 
 #[pymethods]
@@ -52,22 +62,24 @@ impl Contact {
     #[new]
     #[pyo3(
         signature = (
-            stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, static_friction=None, *, heat=true
+            stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, *, heat=true
         ),
         text_signature =
-            "(stiffness, friction, law='coulomb', tolerance=0.001, static_friction=None, *, heat=True)"
+            "(stiffness, friction, law='coulomb', tolerance=None, static_friction=None, *, heat=True)"
     )]
     fn new(
         stiffness: Given,
-        friction: f64,
+        friction: In<Friction>,
         law: String,
-        tolerance: f64,
-        static_friction: Option<f64>,
+        tolerance: Option<In<Tolerance>>,
+        static_friction: Option<In<StaticFriction>>,
         heat: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { given: stiffness, friction, law, tolerance, static_friction };
+        let constants =
+            Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
-        Ok(Self { constants, law })
+        let watch = constants.watch()?;
+        Ok(Self { constants, law, watch })
     }
 
     /// Moves the contact straight to a new shift (m) and returns the load (F_x, F_y, F_z), N.
@@ -75,10 +87,21 @@ impl Contact {
     /// zeta is the approach, xi and eta are the shifts of body 2 against body 1 along x and y, omega is the
     /// twist about the normal in radians, for law 'rings' only: u = xi + y omega. A zeta that is not positive
     /// separates the bodies, and the history is lost. A failed step leaves the contact as it was.
-    #[pyo3(signature = (zeta, xi=0.0, eta=0.0, omega=0.0))]
-    fn advance(&mut self, zeta: f64, xi: f64, eta: f64, omega: f64) -> PyResult<(f64, f64, f64)> {
-        let shift = Shift { zeta, xi, eta, omega };
-        Ok(triple(self.law.advance(shift).map_err(Fault::from)?))
+    #[pyo3(
+        signature = (zeta, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO),
+        text_signature = "($self, zeta, xi=0.0, eta=0.0, omega=0.0)"
+    )]
+    fn advance(
+        &mut self,
+        py: Python<'_>,
+        zeta: In<Zeta>,
+        xi: In<Xi>,
+        eta: In<Eta>,
+        omega: In<Omega>,
+    ) -> PyResult<(f64, f64, f64)> {
+        let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
+        let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
+        Ok(triple(load))
     }
 
     /// Moves the contact along a path and returns the loads (F_x, F_y, F_z) at each of its points, an array
@@ -96,26 +119,26 @@ impl Contact {
         eta: Option<&Bound<'py, PyAny>>,
         omega: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let zeta = line("zeta", zeta)?;
-        let across = |name, given: Option<&Bound<'py, PyAny>>| {
-            let Some(given) = given else { return Ok(vec![0.0; zeta.len()]) };
-            let line = line(name, given)?;
-            same_length(name, line.len(), zeta.len())?;
-            PyResult::Ok(line)
-        };
+        let zeta = path::<Zeta>(zeta)?;
         let width = if omega.is_some() { 4 } else { 3 };
-        let (xi, eta, omega) = (across("xi", xi)?, across("eta", eta)?, across("omega", omega)?);
+        let (xi, eta) = (across::<Xi>(xi, zeta.len())?, across::<Eta>(eta, zeta.len())?);
+        let omega = across::<Omega>(omega, zeta.len())?;
         let mut law = self.law.clone();
         let walk = || -> Result<(Walked, Vec<f64>), Fault> {
             let mut loads = Vec::with_capacity(width * zeta.len());
             for (i, zeta) in zeta.iter().enumerate() {
+                if i % 64 == 0 && is_wanted() {
+                    return Err(Fault::interrupted());
+                }
                 let shift = Shift { zeta: *zeta, xi: xi[i], eta: eta[i], omega: omega[i] };
                 let load = law.advance(shift).map_err(|error| Fault::from(error).at(i))?;
                 loads.extend(&[load.f_x, load.f_y, load.f_z, load.m_z][..width]);
             }
             Ok((law, loads))
         };
-        let (law, loads) = py.detach(walk)?;
+        let (law, loads) = without_python(py, walk)??;
+        let greatest = zeta.iter().copied().fold(0.0, f64::max);
+        self.watch.see(py, &[greatest], 1, 2)?;
         self.law = law;
         PyArray1::from_vec(py, loads).reshape([zeta.len(), width])
     }
@@ -183,15 +206,15 @@ impl Contact {
     /// The traction over the friction limit at the centre of the contact, as a function of the elliptical
     /// radius r = sqrt(x^2/a^2 + y^2/b^2); None without friction or with infinite friction. Not for law
     /// 'rings'.
-    fn traction(&self, r: f64) -> PyResult<Option<(f64, f64)>> {
-        Ok(self.law.shift_law()?.traction(r * r).map(|[x, y]| (x, y)))
+    fn traction(&self, r: In<R>) -> PyResult<Option<(f64, f64)>> {
+        Ok(self.law.shift_law()?.traction(r.0 * r.0).map(|[x, y]| (x, y)))
     }
 
     /// Rotates the contact axes by an angle (radians, from x to y); the state is transformed to the new axes.
     /// Not for law 'rings'.
-    fn turn_frame(&mut self, angle: f64) -> PyResult<()> {
-        RangeError::finite("angle", angle).map_err(Fault::from)?;
-        self.law.turn_frame(angle)
+    fn turn_frame(&mut self, angle: In<Angle>) -> PyResult<()> {
+        RangeError::finite("angle", angle.0).map_err(Fault::from)?;
+        self.law.turn_frame(angle.0)
     }
 
     fn __copy__(&self) -> Self {
@@ -227,11 +250,17 @@ impl Contact {
     }
 }
 
-/// A one-dimensional array of real numbers, from any Python object.
-fn line(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
-    let read = given.py().import("carom._arrays")?.call_method1("path", (name, given))?;
-    let numbers: Numbers<'_> = read.extract()?;
-    Ok(numbers.as_slice()?.to_vec())
+/// The numbers of a path.
+fn path<A: Argument>(given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    line(A::NAME, given, A::UNIT)
+}
+
+/// As many numbers, or zeros.
+fn across<A: Argument>(given: Option<&Bound<'_, PyAny>>, count: usize) -> PyResult<Vec<f64>> {
+    let Some(given) = given else { return Ok(vec![0.0; count]) };
+    let line = path::<A>(given)?;
+    same_length(A::NAME, line.len(), count)?;
+    Ok(line)
 }
 
 fn triple(ContactLoad { f_x, f_y, f_z, .. }: ContactLoad) -> (f64, f64, f64) {

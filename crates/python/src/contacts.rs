@@ -4,6 +4,7 @@ use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
 use carom::laws::memory::Fixed;
 use carom::laws::rings::RingLaw;
 use carom::laws::shift_law::ShiftLaw;
+use carom::special::interrupt::asked;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -12,12 +13,21 @@ use rayon::prelude::*;
 use crate::arrays::{Numbers, Rows, same_length};
 use crate::error::Fault;
 use crate::hertz::Given;
+use crate::quantities::{Friction, In, StaticFriction, Tolerance};
 use crate::room;
-use crate::threads::without_python;
+use crate::threads::{beside, without_python};
+use crate::told::Watch;
 use crate::walked::{Constants, Member, check};
 
 /// Capacity of the history of each contact, in load reversals.
 const VERTICES: usize = 16;
+/// The tolerance of contacts, if none is given.
+const TOLERANCE: f64 = 1e-2;
+/// Steps between two questions for an interrupt.
+const ASKS_EVERY: usize = 256;
+/// Steps that take less than a second, and how much longer one by rings takes.
+const MANY: usize = 1 << 23;
+const RINGS: usize = 100;
 /// Least number of contacts for a thread.
 const SHARE: usize = 256;
 
@@ -48,29 +58,34 @@ pub(crate) struct Contacts {
     constants: Constants,
     threads: bool,
     laws: Laws,
+    watch: Watch,
 }
 
 #[pymethods]
 impl Contacts {
     #[new]
     #[pyo3(signature = (
-        count, stiffness, friction, law="coulomb".to_owned(), tolerance=1e-2, static_friction=None, directions=2,
+        count, stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, directions=2,
         threads=false
     ))]
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         count: usize,
         stiffness: Given,
-        friction: f64,
+        friction: In<Friction>,
         law: String,
-        tolerance: f64,
-        static_friction: Option<f64>,
+        tolerance: Option<In<Tolerance>>,
+        static_friction: Option<In<StaticFriction>>,
         directions: i64,
         threads: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { given: stiffness, friction, law, tolerance, static_friction };
+        let constants =
+            Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
         let laws = match directions {
-            1 => Laws::Line(equal(&constants.law()?, count)?),
+            1 => {
+                constants.refuse_tolerance("in one direction the law is exact")?;
+                Laws::Line(equal(&constants.law()?, count)?)
+            }
             2 if constants.is_of_rings() => Laws::Rings(equal(&constants.rings()?, count)?),
             2 => Laws::Plane(equal(&constants.law()?, count)?),
             _ => {
@@ -78,7 +93,8 @@ impl Contacts {
                 return Err(PyValueError::new_err(text));
             }
         };
-        Ok(Self { constants, threads, laws })
+        let watch = constants.watch()?;
+        Ok(Self { constants, threads, laws, watch })
     }
 
     fn __len__(&self) -> usize {
@@ -112,10 +128,21 @@ impl Contacts {
         let path = Path { eta: eta.unwrap_or(&[]), omega: omega.unwrap_or(&[]), ..path };
         let loads = loads.as_slice_mut()?;
         same_length("loads", loads.len(), path.width() * count)?;
-        let threads = self.threads;
-        let laws = &mut self.laws;
-        without_python(py, || of_any!(laws, laws => path.follow(laws, loads, threads)))?;
-        Ok(())
+        of_any!(&self.laws, laws => path.check(laws)?);
+        self.watch.see(py, path.zeta, steps, 4)?;
+        let before = if self.lasts(count) { self.__copy__().ok() } else { None };
+        let (threads, laws) = (self.threads, &mut self.laws);
+        let ends = before.is_some();
+        let walk = || of_any!(laws, laws => path.follow(laws, loads, threads, ends));
+        let walked = if threads { beside(py, walk) } else { without_python(py, walk) };
+        match (walked, before) {
+            (Err(error), Some(before)) => {
+                self.laws = before.laws;
+                Err(error)
+            }
+            // Without a copy the way back is unknown: an interrupt then comes after the last step.
+            (walked, _) => walked,
+        }
     }
 
     /// The present loads (F_x, F_y, F_z), N, an array (n, 3).
@@ -151,7 +178,8 @@ impl Contacts {
             Laws::Plane(laws) => Laws::Plane(copied(laws)?),
             Laws::Rings(laws) => Laws::Rings(copied(laws)?),
         };
-        Ok(Self { constants: self.constants.clone(), threads: self.threads, laws })
+        let (constants, watch) = (self.constants.clone(), self.watch.clone());
+        Ok(Self { constants, threads: self.threads, laws, watch })
     }
 
     fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
@@ -159,7 +187,7 @@ impl Contacts {
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`
-    fn __getnewargs__(&self) -> (usize, Given, f64, String, f64, Option<f64>, usize, bool) {
+    fn __getnewargs__(&self) -> (usize, Given, f64, String, Option<f64>, Option<f64>, usize, bool) {
         let (stiffness, friction, law, tolerance, at_rest) = self.constants.arguments();
         let directions = if matches!(self.laws, Laws::Line(_)) { 1 } else { 2 };
         (self.__len__(), stiffness, friction, law, tolerance, at_rest, directions, self.threads)
@@ -195,6 +223,14 @@ struct Path<'a> {
     omega: &'a [f64],
 }
 
+impl Contacts {
+    /// Whether so many steps may take a second, so that an interrupt is worth a copy of all contacts.
+    fn lasts(&self, steps: usize) -> bool {
+        let each = if matches!(self.laws, Laws::Rings(_)) { RINGS } else { 1 };
+        steps.saturating_mul(each) > MANY
+    }
+}
+
 impl Path<'_> {
     #[inline]
     fn at(&self, i: usize) -> Shift {
@@ -208,22 +244,25 @@ impl Path<'_> {
         if self.omega.is_empty() { 3 } else { 4 }
     }
 
-    /// Advances all contacts along their paths; if a shift is out of range, none is advanced.
-    fn follow<L: Member>(
-        &self,
-        laws: &mut [L],
-        loads: &mut [f64],
-        threads: bool,
-    ) -> Result<(), Fault> {
-        if let Some(law) = laws.first() {
-            (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))?;
-        }
+    /// Checks that no shift is out of range.
+    fn check<L: Member>(&self, laws: &[L]) -> Result<(), Fault> {
+        let Some(law) = laws.first() else { return Ok(()) };
+        (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))
+    }
+
+    /// Advances all contacts along their paths, which are checked; an interrupt ends that where it may.
+    fn follow<L: Member>(&self, laws: &mut [L], loads: &mut [f64], threads: bool, ends: bool) {
         if self.steps == 0 {
-            return Ok(());
+            return;
         }
         let (steps, width) = (self.steps, self.width());
+        let ask = if ends { asked() } else { None };
+        let is_wanted = || ask.as_ref().is_some_and(|ask| ask());
         let walk = |(contact, (law, loads)): (usize, (&mut L, &mut [f64]))| {
             for (step, load) in loads.chunks_exact_mut(width).enumerate() {
+                if (contact * steps + step).is_multiple_of(ASKS_EVERY) && is_wanted() {
+                    return;
+                }
                 if let Ok(got) = law.advance(self.at(contact * steps + step)) {
                     load.copy_from_slice(&[got.f_x, got.f_y, got.f_z, got.m_z][..width]); // cannot fail: checked above
                 }
@@ -241,7 +280,6 @@ impl Path<'_> {
                 laws.zip(loads.par_chunks_exact_mut(width * steps)).enumerate().for_each(walk);
             }
         }
-        Ok(())
     }
 }
 

@@ -10,6 +10,7 @@ use crate::arrays::{Numbers, map, map_by, same_length};
 use crate::error::Fault;
 use crate::hertz::Hertz;
 use crate::records::arrays;
+use crate::told::{Told, of_loads};
 
 /// Entries that a thread takes at least: the springs of a contact take a tenth of a millisecond.
 const SHARE: usize = 4;
@@ -27,14 +28,14 @@ pub(crate) fn creep_coefficients<'py>(
     arrays(py, CreepCoefficients::COLUMNS, &found)
 }
 
-/// The forces of FASTSIM in a Hertz contact: for friction, normal force, and creepage along, across and by spin.
+/// The forces of FASTSIM in a Hertz contact, and warnings: for friction, normal force, and creepage along, across and by spin.
 #[pyfunction]
 pub(crate) fn fastsim<'py>(
     py: Python<'py>,
     contact: Hertz,
     numbers: [Numbers<'py>; 5],
     mesh: [usize; 2],
-) -> PyResult<Bound<'py, PyDict>> {
+) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let [friction, force, along, across, spin] = &numbers;
     let [friction, force, along, across, spin] = [
         friction.as_slice()?,
@@ -51,7 +52,8 @@ pub(crate) fn fastsim<'py>(
     let coefficients = CreepCoefficients::by_table(hertz.axis_ratio().get(), materials.poisson())
         .map_err(Fault::from)?;
     let found = map_by(SHARE, py, friction.len(), |i| {
-        let ellipse = hertz.at_force(RangeError::positive("F_z", force[i])?)?.ellipse;
+        let state = hertz.at_force(RangeError::positive("F_z", force[i])?)?;
+        let ellipse = state.ellipse;
         let springs = Fastsim {
             semi_axes: [ellipse.semi_axis_a(), ellipse.semi_axis_b()],
             shear_modulus: 2.0 * materials.shear_modulus(),
@@ -61,7 +63,8 @@ pub(crate) fn fastsim<'py>(
             mesh,
         };
         let creepage = Creepage { along: along[i], across: across[i], spin: spin[i] };
-        Ok(springs.forces(creepage)?)
+        Ok((state, springs.forces(creepage)?))
     })?;
-    arrays(py, FastsimForces::COLUMNS, &found)
+    let (states, found): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    Ok((arrays(py, FastsimForces::COLUMNS, &found)?, of_loads(&contact, &states)))
 }

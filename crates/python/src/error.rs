@@ -43,6 +43,11 @@ impl Fault {
         Self { index: None, kind: Kind::Other(error.to_string()) }
     }
 
+    /// A computation that was ended, which is told by the exception of the signal.
+    pub(crate) fn interrupted() -> Self {
+        Self::other("interrupted")
+    }
+
     /// The same error at an entry of an array.
     pub(crate) fn at(self, index: usize) -> Self {
         Self { index: Some(index), ..self }
@@ -101,6 +106,9 @@ fault_of! {
     carom::impact::RingImpactError: carom::impact::RingImpactError::Range(error) => error;
     carom::impact::restitution::RestitutionError:
         carom::impact::restitution::RestitutionError::Range(error) => error;
+    carom_cases::solve::ChosenError:
+        carom_cases::solve::ChosenError::Today(carom::solver::FrictionalError::Range(error))
+        | carom_cases::solve::ChosenError::Normal(carom::solver::NormalError::Range(error)) => error;
     carom::laws::curvature::CurvatureError: carom::laws::curvature::CurvatureError::Range(error) => error;
     carom::geometry::SurfaceError: carom::geometry::SurfaceError::Range(error) => error;
     carom::solver::NormalError: carom::solver::NormalError::Range(error) => error;

@@ -2,6 +2,7 @@
 
 use carom::laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom::laws::hertz::{Hertz as Contact, HertzState};
+use carom::laws::validity::Validity;
 use carom::prelude::{ContactStiffness, RangeError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -10,23 +11,29 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, map};
 use crate::error::Fault;
 use crate::materials::MaterialPair;
+use crate::quantities::{
+    Angle, CurvatureA, CurvatureB, In, Radii1, Radii2, Row, SmallestRadius, Stiffness,
+};
 use crate::records::arrays;
 use crate::show::{self, Quantity, repr};
+use crate::told::{Told, of_loads};
 
 const QUANTITIES: &[Quantity] = &[
     ("materials", "", "of both bodies"),
     ("curvature", "1/m", "coefficients of the gap A x^2 + B y^2"),
     ("axis_ratio", "", "a/b of the contact ellipse"),
+    ("smallest_radius", "m", "of curvature of both bodies"),
     ("stiffness", "N/m^1.5", "c_x, c_y, c_z"),
 ];
 
 /// A Hertz contact before it is loaded: two curvatures and two materials.
 ///
-/// Hertz(materials, curvature_a, curvature_b) has the gap A x^2 + B y^2, A and B in 1/m. Hertz.of_radii and
-/// hertz_of_spheres make it from radii; hertz() computes it under load.
+/// Hertz(materials, curvature_a, curvature_b, smallest_radius=None) has the gap A x^2 + B y^2, A and B in 1/m.
+/// Hertz.of_radii and hertz_of_spheres make it from radii; hertz() computes it under load. The smallest radius of
+/// curvature of both bodies (m) tells where contacts leave the theory; by default it is that of a body on a plane.
 #[pyclass(frozen, eq, from_py_object, module = "carom")]
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hertz(pub(crate) Contact);
+pub(crate) struct Hertz(pub(crate) Contact, f64);
 
 /// Contacts are equal if curvatures and materials are; the radii from which they were made do not count.
 impl PartialEq for Hertz {
@@ -39,10 +46,19 @@ impl PartialEq for Hertz {
 impl Hertz {
     /// The contact of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
     #[new]
-    fn new(materials: MaterialPair, curvature_a: f64, curvature_b: f64) -> PyResult<Self> {
-        let gap = RelativeCurvature::from_coefficients(curvature_a, curvature_b);
-        let hertz = Contact::new(gap.map_err(Fault::from)?, materials.0);
-        Ok(Self(hertz.map_err(Fault::from)?))
+    #[pyo3(signature = (materials, curvature_a, curvature_b, smallest_radius=None))]
+    fn new(
+        materials: MaterialPair,
+        curvature_a: In<CurvatureA>,
+        curvature_b: In<CurvatureB>,
+        smallest_radius: Option<In<SmallestRadius>>,
+    ) -> PyResult<Self> {
+        let (a, b) = (curvature_a.0, curvature_b.0);
+        let gap = RelativeCurvature::from_coefficients(a, b).map_err(Fault::from)?;
+        let hertz = Contact::new(gap, materials.0).map_err(Fault::from)?;
+        let radius = smallest_radius.map_or(on_a_plane(gap), |radius| radius.0);
+        RangeError::check("smallest_radius", radius, radius > 0.0, "> 0").map_err(Fault::from)?;
+        Ok(Self(hertz, radius))
     }
 
     /// The contact of two bodies with given principal radii (infinite: straight, negative: concave) and angle
@@ -50,17 +66,17 @@ impl Hertz {
     #[staticmethod]
     fn of_radii(
         materials: MaterialPair,
-        radii_1: [f64; 2],
-        radii_2: [f64; 2],
-        angle: f64,
+        radii_1: Row<Radii1, 2>,
+        radii_2: Row<Radii2, 2>,
+        angle: In<Angle>,
     ) -> PyResult<Self> {
-        let make = || -> Result<Contact, Fault> {
-            let one = PrincipalRadii::new(radii_1[0], radii_1[1])?;
-            let two = PrincipalRadii::new(radii_2[0], radii_2[1])?;
-            let gap = RelativeCurvature::new(one, two, angle)?;
-            Ok(Contact::new(gap, materials.0)?)
+        let make = || -> Result<Self, Fault> {
+            let one = PrincipalRadii::new(radii_1.0[0], radii_1.0[1])?;
+            let two = PrincipalRadii::new(radii_2.0[0], radii_2.0[1])?;
+            let gap = RelativeCurvature::new(one, two, angle.0)?;
+            Ok(Self(Contact::new(gap, materials.0)?, PrincipalRadii::smallest([one, two])))
         };
-        Ok(Self(make()?))
+        Ok(make()?)
     }
 
     /// The stiffnesses (c_x, c_y, c_z), N/m^1.5: in full adhesion dF = c sqrt(zeta) dshift, normally F_z =
@@ -84,19 +100,26 @@ impl Hertz {
         (gap.a(), gap.b())
     }
 
+    /// The smallest radius of curvature of both bodies, convex or concave, m.
+    #[getter]
+    pub(crate) fn smallest_radius(&self) -> f64 {
+        self.1
+    }
+
     /// The combined constants of the two materials.
     #[getter]
     fn materials(&self) -> MaterialPair {
         MaterialPair(self.0.materials())
     }
 
-    /// The loaded contact for given values of "force", "approach", "semi_axis_a" or "semi_axis_b".
+    /// The loaded contact, and warnings, for given values of "force", "approach", "semi_axis_a" or "semi_axis_b".
+    #[pyo3(name = "_state")]
     fn state<'py>(
         &self,
         py: Python<'py>,
         given: &str,
         values: Numbers<'py>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> PyResult<(Bound<'py, PyDict>, Told)> {
         let at: fn(&Contact, f64) -> Result<HertzState, RangeError> = match given {
             "force" => Contact::at_force,
             "approach" => Contact::at_approach,
@@ -110,23 +133,39 @@ impl Hertz {
         };
         let values = values.as_slice()?;
         let states = map(py, values.len(), |i| Ok(at(&self.0, values[i])?))?;
-        arrays(py, HertzState::COLUMNS, &states)
+        Ok((arrays(py, HertzState::COLUMNS, &states)?, of_loads(self, &states)))
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let (a, b) = self.curvature();
         let materials = self.materials().__repr__(py)?;
-        Ok(format!("Hertz({materials}, {}, {})", repr(py, a)?, repr(py, b)?))
+        let mut text = format!("Hertz({materials}, {}, {}", repr(py, a)?, repr(py, b)?);
+        if self.1 != on_a_plane(self.0.curvature()) {
+            text += &format!(", smallest_radius={}", repr(py, self.1)?);
+        }
+        Ok(text + ")")
     }
 
     fn _repr_html_(slf: &Bound<'_, Self>) -> PyResult<String> {
         show::html(slf, QUANTITIES)
     }
 
-    fn __getnewargs__(&self) -> (MaterialPair, f64, f64) {
+    fn __getnewargs__(&self) -> (MaterialPair, f64, f64, f64) {
         let gap = self.0.curvature();
-        (MaterialPair(self.0.materials()), gap.a(), gap.b())
+        (MaterialPair(self.0.materials()), gap.a(), gap.b(), self.1)
     }
+}
+
+impl Hertz {
+    /// How far the contact under this load is from the limits of the theory.
+    pub(crate) fn validity(&self, state: &HertzState) -> Validity {
+        Validity::of_hertz(&self.0, state, self.1)
+    }
+}
+
+/// The smallest radius of a body that has this gap from a plane.
+fn on_a_plane(gap: RelativeCurvature) -> f64 {
+    0.5 / gap.a().max(gap.b())
 }
 
 /// The stiffness of a contact as Python passes it: a Hertz contact or three numbers.
@@ -152,9 +191,9 @@ impl<'py> FromPyObject<'_, 'py> for Given {
         if let Ok(hertz) = given.extract::<Hertz>() {
             return Ok(Self::Hertz(hertz));
         }
-        let [c_x, c_y, c_z] = given.extract::<[f64; 3]>().map_err(|_| {
-            PyValueError::new_err("stiffness: must be a Hertz contact or (c_x, c_y, c_z)")
-        })?;
+        let wrong = |error: String| PyValueError::new_err(format!("{error}; or a Hertz contact"));
+        let three = given.extract::<Row<Stiffness, 3>>();
+        let [c_x, c_y, c_z] = three.map_err(|error| wrong(error.value(given.py()).to_string()))?.0;
         Ok(Self::Stiffness(ContactStiffness::new(c_x, c_y, c_z).map_err(Fault::from)?))
     }
 }

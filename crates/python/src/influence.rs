@@ -35,6 +35,6 @@ pub(crate) fn operator(
         let operator = KernelOperator::new(kernel, Threads::for_grid(grid))?;
         operator.check_definite(works)?;
         Ok::<_, Fault>(operator)
-    })?;
+    })??;
     Ok(Some(operator))
 }

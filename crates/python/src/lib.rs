@@ -14,6 +14,7 @@ mod hertz;
 mod influence;
 mod materials;
 mod plate;
+mod quantities;
 mod records;
 mod restitution;
 mod roll;

@@ -1,10 +1,12 @@
 //! Materials.
 
+use carom::prelude::RangeError;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::Fault;
+use crate::quantities::{In, Poisson, ShearModulus, YieldStress, YoungModulus};
 use crate::show::{self, Quantity, repr};
 
 const MATERIAL: &[Quantity] = &[
@@ -32,16 +34,24 @@ pub(crate) struct Material(pub(crate) carom::halfspace::Material);
 #[pymethods]
 impl Material {
     #[new]
-    #[pyo3(signature = (young_modulus=None, poisson=0.0, *, shear_modulus=None, yield_stress=None))]
+    #[pyo3(
+        signature = (young_modulus=None, poisson=In::ZERO, *, shear_modulus=None, yield_stress=None),
+        text_signature = "(young_modulus=None, poisson=0.0, *, shear_modulus=None, yield_stress=None)"
+    )]
     fn new(
-        young_modulus: Option<f64>,
-        poisson: f64,
-        shear_modulus: Option<f64>,
-        yield_stress: Option<f64>,
+        young_modulus: Option<In<YoungModulus>>,
+        poisson: In<Poisson>,
+        shear_modulus: Option<In<ShearModulus>>,
+        yield_stress: Option<In<YieldStress>>,
     ) -> PyResult<Self> {
         use carom::halfspace::Material;
-        let material = match (young_modulus, shear_modulus) {
-            (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => Ok(Material::RIGID),
+        let poisson = poisson.0;
+        let material = match (young_modulus.map(|e| e.0), shear_modulus.map(|g| g.0)) {
+            (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => {
+                let is_own = poisson == 0.0 || poisson == Material::RIGID.poisson();
+                RangeError::check("poisson", poisson, is_own, "0 for a rigid body, which has none")
+                    .map(|_| Material::RIGID)
+            }
             (Some(modulus), None) => Material::from_young(modulus, poisson),
             (None, Some(modulus)) => Material::from_shear(modulus, poisson),
             _ => {
@@ -50,7 +60,7 @@ impl Material {
             }
         };
         let material = material
-            .and_then(|material| material.yielding_at(yield_stress.unwrap_or(f64::INFINITY)));
+            .and_then(|material| material.yielding_at(yield_stress.map_or(f64::INFINITY, |y| y.0)));
         Ok(Self(material.map_err(Fault::from)?))
     }
 

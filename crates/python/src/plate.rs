@@ -6,6 +6,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::Fault;
+use crate::quantities::{In, SideA, SideB, Thickness};
 use crate::show::{self, Quantity, repr};
 
 const QUANTITIES: &[Quantity] = &[
@@ -31,8 +32,9 @@ pub(crate) struct Plate {
 impl Plate {
     #[new]
     #[pyo3(signature = (a, b, thickness, theory="layer"))]
-    fn new(a: f64, b: f64, thickness: f64, theory: &str) -> PyResult<Self> {
-        let plate = carom::halfspace::operator::Plate::new(a, b, thickness).map_err(Fault::from)?;
+    fn new(a: In<SideA>, b: In<SideB>, thickness: In<Thickness>, theory: &str) -> PyResult<Self> {
+        let plate = carom::halfspace::operator::Plate::new(a.0, b.0, thickness.0);
+        let plate = plate.map_err(Fault::from)?;
         let theory =
             theory.parse().map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
         Ok(Self { plate, theory })

@@ -17,7 +17,7 @@ use crate::influence;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
 use crate::solver::surface;
-use crate::threads::without_python;
+use crate::threads::beside;
 use crate::told::{Told, of_contact};
 
 /// The values of one motion in all rows, and whether they are loads.
@@ -63,10 +63,10 @@ pub(crate) fn roll<'py>(
             None => ContactProblem::of_half_spaces(gap, materials.0, friction.clone()),
         }
     };
-    let rolled = without_python(py, || match (distance, drives.first()) {
+    let rolled = beside(py, || match (distance, drives.first()) {
         (Some(distance), Some(drive)) => run.from_rest(&make(grid)?, drive, distance, &mut |_| ()),
         _ => run.steadily(make, &drives, &mut |_| ()),
-    });
+    })?;
     let Rows { rows, state, too_large } = rolled.map_err(Fault::other)?;
     let peak = rows.iter().map(|row| row.greatest_pressure).fold(0.0, f64::max);
     let told = of_contact(Validity::of_pressure(peak, materials.0.yield_stress()));

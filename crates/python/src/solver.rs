@@ -1,79 +1,64 @@
 //! The numerical contact solver: gaps and drives in, fields out.
 
-use carom::halfspace::operator::{Blocks, HalfSpaceOperator, PlateOperator, Threads};
+use carom::halfspace::operator::{
+    Blocks, HalfSpaceOperator, OperatorError, PlateOperator, Threads,
+};
 use carom::halfspace::{Field, Point};
+use carom::laws::law::Shift;
+use carom::laws::validity::Validity;
 use carom::prelude::{
     CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
-    Method as _,
 };
 use carom::solver::{
-    CellFriction, Convergence, FrictionalScratch, Frictionless, GridWarning, NormalScratch,
-    StepSummary, Subsurface, SurfaceFriction,
+    CellFriction, Frictionless, GridWarning, NestedError, NestedHistory, ProblemError, StepSummary,
+    Subsurface, SurfaceFriction,
 };
 use carom::special::RangeError;
-use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
+use carom_cases::solve::{Chosen, border, few_cells};
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-use crate::arrays::{Numbers, map, same_length};
+use crate::arrays::{Numbers, map_by, same_length};
 use crate::cases::lines;
 use crate::error::Fault;
 use crate::influence;
 use crate::materials::MaterialPair;
 use crate::plate::Plate;
 use crate::records::arrays;
-use crate::threads::without_python;
+use crate::threads::{beside, without_python};
+use crate::told::{of_contact, warn};
 
 /// What drives one motion: true if its load is given, false if its shift is; and the value.
 type Given = (bool, f64);
 
+/// A state: its shift (zeta, xi, eta, omega), its fields and its cells, flat.
+type Kept<'py> = ([f64; 4], [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>);
+
+/// The same as it is read.
+type Read<'py> = ([f64; 4], [Numbers<'py>; 5], PyReadonlyArray1<'py, i8>);
+
 /// Two bodies on a grid, with the state after the last step.
 #[pyclass(module = "carom")]
 pub(crate) struct Solver {
-    problem: ContactProblem,
-    method: Chosen,
+    history: NestedHistory<Chosen>,
     /// Whether the bodies end at the border of the window, so that the contact may reach it.
     cut: bool,
-    state: ContactState,
-    next: ContactState,
+    yield_stress: f64,
     last: StepSummary,
+    given: [Given; 4],
+    /// What has been told of earlier steps.
+    told: Vec<Doubt>,
 }
 
-/// The method with its working memory: with friction, or without it for a plate.
-enum Chosen {
-    Frictional(Frictional, Box<FrictionalScratch>),
-    Frictionless(Frictionless, Box<NormalScratch>),
-}
-
-impl Chosen {
-    fn new(problem: &ContactProblem, tolerance: f64, is_plate: bool) -> Result<Self, Fault> {
-        if is_plate {
-            let method = Frictionless::default().within(tolerance)?;
-            let scratch = method.scratch(problem)?;
-            return Ok(Self::Frictionless(method, Box::new(scratch)));
-        }
-        let method = Frictional::default().within(tolerance)?;
-        let scratch = method.scratch(problem).map_err(Fault::other)?;
-        Ok(Self::Frictional(method, Box::new(scratch)))
-    }
-
-    fn step(
-        &mut self,
-        problem: &ContactProblem,
-        drive: &Drive,
-        [from, to]: [&mut ContactState; 2],
-    ) -> Result<Convergence, Fault> {
-        Ok(match self {
-            Self::Frictional(method, scratch) => {
-                method.step(problem, from, drive, to, scratch, &mut ())?
-            }
-            Self::Frictionless(method, scratch) => {
-                method.step(problem, from, drive, to, scratch, &mut ())?
-            }
-        })
-    }
+/// A reason to distrust a step, which is told once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Doubt {
+    Few,
+    Large,
+    Yields,
 }
 
 #[pymethods]
@@ -91,117 +76,125 @@ impl Solver {
         cut: bool,
         plate: Option<Plate>,
         influence: influence::Given<'_>,
+        estimates: bool,
     ) -> PyResult<Self> {
         let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
         let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
         let gap = Gap::new(heights).map_err(Fault::from)?;
         let coefficients = friction.as_slice()?;
         let friction = surface(grid, coefficients)?;
-        if plate.is_some() {
+        if let Some(plate) = plate {
             let greatest = coefficients.iter().copied().fold(0.0, f64::max);
             let holds = greatest == 0.0;
             RangeError::check("friction", greatest, holds, "0 on a plate").map_err(Fault::from)?;
+            plate.check(&gap, cut)?;
         }
         let table = influence::operator(py, grid, &influence, &friction)?;
-        let (problem, method) = without_python(py, || {
-            let problem = match (plate, table) {
-                (Some(plate), _) => on_plate(gap, materials, friction, cut, plate)?,
+        let make = |grid: Grid| {
+            let gap = gap.coarsened_to(grid).map_err(OperatorError::from)?;
+            match (plate, &table) {
+                (Some(plate), _) => plate.under(gap, materials, friction.clone()),
                 (None, Some(table)) => {
-                    ContactProblem::new(gap, Arc::new(table), friction).map_err(Fault::other)?
+                    let operator = Arc::new(table.coarsened_to(grid)?);
+                    ContactProblem::new(gap, operator, friction.clone())
                 }
-                (None, None) => half_spaces(gap, materials, friction)?,
+                (None, None) => half_spaces(gap, materials, friction.clone()),
+            }
+        };
+        let history = without_python(py, || {
+            let own = plate.map(|_| Frictionless::default().within(tolerance)).transpose()?;
+            let chosen = Chosen::main(Frictional::default().within(tolerance)?, own);
+            let history = match estimates {
+                true => NestedHistory::new(chosen, grid, make),
+                false => {
+                    NestedHistory::without_estimates(chosen, make(grid).map_err(Fault::other)?)
+                }
             };
-            let method = Chosen::new(&problem, tolerance, plate.is_some())?;
-            Ok::<_, Fault>((problem, method))
-        })?;
-        // Fields of zeros take no memory until they are written; copies do.
-        let [state, next] = [(); 2].map(|()| ContactState::apart(grid));
-        Ok(Self { problem, method, cut, next, state, last: StepSummary::default() })
+            history.map_err(|error| match error {
+                NestedError::Problem(error) => Fault::other(error),
+                NestedError::Method(error) => error.into(),
+            })
+        })??;
+        let (yield_stress, given) = (materials.0.yield_stress(), [(false, 0.0); 4]);
+        let (last, told) = (StepSummary::default(), Vec::new());
+        Ok(Self { history, cut, yield_stress, last, given, told })
     }
 
-    /// One step with given approach, shifts along x and y, and twist, or their loads.
-    fn step<'py>(&mut self, py: Python<'py>, given: [Given; 4]) -> PyResult<Bound<'py, PyDict>> {
+    /// One step with given approach, shifts along x and y, and twist, or their loads; None keeps what was given before.
+    /// Warns of what has not been told. If that or the step fails, nothing has changed.
+    fn step<'py>(
+        &mut self,
+        py: Python<'py>,
+        changed: [Option<Given>; 4],
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let mut given = self.given;
+        given.iter_mut().zip(changed).for_each(|(old, new)| *old = new.unwrap_or(*old));
         let [normal, x, y, twist] = given.map(|(is_load, value)| match is_load {
             true => Driven::Load(value),
             false => Driven::Shift(value),
         });
         let drive = Drive { normal, x, y, twist };
-        let Self { problem, method, cut, state, next, last } = self;
-        let stepped = without_python(py, || {
-            let went = method.step(problem, &drive, [state, next])?;
-            if !*cut && reaches_border(next) {
-                return Err(Fault::other("the contact reaches the border of the grid"));
+        let Self { history, cut, last, .. } = self;
+        let threads = Threads::for_grid(finest(history));
+        let solve = || {
+            let trial = history.trial(&drive, &mut ())?;
+            let (problem, states) = (history.problem(), [history.state(), trial.state()]);
+            if !*cut && border(states[1]).is_some() {
+                let text = "the contact reaches the border of the grid: size must be larger, or cut=True if \
+                            the bodies end there";
+                return Err(Fault::other(text));
             }
-            last.next(problem, [state, next], &went).map_err(Fault::other)
-        })?;
-        std::mem::swap(&mut self.state, &mut self.next);
-        self.last = stepped;
+            let next = last.next(problem, states, trial.convergence()).map_err(Fault::other)?;
+            let warnings = problem.warnings(states[1]).map_err(Fault::other)?;
+            Ok((next.with_estimates(trial.estimates().as_ref()), warnings, trial))
+        };
+        let (next, warnings, trial) = match threads {
+            Threads::One => without_python(py, solve)??,
+            Threads::Pool => beside(py, solve)??,
+        };
+        let doubts = self.tell(py, &next, &warnings, trial.state())?;
+        self.told.extend(doubts);
+        self.history.take(trial);
+        (self.last, self.given) = (next, given);
         self.summary(py)
     }
 
-    /// The numbers of the last step and the fields of the state: pressure, tractions, displacements, cell
-    /// states.
-    #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
+    /// The numbers of the last step, what drives the motions, and the states on all grids: fields are pressure,
+    /// tractions and displacements.
     fn state<'py>(
         &self,
         py: Python<'py>,
-    ) -> (Vec<f64>, [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
-        let (fields, cells) = lines(py, &self.state);
-        (self.last.numbers().to_vec(), fields, cells)
+    ) -> (Vec<f64>, [Given; 4], Kept<'py>, [Option<Kept<'py>>; 2]) {
+        let coarse = self.history.coarse_states().map(|state| Some(kept(py, state?)));
+        (self.last.numbers().to_vec(), self.given, kept(py, self.history.state()), coarse)
     }
 
     /// Restores a stored state.
     fn restore(
         &mut self,
         numbers: [f64; StepSummary::NUMBERS],
-        fields: [Numbers<'_>; 5],
-        cells: numpy::PyReadonlyArray1<'_, i8>,
+        given: [Given; 4],
+        state: Read<'_>,
+        coarse: [Option<Read<'_>>; 2],
     ) -> PyResult<()> {
-        let grid = self.problem.grid();
-        let mut read = [const { None }; 5];
-        for (to, field) in read.iter_mut().zip(&fields) {
-            let field = Field::new(grid, field.as_slice()?.to_vec()).map_err(Fault::from)?;
-            *to = Some(field);
+        let grid = finest(&self.history);
+        let grids = [grid.coarser().ok(), grid.coarser().and_then(Grid::coarser).ok()];
+        let mut read = [None, None];
+        for ((to, fields), grid) in read.iter_mut().zip(&coarse).zip(grids) {
+            if let (Some(fields), Some(grid)) = (fields, grid) {
+                *to = Some(restored(grid, fields)?);
+            }
         }
-        let cells = cells.as_slice()?;
-        same_length("state", cells.len(), grid.cells())?;
-        let cell = |code: &i8| match code {
-            0 => Ok(CellState::Exterior),
-            1 => Ok(CellState::Stick),
-            2 => Ok(CellState::Slip),
-            _ => Err(PyValueError::new_err(format!("state = {code}: must be 0, 1 or 2"))),
-        };
-        let cells = cells.iter().map(cell).collect::<PyResult<Vec<_>>>()?;
-        let [
-            Some(pressure),
-            Some(traction_x),
-            Some(traction_y),
-            Some(displacement_x),
-            Some(displacement_y),
-        ] = read
-        else {
-            return Err(PyValueError::new_err("fields: one is missing"));
-        };
-        self.last = StepSummary::from_numbers(&numbers);
-        self.state = ContactState {
-            shift: self.last.shift,
-            pressure,
-            traction_x,
-            traction_y,
-            displacement_x,
-            displacement_y,
-            cells: Field::new(grid, cells).map_err(Fault::from)?,
-        };
+        self.history.restore(restored(grid, &state)?, read).map_err(Fault::from)?;
+        (self.last, self.given) = (StepSummary::from_numbers(&numbers), given);
         Ok(())
     }
 
     /// Reasons to distrust the state, as texts.
     fn warnings(&self) -> PyResult<Vec<String>> {
-        let warnings = self.problem.warnings(&self.state).map_err(Fault::other)?;
-        // Where the bodies end at the border, the contact may reach it.
-        let counts =
-            |warning: &&GridWarning| !self.cut || !matches!(warning, GridWarning::Border { .. });
-        Ok(warnings.iter().filter(counts).map(ToString::to_string).collect())
+        let state = self.history.state();
+        let warnings = self.history.problem().warnings(state).map_err(Fault::other)?;
+        Ok(self.doubts(&self.last, &warnings, state).into_iter().map(|(_, text)| text).collect())
     }
 
     /// Summary of the last step.
@@ -220,15 +213,16 @@ impl Solver {
         z: Numbers<'py>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let below = match body {
-            1 => Subsurface::of_body_1(&self.state, material.0),
-            2 => Subsurface::of_body_2(&self.state, material.0),
+            1 => Subsurface::of_body_1(self.history.state(), material.0),
+            2 => Subsurface::of_body_2(self.history.state(), material.0),
             _ => return Err(PyValueError::new_err(format!("body = {body}: must be 1 or 2"))),
         };
         let below = below.map_err(Fault::from)?;
         let (x, y, z) = (x.as_slice()?, y.as_slice()?, z.as_slice()?);
         same_length("y", y.len(), x.len())?;
         same_length("z", z.len(), x.len())?;
-        let stresses = map(py, x.len(), |i| {
+        let share = (1 << 20) / finest(&self.history).cells();
+        let stresses = map_by(share.clamp(1, 1 << 9), py, x.len(), |i| {
             let s = below.stress(Point { x: x[i], y: y[i], z: z[i] })?;
             Ok([s.xx, s.yy, s.zz, s.xy, s.yz, s.zx])
         })?;
@@ -236,42 +230,110 @@ impl Solver {
     }
 }
 
+impl Solver {
+    /// Reasons to distrust a step.
+    fn doubts(
+        &self,
+        step: &StepSummary,
+        warnings: &[GridWarning],
+        state: &ContactState,
+    ) -> Vec<(Doubt, String)> {
+        let few = few_cells(state, step.estimates).map(|text| (Doubt::Few, text));
+        let large =
+            |warning: &&GridWarning| matches!(warning, GridWarning::LargeDisplacement { .. });
+        let large = warnings.iter().find(large).map(|text| (Doubt::Large, text.to_string()));
+        let validity = Validity::of_pressure(step.greatest_pressure, self.yield_stress);
+        let yields = of_contact(validity).0.into_iter().map(|text| (Doubt::Yields, text));
+        few.into_iter().chain(large).chain(yields).collect()
+    }
+
+    /// Warns of the reasons that have not been told, and gives them.
+    fn tell(
+        &self,
+        py: Python<'_>,
+        step: &StepSummary,
+        warnings: &[GridWarning],
+        state: &ContactState,
+    ) -> PyResult<Vec<Doubt>> {
+        let mut doubts = self.doubts(step, warnings, state);
+        doubts.retain(|(doubt, _)| !self.told.contains(doubt));
+        let (kinds, texts): (Vec<_>, Vec<_>) = doubts.into_iter().unzip();
+        let is_outside = kinds.iter().any(|doubt| *doubt != Doubt::Few);
+        warn(py, (texts, is_outside), 3)?;
+        Ok(kinds)
+    }
+}
+
+/// The finest grid.
+fn finest(history: &NestedHistory<Chosen>) -> Grid {
+    history.problem().grid()
+}
+
+/// A state as Python keeps it.
+fn kept<'py>(py: Python<'py>, state: &ContactState) -> Kept<'py> {
+    let Shift { zeta, xi, eta, omega } = state.shift;
+    let (fields, cells) = lines(py, state);
+    ([zeta, xi, eta, omega], fields, cells)
+}
+
+/// A stored state on a grid.
+fn restored(grid: Grid, (shift, fields, cells): &Read<'_>) -> PyResult<ContactState> {
+    let [zeta, xi, eta, omega] = *shift;
+    let field = |i: usize| -> PyResult<Field> {
+        Ok(Field::new(grid, fields[i].as_slice()?.to_vec()).map_err(Fault::from)?)
+    };
+    let cell = |code: &i8| match code {
+        0 => Ok(CellState::Exterior),
+        1 => Ok(CellState::Stick),
+        2 => Ok(CellState::Slip),
+        _ => Err(PyValueError::new_err(format!("state = {code}: must be 0, 1 or 2"))),
+    };
+    let cells = cells.as_slice()?.iter().map(cell).collect::<PyResult<Vec<_>>>()?;
+    Ok(ContactState {
+        shift: Shift { zeta, xi, eta, omega },
+        pressure: field(0)?,
+        traction_x: field(1)?,
+        traction_y: field(2)?,
+        displacement_x: field(3)?,
+        displacement_y: field(4)?,
+        cells: Field::new(grid, cells).map_err(Fault::from)?,
+    })
+}
+
 /// The problem of two half-spaces, with the influence of pressures alone if nothing else matters.
 fn half_spaces(
     gap: Gap,
     materials: MaterialPair,
     friction: SurfaceFriction,
-) -> Result<ContactProblem, Fault> {
+) -> Result<ContactProblem, ProblemError> {
     if !friction.is_none() || !materials.0.is_uncoupled() {
-        return ContactProblem::of_half_spaces(gap, materials.0, friction).map_err(Fault::other);
+        return ContactProblem::of_half_spaces(gap, materials.0, friction);
     }
     let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
     let operator = HalfSpaceOperator::with_blocks(materials.0, grid, Blocks::Normal, threads)?;
-    ContactProblem::new(gap, Arc::new(operator), friction).map_err(Fault::other)
+    ContactProblem::new(gap, Arc::new(operator), friction)
 }
 
-/// The problem of a plate, which has no friction and whose edges no contact reaches.
-fn on_plate(
-    gap: Gap,
-    materials: MaterialPair,
-    friction: SurfaceFriction,
-    cut: bool,
-    Plate { plate, theory }: Plate,
-) -> Result<ContactProblem, Fault> {
-    RangeError::check("cut", 1.0, !cut, "False on a plate: no contact may reach its edges")?;
-    let allowed = "a side of the plate: the cells cover it, no more and no less";
-    plate.check_cover(gap.grid()).map_err(|error| RangeError::new("size", error.value, allowed))?;
-    let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
-    let operator = PlateOperator::new(materials.0, plate, grid, theory, threads)?;
-    ContactProblem::new(gap, Arc::new(operator), friction).map_err(Fault::other)
-}
+impl Plate {
+    /// Checks that the cells cover the plate, whose edges no contact reaches.
+    fn check(&self, gap: &Gap, cut: bool) -> Result<(), Fault> {
+        RangeError::check("cut", 1.0, !cut, "False on a plate: no contact may reach its edges")?;
+        let allowed = "a side of the plate: the cells cover it, no more and no less";
+        let named = |error: RangeError| RangeError::new("size", error.value, allowed);
+        Ok(self.plate.check_cover(gap.grid()).map_err(named)?)
+    }
 
-fn reaches_border(state: &ContactState) -> bool {
-    let grid = state.cells.grid();
-    let (right, upper) = (grid.nx() - 1, grid.ny() - 1);
-    let touches = |i, j| state.cells.get(i, j).is_some_and(|cell| *cell != CellState::Exterior);
-    (0..grid.nx()).any(|i| touches(i, 0) || touches(i, upper))
-        || (0..grid.ny()).any(|j| touches(0, j) || touches(right, j))
+    /// The problem of this plate below a body.
+    fn under(
+        self,
+        gap: Gap,
+        materials: MaterialPair,
+        friction: SurfaceFriction,
+    ) -> Result<ContactProblem, ProblemError> {
+        let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
+        let operator = PlateOperator::new(materials.0, self.plate, grid, self.theory, threads)?;
+        ContactProblem::new(gap, Arc::new(operator), friction)
+    }
 }
 
 /// Friction with one coefficient for all cells, or one for each cell.

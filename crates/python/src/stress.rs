@@ -2,6 +2,7 @@
 
 use carom::halfspace::{Point, Traction};
 use carom::laws::field::partial_slip_stress;
+use carom::laws::validity::Validity;
 use carom::prelude::ContactEllipse;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
@@ -9,30 +10,35 @@ use pyo3::prelude::*;
 use crate::arrays::{Numbers, map, same_length};
 use crate::error::Fault;
 use crate::materials::Material;
+use crate::quantities::{self, In, Pressure, Row, SemiAxes, StickRadius};
+use crate::told::{Told, of_contact};
 
-/// The stress (xx, yy, zz, xy, yz, zx) at points of a body, an array (n, 6).
+/// The stress (xx, yy, zz, xy, yz, zx) at points of a body, an array (n, 6), and warnings.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn stress<'py>(
     py: Python<'py>,
-    semi_axes: [f64; 2],
+    semi_axes: Row<SemiAxes, 2>,
     material: Material,
-    pressure: f64,
-    traction: [f64; 2],
-    stick_radius: f64,
+    pressure: In<Pressure>,
+    traction: Row<quantities::Traction, 2>,
+    stick_radius: In<StickRadius>,
     x: Numbers<'py>,
     y: Numbers<'py>,
     z: Numbers<'py>,
-) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let ellipse = ContactEllipse::new(semi_axes[0], semi_axes[1]).map_err(Fault::from)?;
-    let peak = Traction { x: traction[0], y: traction[1], normal: pressure };
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Told)> {
+    let [a, b] = semi_axes.0;
+    let ellipse = ContactEllipse::new(a, b).map_err(Fault::from)?;
+    let peak = Traction { x: traction.0[0], y: traction.0[1], normal: pressure.0 };
     let (x, y, z) = (x.as_slice()?, y.as_slice()?, z.as_slice()?);
     same_length("y", y.len(), x.len())?;
     same_length("z", z.len(), x.len())?;
     let stresses = map(py, x.len(), |i| {
         let at = Point { x: x[i], y: y[i], z: z[i] };
-        let s = partial_slip_stress(ellipse, material.0, peak, stick_radius, at)?;
+        let s = partial_slip_stress(ellipse, material.0, peak, stick_radius.0, at)?;
         Ok([s.xx, s.yy, s.zz, s.xy, s.yz, s.zx])
     })?;
-    PyArray1::from_vec(py, stresses.into_iter().flatten().collect()).reshape([x.len(), 6])
+    let stresses = PyArray1::from_vec(py, stresses.into_iter().flatten().collect());
+    let told = of_contact(Validity::of_pressure(pressure.0, material.0.yield_stress()));
+    Ok((stresses.reshape([x.len(), 6])?, told))
 }

@@ -2,6 +2,7 @@
 
 use carom::laws::accounted::Accounted;
 use carom::laws::coulomb::packed_numbers;
+use carom::laws::coupling::coupling_bound;
 use carom::laws::law::{ContactLaw, Energies as _, Shift};
 use carom::laws::shift_law::ShiftLaw;
 use carom::laws::torsion::law::{self, ShiftTwistLaw, TorsionLaw};
@@ -13,8 +14,10 @@ use pyo3::prelude::*;
 
 use crate::arrays::{Numbers, of_one};
 use crate::error::Fault;
-use crate::hertz::Hertz;
+use crate::hertz::{Given, Hertz};
+use crate::quantities::{self, Eta, In, Omega, Xi, Zeta};
 use crate::show::repr;
+use crate::told::Watch;
 
 /// A contact that twists about its normal: Lubkin's solution with memory. An elliptical contact is
 /// approximated by a circular one with the same initial stiffness and sliding torque. Can be copied and
@@ -25,22 +28,30 @@ pub(crate) struct Twist {
     hertz: Hertz,
     friction: f64,
     law: Accounted<TorsionLaw>,
+    watch: Watch,
 }
 
 #[pymethods]
 impl Twist {
     #[new]
-    fn new(hertz: Hertz, friction: f64) -> PyResult<Self> {
+    fn new(hertz: Hertz, friction: In<quantities::Friction>) -> PyResult<Self> {
+        let friction = friction.0;
         let law = Accounted::new(torsion(&hertz, friction)?);
-        Ok(Self { hertz, friction, law })
+        let watch = Watch::new(&Given::Hertz(hertz), None);
+        Ok(Self { hertz, friction, law, watch })
     }
 
     /// Moves the contact straight to a new approach (m) and twist (radians) and returns (M_z, F_z), N m and
     /// N.
-    #[pyo3(signature = (zeta, omega=0.0))]
-    fn advance(&mut self, zeta: f64, omega: f64) -> PyResult<(f64, f64)> {
-        let shift = Shift { zeta, omega, ..Shift::default() };
-        let load = self.law.advance(shift).map_err(Fault::from)?;
+    #[pyo3(signature = (zeta, omega=In::ZERO), text_signature = "($self, zeta, omega=0.0)")]
+    fn advance(
+        &mut self,
+        py: Python<'_>,
+        zeta: In<Zeta>,
+        omega: In<Omega>,
+    ) -> PyResult<(f64, f64)> {
+        let shift = Shift { zeta: zeta.0, omega: omega.0, ..Shift::default() };
+        let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
         Ok((load.m_z, load.f_z))
     }
 
@@ -114,6 +125,7 @@ pub(crate) struct ShiftTwist {
     hertz: Hertz,
     friction: f64,
     law: Accounted<ShiftTwistLaw>,
+    watch: Watch,
 }
 
 /// Capacity of the history of the shift, more than was ever reached.
@@ -135,23 +147,31 @@ fn numbers_of(law: &TorsionLaw) -> Result<Vec<f64>, Fault> {
 #[pymethods]
 impl ShiftTwist {
     #[new]
-    fn new(hertz: Hertz, friction: f64) -> PyResult<Self> {
+    fn new(hertz: Hertz, friction: In<quantities::Friction>) -> PyResult<Self> {
+        let friction = friction.0;
         let friction_law = Friction::new(friction).map_err(Fault::from)?;
         let law = ShiftTwistLaw::new(&hertz.0, friction_law).map_err(Fault::from)?;
-        Ok(Self { hertz, friction, law: Accounted::new(law) })
+        let coupling = coupling_bound(hertz.0.materials().gamma(), friction_law);
+        let watch = Watch::new(&Given::Hertz(hertz), Some(coupling));
+        Ok(Self { hertz, friction, law: Accounted::new(law), watch })
     }
 
     /// Moves the contact straight to a new shift (m) and twist (radians) and returns (F_x, F_y, F_z, M_z), N
     /// and N m.
-    #[pyo3(signature = (zeta, xi=0.0, eta=0.0, omega=0.0))]
+    #[pyo3(
+        signature = (zeta, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO),
+        text_signature = "($self, zeta, xi=0.0, eta=0.0, omega=0.0)"
+    )]
     fn advance(
         &mut self,
-        zeta: f64,
-        xi: f64,
-        eta: f64,
-        omega: f64,
+        py: Python<'_>,
+        zeta: In<Zeta>,
+        xi: In<Xi>,
+        eta: In<Eta>,
+        omega: In<Omega>,
     ) -> PyResult<(f64, f64, f64, f64)> {
-        let load = self.law.advance(Shift { zeta, xi, eta, omega }).map_err(Fault::from)?;
+        let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
+        let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
         Ok((load.f_x, load.f_y, load.f_z, load.m_z))
     }
 

@@ -16,6 +16,8 @@ use pyo3::prelude::*;
 use crate::error::Fault;
 use crate::friction::with_threshold;
 use crate::hertz::Given;
+use crate::quantities::{self, In, StaticFriction};
+use crate::told::Watch;
 
 /// Capacity of the history of one contact, in load reversals.
 pub(crate) const VERTICES: usize = 64;
@@ -35,14 +37,40 @@ pub(crate) struct Constants {
     pub(crate) given: Given,
     pub(crate) friction: f64,
     pub(crate) law: String,
-    pub(crate) tolerance: f64,
+    /// None for the usual one of the class.
+    pub(crate) tolerance: Option<f64>,
+    /// That usual one.
+    pub(crate) usual: f64,
     pub(crate) static_friction: Option<f64>,
 }
 
 /// The arguments of `__new__` that a contact is made of: stiffness, friction, law, tolerance and static friction.
-pub(crate) type Arguments = (Given, f64, String, f64, Option<f64>);
+pub(crate) type Arguments = (Given, f64, String, Option<f64>, Option<f64>);
 
 impl Constants {
+    pub(crate) fn new(
+        given: Given,
+        friction: In<quantities::Friction>,
+        law: String,
+        (tolerance, usual): (Option<In<quantities::Tolerance>>, f64),
+        static_friction: Option<In<StaticFriction>>,
+    ) -> Self {
+        let static_friction = static_friction.map(|friction| friction.0);
+        let tolerance = tolerance.map(|tolerance| tolerance.0);
+        Self { given, friction: friction.0, law, tolerance, usual, static_friction }
+    }
+
+    /// An error if a tolerance is given, which this law does not need.
+    pub(crate) fn refuse_tolerance(&self, why: &'static str) -> PyResult<()> {
+        match self.tolerance {
+            None => Ok(()),
+            Some(tolerance) => {
+                let text = format!("tolerance = {tolerance}: must not be given, since {why}");
+                Err(PyValueError::new_err(text))
+            }
+        }
+    }
+
     pub(crate) fn is_of_rings(&self) -> bool {
         self.law == RINGS
     }
@@ -50,8 +78,13 @@ impl Constants {
     pub(crate) fn law<V: Lateral, S: VertexStack<V>>(&self) -> PyResult<ShiftLaw<V, S>> {
         let law = turning_law(&self.law)?;
         let tolerance = match law {
-            TurningLaw::Coulomb => Tolerance::new(self.tolerance).map_err(Fault::from)?,
-            TurningLaw::FixedDirection => Tolerance::FINE,
+            TurningLaw::Coulomb => {
+                Tolerance::new(self.tolerance.unwrap_or(self.usual)).map_err(Fault::from)?
+            }
+            TurningLaw::FixedDirection => {
+                self.refuse_tolerance("law = 'fixed-direction' has none")?;
+                Tolerance::FINE
+            }
         };
         let stiffness = self.given.stiffness();
         if let Some(threshold) = self.static_friction {
@@ -72,7 +105,8 @@ impl Constants {
             return Err(PyValueError::new_err(text));
         };
         let friction = Friction::new(self.friction).map_err(Fault::from)?;
-        let tolerance = rings::Tolerance::new(self.tolerance).map_err(Fault::from)?;
+        let tolerance = self.tolerance.unwrap_or(self.usual);
+        let tolerance = rings::Tolerance::new(tolerance).map_err(Fault::from)?;
         Ok(RingLaw::new(&hertz.0, friction, tolerance).map_err(Fault::from)?)
     }
 
@@ -83,8 +117,14 @@ impl Constants {
         if self.is_of_rings() {
             return Ok(Some(0.0));
         }
-        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        let friction = self.static_friction.unwrap_or(self.friction);
+        let friction = Friction::new(friction).map_err(Fault::from)?;
         Ok(Some(coupling_bound(hertz.0.materials().gamma(), friction)))
+    }
+
+    /// What tells where the contact leaves the theory.
+    pub(crate) fn watch(&self) -> PyResult<Watch> {
+        Ok(Watch::new(&self.given, self.coupling_bound()?))
     }
 
     /// Number of numbers of a packed state; without slip a stored load reversal takes more of them.

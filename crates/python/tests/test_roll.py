@@ -105,3 +105,13 @@ def test_what_cannot_roll_is_refused_by_name(change, told):
 def test_a_force_that_friction_cannot_hold_is_an_error():
     with pytest.raises(carom.CaromError, match="row 2"):
         carom.roll(gap(), SIZE, STEEL, 0.3, F_z=10.0, F_x=[1.0, 3.1])
+
+
+@pytest.mark.parametrize("forces", [[20.0, 1e-3], [1e-3, 20.0], [1e-3, 20.0, 1e-3]])
+def test_yield_is_judged_by_the_greatest_pressure_of_all_rows(forces):
+    pair = carom.MaterialPair(carom.Material(208e9, 0.3, yield_stress=1e8))
+    with pytest.warns(carom.OutsideTheoryWarning, match="yields: ") as told:
+        rolled = carom.roll(gap(), SIZE, pair, 0.3, F_z=forces)
+    over = rolled.rows.p_max.max() / 1.6e8
+    assert over > 1 > rolled.rows.p_max.min() / 1.6e8
+    assert f"it is {float(f'{over:.2e}'):g} times that" in str(told[0].message) and len(told) == 1

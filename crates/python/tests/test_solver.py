@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import warnings
 
 import carom
 import numpy as np
@@ -177,3 +178,86 @@ def test_a_plate_that_cannot_be_is_refused_by_name():
         carom.Plate(1.0, 1.0, 0.1, "reissner")
     with pytest.raises(ValueError, match="body = 2"):
         sphere_on_plate().stress(0.0, 0.0, -0.1, body=2)
+
+
+def case_of_a_ball(tmp_path, cells):
+    """The ball of `ball` as a case of the command with the same heights, pressed and then pushed."""
+    path = tmp_path / "ball.toml"
+    x, y = carom.cells((cells, cells), SIZE)
+    np.save(tmp_path / "gap.npy", -(x**2 + y**2) / 0.02)
+    path.write_text(f"""
+[body_1.material]
+young_modulus = 208e9
+poisson = 0.3
+[body_2.material]
+young_modulus = 208e9
+poisson = 0.3
+[gap]
+shape = "heights"
+file = "gap.npy"
+[contact]
+friction = 0.3
+[grid]
+size = [{SIZE[0]}, {SIZE[1]}]
+cells = [{cells}, {cells}]
+[[step]]
+F_z = 10
+[[step]]
+F_x = 1
+""")
+    return path
+
+
+@pytest.mark.parametrize("cells", [12, 48])
+def test_errors_and_warnings_are_those_of_the_command(tmp_path, cells):
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        solved = carom.cases.solve(case_of_a_ball(tmp_path, cells))
+        of_case = len(told)
+        x, y = carom.cells((cells, cells), SIZE)
+        # Heights of a file count from the first point of contact.
+        gap = (x**2 + y**2 - (x**2 + y**2).min()) / 0.02
+        solver = carom.Solver(gap, SIZE, PAIR, 0.3)
+        steps = [solver.step(F_z=10.0), solver.step(F_x=1.0)]
+    for i, step in enumerate(steps):
+        for name in ("zeta", "xi", "F_z", "F_x", "p_max", "contact_area"):
+            own, other = getattr(step, f"{name}_error"), getattr(solved.steps, f"{name}_error")[i]
+            assert own == pytest.approx(other, rel=1e-6, abs=1e-12 if name[0] == "F" else 1e-20) and np.isfinite(own)
+    # The error is that of the grid: Hertz's approach is within it.
+    exact = carom.hertz(carom.hertz_of_spheres(0.01, np.inf, STEEL), force=10.0)
+    assert abs(steps[0].zeta + (x**2 + y**2).min() / 0.02 - exact.approach) < 4 * steps[0].zeta_error
+    assert solver.warnings == solved.warnings
+    assert len(told) - of_case == of_case == (1 if cells == 12 else 0)
+    if told:
+        assert "cells wide: the estimated error of loads and shifts is" in str(told[0].message)
+        assert told[-1].filename == __file__ and told[-1].category is carom.CaromWarning
+
+
+def test_a_doubt_is_told_once_in_a_loop_and_again_of_another_kind():
+    steel = carom.Material(208e9, 0.3, yield_stress=2e8)
+    x, y = carom.cells((12, 12), SIZE)
+    solver = carom.Solver((x**2 + y**2) / 0.02, SIZE, carom.MaterialPair(steel), 0.3)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        for force in (1e-3, 2e-3, 10.0, 11.0):
+            solver.step(F_z=force)
+    assert [("cells wide" in str(one.message), "yields" in str(one.message)) for one in told] == [(True, False), (False, True)]
+    assert [one.category for one in told] == [carom.CaromWarning, carom.OutsideTheoryWarning]
+    assert len(solver.warnings) == 2
+
+
+def test_without_estimates_the_numbers_are_the_same_and_the_errors_unknown():
+    steps = [ball(24, estimates=estimates).step(F_z=10.0).to_dict() for estimates in (True, False)]
+    for name, value in steps[0].items():
+        if name.endswith("_error"):
+            assert np.isfinite(value) and np.isnan(steps[1][name])
+        else:
+            assert value == steps[1][name]
+
+
+def test_the_first_step_needs_an_approach_or_a_force():
+    solver = ball(12)
+    for given in ({}, {"F_x": 0.0}, {"xi": 1e-7}):
+        with pytest.raises(ValueError, match="^zeta or F_z: the first step needs one of them"):
+            solver.step(**given)
+    assert solver.summary().step == 0

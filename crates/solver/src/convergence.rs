@@ -111,9 +111,12 @@ pub trait Observer: Send {
     fn see(&mut self, progress: &Progress) -> ControlFlow<()>;
 }
 
-/// Ignores all iterations.
+/// Ignores all iterations, and ends them on an [interrupt](carom_special::interrupt).
 impl Observer for () {
     fn see(&mut self, _: &Progress) -> ControlFlow<()> {
+        if carom_special::interrupt::is_wanted() {
+            return ControlFlow::Break(());
+        }
         ControlFlow::Continue(())
     }
 }

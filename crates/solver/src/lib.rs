@@ -53,7 +53,7 @@ mod tangential;
 
 pub use accuracy::{
     Accuracy, Contour, Estimated, Estimates, Fit, FitError, GridWarning, MeshOrder, NestedError,
-    NestedHistory, Side, Window, contours,
+    NestedHistory, Side, Trial, Window, contours,
 };
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 pub use drive::{Drive, Driven};

@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use carom_halfspace::operator::Threads;
+use carom_special::interrupt;
 
 use crate::awake::while_awake;
 
@@ -129,7 +130,10 @@ pub(crate) fn within<R: Send>(
 ) -> R {
     match threads {
         Threads::One => work(),
-        Threads::Pool => rayon::join(|| while_awake(cells / CELLS, work), || ()).0,
+        Threads::Pool => {
+            let ask = interrupt::asked();
+            rayon::join(|| interrupt::under(ask, || while_awake(cells / CELLS, work)), || ()).0
+        }
     }
 }
 

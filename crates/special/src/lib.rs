@@ -8,6 +8,7 @@
 //! | [`quadrature`] | Gauss-Legendre, adaptive Gauss-Kronrod, tanh-sinh |
 //! | [`roots`] | Brent's method in a bracket, bisection |
 //! | [`ode`] | ordinary differential equations with dense output |
+//! | [`interrupt`] | ends a long computation from outside |
 //!
 //! Arguments are types that keep full accuracy at both ends of their range: [`AxisRatio`] instead
 //! of the modulus, [`elliptic::Amplitude`] instead of the angle, [`hypergeometric::UnitArgument`]
@@ -25,6 +26,7 @@
 pub mod elliptic;
 pub mod gamma;
 pub mod hypergeometric;
+pub mod interrupt;
 pub mod ode;
 pub mod quadrature;
 pub mod roots;

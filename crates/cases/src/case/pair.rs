@@ -50,9 +50,7 @@ pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<
         })?;
     let hertz = Hertz::new(curvature, materials)
         .map_err(|error| case.out_of_range([&BODY_1, &RADII], error.value, error.allowed))?;
-    let curvatures = [radii_1, radii_2].map(|radii| radii.curvatures()).concat();
-    let sharpest = curvatures.into_iter().fold(0.0, |most: f64, one| most.max(one.abs()));
-    Ok(Pair { hertz, smallest_radius: sharpest.recip() })
+    Ok(Pair { hertz, smallest_radius: PrincipalRadii::smallest([radii_1, radii_2]) })
 }
 
 /// Two surfaces in contact.

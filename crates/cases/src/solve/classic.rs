@@ -81,6 +81,14 @@ pub struct Chosen {
     pub(super) tolerance: Option<f64>,
 }
 
+impl Chosen {
+    /// The main method, or the one of a plate.
+    #[must_use]
+    pub fn main(today: Frictional, plate: Option<Frictionless>) -> Self {
+        Self { today, plate, method: SolveMethod::Newton, tolerance: None }
+    }
+}
+
 /// Why a step failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ChosenError {

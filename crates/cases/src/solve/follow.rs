@@ -301,7 +301,8 @@ fn kept(leg: &Leg, held: [Driven; 4]) -> [Driven; 4] {
 }
 
 /// The border that the contact reaches, if any.
-pub(crate) fn border(state: &ContactState) -> Option<&'static str> {
+#[must_use]
+pub fn border(state: &ContactState) -> Option<&'static str> {
     let grid = state.cells.grid();
     let touches = |i: usize, j: usize| state.cells.get(i, j) != Some(&CellState::Exterior);
     let (right, upper) = (grid.nx() - 1, grid.ny() - 1);

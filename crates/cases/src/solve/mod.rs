@@ -6,27 +6,29 @@ mod follow;
 mod heights;
 mod influence;
 mod npy;
+mod warnings;
 
 pub use bodies::Bodies;
 pub use classic::{Chosen, ChosenError, Working};
-pub(crate) use follow::border;
-pub use follow::{Followed, Found, Run, Saved};
+pub use follow::{Followed, Found, Run, Saved, border};
+pub use warnings::few_cells;
 
 use crate::Error;
 use crate::case::SolveCase;
 use crate::input::CaseFile;
 use carom_solver::Accuracy;
 
-/// Solves a case. If `accuracy` is given, it replaces the grid of the case.
+/// Reads a case and solves it. If `accuracy` is given, it replaces the grid of the case.
 ///
 /// # Errors
 /// If the case has an error, a file that it names cannot be read, or a step cannot be solved.
-pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Followed, Error> {
+pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<(SolveCase, Followed), Error> {
     if let Some(accuracy) = accuracy {
         Accuracy::new(accuracy)?;
     }
     let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
     let bodies = Bodies::of(file, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
-    run.follow(Found::default(), |_, _, _| Ok(()))
+    let followed = run.follow(Found::default(), |_, _, _| Ok::<_, Error>(()))?;
+    Ok((case, followed))
 }

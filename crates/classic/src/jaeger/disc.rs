@@ -1,6 +1,6 @@
 //! Gauss-Seidel iteration that solves contact and friction exactly for one element at a time.
 
-use carom_special::RangeError;
+use carom_special::{RangeError, interrupt};
 
 use crate::direct::{Demand, DirectError, End, Influence, Outcome, apart, check_tolerance};
 use carom_solver::{
@@ -79,11 +79,14 @@ impl DiscScratch {
         &self.changes
     }
 
-    /// One sweep; returns the largest change relative to the largest pressure.
+    /// One sweep, or a part of it if it is interrupted; returns the largest change relative to the largest pressure.
     fn sweep(&mut self, demand: &Demand) -> f64 {
         let own = self.influence.own();
         let (mut change, mut top) = (0.0_f64, f64::MIN_POSITIVE);
         for cell in 0..self.outcome.cells.len() {
+            if interrupt::is_wanted() {
+                break;
+            }
             let outcome = &mut self.outcome;
             // A cell without a body is never in contact.
             if demand.target[2][cell] == f64::NEG_INFINITY {
@@ -174,7 +177,8 @@ impl Method for DiscGaussSeidel {
         for iteration in 1..=self.sweeps {
             let change = scratch.sweep(&demand);
             scratch.changes.push(change);
-            if change > self.tolerance && iteration < self.sweeps {
+            let goes_on = iteration < self.sweeps && !interrupt::is_wanted();
+            if change > self.tolerance && goes_on {
                 continue;
             }
             let Outcome { traction, displacement, .. } = &mut scratch.outcome;

@@ -3,7 +3,7 @@
 
 use crate::common;
 
-use crate::common::{case, contents, example, folder, limited, stdout};
+use crate::common::{carom, case, contents, example, folder, limited, stdout};
 use std::fs::File;
 use std::os::unix::fs::symlink;
 use std::path::Path;

@@ -2,6 +2,7 @@
 
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
+use carom_special::interrupt;
 use nalgebra::{Matrix3, Vector3};
 
 use super::adams::{Adams, Order};
@@ -29,6 +30,9 @@ pub struct Trajectory {
 
 /// Largest number of steps of a contact, over that of a free impact.
 const MAX_STEPS_OVER_FREE_IMPACT: usize = 1 << 14;
+
+/// Steps between two questions whether to end.
+const ASKS_EVERY: usize = 256;
 
 /// The part of a step to which the end of sliding is found: the direction of so short a path is still beyond round-off.
 const LEAST_PART_OF_SLIDING: f64 = 1.0 / (1_u64 << 20) as f64;
@@ -121,6 +125,9 @@ impl Trajectory {
         let mut steps = self.steps();
         let mut recent = Adams::new(order);
         for number in 0..MAX_STEPS_OVER_FREE_IMPACT * self.steps {
+            if number % ASKS_EVERY == 0 && interrupt::is_wanted() {
+                return Ok(None);
+            }
             let length = steps.next(&now);
             let time = now.time;
             let failed = move |source| LawFailure { step: number, time, source };

@@ -1,7 +1,8 @@
 """carom: elastic impact with friction.
 
 Contact laws with memory, Hertz contacts, impact of bodies and rebound, after J. Jaeger, *Elastic Impact
-with Friction* (TU Delft, 1992). SI units, or any consistent set.
+with Friction* (TU Delft, 1992). SI units, or any consistent set. A quantity that carries a unit, of unyt, astropy or
+pint, is converted to the unit of the argument, or refused; results are plain numbers.
 
 A ball of alumina meets a plate of the same material at 45 degrees:
 

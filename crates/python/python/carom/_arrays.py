@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._carom import RangeError, available_room
+from ._quantities import bare
 from ._types import Array, Numbers
 
 # Allocations up to this number of bytes are not checked.
@@ -20,37 +21,49 @@ def line(x: ArrayLike) -> Array:
     return np.require(x, np.float64, ["C", "A"]).reshape(-1)
 
 
-def numbers(name: str, x: ArrayLike) -> Array:
-    """Real numbers. Complex numbers, times and masked values raise an error that names the argument."""
+def numbers(name: str, x: ArrayLike, unit: str = "") -> Array:
+    """Real numbers, in this unit. Complex numbers, times, masked values and other units raise an error that names the
+    argument."""
+    x = bare(name, x, unit)
     try:
         given = np.asarray(x)
-        if given.dtype.kind in "cSUmM" or np.ma.is_masked(x):
+        if given.dtype.kind in "cSUmM" or np.ma.is_masked(x) or x is None:
             raise TypeError
         return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: must be real numbers, not {str(x):.60}") from None
 
 
-def path(name: str, x: ArrayLike) -> Array:
-    """A one-dimensional array of numbers."""
-    given = numbers(name, x)
+def number(name: str, x: object, unit: str = "") -> float:
+    """A single real number, in this unit."""
+    if type(x) is float:
+        return x
+    given = numbers(name, x, unit)  # type: ignore[arg-type]
+    if given.ndim:
+        raise ValueError(f"{name}: must be a number, not {str(x):.60}")
+    return float(given)
+
+
+def path(name: str, x: ArrayLike, unit: str) -> Array:
+    """A one-dimensional array of numbers in this unit."""
+    given = numbers(name, x, unit)
     if given.ndim != 1:
         raise ValueError(f"{name} has the shape {given.shape}: must be one-dimensional")
     return line(given)
 
 
-def spread(name: str, x: ArrayLike, shape: tuple[int, ...]) -> Array:
+def spread(name: str, x: ArrayLike, shape: tuple[int, ...], unit: str = "") -> Array:
     """The numbers of an argument, broadcast to a shape."""
-    given = numbers(name, x)
+    given = numbers(name, x, unit)
     try:
         return np.broadcast_to(given, shape)
     except ValueError:
         raise ValueError(f"{name} has the shape {given.shape}: must be a number or of the shape {shape}") from None
 
 
-def two(name: str, x: object) -> tuple[float, float]:
-    """Two numbers."""
-    pair = numbers(name, x)  # type: ignore[arg-type]
+def two(name: str, x: object, unit: str) -> tuple[float, float]:
+    """Two numbers in this unit."""
+    pair = numbers(name, x, unit)  # type: ignore[arg-type]
     if pair.shape != (2,):
         raise ValueError(f"{name}: must be two numbers, not {str(x):.60}")
     return float(pair[0]), float(pair[1])
@@ -60,7 +73,7 @@ def blocks(influence: Mapping[str, ArrayLike] | None) -> list[tuple[str, int, Ar
     """Name, columns and numbers of each block of influence numbers."""
     chosen = []
     for name, block in ({} if influence is None else influence).items():
-        array = numbers(f"influence[{name!r}]", block)
+        array = numbers(f"influence[{name!r}]", block, "m/Pa")
         if array.ndim != 2:
             raise ValueError(f"influence[{name!r}] has {array.ndim} dimensions: must be an array of rows")
         chosen.append((str(name), array.shape[1], line(array)))
@@ -72,13 +85,24 @@ def blocks(influence: Mapping[str, ArrayLike] | None) -> list[tuple[str, int, Ar
 def counted(name: str, x: object, each: int = 1) -> int:
     """A count of items of at least `each` bytes: a non-negative integer for which there is enough
     memory."""
-    whole = operator.index(x)  # type: ignore[arg-type]
+    try:
+        whole = operator.index(bare(name, x, ""))
+    except TypeError:
+        raise TypeError(f"{name}: must be a whole number, not {str(x):.60}") from None
     if 0 <= whole * each <= FEW or 0 <= whole * each <= available_room():
         return whole
     allowed = "at least 0" if whole < 0 else "few enough for the free memory"
     error = RangeError(f"{name} = {whole} is out of range: must be {allowed}")
     error.field, error.value, error.index = name, float(whole), None
     raise error
+
+
+def counts(name: str, x: object, allowed: str) -> tuple[int, int]:
+    """Two counts."""
+    pair = bare(name, x, "")
+    if np.shape(pair) != (2,):
+        raise ValueError(f"{name}: must be {allowed}, not {str(x):.60}")
+    return counted(name, pair[0]), counted(name, pair[1])
 
 
 def over(function: Callable[..., Array], /, **arguments: ArrayLike) -> Numbers:

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import line, numbers, over
+from ._arrays import line, number, numbers, over
 from ._carom import Hertz, Material, MaterialPair
 from ._records import DissimilarRestitution, DissimilarRestitutions, HertzState, HertzStates
 from ._types import Array, Number, Numbers, Several, of_one
+from ._validity import warn
 
 Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
 
@@ -30,6 +31,7 @@ def hertz_of_spheres(
     1.0
     """
     pair = MaterialPair(material_1, material_2)
+    radius_1, radius_2 = number("radius_1", radius_1, "m"), number("radius_2", radius_2, "m")
     return Hertz.of_radii(pair, (radius_1, radius_1), (radius_2, radius_2), 0.0)
 
 
@@ -74,8 +76,10 @@ def hertz(
     if len(given) != 1:
         raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
     ((name, values),) = given
-    columns = contact.state(name, line(numbers(name, values)))
-    return HertzStates._either(columns, np.shape(values))  # type: ignore[no-any-return]
+    plain = numbers(name, values, HertzState.units[name])
+    columns, exceeded = contact._state(name, line(plain))
+    warn(exceeded)
+    return HertzStates._either(columns, plain.shape)  # type: ignore[no-any-return]
 
 
 @overload
@@ -274,9 +278,10 @@ def stress(
     >>> round(float(shear.max()), 2), int(shear.argmax())  # 0.31 of the pressure, 0.48 a deep
     (0.31, 48)
     """
-    arrays = np.broadcast_arrays(*(numbers(n, v) for n, v in zip("xyz", (x, y, z), strict=True)))
+    arrays = np.broadcast_arrays(*(numbers(n, v, "m") for n, v in zip("xyz", (x, y, z), strict=True)))
     points = [line(v) for v in arrays]
-    values = _carom.stress(semi_axes, material, pressure, traction, stick_radius, *points)
+    values, exceeded = _carom.stress(semi_axes, material, pressure, traction, stick_radius, *points)
+    warn(exceeded)
     return values.reshape(arrays[0].shape + (6,))
 
 
@@ -290,7 +295,7 @@ def von_mises(stress: ArrayLike) -> Numbers:
     >>> von_mises([3.0, 0, 0, 0, 0, 0])
     3.0
     """
-    parts = numbers("stress", stress)
+    parts = numbers("stress", stress, "Pa")
     if parts.shape[-1:] != (6,):
         raise ValueError(f"stress has the shape {parts.shape}: must be six numbers along the last axis")
     xx, yy, zz, xy, yz, zx = np.moveaxis(parts, -1, 0)

@@ -9,19 +9,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom, _show
-from ._arrays import counted, line, numbers, spread
+from ._arrays import counted, line, number, numbers, spread
+from ._quantities import bare
 from ._carom import Hertz
 from ._types import Array
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+UNITS = {"zeta": "m", "xi": "m", "eta": "m", "omega": "rad"}
+
 
 class Contacts:
     """Many contacts with the same constants, advanced together: arrays of shifts in, arrays of loads out.
 
     `stiffness` is a Hertz contact or (c_x, c_y, c_z), N/m^1.5. `law` is 'coulomb', to a `tolerance` of the
-    friction limit, or 'fixed-direction', with one direction of traction in a slip annulus: faster, and
+    friction limit, by default 1e-2, or 'fixed-direction', with one direction of traction in a slip annulus: faster, and
     exact on straight paths. `directions=1` allows only xi; the law is then exact and fastest. `threads`
     uses all cores and gives the same bits. With a `static_friction` above `friction` a contact sticks or slips in
     part up to f_s F_z, and slides as a whole with f_k = `friction`; not for law 'rings'.
@@ -46,15 +49,16 @@ class Contacts:
         friction: float,
         *,
         law: str = "coulomb",
-        tolerance: float = 1e-2,
+        tolerance: float | None = None,
         static_friction: float | None = None,
         directions: int = 2,
         threads: bool = False,
     ) -> None:
+        ways = counted("directions", directions)
         self._native = _carom.Contacts(
-            counted("count", count), stiffness, friction, law, tolerance, static_friction, directions, threads
+            counted("count", count), stiffness, friction, law, tolerance, static_friction, ways, threads
         )
-        self._about = (stiffness, float(friction), law, directions)
+        self._about = (stiffness, number("friction", friction), law, ways)
 
     def __len__(self) -> int:
         return len(self._native)
@@ -73,11 +77,11 @@ class Contacts:
         """
 
         def column(name: str, shift: ArrayLike) -> Array:
-            return spread(name, shift, (len(self),)).reshape(-1, 1)
+            return spread(name, shift, (len(self),), UNITS[name]).reshape(-1, 1)
 
         across = None if eta is None else column("eta", eta)
         twist = None if omega is None else column("omega", omega)
-        return self.follow(column("zeta", zeta), column("xi", xi), across, twist)[:, 0]
+        return self._follow(column("zeta", zeta), column("xi", xi), across, twist, None)[:, 0]
 
     def follow(
         self,
@@ -93,17 +97,23 @@ class Contacts:
         If one shift is out of range, no contact is advanced. The loads are written into `out`, if given.
         With `omega`, for law 'rings' only, they include M_z after the forces: (n, steps, 4).
         """
+        return self._follow(zeta, xi, eta, omega, out)
+
+    def _follow(
+        self, zeta: ArrayLike, xi: ArrayLike, eta: ArrayLike | None, omega: ArrayLike | None, out: Array | None
+    ) -> Array:
+        """Moves along paths, one function below the call of the user, to which warnings point."""
         told = {"zeta": zeta, "xi": xi} | {
             name: shift for name, shift in (("eta", eta), ("omega", omega)) if shift is not None
         }
-        given = {name: numbers(name, v) for name, v in told.items()}
+        given = {name: numbers(name, v, UNITS[name]) for name, v in told.items()}
         lengths = (v.shape[-1] for v in given.values() if v.ndim)
         steps = next((length for length in lengths if length != 1), 1)
         shape = (len(self), steps)
         paths = {name: line(spread(name, v, shape)) for name, v in given.items()}
         whole = shape + (3 if omega is None else 4,)
         loads = np.empty(whole) if out is None else out
-        fits = isinstance(loads, np.ndarray) and loads.shape == whole and loads.dtype == np.float64
+        fits = isinstance(loads, np.ndarray) and bare("out", loads, "N") is loads and loads.shape == whole and loads.dtype == np.float64
         if not fits or not loads.flags.carray:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {whole}")
         if any(np.may_share_memory(loads, way) for way in paths.values()):

@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import counted, line, numbers
+from ._arrays import counts, line, numbers
 from ._carom import Hertz
 from ._records import FastsimForce, FastsimForces, LinearCreep, LinearCreeps
 from ._types import Number, Several
+from ._validity import warn
 
 
 @overload
@@ -168,10 +169,10 @@ def fastsim(
     """
     names = ("friction", "F_z", "creepage", "creepage_across", "spin")
     values = (friction, F_z, creepage, creepage_across, spin)
-    given = (numbers(name, value) for name, value in zip(names, values, strict=True))
+    units = ("", "N", "", "", "rad/m")
+    given = (numbers(*one) for one in zip(names, values, units, strict=True))
     arrays = np.broadcast_arrays(*given)
-    counts = [counted("mesh", count) for count in mesh]
-    if len(counts) != 2:
-        raise ValueError(f"mesh: must be two numbers, not {str(mesh):.60}")
-    columns = _carom.fastsim(contact, [line(array) for array in arrays], counts)
+    pair = counts("mesh", mesh, "two numbers")
+    columns, exceeded = _carom.fastsim(contact, [line(array) for array in arrays], pair)
+    warn(exceeded)
     return FastsimForces._either(columns, arrays[0].shape)  # type: ignore[no-any-return]

@@ -8,7 +8,7 @@ from typing import overload
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import line, numbers
+from ._arrays import line, number, numbers
 from ._types import Array, Number, Numbers, Several
 
 
@@ -35,10 +35,12 @@ class SlipSpeedFriction:
     c: float
 
     def __post_init__(self) -> None:
+        for name, unit in (("a", ""), ("b", ""), ("c", "s/m")):
+            object.__setattr__(self, name, number(name, getattr(self, name), unit))
         _carom.slip_speed_friction(self._numbers(), line([]))
 
     def _numbers(self) -> tuple[float, float, float]:
-        return float(self.a), float(self.b), float(self.c)
+        return self.a, self.b, self.c
 
     @overload
     def at(self, speed: Number) -> float: ...
@@ -48,7 +50,7 @@ class SlipSpeedFriction:
     def at(self, speed: ArrayLike) -> Numbers: ...
     def at(self, speed: ArrayLike) -> Numbers:
         """The coefficient at a slip speed, m/s, or at each of an array."""
-        speeds = numbers("speed", speed)
+        speeds = numbers("speed", speed, "m/s")
         found = line(_carom.slip_speed_friction(self._numbers(), line(speeds))).reshape(speeds.shape)
         return found if speeds.ndim else float(found)
 

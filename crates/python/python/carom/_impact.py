@@ -5,7 +5,7 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import counted, line, numbers, rows, spread
+from ._arrays import counted, line, number, numbers, rows, spread
 from ._carom import Body, Material
 from ._friction import SlipSpeedFriction, by_speed
 from ._records import HistoryPoints, Rebound, Rebounds
@@ -27,7 +27,7 @@ def sphere(
 ) -> Body:
     """A solid sphere or, if `hollow`, a thin spherical shell. m, kg, m/s, rad/s."""
     return Body(
-        "sphere", [radius], material, mass, hollow=hollow, velocity=velocity, spin=spin, centre=centre
+        "sphere", [number("radius", radius, "m")], material, mass, hollow=hollow, velocity=velocity, spin=spin, centre=centre
     )
 
 
@@ -55,13 +55,15 @@ def _loss(normal_restitution: float, wave_loss: bool, relaxation: float) -> tupl
     """The cause of the loss in the material, and its coefficient or relaxation time."""
     if normal_restitution is None:
         raise TypeError("normal_restitution: must be a number; for the loss by waves pass wave_loss=True")
+    normal_restitution = number("normal_restitution", normal_restitution)
+    relaxation = number("relaxation", relaxation, "s")
     given = [("normal_restitution", normal_restitution != 1.0), ("wave_loss=True", wave_loss), ("relaxation", relaxation != 0.0)]
     causes = [name for name, is_given in given if is_given]
     if len(causes) > 1:
         raise ValueError(f"{causes[0]} and {causes[1]} are mutually exclusive")
     if wave_loss:
         return "waves", 0.0
-    return ("relaxation", float(relaxation)) if relaxation != 0.0 else ("given", float(normal_restitution))
+    return ("relaxation", relaxation) if relaxation != 0.0 else ("given", normal_restitution)
 
 
 def _beside(
@@ -71,12 +73,12 @@ def _beside(
     speed = by_speed(friction)
     if speed is not None and static_friction is not None:
         raise ValueError("static_friction: friction by the slip speed has one coefficient at rest, a + b")
-    return speed, None if static_friction is None else float(static_friction)
+    return speed, None if static_friction is None else number("static_friction", static_friction)
 
 
 def _coefficient(friction: float | SlipSpeedFriction) -> float:
     """The coefficient of friction; zero if friction by the slip speed replaces it."""
-    return 0.0 if isinstance(friction, SlipSpeedFriction) else friction
+    return 0.0 if isinstance(friction, SlipSpeedFriction) else number("friction", friction)
 
 
 def collide(
@@ -172,7 +174,8 @@ def collide_many(
     default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
     names = ("body_1_velocity", "body_1_spin", "body_2_velocity", "body_2_spin")
     told = zip(names, (body_1_velocity, body_1_spin, body_2_velocity, body_2_spin), default, strict=True)
-    given = {name: numbers(name, d if v is None else v) for name, v, d in told}
+    units = dict(zip(names, ("m/s", "rad/s") * 2, strict=True))
+    given = {name: numbers(name, d if v is None else v, units[name]) for name, v, d in told}
     beside = _beside(friction, static_friction)
     coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]
@@ -215,5 +218,6 @@ def history(
     along = _along(body_1, body_2, normal)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
+    columns, exceeded = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
+    warn(exceeded)
     return HistoryPoints._shaped(columns, (len(columns["time"]),))

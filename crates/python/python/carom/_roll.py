@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import blocks, line, numbers, two
+from ._arrays import blocks, line, number, numbers, two
 from ._carom import MaterialPair
 from ._case_results import Rolled, gridded
 from ._records import RollStates
 from ._validity import warn
 
 MOTIONS = (("zeta", "F_z"), ("creepage", "F_x"), ("creepage_across", "F_y"), ("spin", "M_z"))
+UNITS = {"zeta": "m", "F_z": "N", "F_x": "N", "F_y": "N", "spin": "rad/m", "M_z": "N*m"}
 
 
 def roll(
@@ -63,41 +64,41 @@ def roll(
     >>> rolled.rows.F_x.round(6)
     array([ 0., -1., -2.])
     """
-    heights = numbers("gap", gap)
+    heights = numbers("gap", gap, "m")
     if heights.ndim != 2:
         raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
     ny, nx = heights.shape
     fine = numbers("friction", friction)
     if fine.shape not in ((), (ny, nx)):
         raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
-    width, height = two("size", size)
+    width, height = two("size", size, "m")
     given = _given(
         ((zeta, F_z), (creepage, F_x), (creepage_across, F_y), (spin, M_z)), distance is not None
     )
     cell = [width / max(nx, 1), height / max(ny, 1)]
-    rows, (fields, states), exceeded, others = _carom.roll(
+    rows, (fields, states), (exceeded, is_outside), others = _carom.roll(
         [nx, ny],
         cell,
         line(heights),
         materials,
         line(fine),
         given,
-        math.radians(direction),
-        float(spin_offset),
-        None if step is None else float(step),
-        None if distance is None else float(distance),
-        float(speed),
-        float(tolerance),
+        math.radians(number("direction", direction, "deg")),
+        number("spin_offset", spin_offset),
+        None if step is None else number("step", step, "m"),
+        None if distance is None else number("distance", distance, "m"),
+        number("speed", speed, "m/s"),
+        number("tolerance", tolerance),
         bool(cut),
         blocks(influence),
     )
-    warn(exceeded)
+    warn((exceeded + others, is_outside))
     axes = [(np.arange(n) - 0.5 * (n - 1)) * d for n, d in zip((nx, ny), cell, strict=True)]
     return Rolled(
         {
             "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
             "coefficients": None,
-            **gridded(axes, fields, states, exceeded[0] + others),
+            **gridded(axes, fields, states, exceeded + others),
         }
     )
 
@@ -113,7 +114,7 @@ def _given(
         if shift is None and load is None and names[0] == "zeta":
             raise ValueError("zeta or F_z must be given")
         name, value = (names[1], load) if load is not None else (names[0], shift)
-        chosen.append((load is not None, name, numbers(name, 0.0 if value is None else value)))
+        chosen.append((load is not None, name, numbers(name, 0.0 if value is None else value, UNITS.get(name, ""))))
     shapes = {array.shape for _, _, array in chosen if array.ndim}
     if len(shapes) > 1 or any(len(shape) > 1 for shape in shapes):
         told = ", ".join(f"{name} {array.shape}" for _, name, array in chosen if array.ndim)

@@ -134,10 +134,9 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
     True
     """
-    steps, axes, fields, cells, exceeded, others = _carom.case_solve(os.fspath(path), accuracy)
-    warn(exceeded)
-    warn(exceeded)
-    named = gridded(axes, fields, cells, exceeded[0] + others)
+    steps, axes, fields, cells, told = _carom.case_solve(os.fspath(path), accuracy)
+    warn(told)
+    named = gridded(axes, fields, cells, told[0])
     return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **named})
 
 
@@ -228,15 +227,15 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
     >>> bool((rolled.rows.used <= 1 + 1e-6).all()), rolled.rows.slides.dtype
     (True, dtype('bool'))
     """
-    rows, creep, axes, (fields, cells), exceeded, others = _carom.case_roll(
+    rows, creep, axes, (fields, cells), (exceeded, is_outside), others = _carom.case_roll(
         os.fspath(path), coefficients, fastsim
     )
-    warn(exceeded)
+    warn((exceeded + others, is_outside))
     return Rolled(
         {
             "rows": RollStates._shaped(rows, (len(rows["creepage"]),)),
             "coefficients": None if creep is None else CreepCoefficients._of(creep),
-            **gridded(axes, fields, cells, exceeded[0] + others),
+            **gridded(axes, fields, cells, exceeded + others),
         }
     )
 

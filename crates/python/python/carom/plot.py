@@ -58,9 +58,9 @@ def _curves(axes: Axes, x: Array, curves: dict[str, Array]) -> None:
         axes.plot(x, y, color=colour, linestyle=dash, label=name)
 
 
-def _scaled(values: ArrayLike, unit: str) -> tuple[Array, str]:
+def _scaled(values: Array, unit: str) -> tuple[Array, str]:
     """Values in a unit with a prefix, so that the largest lies between 1 and 1000; and that unit."""
-    values = numbers("values", values)
+    values = np.asarray(values)
     largest = float(np.abs(values).max(initial=0.0))
     factor, prefix = next(((f, p) for f, p in PREFIXES if largest >= f), (1.0, ""))
     return values / factor, prefix + unit
@@ -169,8 +169,8 @@ def history(course: HistoryPoints, axes: Axes | None = None) -> Axes:
 def loop(shift: ArrayLike, loads: ArrayLike, axes: Axes | None = None) -> Axes:
     """The tangential force F_x of a contact over its shift, with loads as `Contact.follow` returns them."""
     axes = _axes(axes)
-    across, unit = _scaled(shift, "m")
-    force, newton = _scaled(numbers("loads", loads)[..., 0], "N")
+    across, unit = _scaled(numbers("shift", shift, "m"), "m")
+    force, newton = _scaled(numbers("loads", loads, "N")[..., 0], "N")
     axes.plot(across, force, color=COLOURS[0])
     axes.grid(color="#E4E4E4")
     axes.set(xlabel=rf"$\xi$ / {unit}", ylabel=rf"$F_x$ / {newton}")

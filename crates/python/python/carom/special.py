@@ -19,7 +19,7 @@ from typing import overload
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import over
+from ._arrays import number, over
 from ._types import Array, Number, Numbers, Several, of_one, of_two
 
 __all__ = ["b", "c", "d", "e", "gamma", "hyp2f1", "hyp3f2", "inc_d", "inc_e", "inc_f", "k", "ln_gamma"]
@@ -101,7 +101,7 @@ def hyp2f1(a: float, b: float, c: float, x: Several) -> Array: ...
 def hyp2f1(a: float, b: float, c: float, x: ArrayLike) -> Numbers: ...
 def hyp2f1(a: float, b: float, c: float, x: ArrayLike) -> Numbers:
     """Gauss's hypergeometric function 2F1(a, b; c; x), x from 0 to 1; a, b and c from -5 to 5, c no pole."""
-    return over(partial(_carom.hyp2f1, a, b, c), x=x)
+    return over(partial(_carom.hyp2f1, number("a", a), number("b", b), number("c", c)), x=x)
 
 
 @overload
@@ -112,4 +112,5 @@ def hyp3f2(s: float, a: float, b: float, c: float, x: Several) -> Array: ...
 def hyp3f2(s: float, a: float, b: float, c: float, x: ArrayLike) -> Numbers: ...
 def hyp3f2(s: float, a: float, b: float, c: float, x: ArrayLike) -> Numbers:
     """3F2(s, a, b; s + 1, c; x), x from 0 to 1."""
-    return over(partial(_carom.hyp3f2, s, a, b, c), x=x)
+    function = partial(_carom.hyp3f2, number("s", s), number("a", a), number("b", b), number("c", c))
+    return over(function, x=x)

@@ -15,14 +15,14 @@ use std::path::PathBuf;
 
 use super::{Lines, lines, raised};
 use crate::records::arrays;
-use crate::threads::without_python;
+use crate::threads::beside;
 use crate::told::{Told, heeded, of_contact};
 
 /// The contact under each of its loads, and warnings.
 #[pyfunction]
 pub(crate) fn case_hertz(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
-    let followed = without_python(py, || hertz::followed(&CaseFile::read(&path)?));
-    let followed = followed.map_err(raised)?;
+    let followed = beside(py, || hertz::followed(&CaseFile::read(&path)?));
+    let followed = followed?.map_err(raised)?;
     let told = heeded(followed.heed(), "loads");
     Ok((arrays(py, HertzState::COLUMNS, &followed.states)?, told))
 }
@@ -41,7 +41,7 @@ pub(crate) fn case_stress<'py>(
     [Bound<'py, PyArray1<f64>>; 3],
     Told,
 )> {
-    let solved = without_python(py, || stress::solved(&CaseFile::read(&path)?)).map_err(raised)?;
+    let solved = beside(py, || stress::solved(&CaseFile::read(&path)?))?.map_err(raised)?;
     let told = of_contact(solved.validity());
     let Solved { case, state, stick_radius, points, .. } = solved;
     let parts = points.iter().map(|point| point.stress);
@@ -79,8 +79,8 @@ pub(crate) fn case_roll<'py>(
         let text = "fastsim: supports the steady state only: the case must have no `distance`";
         return Err(PyValueError::new_err(text));
     }
-    let rolled = without_python(py, || roll::rolled(&file, &case, wanted, &mut |_| ()));
-    let rolled = rolled.map_err(raised)?;
+    let rolled = beside(py, || roll::rolled(&file, &case, wanted, &mut |_| ()));
+    let rolled = rolled?.map_err(raised)?;
     let warnings = roll::warnings(&case, &rolled, wanted);
     let exceeded = of_contact(roll::validity(&case, &rolled.rows));
     let Rolled { rows, state, window, creep, .. } = rolled;

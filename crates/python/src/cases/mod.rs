@@ -9,7 +9,7 @@ pub(crate) use scene::case_scene;
 pub(crate) use shell::case_shell;
 
 use carom::impact::Outcome;
-use carom::solver::{CellState, ContactState, GridWarning};
+use carom::solver::{CellState, ContactState};
 use carom::special::WordError;
 use carom_cases::Error;
 use carom_cases::case::CaseKind;
@@ -24,8 +24,9 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 
 use crate::error::{CaromError, Fault};
+use crate::quantities::{Accuracy, In};
 use crate::records::arrays;
-use crate::threads::without_python;
+use crate::threads::beside;
 use crate::told::{Told, heeded, of_impacts};
 
 /// Name, unit and values of the field that a case sweeps over.
@@ -40,8 +41,8 @@ pub(crate) fn case_impact<'py>(
     py: Python<'py>,
     path: PathBuf,
 ) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>, Told)> {
-    let followed = without_python(py, || impact::followed(&CaseFile::read(&path)?));
-    let Impacts { swept, outcomes } = followed.map_err(raised)?;
+    let followed = beside(py, || impact::followed(&CaseFile::read(&path)?));
+    let Impacts { swept, outcomes } = followed?.map_err(raised)?;
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
     Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?, of_impacts(&outcomes)))
 }
@@ -49,8 +50,8 @@ pub(crate) fn case_impact<'py>(
 /// The contact after each step of a history, and warnings.
 #[pyfunction]
 pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
-    let followed = without_python(py, || history::followed(&CaseFile::read(&path)?));
-    let followed = followed.map_err(raised)?;
+    let followed = beside(py, || history::followed(&CaseFile::read(&path)?));
+    let followed = followed?.map_err(raised)?;
     let told = heeded(followed.heed(), "steps");
     Ok((arrays(py, &all_columns(), &followed.steps)?, told))
 }
@@ -62,28 +63,25 @@ pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_,
 pub(crate) fn case_solve<'py>(
     py: Python<'py>,
     path: PathBuf,
-    accuracy: Option<f64>,
+    accuracy: Option<In<Accuracy>>,
 ) -> PyResult<(
     Bound<'py, PyDict>,
     [Bound<'py, PyArray1<f64>>; 2],
     [Bound<'py, PyArray1<f64>>; 5],
     Bound<'py, PyArray1<i8>>,
     Told,
-    Vec<String>,
 )> {
-    let solved = without_python(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
-    let solved = solved.map_err(raised)?;
-    let (mut left, mut is_left) = heeded(solved.heed(), "steps");
-    is_left |= solved.too_large.is_some();
-    left.splice(..0, solved.large());
+    let accuracy = accuracy.map(|accuracy| accuracy.0);
+    let solved = beside(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
+    let (case, solved) = solved?.map_err(raised)?;
+    let caution = solved.heed().told("steps").0;
+    let texts = caution.into_iter().chain(solved.warnings(&case)).collect();
+    let is_left = !solved.heed().validity().holds() || solved.too_large.is_some();
     let Solved { steps, state, window, .. } = solved;
     let axes = contact::centres(py, &window.grid(), window.middle());
-    // A contact that may not reach the border has not reached it.
-    let few = state.warnings().into_iter().filter(|w| matches!(w, GridWarning::FewCells { .. }));
-    let few = few.map(|warning| warning.to_string()).collect();
     let (fields, cells) = lines(py, &state);
     let steps = arrays(py, &carom::solver::StepSummary::columns(), &steps)?;
-    Ok((steps, axes, fields, cells, (left, is_left), few))
+    Ok((steps, axes, fields, cells, (texts, is_left)))
 }
 
 /// A commented case of the given kind with all its fields, ready to run.

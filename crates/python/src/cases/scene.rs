@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use super::raised;
 use crate::records::{add, arrays};
-use crate::threads::without_python;
+use crate::threads::beside;
 use crate::told::{Told, heeded};
 
 /// The bounces of a ball with the names of the walls, why the path ends, its end, instants of every flight, and warnings.
@@ -22,8 +22,8 @@ pub(crate) fn case_scene<'py>(
     path: PathBuf,
     points: usize,
 ) -> PyResult<(Bound<'py, PyDict>, String, Bound<'py, PyDict>, Bound<'py, PyDict>, Told)> {
-    let followed = without_python(py, || scene::followed(&CaseFile::read(&path)?, points));
-    let Followed { case, bounces, points, end } = followed.map_err(raised)?;
+    let followed = beside(py, || scene::followed(&CaseFile::read(&path)?, points));
+    let Followed { case, bounces, points, end } = followed?.map_err(raised)?;
     let mut heed = Heed::default();
     bounces.iter().for_each(|bounce| add_bounce(&mut heed, bounce));
     let walls: Vec<&str> = bounces.iter().map(|bounce| case.names[bounce.wall].as_str()).collect();

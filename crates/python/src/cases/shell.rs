@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use super::raised;
 use crate::records::arrays;
-use crate::threads::without_python;
+use crate::threads::beside;
 
 /// `bellows` or `flange`, its summary, its loads (of a bellows), its places, and warnings.
 #[pyfunction]
@@ -25,7 +25,7 @@ pub(crate) fn case_shell<'py>(
     Bound<'py, PyDict>,
     Vec<String>,
 )> {
-    let solved = without_python(py, || shell::solved(&CaseFile::read(&path)?)).map_err(raised)?;
+    let solved = beside(py, || shell::solved(&CaseFile::read(&path)?))?.map_err(raised)?;
     let warnings = solved.warnings();
     Ok(match solved {
         Solved::Bellows(bellows) => {

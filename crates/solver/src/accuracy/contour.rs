@@ -91,20 +91,25 @@ impl ContactState {
 /// The field averaged with the weights 1 2 1 along both axes; values beyond the grid are zero.
 fn smoothed(field: &Field) -> Field {
     let grid = field.grid();
-    let at = |i: usize, j: usize| field.get(i, j).copied().unwrap_or(0.0);
     let mean = |before: f64, here: f64, after: f64| 0.25 * (before + 2.0 * here + after);
-    let mut own = field.clone();
-    for j in 0..grid.ny() {
-        for i in 0..grid.nx() {
-            let row = |j: usize| {
-                let before = if i > 0 { at(i - 1, j) } else { 0.0 };
-                mean(before, at(i, j), at(i + 1, j))
-            };
-            let before = if j > 0 { row(j - 1) } else { 0.0 };
-            own.values_mut()[grid.index(i, j)] = mean(before, row(j), row(j + 1));
+    let mut along = field.clone();
+    for row in along.values_mut().chunks_exact_mut(grid.nx()) {
+        let mut before = 0.0;
+        for i in 0..row.len() {
+            let after = row.get(i + 1).copied().unwrap_or(0.0);
+            (before, row[i]) = (row[i], mean(before, row[i], after));
         }
     }
-    own
+    let mut both = along.clone();
+    let row = |at: Option<usize>, i: usize| at.and_then(|j| along.get(i, j)).copied();
+    for j in 0..grid.ny() {
+        for i in 0..grid.nx() {
+            let [before, here, after] =
+                [j.checked_sub(1), Some(j), Some(j + 1)].map(|at| row(at, i).unwrap_or(0.0));
+            both.values_mut()[grid.index(i, j)] = mean(before, here, after);
+        }
+    }
+    both
 }
 
 /// An edge between two neighbouring cell centres. Centres of the grid are numbered from 1; 0 lies
@@ -154,6 +159,9 @@ impl Squares<'_> {
     fn segments_of(&self, i: usize, j: usize, next: &mut BTreeMap<Side, Side>) {
         let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
         let above = corners.map(|(i, j)| self.above(i, j));
+        if above == [above[0]; 4] {
+            return;
+        }
         let sides = [
             Side::AlongX(i, j),
             Side::AlongY(i + 1, j),

@@ -263,10 +263,6 @@ impl Estimates {
         let [x, y] = [&state.traction_x, &state.traction_y].map(|f| f.values());
         let normal_edge = state.has_a_pressed_edge();
         let tangential_edge = normal_edge || state.peaks_at_the_edge(|i| x[i].hypot(y[i]));
-        let of = |value: &dyn Fn(&ContactState) -> f64| {
-            let values = states.map(value);
-            if normal_edge { Estimated::of_edge(values) } else { Estimated::of(values) }
-        };
         let along = Along { order, at_edge: tangential_edge };
         let border = Border::of(state);
         let (radius, compliance) = (state.radius(), state.compliance());
@@ -279,9 +275,12 @@ impl Estimates {
             }
         };
         let area = |outlines: &dyn Fn(&ContactState) -> Vec<Contour>, touching: bool| {
-            let estimated = of(&|state| outlines(state).iter().map(Contour::area).sum());
+            let all = states.map(outlines);
+            let values = all.each_ref().map(|lines| lines.iter().map(Contour::area).sum());
+            let estimated =
+                if normal_edge { Estimated::of_edge(values) } else { Estimated::of(values) };
             let cell = state.pressure.grid().cell_area();
-            let ring: f64 = outlines(state).iter().map(Contour::length).sum();
+            let ring: f64 = all[0].iter().map(Contour::length).sum();
             let missed = if touching { CELLS_OF_A_MISSED_SPOT * cell } else { 0.0 };
             let least = missed.max(0.5 * ring * cell.sqrt());
             Estimated { error: estimated.error.max(least), ..estimated }

@@ -4,6 +4,7 @@ use carom_halfspace::Grid;
 use carom_special::RangeError;
 
 use super::estimate::Estimates;
+use crate::accuracy::MeshOrder;
 use crate::convergence::{Convergence, Observer};
 use crate::drive::Drive;
 use crate::method::Method;
@@ -36,6 +37,44 @@ pub struct NestedHistory<M: Method> {
     finest: Level<M>,
     /// Cell widths 2 h and 4 h; `None` from the first step that could not be solved there.
     coarse: [Option<Level<M>>; 2],
+}
+
+/// A step that is solved on all grids, and not taken yet.
+#[derive(Debug, Clone)]
+pub struct Trial {
+    state: ContactState,
+    convergence: Convergence,
+    /// On the coarser grids, where it could be solved.
+    coarse: [Option<ContactState>; 2],
+    order: MeshOrder,
+}
+
+impl Trial {
+    /// The state at its end on the finest grid.
+    #[must_use]
+    pub const fn state(&self) -> &ContactState {
+        &self.state
+    }
+
+    /// How its solution on the finest grid ended.
+    #[must_use]
+    pub const fn convergence(&self) -> &Convergence {
+        &self.convergence
+    }
+
+    /// As [`NestedHistory::estimates`].
+    #[must_use]
+    pub fn estimates(&self) -> Option<Estimates> {
+        estimates(&self.state, self.coarse.each_ref().map(Option::as_ref), self.order)
+    }
+}
+
+fn estimates(
+    state: &ContactState,
+    [coarse, coarsest]: [Option<&ContactState>; 2],
+    order: MeshOrder,
+) -> Option<Estimates> {
+    Some(Estimates::of([state, coarse?, coarsest?], order))
 }
 
 struct Level<M: Method> {
@@ -93,6 +132,18 @@ impl<M: Method> NestedHistory<M> {
         Ok(Self { method, finest, coarse })
     }
 
+    /// The same without coarser grids, at three quarters of the cost: there are no error estimates.
+    ///
+    /// # Errors
+    /// As [`NestedHistory::new`].
+    pub fn without_estimates(
+        method: M,
+        problem: ContactProblem,
+    ) -> Result<Self, NestedError<M::Error>> {
+        let finest = Level::new(&method, problem)?;
+        Ok(Self { method, finest, coarse: [None, None] })
+    }
+
     /// Advances all grids by one step. If the step cannot be solved on a coarser grid, there are no
     /// error estimates from then on.
     ///
@@ -103,16 +154,35 @@ impl<M: Method> NestedHistory<M> {
         drive: &Drive,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, M::Error> {
-        let (state, convergence) = self.finest.stepped(&self.method, drive, observer)?;
-        self.finest.state = state;
-        for place in &mut self.coarse {
-            let next = place.as_mut().map(|level| level.stepped(&self.method, drive, &mut ()));
-            match (place.as_mut(), next) {
-                (Some(level), Some(Ok((state, _)))) => level.state = state,
+        let trial = self.trial(drive, observer)?;
+        let convergence = trial.convergence;
+        self.take(trial);
+        Ok(convergence)
+    }
+
+    /// Solves one step on all grids. Until it is [taken](Self::take), all states are unchanged.
+    ///
+    /// # Errors
+    /// The method's error on the finest grid.
+    pub fn trial(&mut self, drive: &Drive, observer: &mut dyn Observer) -> Result<Trial, M::Error> {
+        let method = &self.method;
+        let (state, convergence) = self.finest.stepped(method, drive, observer)?;
+        let coarse = self
+            .coarse
+            .each_mut()
+            .map(|level| Some(level.as_mut()?.stepped(method, drive, &mut ()).ok()?.0));
+        Ok(Trial { state, convergence, coarse, order: method.mesh_order() })
+    }
+
+    /// Takes a step of this history, the last that was tried.
+    pub fn take(&mut self, trial: Trial) {
+        self.finest.state = trial.state;
+        for (place, state) in self.coarse.iter_mut().zip(trial.coarse) {
+            match (place.as_mut(), state) {
+                (Some(level), Some(state)) => level.state = state,
                 _ => *place = None,
             }
         }
-        Ok(convergence)
     }
 
     /// The problem on the finest grid.
@@ -169,7 +239,6 @@ impl<M: Method> NestedHistory<M> {
     /// solved on a coarser grid.
     #[must_use]
     pub fn estimates(&self) -> Option<Estimates> {
-        let [coarse, coarsest] = self.coarse_states();
-        Some(Estimates::of([self.state(), coarse?, coarsest?], self.method.mesh_order()))
+        estimates(self.state(), self.coarse_states(), self.method.mesh_order())
     }
 }

@@ -15,5 +15,5 @@ pub use contour::{Contour, contours};
 pub use estimate::{Estimated, Estimates, MeshOrder};
 pub use fit::{Accuracy, Fit, FitError};
 pub use grid_warning::{GridWarning, Side};
-pub use history::{NestedError, NestedHistory};
+pub use history::{NestedError, NestedHistory, Trial};
 pub use window::Window;

@@ -11,6 +11,7 @@ mod fit;
 mod friction_law;
 mod gap;
 mod histories;
+mod interrupt;
 mod known;
 mod known_solutions;
 mod large;

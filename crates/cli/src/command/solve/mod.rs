@@ -15,9 +15,9 @@ use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use crate::progress::Progress;
 use carom_cases::Error;
-use carom_cases::case::{GridCase, SolveCase};
+use carom_cases::case::SolveCase;
 use carom_cases::solve::{Bodies, Followed, Found, Run};
-use carom_solver::{Accuracy, Estimates, GridWarning, StepSummary};
+use carom_solver::{Accuracy, StepSummary};
 use kept::Folder;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -123,11 +123,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
             steps.len()
         ));
     }
-    warnings.extend(few_cells(&followed));
-    warnings.extend(unestimated(&case, &followed));
-    warnings.extend(followed.large());
-    warnings.extend(followed.heed().told("steps").1);
-    warnings.extend(unreached(&case, steps));
+    warnings.extend(followed.warnings(&case));
     let picture = match plot {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&followed, &case)?)),
         None => None,
@@ -161,51 +157,4 @@ fn only_half_spaces(path: &Path, case: &SolveCase, request: &str) -> Result<(), 
     }
     let reason = format!("`bodies.plate` excludes {request}: it is for half-spaces");
     Err(Error::Input { path: path.to_owned(), reason })
-}
-
-/// A warning if a plate has no error estimates.
-fn unestimated(case: &SolveCase, followed: &Followed) -> Option<String> {
-    let missing = followed.steps.last().is_some_and(|step| step.estimates.is_none());
-    (case.plate.is_some() && missing).then(|| {
-        let grid = followed.window.grid();
-        let nested = [grid.nx(), grid.ny()].iter().all(|count| count.is_multiple_of(4));
-        let reason = match nested {
-            true => "a coarser grid could not be solved",
-            false => "on a plate both numbers of `grid.cells` must be divisible by 4",
-        };
-        format!("no error estimate is available: {reason}")
-    })
-}
-
-/// A warning if the contact is only a few cells wide.
-fn few_cells(followed: &Followed) -> Option<String> {
-    let across = followed.state.warnings().into_iter().find_map(|warning| match warning {
-        GridWarning::FewCells { across } => Some(across),
-        GridWarning::Border { .. } | GridWarning::LargeDisplacement { .. } => None,
-    })?;
-    let last = followed.steps.last()?;
-    let error = last.estimates.map(|all| Estimates::worst(&[all]));
-    let error = match error {
-        None => "no error estimate is available".to_owned(),
-        Some(error) if error < 1.0 => {
-            format!("the estimated error of loads and shifts is {:.1} %", 100.0 * error)
-        }
-        Some(_) => "the error of loads and shifts cannot be estimated on this grid".to_owned(),
-    };
-    let cells = if across == 1 { "cell" } else { "cells" };
-    Some(format!("the contact is only {across} {cells} wide: {error}"))
-}
-
-/// A warning if steps within the legs, or increments between steps, have larger errors than
-/// requested.
-fn unreached(case: &SolveCase, steps: &[StepSummary]) -> Option<String> {
-    let GridCase::Accuracy(accuracy) = case.grid else { return None };
-    let all: Option<Vec<Estimates>> = steps.iter().map(|step| step.estimates).collect();
-    let reached = all.map_or(f64::INFINITY, |all| Estimates::worst(&all));
-    (reached > accuracy).then(|| {
-        format!(
-            "estimated errors reach {reached:.1e} within the history, above {accuracy}; request a \
-             higher accuracy"
-        )
-    })
 }
