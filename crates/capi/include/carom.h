@@ -746,10 +746,11 @@ typedef struct carom_collide_options {
   /* The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
    * elastic, 0 leaves the bodies together. */
   double normal_restitution;
-  /* Relative tolerance of the outcome; 0 for the default. */
+  /* Largest error of the contact velocity after the impact, over that before; 0 for the default. Rings that do
+   * not reach it set CAROM_WARNING_NOT_SETTLED. */
   double tolerance;
-  /* How friction acts on the spin about the normal, a CAROM_TORSION constant; CAROM_IMPACT_RINGS ignores
-   * it. */
+  /* How friction acts on the spin about the normal, a CAROM_TORSION constant. CAROM_IMPACT_RINGS counts it unless
+   * it is left out. */
   uint32_t torsion;
   /* The viscous relaxation time of both bodies together for CAROM_LOSS_VISCOELASTIC, s. */
   double relaxation;

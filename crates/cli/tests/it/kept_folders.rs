@@ -176,7 +176,7 @@ fn a_step_that_cannot_be_read_is_an_error_and_not_the_end_of_the_steps() {
 #[test]
 fn a_file_that_gives_a_read_error_is_an_error() {
     let heights = case("mem.toml", &common::rough("/proc/self/mem"));
-    let output = common::carom(&["solve", &heights]);
+    let output = carom(&["solve", &heights]);
     assert_eq!(output.status.code(), Some(1), "{}", said(&output));
     assert!(said(&output).contains("cannot read /proc/self/mem"), "{}", said(&output));
 }
@@ -201,7 +201,7 @@ fn pipes_and_devices_are_refused_before_they_are_opened() {
             ["solve", &heights],
             ["check", &heights],
         ] {
-            let output = common::carom(&arguments);
+            let output = carom(&arguments);
             assert_eq!(output.status.code(), Some(2), "{arguments:?}");
             assert!(said(&output).contains(words), "{arguments:?}: {}", said(&output));
         }
