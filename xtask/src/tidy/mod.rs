@@ -1,11 +1,12 @@
 //! Checks that the index of equations, `verification/equations.toml`, and the list of mutants,
-//! `xtask/mutants.toml`, fit the code, that lock files outside the workspace fit its crates, and that the descriptions
-//! of the packages are complete.
+//! `xtask/mutants.toml`, fit the code, that lock files outside the workspace fit its crates, that the scripts in `findings/`
+//! have their form, and that the descriptions of the packages are complete.
 //!
 //! Each item in the index must exist, and a test, an example or a page must reach it. If its
 //! comments quote equations, one of them must be an equation that the index assigns to it.
 
 mod calls;
+mod findings;
 mod index;
 mod items;
 mod locks;
@@ -47,6 +48,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
             }
         }
     }
+    faults.extend(findings::faults(&root)?);
     let figures = figures(&root)?;
     faults.extend(index.figure_gaps(&figures));
     for path in sources(&root)? {
@@ -83,7 +85,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
         return mutants::check(&root);
     }
     bail!(
-        "{} faults in the index of equations and in lock files:\n  {}",
+        "{} faults in the index of equations, lock files and findings:\n  {}",
         faults.len(),
         faults.join("\n  ")
     )
