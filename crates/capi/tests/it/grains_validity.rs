@@ -112,6 +112,18 @@ fn an_impact_has_its_largest_contact_its_waves_and_its_steps() {
     let rod_speed = (70e9 / density).sqrt();
     assert!(is_close(told.wave_share, WAVES * (velocity / rod_speed).powf(0.6)));
     assert!((told.step_over_duration * 2.943_275_184 * deep / velocity / step - 1.0).abs() < 1e-9);
+    // A loss that is given, by a time or by a restitution, holds that of the waves.
+    let damped = grains(&GLASS, &GLASS, CAROM_LAW_COULOMB, 1e-9);
+    let mut rebounding = floor;
+    // SAFETY: a pointer to what lives on.
+    let status =
+        unsafe { carom_grains_restitution(&raw mut rebounding, 0.9, null_mut()) };
+    assert_eq!(status, CaromStatus::Ok);
+    let warned = [floor, damped, rebounding].map(|grains| {
+        let told = impact(&grains, [radius, INF], [ball, INF], 30.0 * velocity, step).unwrap();
+        told.warnings & CAROM_WARNING_WAVE_LOSS
+    });
+    assert_eq!(warned, [CAROM_WARNING_WAVE_LOSS, 0, 0]);
     // Two equal balls are one of half the radius and mass, four times as dense, on a plane; what a pulse
     // radiates goes by the root of the density.
     let two = impact(&floor, [radius; 2], [ball; 2], velocity, step).unwrap();

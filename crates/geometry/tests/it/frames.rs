@@ -159,3 +159,40 @@ fn bad_input_is_named_with_its_value() {
         SearchError::Surface { body: 2, source: SurfaceError::OffSurface { distance: 0.5, .. } }
     ));
 }
+
+/// Normals may deviate from opposite ones by 1e-5: two spheres whose points of contact are tilted by less and by more,
+/// in every direction, whichever is named first.
+#[test]
+fn normals_that_are_not_opposite_are_refused_from_the_stated_angle_on() {
+    let ball = Surface::sphere(2.0).unwrap();
+    let at = |direction: Vector3<f64>| ball.local(&(2.0 * direction.normalize())).unwrap();
+    for turn in 0..8 {
+        let (sine, cosine) = (0.8 * f64::from(turn)).sin_cos();
+        for (tilt, is_refused) in [(0.5e-5, false), (0.99e-5, false), (1.01e-5, true), (2e-5, true)]
+        {
+            let (one, two) = (at(Vector3::z()), at(Vector3::new(tilt * cosine, tilt * sine, -1.0)));
+            for frame in [ContactFrame::new(&one, &two), ContactFrame::new(&two, &one)] {
+                match frame {
+                    Ok(_) => assert!(!is_refused, "{tilt}"),
+                    Err(FrameError::NotOpposed { angle }) => {
+                        assert!(is_refused && (angle / tilt - 1.0).abs() < 1e-3, "{tilt} {angle}");
+                    }
+                    Err(other) => panic!("{other}"),
+                }
+            }
+        }
+    }
+}
+
+/// The way along a line through the centre is the distance less the radius, as far as twice the size of the body.
+#[test]
+fn a_line_meets_a_sphere_at_its_distance_less_its_radius() {
+    let (radius, direction) = (0.7, Vector3::new(2.0, -1.0, 2.0) / 3.0);
+    let ball = Placed::new(Surface::sphere(radius).unwrap()).at([1.0, 2.0, 3.0]).unwrap();
+    let from = |gap: f64| Vector3::new(1.0, 2.0, 3.0) - (radius + gap) * direction;
+    for part in [0.01, 0.3, 0.6, 1.0, 1.5, 1.9] {
+        let way = ball.entry(&from(part * radius), &direction).unwrap();
+        assert!((way - part * radius).abs() < 1e-14, "{part}: {way}");
+    }
+    assert!(ball.entry(&from(9.0 * radius), &direction).is_none());
+}

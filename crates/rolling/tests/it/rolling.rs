@@ -463,3 +463,16 @@ fn creepages_that_vary_are_finite_and_on_the_grid() {
         assert!(matches!(error, RollingError::Range(range) if range.field == name), "{name}");
     }
 }
+
+/// Bodies apart neither stick nor slide; pressed together with much creepage they slide.
+#[test]
+fn bodies_apart_do_not_slide() {
+    let problem = sphere(12, [0.3, 0.3]);
+    let creepage = Creepage { along: 0.5, across: 0.2, spin: 0.1 };
+    let rolled = |approach: f64| {
+        roll_steadily(&problem, Driven::Shift(approach), problem.grid().dx(), creepage).unwrap()
+    };
+    let apart = rolled(-0.1);
+    assert!(!apart.slides && apart.state.load().f_z == 0.0 && apart.state.load().f_x == 0.0);
+    assert!(rolled(1.0).slides);
+}

@@ -132,3 +132,31 @@ fn effective_area_is_reciprocal() {
         }
     }
 }
+
+/// Along any meridian d(angle) is the curvature times ds, without jumps: by radius and height alone, dr = cos(angle) ds
+/// and dz = sin(angle) ds, up to the sense of the parameter; around the torus the angle grows by a whole turn.
+#[test]
+fn the_angle_of_a_meridian_turns_without_jumps() {
+    let meridians = [
+        Meridian::sine(6.0, 0.7, 2.0).unwrap(),
+        Meridian::folded(10.0, 0.5, 0.4, 1.8).unwrap(),
+        Meridian::torus(10.0, 1.5).unwrap(),
+    ];
+    const STEPS: i32 = 2000;
+    for (which, meridian) in meridians.iter().enumerate() {
+        let place = |k: i32| meridian.at(TAU * (f64::from(k) + 0.5) / f64::from(STEPS));
+        let mut turned = 0.0;
+        for k in 0..STEPS - 1 {
+            let (one, two) = (place(k), place(k + 1));
+            let change = two.angle - one.angle;
+            turned += change;
+            let [dr, dz] = [two.radius - one.radius, two.height - one.height];
+            let angle = 0.5 * (one.angle + two.angle);
+            let across = dr * angle.sin() - dz * angle.cos();
+            assert!(change.abs() < 0.02, "{which}, {k}: {change}");
+            assert!(across.abs() < 1e-3 * dr.hypot(dz), "{which}, {k}: {across}");
+        }
+        let whole = if which == 2 { TAU } else { 0.0 };
+        assert!((turned.abs() - whole).abs() < 0.02, "{which}: {turned}");
+    }
+}

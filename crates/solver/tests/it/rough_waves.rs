@@ -44,3 +44,16 @@ fn waves_of_an_oblong_grid_follow_their_length_alone() {
     let square: f64 = heights.values().iter().map(|z| z * z).sum();
     assert!(((square / grid.cells() as f64).sqrt() / 0.3 - 1.0).abs() < 1e-12);
 }
+
+/// The shortest wave is two of the longer sides of a cell, whichever axis that is.
+#[test]
+fn waves_shorter_than_two_cells_are_refused_along_either_axis() {
+    for [dx, dy] in [[0.5, 0.25], [0.25, 0.5]] {
+        let grid = Grid::new(24, 24, dx, dy).unwrap();
+        let surface =
+            |shortest: f64| SelfAffine { hurst: 0.6, rms: 0.3, longest: 5.0, shortest, seed: 5 };
+        assert!(surface(1.0).heights(grid).is_ok());
+        let error = surface(0.9).heights(grid).unwrap_err();
+        assert!(error.field == "shortest" && error.value == 0.9, "{error}");
+    }
+}
