@@ -62,14 +62,22 @@ const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/
 const PLUGIN: &[&str] =
     &["plugins", "crates/capi/Cargo.toml", "crates/capi/include", "crates/capi/src"];
 
-/// The laws of its contacts. What these are built on is tested below them.
-const LAWS: &[&str] = &["crates/laws/Cargo.toml", "crates/laws/src"];
+/// What its C library is built of.
+const BELOW: &[&str] = &[
+    "Cargo.lock",
+    "crates/geometry/src",
+    "crates/halfspace/src",
+    "crates/impact/src",
+    "crates/laws/Cargo.toml",
+    "crates/laws/src",
+    "crates/special/src",
+];
 
 /// The tests of the plugin, if one of these paths changed; the first that applies. They take longest: before other
 /// steps they do not wait for what those compile.
 const LAMMPS: [Changed; 2] = [
     (PLUGIN, "the LAMMPS plugin, in the pinned release", || lammps::run(Which::Short)),
-    (LAWS, "the contacts of the LAMMPS plugin, in the pinned release", || {
+    (BELOW, "the contacts of the LAMMPS plugin, in the pinned release", || {
         lammps::run(Which::OfLaws)
     }),
 ];

@@ -116,8 +116,7 @@ fn an_impact_has_its_largest_contact_its_waves_and_its_steps() {
     let damped = grains(&GLASS, &GLASS, CAROM_LAW_COULOMB, 1e-9);
     let mut rebounding = floor;
     // SAFETY: a pointer to what lives on.
-    let status =
-        unsafe { carom_grains_restitution(&raw mut rebounding, 0.9, null_mut()) };
+    let status = unsafe { carom_grains_restitution(&raw mut rebounding, 0.9, null_mut()) };
     assert_eq!(status, CaromStatus::Ok);
     let warned = [floor, damped, rebounding].map(|grains| {
         let told = impact(&grains, [radius, INF], [ball, INF], 30.0 * velocity, step).unwrap();
