@@ -6,6 +6,7 @@ use carom_cli::error::CliError;
 use carom_cli::manner::{asked_colour, is_coloured};
 use carom_cli::output::{Results, is_open};
 use carom_cli::page::{hang, width};
+use clap::error::{ContextKind, ContextValue};
 use clap::{ColorChoice, CommandFactory as _, FromArgMatches as _};
 use console::Term;
 use std::io::{ErrorKind, Write as _};
@@ -35,11 +36,23 @@ fn print_message(message: &clap::Error, colour: ColorChoice) -> ExitCode {
     if !message.use_stderr() && is_open().is_err() {
         return ExitCode::FAILURE;
     }
-    match print_fitted(message, colour) {
+    let printed = print_fitted(message, colour);
+    if let Some(case) = case_without_command(message) {
+        eprintln!("`{case}` is a case: `carom check {case}` tells which command computes it");
+    }
+    match printed {
         Err(error) if !message.use_stderr() && error.kind() != ErrorKind::BrokenPipe => {
             ExitCode::FAILURE
         }
         _ => ExitCode::from(u8::try_from(message.exit_code()).unwrap_or(2)),
+    }
+}
+
+/// The case that was given where a command belongs.
+fn case_without_command(message: &clap::Error) -> Option<String> {
+    match message.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(word)) if word.ends_with(".toml") => Some(word.clone()),
+        _ => None,
     }
 }
 

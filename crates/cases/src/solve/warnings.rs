@@ -11,11 +11,20 @@ impl Followed {
         let last = self.steps.last();
         let few = last.and_then(|last| few_cells(&self.state, last.estimates));
         let mut warnings: Vec<String> = few.into_iter().chain(unestimated(case, self)).collect();
+        warnings.extend(untouched(&self.steps));
         warnings.extend(self.large());
         warnings.extend(self.heed().told("steps").1);
         warnings.extend(unreached(case, &self.steps));
         warnings
     }
+}
+
+/// A warning if the bodies do not touch in any step.
+fn untouched(steps: &[StepSummary]) -> Option<String> {
+    let are_apart = !steps.is_empty() && steps.iter().all(|step| step.contact_area == 0.0);
+    are_apart.then(|| {
+        "no contact in any step: `zeta` > 0 or `F_z` > 0 presses the bodies together".to_owned()
+    })
 }
 
 /// A warning if a plate has no error estimates.

@@ -357,3 +357,28 @@ fn a_slip_of_units_is_said_first_and_plainly() {
     );
     assert!(line.ends_with("The results are approximate."), "{line}");
 }
+
+/// A stranger's three riddles: the case without its command, the bodies in the other order, a negative approach.
+#[test]
+fn answers_that_look_empty_say_what_to_change() {
+    let said = |arguments: &[&str]| {
+        let output = carom(arguments);
+        String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr)
+    };
+    let steel = example("rubber_on_table.toml");
+    assert!(said(&[&steel]).contains("is a case: `carom check"));
+    let steel = "material = { young_modulus = 208e9, poisson = 0.3 }";
+    let swapped = format!(
+        "[body_1]\nshape = \"plane\"\nfixed = true\n{steel}\n[body_2]\nshape = \"sphere\"\nradius = 0.01\n\
+         density = 7850\nvelocity = [0.1, 0, -1]\n{steel}\n[contact]\nfriction = 0.2\n"
+    );
+    let swapped = case("swapped.toml", &swapped);
+    let told = said(&["impact", &swapped]);
+    assert!(told.contains("exchange the bodies"), "{told}");
+    let hertz = std::fs::read_to_string(example("solve_hertz.toml")).unwrap();
+    let step = "\n[[step]]\nzeta = -1e-6\n";
+    let apart = case("apart.toml", &(hertz[..hertz.find("[[step]]").unwrap()].to_owned() + step));
+    let told = said(&["solve", &apart]);
+    assert!(told.contains("no contact in any step"), "{told}");
+}

@@ -21,6 +21,10 @@ pub(super) const OF_SWEEP: [&str; 8] = [
     "regimes",
 ];
 
+/// Instead of a rebound.
+const NO_IMPACT: &str = "no impact: the bodies do not approach each other\n\
+    (body 1 lies on the side to which `z_axis` points: exchange the bodies, or change the sign of a velocity)\n";
+
 /// The column of friction in the table of a sweep, if friction depends on the slip speed.
 pub(super) const fn friction(case: &ImpactCase) -> &'static [&'static str] {
     match case.contact.friction {
@@ -33,7 +37,7 @@ pub(super) const fn friction(case: &ImpactCase) -> &'static [&'static str] {
 pub(super) fn one(page: Page, record: &Record) -> Result<String, CliError> {
     let mut text = columns::upright(page, &record.contact()) + &motions(page, record)?;
     match record.rebound() {
-        None => text.insert_str(0, "no impact: the bodies do not approach each other\n"),
+        None => text.insert_str(0, NO_IMPACT),
         Some(rebound) => {
             text.push_str(&columns::upright(page, &record.quantities()));
             text.push_str(&events(page, record, rebound.duration)?);
