@@ -171,7 +171,9 @@ fn two_spheres_obey_mechanics_and_hertz() {
     for axis in [rebound.maximal_semi_axis_a, rebound.maximal_semi_axis_b] {
         near(axis, (radius * zeta).sqrt());
     }
-    assert_eq!((rebound.energy_lost, rebound.error_estimate), (0.0, 0.0));
+    assert_eq!(rebound.energy_lost, 0.0);
+    // What the spin about the normal, which this law leaves alone, does to the shift is not known.
+    assert!(rebound.error_estimate > 0.0 && rebound.error_estimate < 0.1);
     assert_eq!(rebound.warnings & CAROM_WARNING_COUPLING, 0);
     assert_eq!(rebound.warnings & CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_SPIN_LEFT_ALONE);
     // The exchanged bodies do the same to each other, seen the other way.

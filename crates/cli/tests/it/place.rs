@@ -230,7 +230,8 @@ fn a_sphere_with_a_place_is_the_sphere_of_a_simple_case() {
         .replace("radius = 0.02\n", "radius = 0.02\nposition = [0, 0, -0.02]\n");
     let (one, other) = (solved("simple", &simple), solved("placed", &placed));
     assert_eq!(one["method"], "uncoupled");
-    assert_eq!(one["error_estimate"], 0.0);
+    // The spin acts on the shift, which only rings count: the bound of it is in the estimate.
+    assert!((0.0..0.02).contains(&one["error_estimate"].as_f64().unwrap()));
     alike(&one, &other);
     let ratio = one["torsion"]["spin_ratio"].as_f64().unwrap();
     assert!(ratio < 1.0);
