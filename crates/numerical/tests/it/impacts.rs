@@ -96,14 +96,17 @@ const EGGS: [Egg; 3] = [
 fn unlike_ellipsoids_rebound_as_on_finer_grids_within_the_estimate() {
     for Egg { friction, slip, after } in &EGGS {
         let collision = eggs(*friction, *slip);
-        let speed = collision.impact().unwrap().unwrap().velocity().z;
+        let velocity = collision.impact().unwrap().unwrap().velocity();
+        let speed = velocity.z;
         let mut last = f64::INFINITY;
         for tolerance in [1e-2, 4e-3] {
             let grid = NumericalImpact::new(&collision).within(tolerance).unwrap();
             let grid = rebound(grid.solve().unwrap());
             let off = (grid.contact_velocity_after - Vector3::from(*after)).norm();
             let before = grid.contact_velocity_before.norm();
-            let estimate = grid.error_estimate * before;
+            // Beside what the spin about the normal may change, which the grid leaves out.
+            let by_spin = grid.validity.spin_on_shift * velocity.xy().norm();
+            let estimate = grid.error_estimate * before - by_spin;
             assert!(off <= estimate + 5e-4 * friction * speed, "{friction}: {off} {estimate}");
             assert!(estimate <= tolerance * speed * (1.0 + friction), "{friction}: {estimate}");
             assert!(off < 5e-3 * friction * speed, "{friction}: {off} {grid:?}");
