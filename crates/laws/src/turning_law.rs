@@ -7,6 +7,12 @@ use carom_special::WordError;
 
 /// The friction law for tangential shifts whose direction changes. On straight paths both are exact.
 ///
+/// Both take the annuli of the contact as independent, which an elastic half-space does not grant on paths that turn. On
+/// smooth paths of like bodies whose direction turned all the time the force of `coulomb` was off by .002 to .05 of f F_z
+/// in the mean of a path, and by .21 at worst; that of `fixed-direction` by .01 to .22 and .57; that of
+/// [rings](crate::rings) of 6 x 8 by .003 to .02 and .04 (two sets of drawn paths, a grid of 52 x 52 cells). This error is apart
+/// from the tolerance of `coulomb`, which does not lower it: where it matters, take rings or a grid.
+///
 /// Case files, Python and LAMMPS use the same words for it:
 ///
 /// ```
@@ -24,8 +30,8 @@ pub enum TurningLaw {
     #[default]
     Coulomb,
     /// Every slip annulus keeps the direction in which it formed, in terms of c_x xi and c_y eta
-    /// ([`crate::memory`]; chapter 7 of the thesis, for impacts (8.51)). It is faster; for shifts whose
-    /// direction changes its mean error is 5 % of the friction limit.
+    /// ([`crate::memory`]; chapter 7 of the thesis, for impacts (8.51)). It is faster, and the least accurate where
+    /// the direction changes.
     FixedDirection,
 }
 
