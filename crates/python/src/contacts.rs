@@ -1,5 +1,7 @@
 //! Many contacts with memory.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
 use carom::laws::memory::Fixed;
 use carom::laws::rings::RingLaw;
@@ -258,9 +260,15 @@ impl Path<'_> {
         let (steps, width) = (self.steps, self.width());
         let ask = if ends { asked() } else { None };
         let is_wanted = || ask.as_ref().is_some_and(|ask| ask());
+        let is_ended = AtomicBool::new(false);
         let walk = |(contact, (law, loads)): (usize, (&mut L, &mut [f64]))| {
+            if is_ended.load(Ordering::Relaxed) {
+                return;
+            }
             for (step, load) in loads.chunks_exact_mut(width).enumerate() {
                 if (contact * steps + step).is_multiple_of(ASKS_EVERY) && is_wanted() {
+                    // Contacts that begin at no question end, too.
+                    is_ended.store(true, Ordering::Relaxed);
                     return;
                 }
                 if let Ok(got) = law.advance(self.at(contact * steps + step)) {

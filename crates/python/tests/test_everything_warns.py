@@ -32,7 +32,7 @@ def case(tmp_path, kind):
 def scene(tmp_path):
     path = tmp_path / "scene.toml"
     text = carom.cases.new("scene")
-    path.write_text(text.replace("velocity = [0.5, 0, -1]", "velocity = [0.5, 0, -200]"))
+    path.write_text(text.replace("velocity = [0.25, 0, -0.5]", "velocity = [0.25, 0, -200]"))
     return carom.cases.scene(path)
 
 

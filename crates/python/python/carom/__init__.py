@@ -40,9 +40,9 @@ A contact on a grid, with any gap and load history:
 >>> x, y = carom.cells((32, 32), size=(1e-3, 1e-3))
 >>> wavy = 1e-6 * np.cos(2 * np.pi * x / 5e-4) ** 2 + (x**2 + y**2) / 0.02
 >>> solver = carom.Solver(wavy, (1e-3, 1e-3), carom.MaterialPair(alumina), friction=0.3)
->>> step = solver.step(F_z=50.0)
+>>> step = solver.step(F_z=200.0)
 >>> round(float(solver.pressure.sum() * (1e-3 / 32) ** 2), 6)
-50.0
+200.0
 
 A value out of range raises `carom.RangeError`, a ValueError that names the field:
 

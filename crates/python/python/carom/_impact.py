@@ -209,7 +209,7 @@ def history(
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
-    >>> ball = carom.sphere(0.01, steel, 0.033, velocity=(1, 0, -2))
+    >>> ball = carom.sphere(0.01, steel, 0.033, velocity=(0.5, 0, -1))
     >>> course = carom.history(ball, carom.plane(steel), 0.15, 51)
     >>> course.F.shape, course.regime[0] != course.regime[25]
     ((51, 3), True)
