@@ -305,12 +305,6 @@ impl Collision {
         Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
-    /// The tolerance that was given.
-    #[must_use]
-    pub const fn tolerance(&self) -> Option<f64> {
-        self.tolerance
-    }
-
     /// The largest error of the tangential and of the normal velocity after the impact, over the velocity of approach,
     /// with which both keep the given tolerance.
     #[must_use]
