@@ -67,7 +67,7 @@ pub struct CaromValidity {
 const fn bit_of(limit: Limit) -> u32 {
     match limit {
         Limit::Coupling => CAROM_WARNING_COUPLING,
-        Limit::LargeContact => CAROM_WARNING_LARGE_CONTACT,
+        Limit::LargeContact | Limit::LargePressure => CAROM_WARNING_LARGE_CONTACT,
         Limit::LargeApproach => CAROM_WARNING_LARGE_APPROACH,
         Limit::Yields => CAROM_WARNING_YIELDS,
         Limit::Waves => CAROM_WARNING_WAVE_LOSS,

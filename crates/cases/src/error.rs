@@ -273,6 +273,7 @@ const fn is_beyond(error: &FrictionalError) -> bool {
     matches!(
         error,
         FrictionalError::Range(_)
+            | FrictionalError::Operator(_)
             | FrictionalError::Period(_)
             | FrictionalError::Slides { .. }
             | FrictionalError::Turns { .. }

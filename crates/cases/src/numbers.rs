@@ -1,5 +1,6 @@
 //! Tables of numbers in text files, separated by commas, semicolons or tabs.
 
+use crate::case::shortened;
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
 /// An error in a table of numbers.
@@ -97,8 +98,8 @@ fn numbers(
         let number = found.parse().ok().filter(|number: &f64| number.is_finite());
         row.push(number.ok_or_else(|| TableError::Value {
             line: record.position().map_or(0, csv::Position::line),
-            column: column(place),
-            found: found.to_owned(),
+            column: shortened(&column(place)),
+            found: shortened(found),
         })?);
     }
     Ok(())

@@ -80,6 +80,14 @@ mod tests {
     }
 
     #[test]
+    fn a_vector_and_its_mirror_image_lose_the_same_parts() {
+        for sign in [1.0, -1.0] {
+            let vector = [sign * -2.0, sign * 1e-17, 3e-11];
+            assert_eq!(without_round_off(vector), [sign * -2.0, 0.0, 3e-11]);
+        }
+    }
+
+    #[test]
     fn a_component_is_compared_with_those_of_its_own_vector() {
         let cells =
             [("F_x", 1e-9), ("F_y", -1e-11), ("F_z", 15.0), ("spin_y", 1e-13), ("R_x", 1e-14)];

@@ -204,6 +204,12 @@ impl MaterialPair {
         (2.0 - self.poisson) / (2.0 * (1.0 - self.poisson))
     }
 
+    /// E* of Hertz: `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2`, in Pa; `2 G/(1 - nu)` of the pair (4.7).
+    #[must_use]
+    pub fn contact_modulus(&self) -> f64 {
+        2.0 * self.shear_modulus / (1.0 - self.poisson)
+    }
+
     /// The smaller yield stress of the two: both bodies bear the same pressure.
     #[must_use]
     pub fn yield_stress(&self) -> f64 {

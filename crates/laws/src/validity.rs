@@ -4,7 +4,7 @@
 use std::ffi::CStr;
 use std::fmt::{self, Display, Formatter};
 
-use carom_halfspace::MaterialPair;
+use carom_halfspace::{Material, MaterialPair};
 use carom_table::short;
 
 use crate::coupling::coupling_bound;
@@ -27,6 +27,9 @@ pub enum Limit {
     LargeContact,
     /// The bodies approach too far to be half-spaces.
     LargeApproach,
+    /// The greatest pressure is large against the elastic modulus: a contact of which no radius is known is as
+    /// steep as one that is large.
+    LargePressure,
     /// The weaker material begins to yield.
     Yields,
     /// Elastic waves carry away energy that the result keeps.
@@ -41,10 +44,11 @@ pub enum Limit {
 
 impl Limit {
     /// All limits, in the order in which they are told.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Coupling,
         Self::LargeContact,
         Self::LargeApproach,
+        Self::LargePressure,
         Self::Yields,
         Self::Waves,
         Self::Spin,
@@ -61,6 +65,10 @@ impl Limit {
             }
             Self::LargeContact => c"large contact: a/R exceeds 0.1, beyond Hertz's theory",
             Self::LargeApproach => c"the approach exceeds a tenth of the radius, so that the bodies are no half-spaces",
+            Self::LargePressure => {
+                c"the greatest pressure exceeds .064 E*, as in a round contact of a/R = 0.1: the surfaces \
+                  are too steep for half-spaces"
+            }
             Self::Yields => {
                 c"yields: the greatest pressure exceeds 1.6 times the yield stress, from which metals \
                   flow below the surface"
@@ -88,6 +96,7 @@ impl Limit {
             Self::Coupling => Validity::NEGLIGIBLE_COUPLING,
             Self::LargeContact => Validity::LARGE_CONTACT,
             Self::LargeApproach => Validity::LARGE_APPROACH,
+            Self::LargePressure => Validity::LARGE_PRESSURE,
             Self::Yields => 1.0,
             Self::Waves => Validity::NOTICEABLE_WAVE_SHARE,
             Self::Spin => Validity::NOTICEABLE_SPIN_SHARE,
@@ -130,6 +139,7 @@ impl Display for Excess {
             }
             Limit::LargeContact => write!(f, "{words}: it is {number}"),
             Limit::LargeApproach => write!(f, "{words}: it is {number} times the radius"),
+            Limit::LargePressure => write!(f, "{words}: it is {number} E*"),
             Limit::Yields => write!(f, "{words}: it is {number} times that"),
             Limit::Waves => write!(f, "{words}: about {percent} %"),
             Limit::Spin => write!(f, "{words}: up to {percent} %"),
@@ -159,6 +169,8 @@ pub struct Validity {
     pub semi_axis_over_radius: f64,
     /// zeta/R: the approach over R.
     pub approach_over_radius: f64,
+    /// The greatest pressure over E*, for contacts of which no radius is known.
+    pub pressure_over_modulus: f64,
     /// The greatest pressure over that at which the weaker material begins to yield; 0 if no yield
     /// stress is known.
     pub pressure_over_yield: f64,
@@ -182,6 +194,8 @@ impl Validity {
     pub const LARGE_CONTACT: f64 = 0.1;
     /// Largest zeta/R for which the bodies count as half-spaces.
     pub const LARGE_APPROACH: f64 = 0.1;
+    /// Largest p/E*: Hertz's round contact of a/R = [`Self::LARGE_CONTACT`] has `p_0/E* = (2/pi) a/R`.
+    pub const LARGE_PRESSURE: f64 = Self::LARGE_CONTACT * std::f64::consts::FRAC_2_PI;
     /// Largest share of the energy that elastic waves may carry away, since the theory neglects them.
     pub const LARGE_WAVE_SHARE: f64 = 0.1;
     /// The share of the energy of elastic waves that is worth a word.
@@ -214,12 +228,6 @@ impl Validity {
         }
     }
 
-    /// A contact of which only the greatest pressure is known.
-    #[must_use]
-    pub fn of_pressure(pressure: f64, yield_stress: f64) -> Self {
-        Self::of_contact([0.0, 0.0, pressure], yield_stress, f64::INFINITY)
-    }
-
     /// A Hertz contact under load between bodies of this smallest radius of curvature.
     #[must_use]
     pub fn of_hertz(hertz: &Hertz, state: &HertzState, radius: f64) -> Self {
@@ -240,6 +248,7 @@ impl Validity {
         Self {
             semi_axis_over_radius: self.semi_axis_over_radius.max(other.semi_axis_over_radius),
             approach_over_radius: self.approach_over_radius.max(other.approach_over_radius),
+            pressure_over_modulus: self.pressure_over_modulus.max(other.pressure_over_modulus),
             pressure_over_yield: self.pressure_over_yield.max(other.pressure_over_yield),
             wave_share: self.wave_share.max(other.wave_share),
             coupling: self.coupling.max(other.coupling),
@@ -256,6 +265,7 @@ impl Validity {
             Limit::Coupling => self.coupling,
             Limit::LargeContact => self.semi_axis_over_radius,
             Limit::LargeApproach => self.approach_over_radius,
+            Limit::LargePressure => self.pressure_over_modulus,
             Limit::Yields => self.pressure_over_yield,
             Limit::Waves => self.wave_share,
             Limit::Spin => self.spin_share,
@@ -279,7 +289,7 @@ impl Validity {
     /// Whether all limits hold but those on what a result leaves out; waves count from a tenth of the energy.
     #[must_use]
     pub fn holds(self) -> bool {
-        let kept = [Limit::LargeContact, Limit::Yields, Limit::TimeStep];
+        let kept = [Limit::LargeContact, Limit::LargePressure, Limit::Yields, Limit::TimeStep];
         !self.is_outside() && kept.into_iter().all(|limit| self.excess(limit).is_none())
     }
 
@@ -302,6 +312,54 @@ impl Validity {
         let approach = self.excess(Limit::LargeApproach);
         let waves = self.excess(Limit::Waves).filter(|waves| waves.value > Self::LARGE_WAVE_SHARE);
         approach.into_iter().chain(waves).map(|excess| excess.to_string()).collect()
+    }
+}
+
+/// What two bodies bear, for contacts of which only the greatest pressure is known, such as those on a grid.
+///
+/// ```
+/// use carom_halfspace::{Material, MaterialPair};
+/// use carom_laws::validity::{Limit, PressureLimits};
+/// let rubber = Material::from_young(5e6, 0.5)?;
+/// let limits = PressureLimits::of(&MaterialPair::new(rubber, Material::RIGID)?);
+/// assert!(limits.validity(0.4e6).holds());
+/// assert!(limits.validity(0.5e6).excess(Limit::LargePressure).is_some());
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PressureLimits {
+    yield_stress: f64,
+    /// E*; infinite where the bodies are no half-spaces.
+    modulus: f64,
+}
+
+impl PressureLimits {
+    /// Those of two half-spaces.
+    #[must_use]
+    pub fn of(materials: &MaterialPair) -> Self {
+        Self { yield_stress: materials.yield_stress(), modulus: materials.contact_modulus() }
+    }
+
+    /// Those of a half-space under a counter-body that is not known: as under a rigid one.
+    #[must_use]
+    pub fn of_body(material: &Material) -> Self {
+        let modulus = 2.0 * material.shear_modulus() / (1.0 - material.poisson());
+        Self { yield_stress: material.yield_stress(), modulus }
+    }
+
+    /// Those of other bodies than half-spaces: only yielding counts.
+    #[must_use]
+    pub fn without_half_spaces(self) -> Self {
+        Self { modulus: f64::INFINITY, ..self }
+    }
+
+    /// How far a contact of this greatest pressure is from the limits of the theory.
+    #[must_use]
+    pub fn validity(self, pressure: f64) -> Validity {
+        Validity {
+            pressure_over_modulus: pressure / self.modulus,
+            ..Validity::of_contact([0.0, 0.0, pressure], self.yield_stress, f64::INFINITY)
+        }
     }
 }
 
@@ -331,10 +389,11 @@ mod tests {
         };
         let most = (1..200).map(|i| at(0.01 * f64::from(i))).fold(0.0, f64::max);
         assert!((Validity::YIELDS_AT * most - 1.0).abs() < 0.01, "{most}");
-        let yields =
-            |pressure| Validity::of_pressure(pressure, 1e9).excess(Limit::Yields).is_some();
+        let limits = PressureLimits::of_body(&body.yielding_at(1e9).unwrap());
+        let yields = |pressure| limits.validity(pressure).excess(Limit::Yields).is_some();
         assert!(yields(1.01e9 / most) && !yields(0.98e9 / most));
-        assert_eq!(Validity::of_pressure(1e12, f64::INFINITY).exceeded().count(), 0);
+        let other = PressureLimits::of_body(&body).without_half_spaces();
+        assert_eq!(other.validity(1e12).exceeded().count(), 0);
     }
 
     #[test]
@@ -369,6 +428,22 @@ mod tests {
         assert_eq!(deep.exceeded().collect::<Vec<_>>(), [excess]);
     }
 
+    /// A contact on a grid is told of at the pressure of Hertz's circle of the same materials at a/R = .1.
+    #[test]
+    fn the_pressure_of_a_large_round_contact_is_large() {
+        let [soft, hard] =
+            [(5e6, 0.49), (7e7, 0.3)].map(|(e, nu)| Material::from_young(e, nu).unwrap());
+        let pair = MaterialPair::new(soft, hard).unwrap();
+        let gap = RelativeCurvature::from_coefficients(0.5, 0.5).unwrap();
+        let hertz = Hertz::new(gap, pair).unwrap();
+        let told = |a: f64| {
+            let state = hertz.at_approach(a * a).unwrap();
+            approx::assert_relative_eq!(state.ellipse.semi_axis_a(), a, max_relative = 1e-9);
+            PressureLimits::of(&pair).validity(state.peak_pressure).excess(Limit::LargePressure)
+        };
+        assert!(told(0.0999).is_none() && told(0.1001).is_some());
+    }
+
     /// Each ratio with its limit: nothing is told there, and its own words just above.
     #[test]
     fn each_limit_is_told_above_its_threshold_with_its_number() {
@@ -378,6 +453,7 @@ mod tests {
                 Validity { coupling: 5e-3 * value, ..none },
                 Validity { semi_axis_over_radius: 0.1 * value, ..none },
                 Validity { approach_over_radius: 0.1 * value, ..none },
+                Validity { pressure_over_modulus: Validity::LARGE_PRESSURE * value, ..none },
                 Validity { pressure_over_yield: value, ..none },
                 Validity { wave_share: 0.01 * value, ..none },
                 Validity { spin_share: 0.01 * value, ..none },
@@ -385,7 +461,8 @@ mod tests {
                 Validity { step_over_duration: value / 20.0, ..none },
             ]
         };
-        let numbers = ["0.01", "0.2", "0.2", "2 times", "2 %", "2 %", "0.01", "lasts 10"];
+        let numbers =
+            ["0.01", "0.2", "0.2", "0.127 E*", "2 times", "2 %", "2 %", "0.01", "lasts 10"];
         for (i, limit) in Limit::ALL.into_iter().enumerate() {
             let [at, above] = [1.0, 2.0].map(|value| of(value)[i]);
             assert_eq!(at.exceeded().count(), 0, "{limit:?}");
@@ -412,13 +489,14 @@ mod tests {
         let wrong = [
             Validity { semi_axis_over_radius: 0.11, ..none },
             Validity { approach_over_radius: 0.11, ..none },
+            Validity { pressure_over_modulus: 0.07, ..none },
             Validity { pressure_over_yield: 1.1, ..none },
             Validity { wave_share: 0.11, ..none },
             Validity { step_over_duration: 0.06, ..none },
         ];
         assert!(wrong.iter().all(|validity| !validity.holds()));
         let outside: Vec<bool> = wrong.iter().map(|validity| validity.is_outside()).collect();
-        assert_eq!(outside, [false, true, false, true, false]);
+        assert_eq!(outside, [false, true, false, false, true, false]);
         // A body pressed deeper than its radius, or one that radiates more than all, is nonsense.
         let meaningless = |approach_over_radius: f64, wave_share: f64| {
             Validity { approach_over_radius, wave_share, ..none }.is_meaningless()

@@ -36,7 +36,7 @@ pub enum NumericalImpactError {
         failure: LawFailure<NumericalLawError>,
     },
     /// The bodies do not part.
-    #[error("the bodies do not separate within 2^14 times the steps of a free impact")]
+    #[error("the bodies do not separate within 64 times the steps of a free impact")]
     NoSeparation,
 }
 

@@ -23,6 +23,8 @@ const FLOOR_BY_STRENGTH: f64 = 0.018;
 /// The first and the finest grids and steps.
 const FIRST: Fineness = Fineness { cells: 16, steps: 64 };
 const FINEST: Fineness = Fineness { cells: 64, steps: 512 };
+/// Cells times steps of a run at the most: those of the finest run of an impact that lasts twice as long as a free one.
+const MOST_WORK: usize = 2 * FINEST.steps * FINEST.cells * FINEST.cells;
 /// The fewest cells of a coarse grid.
 const FEWEST: usize = 4;
 
@@ -62,7 +64,9 @@ impl Problem<'_> {
                 return Ok(self.found(refined, found));
             }
             let Fineness { cells, steps } = refined.fineness;
-            let (finer_steps, finer_cells) = (steps < FINEST.steps, cells < FINEST.cells);
+            let work = refined.finest.samples.len() * cells * cells;
+            let finer_steps = steps < FINEST.steps && 2 * work <= MOST_WORK;
+            let finer_cells = cells < FINEST.cells && 4 * work <= MOST_WORK;
             let steps_are_off = worse(self.by_steps(&refined), self.by_cells(&refined));
             refined = match (finer_steps, finer_cells) {
                 (false, false) => return Ok(self.found(refined, found)),

@@ -12,6 +12,9 @@ use crate::peak::Peak;
 /// To which the solver takes each step: from 1e-7 to 1e-4 velocities change by 1e-4 f v_z, from 1e-3 on by more.
 const TOLERANCE: f64 = 1e-5;
 
+/// Steps of an impact on a grid, over those of a free one: the first run takes a second for so many.
+const PATIENCE: usize = 64;
+
 /// A number of cells across the contact of the greatest approach, and one of steps in a free impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Fineness {
@@ -76,7 +79,8 @@ impl<'a> Problem<'a> {
             expected: self.impact.is_mild().then(|| self.normal.duration()),
         };
         let mut samples: Vec<Sample> = Vec::new();
-        let end = trajectory.follow(&mut law, |point, law| samples.push(sample(point, law)))?;
+        let end = trajectory
+            .follow_at_most(PATIENCE, &mut law, |point, law| samples.push(sample(point, law)))?;
         let end = end.ok_or(NumericalImpactError::NoSeparation)?;
         let turns =
             samples.windows(2).filter(|pair| pair[0].velocity.z <= 0.0 && pair[1].velocity.z > 0.0);

@@ -1,7 +1,7 @@
 //! Rolling contact on a grid: gaps and drives in, forces, creepages and fields out.
 
 use carom::halfspace::Field;
-use carom::laws::validity::Validity;
+use carom::laws::validity::PressureLimits;
 use carom::prelude::{ContactProblem, Driven, Gap, Grid};
 use carom::rolling::{RollingDrive, SteadyMethod};
 use carom::special::RangeError;
@@ -69,7 +69,9 @@ pub(crate) fn roll<'py>(
     })?;
     let Rows { rows, state, too_large } = rolled.map_err(Fault::other)?;
     let peak = rows.iter().map(|row| row.greatest_pressure).fold(0.0, f64::max);
-    let told = of_contact(Validity::of_pressure(peak, materials.0.yield_stress()));
+    let limits = PressureLimits::of(&materials.0);
+    let limits = if table.is_some() { limits.without_half_spaces() } else { limits };
+    let told = of_contact(limits.validity(peak));
     let warnings = too_large.map(|(row, warning)| format!("row {row}: {warning}"));
     Ok((arrays(py, COLUMNS, &rows)?, lines(py, &state), told, warnings.into_iter().collect()))
 }

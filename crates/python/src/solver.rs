@@ -5,7 +5,7 @@ use carom::halfspace::operator::{
 };
 use carom::halfspace::{Field, Point};
 use carom::laws::law::Shift;
-use carom::laws::validity::Validity;
+use carom::laws::validity::{Limit, PressureLimits};
 use carom::prelude::{
     CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
 };
@@ -29,7 +29,7 @@ use crate::materials::MaterialPair;
 use crate::plate::Plate;
 use crate::records::arrays;
 use crate::threads::{beside, without_python};
-use crate::told::{of_contact, warn};
+use crate::told::warn;
 
 /// What drives one motion: true if its load is given, false if its shift is; and the value.
 type Given = (bool, f64);
@@ -46,7 +46,7 @@ pub(crate) struct Solver {
     history: NestedHistory<Chosen>,
     /// Whether the bodies end at the border of the window, so that the contact may reach it.
     cut: bool,
-    yield_stress: f64,
+    limits: PressureLimits,
     last: StepSummary,
     given: [Given; 4],
     /// What has been told of earlier steps.
@@ -58,7 +58,7 @@ pub(crate) struct Solver {
 enum Doubt {
     Few,
     Large,
-    Yields,
+    Exceeds(Limit),
 }
 
 #[pymethods]
@@ -115,9 +115,12 @@ impl Solver {
                 NestedError::Method(error) => error.into(),
             })
         })??;
-        let (yield_stress, given) = (materials.0.yield_stress(), [(false, 0.0); 4]);
+        let limits = PressureLimits::of(&materials.0);
+        let half_spaces = plate.is_none() && table.is_none();
+        let limits = if half_spaces { limits } else { limits.without_half_spaces() };
+        let given = [(false, 0.0); 4];
         let (last, told) = (StepSummary::default(), Vec::new());
-        Ok(Self { history, cut, yield_stress, last, given, told })
+        Ok(Self { history, cut, limits, last, given, told })
     }
 
     /// One step with given approach, shifts along x and y, and twist, or their loads; None keeps what was given before.
@@ -242,9 +245,9 @@ impl Solver {
         let large =
             |warning: &&GridWarning| matches!(warning, GridWarning::LargeDisplacement { .. });
         let large = warnings.iter().find(large).map(|text| (Doubt::Large, text.to_string()));
-        let validity = Validity::of_pressure(step.greatest_pressure, self.yield_stress);
-        let yields = of_contact(validity).0.into_iter().map(|text| (Doubt::Yields, text));
-        few.into_iter().chain(large).chain(yields).collect()
+        let exceeded = self.limits.validity(step.greatest_pressure).exceeded();
+        let exceeded = exceeded.map(|excess| (Doubt::Exceeds(excess.limit), excess.to_string()));
+        few.into_iter().chain(large).chain(exceeded).collect()
     }
 
     /// Warns of the reasons that have not been told, and gives them.

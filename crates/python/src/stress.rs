@@ -2,7 +2,7 @@
 
 use carom::halfspace::{Point, Traction};
 use carom::laws::field::partial_slip_stress;
-use carom::laws::validity::Validity;
+use carom::laws::validity::PressureLimits;
 use carom::prelude::ContactEllipse;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
@@ -39,6 +39,6 @@ pub(crate) fn stress<'py>(
         Ok([s.xx, s.yy, s.zz, s.xy, s.yz, s.zx])
     })?;
     let stresses = PyArray1::from_vec(py, stresses.into_iter().flatten().collect());
-    let told = of_contact(Validity::of_pressure(pressure.0, material.0.yield_stress()));
+    let told = of_contact(PressureLimits::of_body(&material.0).validity(pressure.0));
     Ok((stresses.reshape([x.len(), 6])?, told))
 }

@@ -87,7 +87,18 @@ def test_outside_the_theory_each_warns_once_where_it_is_called(name, tmp_path):
         OUTSIDE[name](tmp_path)
     outside = [one for one in told if one.category is carom.OutsideTheoryWarning]
     assert len(outside) == 1 and outside[0].filename == __file__
-    assert any(word in str(outside[0].message) for word in ("yields: ", "OUTSIDE THE THEORY", "large contact"))
+    assert any(word in str(outside[0].message) for word in ("yields: ", "OUTSIDE THE THEORY", "large contact", "E*"))
+
+
+@pytest.mark.parametrize("scale, large", [(0.9, False), (1.1, True)])
+def test_a_contact_on_a_grid_is_told_at_the_pressure_of_a_large_round_one(scale, large):
+    # Hertz: a/R = .1 at zeta = R/100, R = 10 mm.
+    x, y = carom.cells((32, 32), (2.6e-3, 2.6e-3))
+    window = ((x**2 + y**2) / 0.02, (2.6e-3, 2.6e-3), carom.MaterialPair(RUBBER), 0.3)
+    zeta = 1e-4 * scale
+    force = 4 / 3 * 1e6 / (2 * (1 - 0.49**2)) * 0.01**0.5 * zeta**1.5
+    for call in (lambda: carom.Solver(*window).step(zeta=zeta), lambda: carom.roll(*window, F_z=force)):
+        assert any("exceeds .064 E*" in text for text in told_by(call)) == large
 
 
 def told_by(call):

@@ -261,3 +261,11 @@ def test_the_first_step_needs_an_approach_or_a_force():
         with pytest.raises(ValueError, match="^zeta or F_z: the first step needs one of them"):
             solver.step(**given)
     assert solver.summary().step == 0
+
+
+def test_a_stored_solver_of_another_form_is_refused_by_name():
+    state = ball().__getstate__()
+    for form in ({"_form": 0}, {}):
+        other = object.__new__(carom.Solver)
+        with pytest.raises(ValueError, match=r"form of the stored Solver = (0|None): this version reads 1"):
+            other.__setstate__({**{key: value for key, value in state.items() if key != "_form"}, **form})

@@ -19,14 +19,15 @@ export const number = (field, value, holds, allowed) => {
   return value;
 };
 
-export const positive = (field, value) =>
-  number(field, value, given => given > 0 && Number.isFinite(given), 'a finite number > 0');
+/** A mass or a length: beyond these powers its square or inverse is no number. */
+export const size = (field, value) =>
+  number(field, value, given => given >= 1e-100 && given <= 1e100, 'a number from 1e-100 to 1e100');
 
 /** Three finite numbers. */
 export const vector = (field, value) => {
   const isVector = Array.isArray(value) || ArrayBuffer.isView(value);
   if (!isVector || value.length !== 3) throw new InputError(field, value, 'an array [x, y, z]');
-  return Array.from(value, (part, i) => number(`${field}[${i}]`, part, Number.isFinite, 'a finite number'));
+  return Array.from(value, (part, i) => number(`${field}[${i}]`, part, given => Math.abs(given) <= 1e100, 'a number of at most 1e100'));
 };
 
 /** An object with none but these names. */

@@ -1,6 +1,6 @@
 // Velocities and spins after an oblique impact.
 
-import { InputError, number, object, positive, vector } from './check.js';
+import { InputError, number, object, size, vector } from './check.js';
 import { SOLID, inertiaFactor, kappaOf } from './groups.js';
 import { restitution as ofGroups, slidesThroughout } from './table.js';
 import { add, cross, dot, norm, times } from './vector.js';
@@ -14,9 +14,9 @@ const sphere = (field, given, side) => {
   const { mass, radius, inertia = SOLID, velocity = REST, spin = REST } = object(field, given, BODY);
   return {
     side,
-    radius: positive(`${field}.radius`, radius),
+    radius: size(`${field}.radius`, radius),
     inertia: inertiaFactor(`${field}.inertia`, inertia),
-    inverseMass: 1 / positive(`${field}.mass`, mass),
+    inverseMass: 1 / size(`${field}.mass`, mass),
     velocity: vector(`${field}.velocity`, velocity),
     spin: vector(`${field}.spin`, spin),
   };

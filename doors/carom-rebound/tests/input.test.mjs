@@ -8,16 +8,17 @@ const good = { body1: { mass: 1, radius: 0.03, velocity: [1, 0, -2] }, poisson: 
 const ball = parts => ({ ...good, body1: { ...good.body1, ...parts } });
 
 const refused = [
-  [ball({ mass: 0 }), 'body1.mass = 0 must be a finite number > 0'],
-  [ball({ mass: Infinity }), 'body1.mass = Infinity must be a finite number > 0'],
-  [ball({ radius: '3' }), 'body1.radius = "3" must be a finite number > 0'],
+  [ball({ mass: 0 }), 'body1.mass = 0 must be a number from 1e-100 to 1e100'],
+  [ball({ mass: 1e-308 }), 'body1.mass = 1e-308 must be a number from 1e-100 to 1e100'],
+  [ball({ mass: Infinity }), 'body1.mass = Infinity must be a number from 1e-100 to 1e100'],
+  [ball({ radius: '3' }), 'body1.radius = "3" must be a number from 1e-100 to 1e100'],
   [ball({ inertia: 0.3 }), 'body1.inertia = 0.3 must be from 0.35 to 2/3 (0.4 solid, 2/3 a thin shell)'],
   [ball({ velocity: [1, 2] }), 'body1.velocity = 1,2 must be an array [x, y, z]'],
-  [ball({ spin: [0, NaN, 0] }), 'body1.spin[1] = NaN must be a finite number'],
+  [ball({ spin: [0, NaN, 0] }), 'body1.spin[1] = NaN must be a number of at most 1e100'],
   [ball({ speed: 1 }), 'body1.speed = 1 must be left out; body1 has mass, radius, inertia, velocity, spin'],
   [{ ...good, body1: undefined }, 'body1 = undefined must be an object with mass, radius, inertia, velocity, spin'],
   [{ ...good, body2: null }, 'body2 = null must be an object with mass, radius, inertia, velocity, spin'],
-  [{ ...good, body2: { mass: 1, radius: -1 } }, 'body2.radius = -1 must be a finite number > 0'],
+  [{ ...good, body2: { mass: 1, radius: -1 } }, 'body2.radius = -1 must be a number from 1e-100 to 1e100'],
   [{ ...good, normal: [0, 0, 0] }, 'normal = 0,0,0 must be a vector of finite length > 0'],
   [{ ...good, poisson: 0.51 }, 'poisson = 0.51 must be in (-1, 0.5]'],
   [{ ...good, poisson: undefined }, 'poisson = undefined must be in (-1, 0.5]'],

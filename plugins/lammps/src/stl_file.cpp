@@ -9,6 +9,7 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <sys/stat.h>
 
 namespace carom {
 
@@ -27,6 +28,10 @@ static constexpr double FLATTEST = 1e-7;
 
 static std::string contents_of(const std::string &path)
 {
+  // A pipe would wait to be opened.
+  struct stat status;
+  if (stat(path.c_str(), &status) == 0 && (status.st_mode & S_IFMT) != S_IFREG)
+    wrong(path, " cannot be read: it must be a regular file");
   const std::unique_ptr<FILE, int (*)(FILE *)> file(fopen(path.c_str(), "rb"), fclose);
   if (!file) wrong(path, std::string(" cannot be opened: ") + strerror(errno));
   const bool at_end = fseek(file.get(), 0, SEEK_END) == 0;

@@ -21,4 +21,5 @@ mod rolling;
 mod surfaces;
 mod told;
 mod validity;
+mod validity_of_all;
 mod wrong_bodies;

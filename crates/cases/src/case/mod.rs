@@ -36,6 +36,7 @@ pub use range::{End, Range};
 pub use roll::{Elliptical, RollCase};
 pub use scene::SceneCase;
 pub use section::Numbers;
+pub(crate) use section::shortened;
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
     Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase,

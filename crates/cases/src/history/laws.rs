@@ -2,6 +2,7 @@
 
 use crate::case::HistoryCase;
 use carom_laws::accounted::Accounted;
+use carom_laws::coulomb::SlipTurn;
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_laws::law::{ContactLaw as _, ContactLoad, Energies as _, Shift};
 use carom_laws::shift_law::ShiftLaw;
@@ -16,6 +17,8 @@ pub struct Laws {
     /// Whether any step has a twist.
     twists: bool,
     contact: Option<HertzState>,
+    /// The turn of slip; none if no step has contact.
+    turn: Option<SlipTurn>,
 }
 
 impl Laws {
@@ -29,8 +32,11 @@ impl Laws {
         let shift = ShiftLaw::with_static_friction(case.law, stiffness, friction, case.tolerance);
         let torsion = TorsionLaw::new(&case.hertz, friction.threshold())?;
         let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);
-        let twists = is_twisted(steps);
-        Ok(Self { hertz: case.hertz, law, twists, contact: None })
+        let deepest = steps.iter().fold(0.0, |most: f64, step| most.max(step.zeta));
+        let turn = (deepest > 0.0)
+            .then(|| SlipTurn::new(stiffness, friction.threshold(), deepest))
+            .transpose()?;
+        Ok(Self { hertz: case.hertz, law, twists: is_twisted(steps), contact: None, turn })
     }
 
     /// Advances to a shift.
@@ -39,6 +45,7 @@ impl Laws {
     /// [`RangeError`] if a law rejects it.
     pub fn advance(&mut self, step: Shift) -> Result<(), RangeError> {
         self.law.advance(step)?;
+        self.turn.as_mut().map_or(Ok(()), |turn| turn.advance(step))?;
         let zeta = step.zeta;
         self.contact = if zeta > 0.0 { Some(self.hertz.at_approach(zeta)?) } else { None };
         Ok(())
@@ -72,6 +79,12 @@ impl Laws {
     #[must_use]
     pub fn load(&self) -> ContactLoad {
         self.law.load()
+    }
+
+    /// The largest angle by which slip has turned within an annulus since that last stuck, radians.
+    #[must_use]
+    pub fn slip_turn(&self) -> f64 {
+        self.turn.as_ref().map_or(0.0, SlipTurn::angle)
     }
 
     /// Elastic energy of the contact.

@@ -34,6 +34,8 @@ pub struct Step {
     pub stick_semi_axis_a: f64,
     /// Semi-axis of the stick area along y.
     pub stick_semi_axis_b: f64,
+    /// The largest angle by which slip has turned within an annulus since that last stuck, radians.
+    pub slip_turn: f64,
     /// Elastic energy of the contact.
     pub stored_energy: f64,
     /// Friction heat since the start.
@@ -88,6 +90,12 @@ pub const COLUMNS: &[Column<Step>] = &[
         step.stick_semi_axis_a.into()
     }),
     Column::new("stick_semi_axis_b", "m", "the same along y", |step| step.stick_semi_axis_b.into()),
+    Column::new(
+        "slip_turn",
+        "rad",
+        "largest turn of the direction of slip within an annulus since it last stuck",
+        |step| step.slip_turn.into(),
+    ),
     Column::new("stored_energy", "J", "elastic energy of the contact", |step| {
         step.stored_energy.into()
     }),
@@ -189,6 +197,7 @@ pub fn step(
         semi_axis_b: b,
         stick_semi_axis_a: stick * a,
         stick_semi_axis_b: stick * b,
+        slip_turn: laws.slip_turn(),
         stored_energy: laws.stored_energy(),
         dissipated: laws.dissipated(),
         twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), most)),

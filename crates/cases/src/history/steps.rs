@@ -1,6 +1,7 @@
 //! The steps of a history from a CSV file.
 
 use crate::Error;
+use crate::case::shortened;
 use crate::input::CaseFile;
 use crate::numbers::{NumberTable, TableError};
 use carom_laws::law::Shift;
@@ -44,7 +45,7 @@ fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
     let mut table = NumberTable::new(text)?;
     let heads = &table.heads;
     if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(&head.as_str())) {
-        return Err(StepsError::Unknown(unknown.clone()));
+        return Err(StepsError::Unknown(shortened(unknown)));
     }
     let places = COLUMNS.map(|column| heads.iter().position(|head| head == column));
     let lacking = COLUMNS[..OPTIONAL].iter().zip(places).find(|(_, place)| place.is_none());
@@ -74,10 +75,12 @@ mod tests {
 
     #[test]
     fn bad_files_are_explained() {
+        let long = format!("unknown column `{}...`", "x".repeat(200));
         for (text, message) in [
             ("zeta,xi\n1,2\n", "column `eta` is missing"),
             ("zeta,xi,eta,theta\n", "unknown column `theta`"),
             ("zeta,xi,eta\n", "there is no step"),
+            (&format!("zeta,xi,eta,{}\n", "x".repeat(1000)), &long),
             ("zeta,xi,eta\n1,nan,0\n", "line 2: `xi` = nan is out of range"),
             ("zeta,xi,eta\n1,2,3\n1,2,x\n", "line 3: `eta` = x is out of range"),
             ("zeta,xi,eta\n1,2\n", "CSV error"),

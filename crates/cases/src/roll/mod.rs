@@ -137,7 +137,7 @@ pub fn validity(case: &RollCase, rows: &[Row]) -> Validity {
         return Validity::of_hertz(&ellipse.hertz, &ellipse.loaded, x.min(y));
     }
     let peak = rows.iter().map(|row| row.greatest_pressure).fold(0.0, f64::max);
-    Validity::of_pressure(peak, case.materials.yield_stress())
+    case.pressure_limits().validity(peak)
 }
 
 /// Warnings about full sliding, displacements too large for the theory, and effects that creep coefficients

@@ -61,7 +61,7 @@ impl Row {
             load,
             heat: None,
             limit: area * limit,
-            greatest_pressure: pressures.iter().copied().fold(0.0, f64::max),
+            greatest_pressure: state.peak_pressure(),
             contact_area: area * (stick + slip),
             stick_area: area * stick,
             slides: stick == 0.0 && slip > 0.0,
@@ -138,7 +138,12 @@ pub const COLUMNS: &[Column<Row>] = &[
         "work rate of the loads on the creepage; bodies of one material turn it into heat",
         |row| row.power().into(),
     ),
-    Column::new("p_max", "Pa", "maximum pressure", |row| row.greatest_pressure.into()),
+    Column::new(
+        "p_max",
+        "Pa",
+        "greatest pressure: the vertex of parabolas through the highest cell and its neighbours",
+        |row| row.greatest_pressure.into(),
+    ),
     Column::new("contact_area", "m2", "of all cells in contact", |row| row.contact_area.into()),
     Column::new("stick_area", "m2", "of all cells that stick", |row| row.stick_area.into()),
     Column::new(

@@ -8,7 +8,7 @@ use crate::theory::Heed;
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Grid, room};
 use carom_laws::law::{ContactLoad, Shift};
-use carom_laws::validity::Validity;
+use carom_laws::validity::PressureLimits;
 use carom_solver::{
     Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
     Frictionless, GridWarning, NestedError, NestedHistory, ProblemError, StepSummary, Window,
@@ -27,8 +27,8 @@ pub struct Followed {
     pub window: Window,
     /// The first step in which a displacement is too large for the theory, and how large it is.
     pub too_large: Option<(usize, GridWarning)>,
-    /// The smaller yield stress of the bodies; infinite if none is known.
-    pub yield_stress: f64,
+    /// What the bodies bear.
+    pub limits: PressureLimits,
     /// Number of steps that an earlier run had computed.
     pub found: usize,
 }
@@ -39,7 +39,7 @@ impl Followed {
     pub fn heed(&self) -> Heed {
         let mut heed = Heed::default();
         for step in &self.steps {
-            let validity = Validity::of_pressure(step.greatest_pressure, self.yield_stress);
+            let validity = self.limits.validity(step.greatest_pressure);
             heed.add(|| format!("at step {}", step.step), validity);
         }
         heed
@@ -185,8 +185,8 @@ impl<'a> Run<'a> {
             held = kept(leg, held);
         }
         let state = self.history.state().clone();
-        let yield_stress = self.case.materials.yield_stress();
-        Ok(Followed { steps, state, window: self.window, too_large, yield_stress, found: count })
+        let limits = self.case.pressure_limits();
+        Ok(Followed { steps, state, window: self.window, too_large, limits, found: count })
     }
 
     fn step(

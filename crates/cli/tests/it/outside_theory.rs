@@ -1,6 +1,8 @@
 //! How far a result lies outside the theory: by the smallest radius of curvature, of a slender body too.
 
-use crate::common::{carom, case, example, json};
+use carom_cases::case::CaseKind;
+
+use crate::common::{carom, case, example, json, stdout};
 
 /// Plain numbers that are probably in another unit are told in one line each; the case runs.
 #[test]
@@ -128,4 +130,55 @@ material = { young_modulus = 2e11, poisson = 0.3 }
     let expected = format!("a/R exceeds 0.1, beyond Hertz's theory: it is {:.3}", b / 0.01);
     let told = String::from_utf8(carom(&["history", &file]).stderr).unwrap();
     assert!(told.contains(&expected), "{told} {expected}");
+}
+
+/// The first case of each kind, of a steel that yields at a touch, or as fast as a bullet.
+#[test]
+fn every_kind_of_case_tells_where_it_leaves_the_theory() {
+    for kind in CaseKind::ALL.map(CaseKind::name) {
+        let new = stdout(&["new", kind]);
+        let lines = new.lines().filter(|line| !line.starts_with("yield_stress"));
+        let text = lines.collect::<Vec<_>>().join("\n");
+        let text = text
+            .replace("young_modulus = 208e9", "hardness = 1e5\nyoung_modulus = 208e9")
+            .replace("velocity = [0.25, 0, -0.5]", "velocity = [0.25, 0, -200]");
+        let output = carom(&[kind, &case(&format!("outside-{kind}.toml"), &text)]);
+        let told = [output.stdout, output.stderr].concat();
+        let told = String::from_utf8(told).unwrap();
+        // No contact: its warnings are on folds and strains.
+        let is_told = told.contains("yields: ") || told.contains("OUTSIDE THE THEORY");
+        assert_eq!(is_told, kind != CaseKind::Shell.name(), "{kind}: {told}");
+    }
+}
+
+/// A roller pressed to half of its radius, and a surface pressed as a fifth of E*.
+#[test]
+fn a_gap_as_steep_as_a_large_contact_is_told() {
+    const BODIES: &str = "\
+[body_1]
+material = { young_modulus = 1e9, poisson = 0.3 }
+[body_2]
+material = { rigid = true }
+[contact]
+friction = 0.3
+[grid]
+size = [0.012, 0.012]
+cells = [48, 48]
+[gap]
+shape = \"paraboloid\"
+radii = [0.03, 0.03]
+";
+    let told = |kind: &str, rest: &str| {
+        let file = case(&format!("steep-{kind}.toml"), &format!("{BODIES}{rest}"));
+        String::from_utf8(carom(&[kind, &file]).stderr).unwrap()
+    };
+    // a/R = sqrt(zeta/R); E* = 1.1 GPa.
+    for (steps, rolling, large) in [("2.9e-4", "1200", false), ("3.1e-4", "1450", true)] {
+        let solve = told("solve", &format!("[[step]]\nzeta = {steps}\n"));
+        let roll =
+            told("roll", &format!("[rolling]\nspeed = 1\nF_z = {rolling}\ncreepage = 1e-3\n"));
+        for text in [solve, roll] {
+            assert_eq!(text.contains("exceeds .064 E*"), large, "{text}");
+        }
+    }
 }

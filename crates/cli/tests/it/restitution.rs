@@ -240,3 +240,19 @@ fn bad_numbers_of_dissimilar_spheres_name_their_option() {
         assert!(output.stdout.is_empty());
     }
 }
+
+/// The limit for vanishing tangential velocities comes from an impact at lambda = .02: its estimate is the one beside it.
+#[test]
+fn the_estimate_of_the_limit_goes_on_that_of_small_tangential_velocities() {
+    for [kappa, gamma, friction] in [["1.2", "0.25", "0.01"], ["1.2", "0.1", "0.05"]] {
+        let arguments = ["restitution", "--kappa", kappa, "--gamma", gamma, "--friction", friction];
+        let rows = json(&[&arguments[..], &["--lambda", "0,0.02,0.03"]].concat());
+        let of = |name: &str| -> Vec<f64> {
+            rows.as_array().unwrap().iter().map(|row| row[name].as_f64().unwrap()).collect()
+        };
+        let (restitution, estimates) = (of("R_x"), of("error_estimate"));
+        assert!((0.5..2.0).contains(&(estimates[0] / estimates[1])), "{estimates:?}");
+        assert!((restitution[0] - restitution[1]).abs() < estimates[0] + estimates[1]);
+        assert!((0.7..1.6).contains(&(estimates[1] / estimates[2])), "{estimates:?}");
+    }
+}

@@ -263,3 +263,23 @@ fn what_is_wrong_is_named_with_its_value_and_range() {
         assert!(unfolded.contains(told), "{told}\n{said}");
     }
 }
+
+/// Steel folds that are stretched step by step until the equivalent stress passes .02 E.
+#[test]
+fn large_strains_are_told_from_two_percent_of_youngs_modulus_on() {
+    let text = std::fs::read_to_string(example("shell_bellows.toml")).unwrap();
+    let range = "{ start = \"-12 mm\", stop = \"12 mm\", count = 9 }";
+    assert!(text.contains(range));
+    let mut told_of = [0, 0];
+    for millimetres in 40..50 {
+        let case = case("strained.toml", &text.replace(range, &format!("\"{millimetres} mm\"")));
+        let output = carom(&["shell", &case, "--format", "json"]);
+        let row: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let row = &row["loads"][0];
+        let is_large = row["maximal_equivalent_stress"].as_f64().unwrap() > 0.02 * 195e9;
+        let told = String::from_utf8_lossy(&output.stderr).contains("2 % of Young's modulus");
+        assert_eq!(told, is_large, "{millimetres} mm: {row}");
+        told_of[usize::from(told)] += 1;
+    }
+    assert!(told_of[0] > 0 && told_of[1] > 0, "{told_of:?}");
+}

@@ -8,7 +8,7 @@ use super::adams::Order;
 use super::extrapolation::Extrapolation;
 use super::point::Point;
 use super::run::Run;
-use super::trajectory::{LawFailure, Trajectory};
+use super::trajectory::{LawFailure, MAX_STEPS_OVER_FREE_IMPACT, Trajectory};
 
 /// The pilot run finds the duration and the number of steps. It is fine enough for the fastest
 /// oscillation to be stable.
@@ -196,7 +196,7 @@ impl Problem {
         // The errors of steps in time are smooth enough for extrapolation.
         let order = self.expected.map_or(Order::Fourth, |_| Order::Second);
         let end = trajectory
-            .follow_to(order, &mut law, |point, law| {
+            .follow_to((order, MAX_STEPS_OVER_FREE_IMPACT), &mut law, |point, law| {
                 peaks.see(point);
                 let moved = law.rings();
                 rings = rings.max(moved);

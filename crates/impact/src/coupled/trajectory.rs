@@ -29,7 +29,7 @@ pub struct Trajectory {
 }
 
 /// Largest number of steps of a contact, over that of a free impact.
-const MAX_STEPS_OVER_FREE_IMPACT: usize = 1 << 14;
+pub(super) const MAX_STEPS_OVER_FREE_IMPACT: usize = 1 << 14;
 
 /// Steps between two questions whether to end.
 const ASKS_EVERY: usize = 256;
@@ -104,13 +104,26 @@ impl Trajectory {
         law: &mut L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Option<Point>, LawFailure<L::Error>> {
-        self.follow_to(Order::Second, law, observe)
+        self.follow_to((Order::Second, MAX_STEPS_OVER_FREE_IMPACT), law, observe)
     }
 
-    /// The same with steps of this order.
+    /// The same with at most `patience` times the steps of a free impact, for laws that take long.
+    ///
+    /// # Errors
+    /// As [`Self::follow`].
+    pub fn follow_at_most<L: ContactLaw>(
+        &self,
+        patience: usize,
+        law: &mut L,
+        observe: impl FnMut(&Point, &L),
+    ) -> Result<Option<Point>, LawFailure<L::Error>> {
+        self.follow_to((Order::Second, patience), law, observe)
+    }
+
+    /// The same with steps of an order, and so many times those of a free impact.
     pub(super) fn follow_to<L: ContactLaw>(
         &self,
-        order: Order,
+        (order, patience): (Order, usize),
         law: &mut L,
         mut observe: impl FnMut(&Point, &L),
     ) -> Result<Option<Point>, LawFailure<L::Error>> {
@@ -124,7 +137,7 @@ impl Trajectory {
         observe(&now, law);
         let mut steps = self.steps();
         let mut recent = Adams::new(order);
-        for number in 0..MAX_STEPS_OVER_FREE_IMPACT * self.steps {
+        for number in 0..patience * self.steps {
             if number % ASKS_EVERY == 0 && interrupt::is_wanted() {
                 return Ok(None);
             }

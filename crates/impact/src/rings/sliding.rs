@@ -138,6 +138,24 @@ impl Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rings::levels::LEVELS;
+    use carom_laws::friction::Friction;
+
+    /// Where this solution begins rings are still possible; displacements that it leaves out exceed its own error.
+    #[test]
+    fn where_it_begins_it_differs_from_rings_within_its_estimate() {
+        let mut largest: f64 = 0.0;
+        for (lambda, gamma) in [(30.0, 0.3), (100.0, 0.3), (300.0, 0.3), (600.0, 0.4)] {
+            let friction = Friction::new(gamma / (1.001 * LEAST)).unwrap();
+            let problem = Problem::of_groups([1.2, gamma], friction, lambda, 3.5);
+            let slide = problem.slide().unwrap().unwrap();
+            let rings = LEVELS[LEVELS.len() - 1].passage(&problem).unwrap();
+            let off = (rings.after[1] - slide.passage.after[1]).abs() / friction.get();
+            assert!(off < slide.estimate, "{lambda}: {off} {}", slide.estimate);
+            largest = largest.max(off);
+        }
+        assert!(largest > LEFT, "{largest}");
+    }
 
     #[test]
     fn the_mean_cosine_is_that_over_all_directions() {

@@ -7,8 +7,8 @@
 //! and Coulomb's limit is `|X - W(s)| <= zeta - s`. W(s) changes only in slip, and then moves
 //! towards X along a tractrix. The force is `Phi = (3/2) int (X - W(t^2)) dt`, t from 0 to
 //! sqrt(zeta). In one direction this is the exact law of chapter 6. Where the shift turns, chapter
-//! 7 gives a slip annulus one direction of traction over its whole width; its mean error is then 5
-//! % of the friction limit.
+//! 7 gives a slip annulus one direction of traction over its whole width. How far both laws are from
+//! half-spaces there is said in [`crate::turning_law`]; [`SlipTurn`] tells by how much slip has turned.
 //!
 //! W is stored as a chain of parabolas. Each is a chord and the deviation of its middle from the
 //! chord (`bubble` in code). A step applies the exact return mapping of a straight step to the
@@ -39,6 +39,7 @@ mod piece;
 mod remaining_error;
 mod report;
 mod slides;
+mod slip_turn;
 mod step;
 mod storage;
 mod zones;
@@ -47,6 +48,7 @@ pub(crate) use drag::Step;
 pub use format::packed_numbers;
 pub use piece::Node;
 pub use report::Arc;
+pub use slip_turn::SlipTurn;
 
 use carom_special::RangeError;
 

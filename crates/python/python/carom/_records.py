@@ -396,6 +396,7 @@ class HistoryStep(Record):
     semi_axis_b              the same along y, m
     stick_semi_axis_a        semi-axis of the stick area along x, m
     stick_semi_axis_b        the same along y, m
+    slip_turn                largest turn of the direction of slip within an annulus since it last stuck, rad
     stored_energy            elastic energy of the contact, J
     dissipated               friction heat since the start, J
     omega                    twist about the normal, rad
@@ -417,6 +418,7 @@ class HistoryStep(Record):
     semi_axis_b: float
     stick_semi_axis_a: float
     stick_semi_axis_b: float
+    slip_turn: float
     stored_energy: float
     dissipated: float
     omega: float
@@ -425,8 +427,8 @@ class HistoryStep(Record):
     twist_stick_semi_axis_a: float
     twist_stick_semi_axis_b: float
 
-    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'regime': '', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_semi_axis_a': 'm', 'stick_semi_axis_b': 'm', 'stored_energy': 'J', 'dissipated': 'J', 'omega': 'rad', 'M_z': 'N m', 'twist_regime': '', 'twist_stick_semi_axis_a': 'm', 'twist_stick_semi_axis_b': 'm'}
-    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x, the larger relative curvature', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
+    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'regime': '', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_semi_axis_a': 'm', 'stick_semi_axis_b': 'm', 'slip_turn': 'rad', 'stored_energy': 'J', 'dissipated': 'J', 'omega': 'rad', 'M_z': 'N m', 'twist_regime': '', 'twist_stick_semi_axis_a': 'm', 'twist_stick_semi_axis_b': 'm'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x, the larger relative curvature', 'eta': 'the same along y', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'regime': 'regime of the last step', 'semi_axis_a': 'semi-axis of the contact ellipse along x', 'semi_axis_b': 'the same along y', 'stick_semi_axis_a': 'semi-axis of the stick area along x', 'stick_semi_axis_b': 'the same along y', 'slip_turn': 'largest turn of the direction of slip within an annulus since it last stuck', 'stored_energy': 'elastic energy of the contact', 'dissipated': 'friction heat since the start', 'omega': 'twist about the normal', 'M_z': 'torque on body 1', 'twist_regime': 'regime of the twist', 'twist_stick_semi_axis_a': 'semi-axis of the stick area of the twist along x', 'twist_stick_semi_axis_b': 'the same along y'}
     _vectors = frozenset([])
     _axis = 'step'
 
@@ -446,6 +448,7 @@ class HistorySteps(Records[HistoryStep], one=HistoryStep):
     semi_axis_b: Array
     stick_semi_axis_a: Array
     stick_semi_axis_b: Array
+    slip_turn: Array
     stored_energy: Array
     dissipated: Array
     omega: Array
@@ -467,7 +470,7 @@ class SolverStep(Record):
     F_y                  the same along y, N
     F_z                  normal force, N
     M_z                  torque on body 1, N m
-    p_max                greatest pressure, Pa
+    p_max                greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
     contact_area         of all cells in contact, m2
     stick_area           of those that stick, m2
     stored_energy        elastic energy of both bodies, J
@@ -520,7 +523,7 @@ class SolverStep(Record):
     stick_area_error: float
 
     units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'step'
 
@@ -726,7 +729,7 @@ class RollState(Record):
     wear_number            friction heat per distance rolled, in the steady state, N
     heating                friction heat per time, in the steady state, W
     power                  work rate of the loads on the creepage; bodies of one material turn it into heat, W
-    p_max                  maximum pressure, Pa
+    p_max                  greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
     contact_area           of all cells in contact, m2
     stick_area             of all cells that stick, m2
     slides                 whether the whole contact slides: the creep force is saturated
@@ -789,7 +792,7 @@ class RollState(Record):
     stick_area_error: float
 
     units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'maximum pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides: the creep force is saturated', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides: the creep force is saturated', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'row'
 

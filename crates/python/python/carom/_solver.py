@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
 UNITS = {"zeta": "m", "xi": "m", "eta": "m", "omega": "rad", "F_z": "N", "F_x": "N", "F_y": "N", "M_z": "N*m"}
+#: The form of stored solvers; another one when what they keep changes.
+STATE_FORM = 1
 FIELDS = ("pressure", "traction_x", "traction_y", "displacement_x", "displacement_y")
 
 
@@ -252,9 +254,12 @@ class Solver:
 
     def __getstate__(self) -> dict[str, Any]:
         state = {name: value for name, value in self.__dict__.items() if name != "_native"}
-        return {**state, "_state": self._native.state()}
+        return {**state, "_state": self._native.state(), "_form": STATE_FORM}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
+        form = state.pop("_form", None)
+        if form != STATE_FORM:
+            raise ValueError(f"form of the stored Solver = {form}: this version reads {STATE_FORM}; compute it again")
         native = state.pop("_state")
         self.__init__(  # type: ignore[misc]
             state["_gap"],

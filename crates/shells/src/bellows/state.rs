@@ -152,3 +152,24 @@ fn truncation(unknowns: &Unknowns) -> f64 {
     let last = greatest(&beta[beta.len() - beta.len().div_ceil(8)..]);
     if all > 0.0 { last / all } else { 0.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every other coefficient of a symmetric series vanishes, so that the last one alone says nothing.
+    #[test]
+    fn the_last_eighth_of_a_series_tells_of_its_truncation() {
+        let of = |beta: [f64; 16]| {
+            let mut unknowns = vec![0.0; 3 * 16 + 2];
+            unknowns[..16].copy_from_slice(&beta);
+            truncation(&Unknowns(unknowns))
+        };
+        let mut beta = [0.0; 16];
+        assert_eq!(of(beta), 0.0);
+        (beta[0], beta[13], beta[14]) = (-4.0, 1.0, 0.02);
+        assert_eq!(of(beta), 0.005);
+        beta[15] = -0.08;
+        assert_eq!(of(beta), 0.02);
+    }
+}

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use carom_shells::Wall;
 use carom_shells::bellows::{
-    Axial, Bellows, BellowsError, BellowsLoad, LimitKind, LoadPath, Meridian, PathEnd,
+    Axial, Bellows, BellowsError, BellowsLoad, LimitKind, LoadPath, Meridian, PathEnd, WallPoint,
 };
 use proptest::prelude::*;
 
@@ -104,6 +104,35 @@ fn series_of_a_u_shaped_meridian_converge_as_the_third_power() {
     }
 }
 
+/// The four stresses of the linear response in these units and in units of 1: per dilatation in modulus over length,
+/// per pressure without units.
+fn stresses(length: f64, modulus: f64) -> Vec<(&'static str, f64, f64)> {
+    let response = |l: f64, e: f64| {
+        let wall = Wall::new(e, 0.3, 0.1 * l).unwrap();
+        let meridian = Meridian::sine(10.0 * l, l, 3.0 * l).unwrap();
+        Bellows::new(meridian, wall, 16).unwrap().linear_response().unwrap()
+    };
+    let (one, other) = (response(1.0, 1.0), response(length, modulus));
+    let of = |place: &WallPoint| {
+        [
+            ("meridional membrane", place.meridional_membrane),
+            ("meridional bending", place.meridional_bending),
+            ("hoop membrane", place.hoop_membrane),
+            ("hoop bending", place.hoop_bending),
+        ]
+    };
+    let mut all = Vec::new();
+    for (one, other, unit) in [
+        (&one.per_dilatation, &other.per_dilatation, modulus / length),
+        (&one.per_pressure, &other.per_pressure, 1.0),
+    ] {
+        // Not at the root or crest, where some vanish.
+        let pairs = of(&one[3]).into_iter().zip(of(&other[3]));
+        all.extend(pairs.map(|((name, one), (_, other))| (name, unit * one, other)));
+    }
+    all
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
 
@@ -146,6 +175,9 @@ proptest! {
         let square = modulus * length * length;
         prop_assert!((other.force() / (one.force() * square) - 1.0).abs() < 1e-9);
         prop_assert!((other.stored_energy() / (one.stored_energy() * square * length) - 1.0).abs() < 1e-9);
+        for (name, one, other) in stresses(length, modulus) {
+            prop_assert!((other / one - 1.0).abs() < 1e-9, "{name}: {one} {other}");
+        }
         prop_assert!((other.profile()[0].hoop_bending / (one.profile()[0].hoop_bending * modulus) - 1.0).abs() < 1e-9);
     }
 

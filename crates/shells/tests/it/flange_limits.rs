@@ -92,6 +92,27 @@ fn long_tube_is_semi_infinite_and_short_one_a_cantilever() {
 }
 
 /// The beam on a foundation, clamped at its end, as mu L passes from the series to the functions.
+/// A clamped tube under a uniform torque M turns by M L/(2 pi R^3 t G), under an axial force F stretches by
+/// F L/(2 pi R t E).
+#[test]
+fn a_clamped_tube_twists_and_stretches_as_a_thin_one() {
+    let (radius, length, modulus, nu, thickness) = (0.3, 2.0, 7.0, 0.25, 0.01);
+    let wall = Wall::new(modulus, nu, thickness).unwrap();
+    let tube = Tube::half_momentless_clamped(radius, wall, length).unwrap();
+    let edge = tube.edge_stiffness(0).unwrap();
+    let of = |motion| edge.entry(motion, motion).re;
+    // The tangential motion of the edge is the angle times R, its load the torque over R.
+    let torsion = of(EdgeMotion::Tangential) * radius * radius;
+    let shear_modulus = modulus / (2.0 * (1.0 + nu));
+    let thin = TAU * radius * thickness / length;
+    approx::assert_relative_eq!(
+        torsion,
+        thin * radius * radius * shear_modulus,
+        max_relative = 1e-12
+    );
+    approx::assert_relative_eq!(of(EdgeMotion::Axial), thin * modulus, max_relative = 1e-12);
+}
+
 #[test]
 fn clamped_ends_join_smoothly() {
     let tube = |length: f64| Tube::half_momentless_clamped(1.0, wall(0.02), length).unwrap();

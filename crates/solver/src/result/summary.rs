@@ -191,7 +191,12 @@ impl StepSummary {
         Column::new("F_y", "N", "the same along y", |step| step.load.f_y.into()),
         Column::new("F_z", "N", "normal force", |step| step.load.f_z.into()),
         Column::new("M_z", "N m", "torque on body 1", |step| step.load.m_z.into()),
-        Column::new("p_max", "Pa", "greatest pressure", |step| step.greatest_pressure.into()),
+        Column::new(
+            "p_max",
+            "Pa",
+            "greatest pressure: the vertex of parabolas through the highest cell and its neighbours",
+            |step| step.greatest_pressure.into(),
+        ),
         Column::new("contact_area", "m2", "of all cells in contact", |s| s.contact_area.into()),
         Column::new("stick_area", "m2", "of those that stick", |step| step.stick_area.into()),
         Column::new("stored_energy", "J", "elastic energy of both bodies", |step| {

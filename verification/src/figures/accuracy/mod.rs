@@ -5,6 +5,7 @@ use crate::catalogue::Entry;
 mod half_space;
 mod special;
 mod turning;
+mod turning_grid;
 mod turning_impacts;
 
 /// The error tables, one for each layer.

@@ -5,7 +5,7 @@ use carom_laws::memory::{Nodes as _, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 use carom_special::quadrature::{self, adaptive};
 
-use super::turning_impacts as impacts;
+use super::{turning_grid, turning_impacts as impacts};
 use crate::{Axis, Cell, Failure, Figure, FigureResult, Panel, Series, Table};
 
 /// The radius of the circle, the approach being 1, and the steps of a turn.
@@ -164,6 +164,7 @@ pub(super) fn draw() -> FigureResult {
     figure.panel(panel);
     figure.table(table);
     impacts::add(&mut figure)?;
+    turning_grid::add(&mut figure)?;
     Ok(figure)
 }
 

@@ -13,6 +13,7 @@ use super::section::{Section, parse, survey};
 use super::solve::influence::{self, INFLUENCE};
 use super::solve::{FrictionCase, GAP, GapCase, GridCase, InfluenceFile, TOLERANCE};
 use carom_halfspace::MaterialPair;
+use carom_laws::validity::PressureLimits;
 use carom_rolling::{RollingDrive, SteadyMethod};
 use carom_solver::Shape;
 use contact::{CONTACT, FRICTION, GRID};
@@ -56,6 +57,13 @@ pub struct RollCase {
 }
 
 impl RollCase {
+    /// What the bodies bear.
+    #[must_use]
+    pub fn pressure_limits(&self) -> PressureLimits {
+        let limits = PressureLimits::of(&self.materials);
+        if self.influence.is_none() { limits } else { limits.without_half_spaces() }
+    }
+
     /// Reads a case from the text of its file.
     ///
     /// # Errors

@@ -10,7 +10,8 @@ use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;
 use super::varied::{self, Varied};
-use spelling::{line_at, shortened};
+use spelling::line_at;
+pub(crate) use spelling::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

@@ -4,7 +4,7 @@
 const MOST_SHOWN: usize = 200;
 
 /// Shortens a value so that the message stays readable.
-pub(super) fn shortened(value: &str) -> String {
+pub(crate) fn shortened(value: &str) -> String {
     match value.char_indices().nth(MOST_SHOWN) {
         Some((end, _)) => format!("{}...", &value[..end]),
         None => value.to_owned(),

@@ -23,6 +23,7 @@ use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::{Section, parse, survey};
 use carom_halfspace::MaterialPair;
+use carom_laws::validity::PressureLimits;
 use friction::STATIC;
 pub(super) use friction::{FRICTION, FRICTION_MAP};
 pub(super) use gap::GAP;
@@ -79,6 +80,17 @@ pub struct SolveCase {
 }
 
 impl SolveCase {
+    /// What the bodies bear.
+    #[must_use]
+    pub fn pressure_limits(&self) -> PressureLimits {
+        let limits = PressureLimits::of(&self.materials);
+        if self.influence.is_none() && self.plate.is_none() {
+            limits
+        } else {
+            limits.without_half_spaces()
+        }
+    }
+
     /// Reads a case from the text of its file.
     ///
     /// # Errors
