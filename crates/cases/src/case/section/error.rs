@@ -64,6 +64,7 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("gaussian", "normal"),
     ("std", "sd"),
     ("sigma", "sd"),
+    ("lambda_", "lam"),
 ];
 
 /// What of the value of another name belongs into the field.
