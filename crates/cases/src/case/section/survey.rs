@@ -267,6 +267,12 @@ frition = 0.2
             (Roll, "[0.0005, 0.001, 0.002, 0.004]", "\"0.1 %\"", "; 0.1 % is 0.001"),
             (
                 Solve,
+                "size = [2.6e-4, 2.6e-4]",
+                "size = [260, 260]",
+                "`gap.shape` = \"sphere\" is not allowed: must be such that a cell",
+            ),
+            (
+                Solve,
                 "cells = [40, 40]",
                 "cells.x = 40",
                 "= { x = .. } is not allowed: must be two whole",
