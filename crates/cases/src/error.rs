@@ -172,7 +172,7 @@ pub enum Error {
         reason: String,
     },
     /// A file could not be read or written.
-    #[error("cannot {action} {}: {source}", path.display())]
+    #[error("cannot {action} {}: {source}{hint}", path.display())]
     Io {
         /// `read` or `write`.
         action: &'static str,
@@ -180,6 +180,8 @@ pub enum Error {
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
+        /// What was expected, or an empty text.
+        hint: &'static str,
     },
     /// The caller's guard does not allow an input.
     #[error(transparent)]
@@ -251,7 +253,19 @@ impl Error {
     /// The error of the system in reading or writing `path`.
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
-        Self::Io { action, path: path.to_owned(), source }
+        Self::Io { action, path: path.to_owned(), source, hint: "" }
+    }
+
+    /// The same error; of a path where no file is, with what was expected there.
+    #[must_use]
+    pub(crate) fn hinting(mut self, expected: &'static str) -> Self {
+        use std::io::ErrorKind::{IsADirectory, NotFound};
+        if let Self::Io { source, hint, .. } = &mut self
+            && matches!(source.kind(), NotFound | IsADirectory)
+        {
+            *hint = expected;
+        }
+        self
     }
 }
 

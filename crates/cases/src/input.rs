@@ -15,6 +15,9 @@ const MOST_OF_CASE: u64 = 1 << 20;
 /// Largest table, in bytes.
 const MOST_OF_TABLE: u64 = 64 << 20;
 const TEXT: &str = "a text file";
+const CASE: &str = "a case in TOML, a text file";
+const NO_CASE: &str =
+    "; a case in TOML is expected there: `carom new` prints one, and - is standard input";
 
 /// Decides whether a file may be read; a file that the same run writes may not.
 pub type Guard =
@@ -57,10 +60,10 @@ impl CaseFile {
 
     fn read_unguarded(path: &Path, guard: Option<Guard>) -> Result<Self, Error> {
         let text = if path == Path::new(STANDARD_INPUT) {
-            let bytes = bounded(std::io::stdin().lock(), path, MOST_OF_CASE, TEXT)?;
-            text(bytes, path, MOST_OF_CASE)?
+            let bytes = bounded(std::io::stdin().lock(), path, MOST_OF_CASE, CASE)?;
+            text(bytes, path, MOST_OF_CASE, CASE)?
         } else {
-            read_text(path, MOST_OF_CASE)?
+            read_text(path, MOST_OF_CASE, CASE).map_err(|error| error.hinting(NO_CASE))?
         };
         Ok(Self { path: path.to_owned(), text, guard })
     }
@@ -86,7 +89,7 @@ impl CaseFile {
     pub fn table(&self, name: &Path) -> Result<String, Error> {
         let path = self.beside(name);
         self.check(&path)?;
-        read_text(&path, MOST_OF_TABLE)
+        read_text(&path, MOST_OF_TABLE, TEXT)
     }
 
     /// Reads a file that the case names, of any format.
@@ -111,7 +114,10 @@ impl CaseFile {
         &'a self,
         parse: impl Fn(&'a str) -> Result<T, CaseError>,
     ) -> Result<T, Error> {
-        let told = |source: CaseError| {
+        let told = |mut source: CaseError| {
+            if let CaseError::Syntax { message, .. } = &mut source {
+                *message += &of_ending(&self.path);
+            }
             let message = source.shown_in(&self.text);
             Error::Case { path: self.path.clone(), source: Box::new(source), message }
         };
@@ -119,19 +125,31 @@ impl CaseFile {
     }
 }
 
+/// What a file with this ending is, if it is no case.
+fn of_ending(path: &Path) -> String {
+    match path.extension().and_then(|ending| ending.to_str()) {
+        None | Some("toml" | "txt") => String::new(),
+        Some("inp") => "; .inp is an input of CONTACT, a case ends in .toml".to_owned(),
+        Some(ending) => format!("; a case ends in .toml, not in .{ending}"),
+    }
+}
+
 fn allowed(most: u64, kind: &str) -> String {
     format!("must be {kind} of at most {} MiB", most >> 20)
 }
 
-fn read_text(path: &Path, most: u64) -> Result<String, Error> {
-    text(read(path, most, TEXT)?, path, most)
+fn read_text(path: &Path, most: u64, kind: &str) -> Result<String, Error> {
+    text(read(path, most, kind)?, path, most, kind)
 }
 
-fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, Error> {
+fn text(bytes: Vec<u8>, path: &Path, most: u64, kind: &str) -> Result<String, Error> {
     String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to() + 1;
-        let allowed = allowed(most, TEXT);
-        let reason = format!("byte {place} is not UTF-8 text; it {allowed}, saved as UTF-8");
+        let allowed = allowed(most, kind);
+        // The marks of UTF-16 at the beginning of a file.
+        let is_wide = matches!(error.as_bytes(), [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
+        let found = if is_wide { ", but UTF-16, as PowerShell writes it" } else { "" };
+        let reason = format!("byte {place} is not UTF-8 text{found}; it {allowed}, saved as UTF-8");
         Error::Input { path: path.to_owned(), reason }
     })
 }

@@ -9,15 +9,19 @@ use carom_cli::page::{hang, width};
 use clap::error::{ContextKind, ContextValue};
 use clap::{ColorChoice, CommandFactory as _, FromArgMatches as _};
 use console::Term;
+use std::error::Error as _;
 use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
+
+/// How results get into a file.
+const TO_A_FILE: &str = "results go to standard output: write `--format csv > results.csv`";
 
 fn main() -> ExitCode {
     let colour = asked_colour(std::env::args_os());
     let matches = Carom::command().color(colour).try_get_matches();
     let arguments = match matches.and_then(|matches| Carom::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
-        Err(message) => return print_message(&message, colour),
+        Err(mut message) => return print_message(&mut message, colour),
     };
     let mut results = Results::default();
     let messages = arguments.messages();
@@ -32,13 +36,18 @@ fn main() -> ExitCode {
 }
 
 /// Prints help and version to standard output, or errors in the options to standard error.
-fn print_message(message: &clap::Error, colour: ColorChoice) -> ExitCode {
+fn print_message(message: &mut clap::Error, colour: ColorChoice) -> ExitCode {
     if !message.use_stderr() && is_open().is_err() {
         return ExitCode::FAILURE;
     }
+    let hint = way_out(message);
+    if message.get(ContextKind::InvalidArg).is_some() {
+        // An option that does not exist is no value either.
+        message.remove(ContextKind::Suggested);
+    }
     let printed = print_fitted(message, colour);
-    if let Some(case) = case_without_command(message) {
-        eprintln!("`{case}` is a case: `carom check {case}` tells which command computes it");
+    if let Some(hint) = hint {
+        eprintln!("{hint}");
     }
     match printed {
         Err(error) if !message.use_stderr() && error.kind() != ErrorKind::BrokenPipe => {
@@ -48,10 +57,33 @@ fn print_message(message: &clap::Error, colour: ColorChoice) -> ExitCode {
     }
 }
 
-/// The case that was given where a command belongs.
-fn case_without_command(message: &clap::Error) -> Option<String> {
-    match message.get(ContextKind::InvalidSubcommand) {
-        Some(ContextValue::String(word)) if word.ends_with(".toml") => Some(word.clone()),
+/// What to write instead of an argument that does not exist, if that is known.
+fn way_out(message: &clap::Error) -> Option<String> {
+    if let Some(case) = word(message, ContextKind::InvalidSubcommand) {
+        let told =
+            || format!("`{case}` is a case: `carom check {case}` tells which command computes it");
+        return case.ends_with(".toml").then(told);
+    }
+    let wrong = word(message, ContextKind::InvalidArg)?;
+    if message.source().is_some_and(|source| source.is::<std::num::ParseIntError>()) {
+        return Some(format!("{wrong} takes a whole number"));
+    }
+    let is_file = [".csv", ".json", ".txt"].iter().any(|ending| wrong.ends_with(ending));
+    match wrong {
+        "--csv" | "--json" => Some(format!("write --format {}", wrong.trim_start_matches('-'))),
+        "-o" | "--out" | "--output" => Some(TO_A_FILE.to_owned()),
+        _ if is_file => Some(TO_A_FILE.to_owned()),
+        _ if wrong.parse::<f64>().is_ok() => Some(
+            "several numbers of one option are a list with commas and no blanks: 1,1.2".to_owned(),
+        ),
+        _ => None,
+    }
+}
+
+/// The word in a message of the parser.
+fn word(message: &clap::Error, kind: ContextKind) -> Option<&str> {
+    match message.get(kind) {
+        Some(ContextValue::String(word)) => Some(word),
         _ => None,
     }
 }

@@ -9,6 +9,7 @@ use pyo3::types::PyDict;
 
 use crate::error::Fault;
 use crate::materials::Material;
+use crate::mistakes::refuse;
 use crate::quantities::{
     Attitude as Turned, Centre, In, Mass, Moments, Row, Several, Sizes, Spin, Velocity,
 };
@@ -81,7 +82,7 @@ impl Body {
         signature = (
             shape, sizes, material, mass=None, *, hollow=false, moments=None,
             centre=Row::of(AT_REST), attitude=Row::of(ALONG_SPACE), velocity=Row::of(AT_REST),
-            spin=Row::of(AT_REST)
+            spin=Row::of(AT_REST), **others
         ),
         text_signature = "(shape, sizes, material, mass=None, *, hollow=False, moments=None, \
                           centre=(0.0, 0.0, 0.0), attitude=(1.0, 0.0, 0.0, 0.0), \
@@ -89,6 +90,7 @@ impl Body {
     )]
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
+        py: Python<'_>,
         shape: String,
         sizes: Several<Sizes>,
         material: Material,
@@ -99,7 +101,9 @@ impl Body {
         attitude: Row<Turned, 4>,
         velocity: Row<Velocity, 3>,
         spin: Row<Spin, 3>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        refuse::<Self>(py, others)?;
         let body = Self {
             shape,
             sizes: sizes.0,

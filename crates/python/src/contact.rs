@@ -5,10 +5,12 @@ use carom::prelude::{ContactLoad, RangeError};
 use carom::special::interrupt::is_wanted;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::arrays::same_length;
 use crate::error::Fault;
 use crate::hertz::Given;
+use crate::mistakes::refuse;
 use crate::quantities::{
     Angle, Argument, Eta, Friction, In, Omega, R, StaticFriction, Tolerance, Xi, Zeta, line,
 };
@@ -62,19 +64,24 @@ impl Contact {
     #[new]
     #[pyo3(
         signature = (
-            stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, *, heat=true
+            stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, *,
+            heat=true, **others
         ),
         text_signature =
             "(stiffness, friction, law='coulomb', tolerance=None, static_friction=None, *, heat=True)"
     )]
+    #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
+        py: Python<'_>,
         stiffness: Given,
         friction: In<Friction>,
         law: String,
         tolerance: Option<In<Tolerance>>,
         static_friction: Option<In<StaticFriction>>,
         heat: bool,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        refuse::<Self>(py, others)?;
         let constants =
             Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
@@ -138,7 +145,7 @@ impl Contact {
         };
         let (law, loads) = without_python(py, walk)??;
         let greatest = zeta.iter().copied().fold(0.0, f64::max);
-        self.watch.see(py, &[greatest], 1, 2)?;
+        self.watch.see(py, &[greatest], 1)?;
         self.law = law;
         PyArray1::from_vec(py, loads).reshape([zeta.len(), width])
     }

@@ -131,7 +131,7 @@ impl Contacts {
         let loads = loads.as_slice_mut()?;
         same_length("loads", loads.len(), path.width() * count)?;
         of_any!(&self.laws, laws => path.check(laws)?);
-        self.watch.see(py, path.zeta, steps, 4)?;
+        self.watch.see(py, path.zeta, steps)?;
         let before = if self.lasts(count) { self.__copy__().ok() } else { None };
         let (threads, laws) = (self.threads, &mut self.laws);
         let ends = before.is_some();

@@ -10,7 +10,7 @@ use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, map};
 use crate::error::Fault;
-use crate::materials::MaterialPair;
+use crate::materials::{MaterialPair, Pair};
 use crate::quantities::{
     Angle, CurvatureA, CurvatureB, In, Radii1, Radii2, Row, SmallestRadius, Stiffness,
 };
@@ -48,7 +48,7 @@ impl Hertz {
     #[new]
     #[pyo3(signature = (materials, curvature_a, curvature_b, smallest_radius=None))]
     fn new(
-        materials: MaterialPair,
+        materials: Pair,
         curvature_a: In<CurvatureA>,
         curvature_b: In<CurvatureB>,
         smallest_radius: Option<In<SmallestRadius>>,
@@ -65,7 +65,7 @@ impl Hertz {
     /// between their first principal directions.
     #[staticmethod]
     fn of_radii(
-        materials: MaterialPair,
+        materials: Pair,
         radii_1: Row<Radii1, 2>,
         radii_2: Row<Radii2, 2>,
         angle: In<Angle>,

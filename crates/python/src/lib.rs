@@ -13,6 +13,7 @@ mod friction;
 mod hertz;
 mod influence;
 mod materials;
+mod mistakes;
 mod plate;
 mod quantities;
 mod records;
@@ -56,6 +57,8 @@ mod _carom {
     use super::hertz::Hertz;
     #[pymodule_export]
     use super::materials::{Material, MaterialPair};
+    #[pymodule_export]
+    use super::mistakes::meant;
     #[pymodule_export]
     use super::plate::Plate;
     #[pymodule_export]

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::Fault;
+use crate::mistakes::refuse;
 use crate::quantities::{In, Poisson, ShearModulus, YieldStress, YoungModulus};
 use crate::show::{self, Quantity, repr};
 
@@ -22,12 +23,15 @@ const PAIR: &[Quantity] = &[
     ("gamma", "", "coupling of normal and tangential displacements"),
 ];
 
+const NO_POISSON: &str = "Material() needs `poisson`, Poisson's ratio, in (-1, 0.5]: 0.3 is that of steel; \
+                          a rigid body has none, Material(float(\"inf\"))";
+
 /// An isotropic elastic material.
 ///
 /// Material(young_modulus, poisson) or Material(shear_modulus=..., poisson=...), moduli in Pa; an infinite
 /// modulus makes the body rigid. It stays elastic; `yield_stress` (Pa, in tension; of a hardness H it is H/2.8)
 /// lets `OutsideTheoryWarning` tell where the greatest pressure exceeds 1.6 times it.
-#[pyclass(frozen, eq, from_py_object, module = "carom")]
+#[pyclass(frozen, eq, module = "carom")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Material(pub(crate) carom::halfspace::Material);
 
@@ -35,17 +39,28 @@ pub(crate) struct Material(pub(crate) carom::halfspace::Material);
 impl Material {
     #[new]
     #[pyo3(
-        signature = (young_modulus=None, poisson=In::ZERO, *, shear_modulus=None, yield_stress=None),
-        text_signature = "(young_modulus=None, poisson=0.0, *, shear_modulus=None, yield_stress=None)"
+        signature = (
+            young_modulus=None, poisson=None, *, shear_modulus=None, yield_stress=None, **others
+        ),
+        text_signature = "(young_modulus=None, poisson=None, *, shear_modulus=None, yield_stress=None)"
     )]
     fn new(
+        py: Python<'_>,
         young_modulus: Option<In<YoungModulus>>,
-        poisson: In<Poisson>,
+        poisson: Option<In<Poisson>>,
         shear_modulus: Option<In<ShearModulus>>,
         yield_stress: Option<In<YieldStress>>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         use carom::halfspace::Material;
-        let poisson = poisson.0;
+        refuse::<Self>(py, others)?;
+        let is_rigid =
+            [young_modulus.map(|e| e.0), shear_modulus.map(|g| g.0)].contains(&Some(f64::INFINITY));
+        let poisson = match poisson {
+            Some(poisson) => poisson.0,
+            None if is_rigid || young_modulus.is_some() == shear_modulus.is_some() => 0.0,
+            None => return Err(PyTypeError::new_err(NO_POISSON)),
+        };
         let material = match (young_modulus.map(|e| e.0), shear_modulus.map(|g| g.0)) {
             (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => {
                 let is_own = poisson == 0.0 || poisson == Material::RIGID.poisson();
@@ -130,6 +145,42 @@ impl Material {
 #[pyclass(frozen, eq, from_py_object, module = "carom")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MaterialPair(pub(crate) carom::halfspace::MaterialPair);
+
+impl<'py> FromPyObject<'_, 'py> for Material {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        given
+            .cast::<Self>()
+            .map(|material| *material.get())
+            .map_err(|_| not(&given, "material: must be a Material"))
+    }
+}
+
+/// The error of an argument of another class.
+fn not(given: &Bound<'_, PyAny>, told: &str) -> PyErr {
+    match given.get_type().name() {
+        Ok(name) => PyTypeError::new_err(format!("{told}, not {name}")),
+        Err(error) => error,
+    }
+}
+
+/// A pair as an argument; one material stands for two alike.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pair(pub(crate) carom::halfspace::MaterialPair);
+
+impl<'py> FromPyObject<'_, 'py> for Pair {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(pair) = given.extract::<MaterialPair>() {
+            return Ok(Self(pair.0));
+        }
+        let told = |_| not(&given, "materials: must be a MaterialPair or a Material");
+        let material = given.extract::<Material>().map_err(told)?;
+        Ok(Self(MaterialPair::new(material, None)?.0))
+    }
+}
 
 #[pymethods]
 impl MaterialPair {

@@ -14,7 +14,7 @@ use crate::arrays::{Numbers, same_length};
 use crate::cases::{Lines, lines};
 use crate::error::Fault;
 use crate::influence;
-use crate::materials::MaterialPair;
+use crate::materials::Pair;
 use crate::records::arrays;
 use crate::solver::surface;
 use crate::threads::beside;
@@ -32,7 +32,7 @@ pub(crate) fn roll<'py>(
     cells: [usize; 2],
     cell: [f64; 2],
     heights: Numbers<'py>,
-    materials: MaterialPair,
+    materials: Pair,
     friction: Numbers<'py>,
     given: [Given<'py>; 4],
     direction: f64,

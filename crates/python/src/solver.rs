@@ -25,7 +25,7 @@ use crate::arrays::{Numbers, map_by, same_length};
 use crate::cases::lines;
 use crate::error::Fault;
 use crate::influence;
-use crate::materials::MaterialPair;
+use crate::materials::Pair;
 use crate::plate::Plate;
 use crate::records::arrays;
 use crate::threads::{beside, without_python};
@@ -70,7 +70,7 @@ impl Solver {
         cells: [usize; 2],
         cell: [f64; 2],
         heights: Numbers<'_>,
-        materials: MaterialPair,
+        materials: Pair,
         friction: Numbers<'_>,
         tolerance: f64,
         cut: bool,
@@ -262,7 +262,7 @@ impl Solver {
         doubts.retain(|(doubt, _)| !self.told.contains(doubt));
         let (kinds, texts): (Vec<_>, Vec<_>) = doubts.into_iter().unzip();
         let is_outside = kinds.iter().any(|doubt| *doubt != Doubt::Few);
-        warn(py, (texts, is_outside), 3)?;
+        warn(py, (texts, is_outside))?;
         Ok(kinds)
     }
 }
@@ -306,7 +306,7 @@ fn restored(grid: Grid, (shift, fields, cells): &Read<'_>) -> PyResult<ContactSt
 /// The problem of two half-spaces, with the influence of pressures alone if nothing else matters.
 fn half_spaces(
     gap: Gap,
-    materials: MaterialPair,
+    materials: Pair,
     friction: SurfaceFriction,
 ) -> Result<ContactProblem, ProblemError> {
     if !friction.is_none() || !materials.0.is_uncoupled() {
@@ -330,7 +330,7 @@ impl Plate {
     fn under(
         self,
         gap: Gap,
-        materials: MaterialPair,
+        materials: Pair,
         friction: SurfaceFriction,
     ) -> Result<ContactProblem, ProblemError> {
         let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));

@@ -46,10 +46,10 @@ pub(crate) fn of_loads(hertz: &Hertz, states: &[HertzState]) -> Told {
     heeded(heed, "loads")
 }
 
-/// Warns in Python; `depth` functions of Python up stands the call of the user.
-pub(crate) fn warn(py: Python<'_>, told: Told, depth: usize) -> PyResult<()> {
+/// Warns in Python, at the call of the user.
+pub(crate) fn warn(py: Python<'_>, told: Told) -> PyResult<()> {
     if !told.0.is_empty() {
-        py.import("carom._validity")?.call_method1("warn", (told, depth))?;
+        py.import("carom._validity")?.call_method1("warn", (told,))?;
     }
     Ok(())
 }
@@ -92,20 +92,14 @@ impl Watch {
         }
         let mut next = law.clone();
         let load = advance(&mut next).map_err(Fault::from)?;
-        self.see(py, &[shift.zeta], 1, 2)?;
+        self.see(py, &[shift.zeta], 1)?;
         *law = next;
         Ok(load)
     }
 
-    /// Warns of what these approaches exceed, so many of each contact, unless it has been told; `depth` as in
-    /// [`warn`]. If the warning is raised as an error, it has not been told.
-    pub(crate) fn see(
-        &mut self,
-        py: Python<'_>,
-        approaches: &[f64],
-        steps: usize,
-        depth: usize,
-    ) -> PyResult<()> {
+    /// Warns of what these approaches exceed, so many of each contact, unless it has been told. If the
+    /// warning is raised as an error, it has not been told.
+    pub(crate) fn see(&mut self, py: Python<'_>, approaches: &[f64], steps: usize) -> PyResult<()> {
         if !approaches.iter().any(|zeta| *zeta > self.from) {
             return Ok(());
         }
@@ -115,7 +109,7 @@ impl Watch {
             heed.add(|| format!("at entry {i}"), self.validity(greatest));
         }
         let worst = heed.validity();
-        warn(py, heeded(heed, "contacts"), depth)?;
+        warn(py, heeded(heed, "contacts"))?;
         self.told.extend(worst.exceeded().map(|excess| excess.limit));
         self.from = self.next();
         Ok(())

@@ -149,7 +149,7 @@ CALLS = {
     ],
     "Material": [
         Call(carom.Material, {"young_modulus": In(208e9, "Pa"), "poisson": none(0.3), "yield_stress": In(1e9, "Pa")}),
-        Call(carom.Material, {"shear_modulus": In(80e9, "Pa")}),
+        Call(carom.Material, {"shear_modulus": In(80e9, "Pa"), "poisson": 0.3}),
     ],
     "MaterialPair": [Call(carom.MaterialPair, {"material_1": STEEL, "material_2": carom.RIGID})],
     "Plate": [Call(carom.Plate, {"a": In(1.0, "m"), "b": In(2.0, "m"), "thickness": In(0.1, "m"), "theory": "mindlin"})],

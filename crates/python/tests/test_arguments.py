@@ -95,7 +95,7 @@ CALLS = {
     "Body": (lambda mass=1.0, **given: repr(carom.Body("sphere", [0.1], STEEL, mass, **given)), {"hollow": True, "moments": (1.0, 1.0, 1.0)}),
     "Body with moments": (lambda **given: repr(carom.Body("sphere", [0.1], STEEL, 1.0, moments=(1.0, 1.0, 1.0), **given)), {"hollow": True}),
     "Body held": (lambda **given: repr(carom.Body("sphere", [0.1], STEEL, **given)), {"hollow": True, "moments": (1.0, 1.0, 1.0)}),
-    "Material": (lambda **given: carom.Material(1e9, **given), {"poisson": 0.2, "shear_modulus": 1e9, "yield_stress": 1e6}),
+    "Material": (lambda poisson=0.3, **given: carom.Material(1e9, poisson, **given), {"poisson": 0.2, "shear_modulus": 1e9, "yield_stress": 1e6}),
     "Material rigid": (lambda **given: carom.Material(float("inf"), **given), {"poisson": 0.3, "shear_modulus": 1e9, "yield_stress": 1e6}),
 }
 

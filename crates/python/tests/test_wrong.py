@@ -193,3 +193,45 @@ def test_what_is_no_body_is_named(wrong):
             call(BALL, wrong, 0.5)
         with pytest.raises(TypeError, match="^body_1: must be a Body"):
             call(wrong, FLOOR, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: carom.collide(BALL, FLOOR, mu=0.2), "collide() has no argument `mu`, did you mean `friction`?"),
+        (lambda: carom.collide(BALL, FLOOR, 0.2, restitution=0.8), "did you mean `normal_restitution`?"),
+        (lambda: carom.restitution(1.2, lambda_=3.0), "did you mean `lam`? It takes kappa, lam, gamma"),
+        (lambda: carom.sphere(diameter=0.02, material=RUBBER, mass=1.0), "did you mean `radius`, half of it?"),
+        (lambda: carom.sphere(0.01, RUBBER, density=7850), "sphere() has no argument `density`. It takes radius"),
+        (lambda: carom.Material(E=208e9, nu=0.3), "Material() has no argument `E`, did you mean `young_modulus`?"),
+        (lambda: carom.Body("sphere", [0.01], RUBBER, omega=1), "Body() has no argument `omega`, did you mean `spin`?"),
+        (lambda: carom.Contact(HERTZ, 0.3, mu=0.2), "Contact() has no argument `mu`, did you mean `friction`?"),
+        (lambda: carom.Contacts(9, HERTZ, 0.3, mu=0.2), "Contacts() has no argument `mu`, did you mean `friction`?"),
+        (lambda: contacts().advance(z=1e-6), "Contacts.advance() has no argument `z`, did you mean `zeta`?"),
+        (lambda: carom.cases.roll("x", fast=True), "roll() has no argument `fast`, did you mean `fastsim`?"),
+        (lambda: carom.hertz(HERTZ, 10.0), "hertz() takes contact by place, further arguments by name: force=.., "),
+        (lambda: carom.Solver(np.zeros((4, 4)), (1, 1), "steel", 0.3), "materials: must be a MaterialPair or a Material, not str"),
+        (lambda: carom.sphere(0.01, 208e9, 0.03), "material: must be a Material, not float"),
+        (lambda: carom.Contacts(10.5, HERTZ, 0.3), "count: must be a whole number, not 10.5"),
+        (lambda: carom.Material(208e9), "Material() needs `poisson`, Poisson's ratio, in (-1, 0.5]"),
+        (lambda: carom.cases.impact({}), "path: must be the path of a case file, not dict; write the case into a file"),
+        (lambda: carom.cases.impact("[body_1]\n"), "path: must be the path of a case file, not the text of a case"),
+    ],
+)
+def test_a_call_that_does_not_fit_tells_what_is_meant(call, told):
+    with pytest.raises(TypeError) as raised:
+        call()
+    assert told in str(raised.value)
+
+
+def test_an_error_within_a_call_stays_as_it_is():
+    with pytest.raises(TypeError, match=r"^points: must be a whole number, not 1.5$"):
+        carom.history(BALL, FLOOR, 0.5, 1.5)
+    with pytest.raises(TypeError, match="missing 1 required positional argument: 'friction'"):
+        carom.collide(BALL, FLOOR)
+
+
+def test_one_material_stands_for_two_alike():
+    made = [carom.Solver(np.zeros((4, 4)), (1.0, 1.0), given, 0.3) for given in (RUBBER, PAIR)]
+    assert repr(made[0]) == repr(made[1])
+    assert carom.Hertz(RUBBER, 50.0, 50.0) == carom.Hertz(PAIR, 50.0, 50.0)

@@ -45,16 +45,27 @@ fn quoted(words: &[&str]) -> String {
     words.iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(" or ")
 }
 
-/// The valid name most similar to `name`; among equally similar ones that with the longest common
-/// beginning. `None` if no name is similar.
+/// The valid name of the same words in another order, or that most similar to `name`; among equally similar ones that
+/// with the longest common beginning. `None` if no name is similar.
 #[must_use]
-pub fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
+pub fn nearest<'a>(name: &str, valid: &[&'a str]) -> Option<&'a str> {
     let same = |candidate: &str| {
         name.bytes().zip(candidate.bytes()).take_while(|(one, other)| one == other).count()
     };
     let score = |candidate: &str| (distance(name, candidate), Reverse(same(candidate)));
+    let reordered = valid.iter().copied().find(|candidate| words(candidate) == words(name));
+    if reordered.is_some() {
+        return reordered;
+    }
     let candidate = valid.iter().copied().min_by_key(|candidate| score(candidate))?;
     (distance(name, candidate) <= 1 + candidate.len() / 3).then_some(candidate)
+}
+
+/// The words of a name, in the order of the alphabet.
+fn words(name: &str) -> Vec<&str> {
+    let mut words: Vec<&str> = name.split(['_', '-', ' ']).collect();
+    words.sort_unstable();
+    words
 }
 
 /// The Levenshtein distance: the least number of letters to insert, delete or change.
@@ -83,6 +94,8 @@ mod tests {
         assert_eq!(nearest("radus", &valid), Some("radius"));
         assert_eq!(nearest("Density", &valid), Some("density"));
         assert_eq!(nearest("temperature", &valid), None);
+        let reordered = ["friction", "static_friction"];
+        assert_eq!(nearest("friction_static", &reordered), Some("static_friction"));
         assert_eq!(nearest("F_zx", &["F_x", "F_y", "F_z"]), Some("F_z"));
         assert_eq!(distance("kitten", "sitting"), 3);
     }

@@ -26,17 +26,24 @@ static void out_of_range(LAMMPS *lmp, const std::string &who, const char *field,
                   who + ": " + field + " = " + number + " is out of range: must be " + allowed);
 }
 
+double numeric(LAMMPS *lmp, const std::string &who, char **arg, int place)
+{
+  if (!utils::is_double(arg[place]))
+    lmp->error->all(FLERR, who + ": " + arg[0] + " takes numbers only, not '" + arg[place] + "'");
+  return utils::numeric(FLERR, arg[place], false, lmp);
+}
+
 static double number(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   if (narg < 2) lmp->error->all(FLERR, who + ": " + arg[0] + " requires a value");
-  return utils::numeric(FLERR, arg[1], false, lmp);
+  return numeric(lmp, who, arg, 1);
 }
 
 // rolling K C F: stiffness, damping and friction.
 int Material::take_rolling(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   if (narg < 4) lmp->error->all(FLERR, who + ": rolling requires three values: stiffness, damping and friction");
-  const auto value = [&](int k) { return utils::numeric(FLERR, arg[k], false, lmp); };
+  const auto value = [&](int k) { return numeric(lmp, who, arg, k); };
   rolling = {value(1), value(2), value(3)};
   if (!(rolling.stiffness > 0.0 && rolling.stiffness < INFINITY))
     out_of_range(lmp, who, "rolling: stiffness", rolling.stiffness, "finite and > 0");
@@ -52,7 +59,7 @@ int Material::take_rolling(LAMMPS *lmp, const std::string &who, int narg, char *
 int Material::take_slip_friction(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   if (narg < 4) lmp->error->all(FLERR, who + ": slip_friction requires three values: a, b and c");
-  const auto value = [&](int k) { return utils::numeric(FLERR, arg[k], false, lmp); };
+  const auto value = [&](int k) { return numeric(lmp, who, arg, k); };
   friction = value(1), slip_b = value(2), slip_c = value(3);
   if (!(friction >= 0.0 && friction < INFINITY))
     out_of_range(lmp, who, "slip_friction: a", friction, "finite and >= 0");

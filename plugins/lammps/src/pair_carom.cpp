@@ -125,10 +125,12 @@ void PairCarom::coeff(int narg, char **arg)
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
-                            "': only young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, "
+                            "': only young, shear, poisson, yield, friction, static_friction, slip_friction, damping, "
                             "restitution and rolling");
     k += words;
   }
+  if (std::isinf(material.young))
+    error->all(FLERR, who + ": rigid is for walls only; grains have young (or shear) and poisson");
   material.check(lmp, who);
   if (material.friction < 0.0) error->all(FLERR, who + ": friction is missing");
   int count = 0;

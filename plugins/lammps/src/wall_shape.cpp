@@ -1,10 +1,10 @@
 #include "wall_shape.h"
 
+#include "material.h"
 #include "mesh_file.h"
 
 #include "error.h"
 #include "lammps.h"
-#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ int WallShape::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   const std::string word = arg[0];
   const auto numbers = [&](int first, int count, double *to) {
-    for (int k = 0; k < count; k++) to[k] = utils::numeric(FLERR, arg[first + k], false, lmp);
+    for (int k = 0; k < count; k++) to[k] = numeric(lmp, who, arg, first + k);
   };
   if (word == "plane" && narg > 6) {
     set(lmp, who, PLANE);
@@ -92,15 +92,15 @@ int WallShape::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     file = arg[1];
     return 2;
   }
-  return take_of_mesh(lmp, narg, arg);
+  return take_of_mesh(lmp, who, narg, arg);
 }
 
-int WallShape::take_of_mesh(LAMMPS *lmp, int narg, char **arg)
+int WallShape::take_of_mesh(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   const std::string word = arg[0];
   if (narg < 2 || (word != "scale" && word != "smooth" && word != "edges")) return 0;
   double &value = word == "scale" ? scale : word == "smooth" ? smooth : edge_radius;
-  value = utils::numeric(FLERR, arg[1], false, lmp);
+  value = numeric(lmp, who, arg, 1);
   has_edges = has_edges || word == "edges";
   is_for_mesh = true;
   return 2;

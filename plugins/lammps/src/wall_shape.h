@@ -100,7 +100,7 @@ class WallShape {
 
   void set(LAMMPS_NS::LAMMPS *lmp, const std::string &who, Kind shape);
   void take_side(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const std::string &word);
-  int take_of_mesh(LAMMPS_NS::LAMMPS *lmp, int narg, char **arg);
+  int take_of_mesh(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
   void check_mesh(LAMMPS_NS::LAMMPS *lmp, const std::string &who);
   void check_box(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int axis) const;
   void check_turn(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int axis, int axes) const;

@@ -361,7 +361,7 @@ def test_a_ball_on_a_rim_keeps_its_energy(tmp_path):
         ("plane 0 0 0 0 0 1 sphere 0 0 0 1 inside", ["more than one of plane"]),
         ("omega 0 0 1", ["plane, cylinder, cone, sphere or stl is missing"]),
         ("cylinder 0 0 0 0 0 1 1", ["neither inside, outside nor on both sides"]),
-        ("cylinder 0 0 0 0 0 1", ["Expected floating point parameter"]),
+        ("cylinder 0 0 0 0 0 1", ["cylinder takes numbers only, not"]),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path, wall, words):

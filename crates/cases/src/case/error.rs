@@ -29,7 +29,7 @@ pub enum CaseError {
         likely: CaseKind,
     },
     /// An unknown field.
-    #[error("line {line}: unknown field `{field}`{} {table} takes {valid}", nearest.as_ref().map_or_else(|| ";".to_owned(), |name| format!(", did you mean `{name}`?")))]
+    #[error("line {line}: unknown field `{field}`{} {table} takes {valid}", nearest.as_ref().map_or_else(|| ";".to_owned(), |name| format!(", did you mean `{name}`{hint}?")))]
     Unknown {
         /// The name with its path.
         field: String,
@@ -37,8 +37,10 @@ pub enum CaseError {
         line: usize,
         /// The table that contains it.
         table: String,
-        /// The most similar valid name, if one is similar.
-        nearest: Option<&'static str>,
+        /// The most similar valid name, if one is similar, or the one in a table of the table.
+        nearest: Option<String>,
+        /// What of the value belongs there, after a comma, or an empty text.
+        hint: &'static str,
         /// All valid names.
         valid: String,
     },
@@ -53,7 +55,7 @@ pub enum CaseError {
         allowed: String,
     },
     /// A value of the wrong kind.
-    #[error("line {line}: `{field}` = {found} is out of range: must be {allowed}")]
+    #[error("line {line}: `{field}` = {found} is not allowed: must be {allowed}")]
     Kind {
         /// The field with its path.
         field: String,

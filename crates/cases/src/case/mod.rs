@@ -35,8 +35,8 @@ pub use kind::{CaseKind, Understood};
 pub use range::{End, Range};
 pub use roll::{Elliptical, RollCase};
 pub use scene::SceneCase;
-pub use section::Numbers;
 pub(crate) use section::shortened;
+pub use section::{Numbers, likely};
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
     Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase,

@@ -66,7 +66,7 @@ const WALL: Field = Field::new(
 const START: Field =
     Field::vector("start", Range::Finite.of(Dimension::Length), "centre of the ball at the start")
         .or("`ball.position`")
-        .such_as("[0, 0, 0.5]");
+        .such_as("[0, 0, 0.1]");
 const GRAVITY: Field = Field::vector(
     "gravity",
     Range::Finite.of(Dimension::Acceleration),

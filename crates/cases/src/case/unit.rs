@@ -193,8 +193,18 @@ impl Dimension {
 }
 
 impl Dimension {
-    /// What may be meant by a text that is not read: a unit in other letters, or a percentage.
+    /// What may be meant by a text that is not read: a decimal comma, a plain number, a unit in other letters, or a
+    /// percentage.
     pub(super) fn meant(self, text: &str) -> String {
+        if text.len() > MOST_LETTERS {
+            return String::new();
+        }
+        if let Some(decimal) = pointed(text) {
+            return format!("; {text} has a decimal comma, write a point: {decimal}");
+        }
+        if text.trim().parse::<f64>().is_ok() {
+            return format!("; write {} without quotation marks", text.trim());
+        }
         let Some((number, unit)) = split(text) else { return String::new() };
         if let ("%", Self::None, Ok(percent)) = (unit.as_str(), self, number.parse::<f64>()) {
             return format!("; {number} % is {}", percent / 100.0);
@@ -220,6 +230,18 @@ impl Scale {
             }
         }
     }
+}
+
+/// The text with points in place of decimal commas; none if it has none.
+pub(super) fn pointed(text: &str) -> Option<String> {
+    let is_digit = |letter: Option<&char>| letter.is_some_and(char::is_ascii_digit);
+    let letters: Vec<char> = text.chars().collect();
+    let is_decimal = |at: usize| {
+        letters[at] == ',' && is_digit(letters[..at].last()) && is_digit(letters.get(at + 1))
+    };
+    let point = |at: usize| if is_decimal(at) { '.' } else { letters[at] };
+    let decimal: String = (0..letters.len()).map(point).collect();
+    (decimal != text).then_some(decimal)
 }
 
 /// Splits a text into its number and its unit, in the spelling of the table.
@@ -271,6 +293,9 @@ mod tests {
         assert_eq!(Dimension::None.meant("20 %"), "; 20 % is 0.2");
         assert_eq!(Dimension::Length.meant("20 %"), "");
         assert_eq!(Dimension::Length.meant("ten mm"), "");
+        let comma = Dimension::Length.meant("2,5 mm");
+        assert_eq!(comma, "; 2,5 mm has a decimal comma, write a point: 2.5 mm");
+        assert_eq!(Dimension::Length.meant("0.3"), "; write 0.3 without quotation marks");
     }
 
     #[test]

@@ -245,13 +245,13 @@ fn every_bad_value_is_named_with_its_range() {
 
 #[test]
 fn values_of_the_wrong_kind_are_named() {
-    insta::assert_snapshot!(error(&changed("0.0025", "\"big\"")), @r#"line 3: `body_1.radius` = "big" is out of range: must be a number, finite and > 0, plain in m or as a text with a unit of m, km, cm, mm, um, nm"#);
-    insta::assert_snapshot!(error(&changed("[1.0, 0.0, -3.9]", "[1.0, -3.9]")), @"line 6: `body_1.velocity` = [1.0, -3.9] is out of range: must be three numbers [x, y, z]");
-    insta::assert_snapshot!(error(&changed("\"sphere\"", "\"cube\"")), @r#"line 2: `body_1.shape` = "cube" is out of range: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given""#);
-    insta::assert_snapshot!(error(&changed("rigid = true", "rigid = 1")), @"line 11: `body_2.material.rigid` = 1 is out of range: must be true or false");
+    insta::assert_snapshot!(error(&changed("0.0025", "\"big\"")), @r#"line 3: `body_1.radius` = "big" is not allowed: must be a number, finite and > 0, plain in m or as a text with a unit of m, km, cm, mm, um, nm"#);
+    insta::assert_snapshot!(error(&changed("[1.0, 0.0, -3.9]", "[1.0, -3.9]")), @"line 6: `body_1.velocity` = [1.0, -3.9] is not allowed: must be three numbers [x, y, z]");
+    insta::assert_snapshot!(error(&changed("\"sphere\"", "\"cube\"")), @r#"line 2: `body_1.shape` = "cube" is not allowed: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given""#);
+    insta::assert_snapshot!(error(&changed("rigid = true", "rigid = 1")), @"line 11: `body_2.material.rigid` = 1 is not allowed: must be true or false");
     insta::assert_snapshot!(error("contact = 3"), @r"
     3 errors
-    line 1: `contact` = 3 is out of range: must be a table, headed [contact]
+    line 1: `contact` = 3 is not allowed: must be a table, headed [contact]
     `body_1` is missing: must be a table, headed [body_1]; the body on the side to which z points
     `body_2` is missing: must be a table, headed [body_2]; the other body
     ");

@@ -155,7 +155,7 @@ fn bad_contacts_end_with_code_2() {
         (
             "history",
             SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, 0]]\n",
-            "`history.steps[0]` = [1, 0] is out of range: must be a list of rows [zeta, xi, eta] or",
+            "`history.steps[0]` = [1, 0] is not allowed: must be a list of rows [zeta, xi, eta] or",
         ),
         (
             "history",
@@ -165,7 +165,7 @@ fn bad_contacts_end_with_code_2() {
         (
             "history",
             SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, 0, 0, 0, 0]]\n",
-            "`history.steps[0]` = [1, 0, 0, 0, 0] is out of range: must be a list of rows",
+            "`history.steps[0]` = [1, 0, 0, 0, 0] is not allowed: must be a list of rows",
         ),
         ("history", SPHERE.to_owned() + "friction = 0.3\n[history]\n", "`history.file` is missing"),
     ] {

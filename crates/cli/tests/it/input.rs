@@ -112,33 +112,33 @@ fn wrong_units_name_the_allowed_ones() {
         (
             "\"100 g\"",
             "\"100 mm\"",
-            "line 5: `body_1.mass` = \"100 mm\" is out of range: must be a number, > 0 (inf is allowed), plain in kg or as a text with a unit of kg, t, g, mg, ug",
+            "line 5: `body_1.mass` = \"100 mm\" is not allowed: must be a number, > 0 (inf is allowed), plain in kg or as a text with a unit of kg, t, g, mg, ug",
         ),
         (
             "\"30 mm\"",
             "\"30\"",
-            "line 3: `body_1.semi_axes.x` = \"30\" is out of range: must be a number, finite and > 0, plain in m or",
+            "line 3: `body_1.semi_axes.x` = \"30\" is not allowed: must be a number, finite and > 0, plain in m or",
         ),
         (
             "\"30 mm\"",
             "\"-30 mm\"",
-            "line 3: `body_1.semi_axes.x` = \"-30 mm\" is out of range: must be finite and > 0",
+            "line 3: `body_1.semi_axes.x` = \"-30 mm\" is not allowed: must be finite and > 0",
         ),
         ("\"70 GPa\"", "\"70 Gpa\"", "a unit of Pa, kPa, MPa, GPa, TPa, bar, N/m2, N/mm2, kN/mm2"),
         (
             "\"0 rpm\"",
             "\"0 Hz\"",
-            "line 10: `body_1.spin.z` = \"0 Hz\" is out of range: must be a number, finite, within +-1e100, plain in rad/s",
+            "line 10: `body_1.spin.z` = \"0 Hz\" is not allowed: must be a number, finite, within +-1e100, plain in rad/s",
         ),
         (
             "friction = 0.2",
             "friction = \"20 %\"",
-            "line 18: `contact.friction` = \"20 %\" is out of range: must be a number, >= 0 (0, 1e-30 to 1e30, or inf: no slip)",
+            "line 18: `contact.friction` = \"20 %\" is not allowed: must be a number, >= 0 (0, 1e-30 to 1e30, or inf: no slip)",
         ),
         (
             "poisson = 0.22 }\nmass",
             "poisson = \"0.22\" }\nmass",
-            "line 4: `body_1.material.poisson` = \"0.22\" is out of range: must be a number, in (-1, 0.5]",
+            "line 4: `body_1.material.poisson` = \"0.22\" is not allowed: must be a number, in (-1, 0.5]",
         ),
         ("\"30 deg\"", "\"30 degrees\"", "plain in deg or as a text with a unit of deg, rad, rev"),
     ] {
@@ -168,7 +168,7 @@ fn a_mistyped_shape_of_a_sweep_is_blamed_itself() {
         let stderr = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{stderr}");
         assert!(
-            stderr.contains(".shape` = \"spere\" is out of range: must be \"sphere\", \"ell"),
+            stderr.contains(".shape` = \"spere\" is not allowed: must be \"sphere\", \"ell"),
             "{name}: {stderr}"
         );
         assert!(!stderr.contains("approach"), "{stderr}");
@@ -381,4 +381,50 @@ fn answers_that_look_empty_say_what_to_change() {
     let apart = case("apart.toml", &(hertz[..hertz.find("[[step]]").unwrap()].to_owned() + step));
     let told = said(&["solve", &apart]);
     assert!(told.contains("no contact in any step"), "{told}");
+}
+
+#[test]
+fn what_is_no_case_is_told_with_what_was_expected() {
+    let folder = folder();
+    let told = |name: &str, bytes: Option<&[u8]>| {
+        let path = folder.join(name);
+        bytes.into_iter().for_each(|bytes| std::fs::write(&path, bytes).unwrap());
+        text(&carom(&["roll", path.to_str().unwrap()]).stderr)
+    };
+    let contact = told("rail.inp", Some(b" 3 MODULE\n"));
+    assert!(
+        contact.contains("`carom new roll` prints one; .inp is an input of CONTACT"),
+        "{contact}"
+    );
+    let program = told("case.py", Some(b"import carom\nx = 1\n"));
+    assert!(program.contains("; a case ends in .toml, not in .py"), "{program}");
+    let wide = told("wide.toml", Some(b"\xff\xfe#\0"));
+    assert!(
+        wide.contains("but UTF-16, as PowerShell writes it; it must be a case in TOML"),
+        "{wide}"
+    );
+    for absent in [told("absent.toml", None), text(&carom(&["roll", "."]).stderr)] {
+        assert!(
+            absent.contains("; a case in TOML is expected there: `carom new` prints"),
+            "{absent}"
+        );
+    }
+}
+
+#[test]
+fn an_argument_that_does_not_exist_is_told_with_the_way_out() {
+    let to_a_file = "results go to standard output: write `--format csv > results.csv`";
+    for (line, expected) in [
+        ("impact c.toml -o x.csv", to_a_file),
+        ("impact c.toml --output x.csv", to_a_file),
+        ("impact c.toml x.csv", to_a_file),
+        ("impact c.toml --csv", "write --format csv"),
+        ("restitution --kappa 1.2 1.3 --lambda 1", "a list with commas and no blanks: 1,1.2"),
+        ("impact c.toml --history 0.5", "--history <COUNT> takes a whole number"),
+    ] {
+        let output = carom(&line.split(' ').collect::<Vec<_>>());
+        let stderr = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        assert!(stderr.contains(expected) && !stderr.contains("as a value"), "{line}: {stderr}");
+    }
 }

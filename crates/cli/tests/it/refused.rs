@@ -9,7 +9,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "\"ellipsoid\"",
             "\"egg\"",
-            "line 2: `body_1.shape` = \"egg\" is out of range: must be \"sphere\", \"ellipsoid\"",
+            "line 2: `body_1.shape` = \"egg\" is not allowed: must be \"sphere\", \"ellipsoid\"",
         ),
         (
             "semi_axes = [0.03, 0.02, 0.015]",
@@ -19,7 +19,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "semi_axes = [0.03, 0.02, 0.015]",
             "semi_axes = [0.03, 0.02]",
-            "line 3: `body_1.semi_axes` = [0.03, 0.02] is out of range: must be three numbers",
+            "line 3: `body_1.semi_axes` = [0.03, 0.02] is not allowed: must be three numbers",
         ),
         (
             "semi_axes = [0.03, 0.02, 0.015]",
@@ -70,7 +70,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "[1.2e-5, 2.2e-5, 2.6e-5]",
             "\"hollow\"",
-            "line 6: `body_1.inertia` = \"hollow\" is out of range: must be \"solid\", \"shell\" or three moments",
+            "line 6: `body_1.inertia` = \"hollow\" is not allowed: must be \"solid\", \"shell\" or three moments",
         ),
         ("mass = 0.1", "mass = -0.1", "line 5: `body_1.mass` = -0.1 is out of range: must be > 0"),
         (
@@ -133,17 +133,17 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "friction = 0.2",
             "friction = 0.2\nlaw = \"elastic\"",
-            "line 19: `contact.law` = \"elastic\" is out of range: must be \"auto\", \"coulomb\", \"fixed-direction\", \"rings\" or \"numerical\"",
+            "line 19: `contact.law` = \"elastic\" is not allowed: must be \"auto\", \"coulomb\", \"fixed-direction\", \"rings\" or \"numerical\"",
         ),
         (
             "friction = 0.2",
             "friction = 0.2\ntorsion = 1",
-            "line 19: `contact.torsion` = 1 is out of range: must be true or false",
+            "line 19: `contact.torsion` = 1 is not allowed: must be true or false",
         ),
         (
             "friction = 0.2",
             "friction = 0.2\nsearch = \"near\"",
-            "line 19: `contact.search` = \"near\" is out of range: must be \"touch\"",
+            "line 19: `contact.search` = \"near\" is not allowed: must be \"touch\"",
         ),
         (
             "friction = 0.2",

@@ -76,7 +76,7 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         (
             "start = [-0.06, 0, 0.09]",
             "start = [-0.06, 0, 0.02]",
-            "`scene.start` = [-0.06, 0, 0.02] is out of range: must be at least the radius 0.022 from \
+            "`scene.start` = [-0.06, 0, 0.02] is not allowed: must be at least the radius 0.022 from \
              every wall: the ball starts inside table, by 2.000e-3 m",
         ),
         ("gravity = [0, 0, 0]", "gravity = [0, 0, nan]", "`scene.gravity.z` = NaN is out of range"),
@@ -101,7 +101,7 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         (
             "shape = \"sphere\"\nradius = 0.022",
             "shape = \"ellipsoid\"\nsemi_axes = [1, 1, 1]",
-            "`ball.shape` = \"ellipsoid\" is out of range: must be \"sphere\" (a scene computes",
+            "`ball.shape` = \"ellipsoid\" is not allowed: must be \"sphere\" (a scene computes",
         ),
         (
             "density = 1000",

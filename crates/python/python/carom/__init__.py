@@ -54,6 +54,8 @@ carom.RangeError: poisson = 0.7 is out of range: must be in (-1, 0.5]
 
 from __future__ import annotations
 
+import sys
+
 from . import cases, plot, special
 from ._carom import (
     Body,
@@ -83,6 +85,7 @@ from ._contact_theory import (
 from ._creep import creep_coefficients, fastsim
 from ._friction import SlipSpeedFriction
 from ._impact import collide, collide_many, history, plane, sphere
+from ._mistakes import help_calls
 from ._records import (
     Bounce,
     Bounces,
@@ -178,3 +181,6 @@ __all__ = [
     "stress",
     "von_mises",
 ]
+
+for _module in (sys.modules[__name__], cases, special):
+    help_calls(_module)

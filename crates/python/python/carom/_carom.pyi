@@ -28,7 +28,7 @@ class Material:
     def __new__(
         cls,
         young_modulus: float | None = None,
-        poisson: float = 0.0,
+        poisson: float | None = None,
         *,
         shear_modulus: float | None = None,
         yield_stress: float | None = None,
@@ -73,6 +73,7 @@ class Plate:
     def theory(self) -> str: ...
 
 def available_room() -> int: ...
+def meant(name: str, valid: Sequence[str]) -> str: ...
 def case_impact(path: str) -> tuple[tuple[str, str, Array] | None, _Columns, _Told]: ...
 def case_hertz(path: str) -> tuple[_Columns, _Told]: ...
 def case_stress(path: str) -> tuple[_Columns, float, list[Array], list[Array], _Told]: ...
@@ -83,7 +84,7 @@ def roll(
     cells: list[int],
     cell: list[float],
     heights: Array,
-    materials: MaterialPair,
+    materials: MaterialPair | Material,
     friction: Array,
     given: list[tuple[bool, Array]],
     direction: float,
@@ -105,11 +106,11 @@ def case_new(kind: str) -> str: ...
 
 class Hertz:
     def __new__(
-        cls, materials: MaterialPair, curvature_a: float, curvature_b: float, smallest_radius: float | None = None
+        cls, materials: MaterialPair | Material, curvature_a: float, curvature_b: float, smallest_radius: float | None = None
     ) -> Hertz: ...
     @staticmethod
     def of_radii(
-        materials: MaterialPair, radii_1: _Vector, radii_2: _Vector, angle: float
+        materials: MaterialPair | Material, radii_1: _Vector, radii_2: _Vector, angle: float
     ) -> Hertz: ...
     @property
     def stiffness(self) -> tuple[float, float, float]: ...
@@ -329,7 +330,7 @@ class Solver:
         cells: Sequence[int],
         cell: Sequence[float],
         heights: Array,
-        materials: MaterialPair,
+        materials: MaterialPair | Material,
         friction: Array,
         tolerance: float,
         cut: bool,

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import _carom
 from ._arrays import blocks, line, number, numbers, two
-from ._carom import MaterialPair
+from ._carom import Material, MaterialPair
 from ._case_results import Rolled, gridded
 from ._records import RollStates
 from ._validity import warn
@@ -22,7 +22,7 @@ UNITS = {"zeta": "m", "F_z": "N", "F_x": "N", "F_y": "N", "spin": "rad/m", "M_z"
 def roll(
     gap: ArrayLike,
     size: tuple[float, float],
-    materials: MaterialPair,
+    materials: MaterialPair | Material,
     friction: ArrayLike,
     *,
     zeta: ArrayLike | None = None,

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _carom, _show
 from ._arrays import blocks, counted, counts, line, number, numbers, two
-from ._carom import MaterialPair, Plate
+from ._carom import Material, MaterialPair, Plate
 from ._records import SolverStep
 from ._types import Array
 
@@ -89,7 +89,7 @@ class Solver:
         self,
         gap: ArrayLike,
         size: tuple[float, float],
-        materials: MaterialPair,
+        materials: MaterialPair | Material,
         friction: ArrayLike,
         *,
         tolerance: float = 1e-9,
@@ -105,7 +105,8 @@ class Solver:
         fine = numbers("friction", friction)
         if fine.shape not in ((), (ny, nx)):
             raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
-        self._gap, self._size, self._materials = heights, two("size", size, "m"), materials
+        self._gap, self._size = heights, two("size", size, "m")
+        self._materials = MaterialPair(materials) if isinstance(materials, Material) else materials
         self._friction, self._tolerance, self._cut = fine, number("tolerance", tolerance), bool(cut)
         self._plate = plate
         if plate is not None and influence is not None:

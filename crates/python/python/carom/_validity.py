@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import sys
 import warnings
+
+PACKAGE = os.path.dirname(__file__)
 
 
 class CaromWarning(UserWarning):
@@ -32,12 +36,15 @@ class OutsideTheoryWarning(CaromWarning):
     """
 
 
-def warn(told: tuple[list[str], bool], depth: int = 3) -> None:
-    """Warns once of all that results exceed, each in a line; `depth` functions up stands the call of the user.
+def warn(told: tuple[list[str], bool]) -> None:
+    """Warns once of all that results exceed, each in a line, at the call of the user: the first outside the package.
 
     `told` is the texts, and whether a limit of the theory is exceeded.
     """
     texts, is_outside = told
     if texts:
         category = OutsideTheoryWarning if is_outside else CaromWarning
+        frame, depth = sys._getframe().f_back, 2
+        while frame is not None and os.path.dirname(frame.f_code.co_filename) == PACKAGE:
+            frame, depth = frame.f_back, depth + 1
         warnings.warn("\n".join(texts), category, stacklevel=depth)

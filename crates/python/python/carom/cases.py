@@ -85,6 +85,15 @@ def new(kind: str) -> str:
     return _carom.case_new(kind)
 
 
+def _file(path: Path) -> str:
+    """The path of a case file, or an error that tells what else was given."""
+    is_text = isinstance(path, str) and "\n" in path
+    if is_text or not isinstance(path, (str, os.PathLike)):
+        given = "the text of a case" if is_text else type(path).__name__
+        raise TypeError(f"path: must be the path of a case file, not {given}; write the case into a file, in TOML")
+    return os.fspath(path)
+
+
 def impact(path: Path) -> Rebound | Sweep:
     """The impact of a case; for a sweep all impacts, arrays (n,), computed in parallel.
 
@@ -97,7 +106,7 @@ def impact(path: Path) -> Rebound | Sweep:
     >>> rebounds.swept[0], rebounds.R_x.shape
     ('contact.friction', (3,))
     """
-    swept, columns, exceeded = _carom.case_impact(os.fspath(path))
+    swept, columns, exceeded = _carom.case_impact(_file(path))
     warn(exceeded)
     if swept is None:
         return Rebound._of(columns)
@@ -116,7 +125,7 @@ def history(path: Path) -> HistorySteps:
     >>> bool((np.hypot(steps.F_x, steps.F_y) <= 0.3 * steps.F_z * (1 + 1e-12)).all())
     True
     """
-    columns, exceeded = _carom.case_history(os.fspath(path))
+    columns, exceeded = _carom.case_history(_file(path))
     warn(exceeded)
     return HistorySteps._shaped(columns, (len(columns["step"]),))
 
@@ -134,7 +143,7 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
     True
     """
-    steps, axes, fields, cells, told = _carom.case_solve(os.fspath(path), accuracy)
+    steps, axes, fields, cells, told = _carom.case_solve(_file(path), accuracy)
     warn(told)
     named = gridded(axes, fields, cells, told[0])
     return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **named})
@@ -150,7 +159,7 @@ def hertz(path: Path) -> HertzStates:
     >>> bool((states.peak_pressure > 0).all())
     True
     """
-    columns, exceeded = _carom.case_hertz(os.fspath(path))
+    columns, exceeded = _carom.case_hertz(_file(path))
     warn(exceeded)
     return HertzStates._shaped(columns, (len(columns["force"]),))
 
@@ -167,7 +176,7 @@ def stress(path: Path) -> Stresses:
     >>> bool(np.allclose(carom.von_mises(below.stress), below.von_mises))
     True
     """
-    contact, stick_radius, (x, y, depth), (flat, *scalars), exceeded = _carom.case_stress(os.fspath(path))
+    contact, stick_radius, (x, y, depth), (flat, *scalars), exceeded = _carom.case_stress(_file(path))
     warn(exceeded)
     shape = (len(depth), len(y), len(x))
     von_mises, maximum_shear = (values.reshape(shape) for values in scalars)
@@ -202,7 +211,7 @@ def scene(path: Path, *, points: int = 0) -> Scene:
         error = RangeError(f"points = {count} is out of range: must be 0 or from 2 to 100000")
         error.field, error.value, error.index = "points", float(count), None
         raise error
-    bounces, ending, end, course, exceeded = _carom.case_scene(os.fspath(path), count)
+    bounces, ending, end, course, exceeded = _carom.case_scene(_file(path), count)
     warn(exceeded)
     return Scene(
         {
@@ -228,7 +237,7 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
     (True, dtype('bool'))
     """
     rows, creep, axes, (fields, cells), (exceeded, is_outside), others = _carom.case_roll(
-        os.fspath(path), coefficients, fastsim
+        _file(path), coefficients, fastsim
     )
     warn((exceeded + others, is_outside))
     return Rolled(
@@ -250,7 +259,7 @@ def shell(path: Path) -> Bellows | Flange:
     >>> bool(bellows.loads.force[2] > -bellows.loads.force[0])  # extension stiffens
     True
     """
-    kind, summary, loads, places, warnings = _carom.case_shell(os.fspath(path))
+    kind, summary, loads, places, warnings = _carom.case_shell(_file(path))
     warn((warnings, True))
     if kind == "bellows":
         assert loads is not None

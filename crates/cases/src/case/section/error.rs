@@ -1,16 +1,17 @@
 //! Errors at a field of a table.
 
-use super::spelling::{line_at, shortened};
+use super::spelling::line_at;
 use super::{Place, Section};
 use crate::case::error::CaseError;
-use crate::case::field::{Field, Form, Need};
-use crate::case::unit::Measure;
+use crate::case::field::{Entry, Field, Form, Need, entries};
+use crate::case::unit::{Measure, pointed};
 use carom_special::RangeError;
 use carom_special::nearest;
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// Names that other programs and books use for fields.
+/// Names that other programs and books use for fields and words. A name of a quantity with another value follows it in
+/// [`DIFFERENT`].
 const OTHER_NAMES: &[(&str, &str)] = &[
     ("E", "young_modulus"),
     ("young", "young_modulus"),
@@ -23,31 +24,105 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("m", "mass"),
     ("r", "radius"),
     ("R", "radius"),
+    ("diameter", "radius"),
+    ("d", "radius"),
     ("mu", "friction"),
     ("friction_coefficient", "friction"),
+    ("coefficient_of_friction", "friction"),
+    ("cof", "friction"),
+    ("cor", "normal_restitution"),
     ("e", "normal_restitution"),
     ("restitution", "normal_restitution"),
     ("v", "velocity"),
     ("omega", "spin"),
     ("angular_velocity", "spin"),
     ("F", "force"),
+    ("load", "force"),
+    ("load", "F_z"),
+    ("N", "F_z"),
+    ("z", "zeta"),
+    ("duration", "time"),
+    ("type", "shape"),
+    ("ball", "sphere"),
+    ("wall", "plane"),
+    ("floor", "plane"),
     ("nx", "cells"),
     ("g", "gravity"),
     ("elongation", "dilatation"),
     ("from", "start"),
     ("to", "stop"),
+    ("end", "stop"),
+    ("min", "start"),
+    ("max", "stop"),
+    ("min", "low"),
+    ("max", "high"),
     ("n", "count"),
+    ("num", "count"),
+    ("step", "count"),
+    ("steps", "count"),
     ("gauss", "normal"),
     ("gaussian", "normal"),
     ("std", "sd"),
     ("sigma", "sd"),
+    ("lambda_", "lam"),
 ];
 
+/// What of the value of another name belongs into the field.
+const DIFFERENT: &[(&str, &str)] =
+    &[("diameter", ", half of it"), ("d", ", half of it"), ("step", ", the number of values")];
+
 /// The field that the name of another program stands for, if the table has it.
-fn meant(name: &str, valid: &[&'static str]) -> Option<&'static str> {
-    let (_, field) =
-        OTHER_NAMES.iter().find(|(other, field)| *other == name && valid.contains(field))?;
-    Some(field)
+pub(super) fn meant<'a>(name: &str, valid: &[&'a str]) -> Option<&'a str> {
+    let is_meant = |field: &&&str| OTHER_NAMES.contains(&(name, **field));
+    valid.iter().find(is_meant).copied()
+}
+
+/// What of the value of another name belongs into the field, after a comma.
+fn different(name: &str) -> &'static str {
+    DIFFERENT.iter().find(|(other, _)| *other == name).map_or("", |(_, hint)| hint)
+}
+
+/// The name that is probably meant, of those that are valid, and what of the value belongs there; empty if none is
+/// similar.
+#[must_use]
+pub fn likely(name: &str, valid: &[&str]) -> String {
+    let near = meant(name, valid).or_else(|| nearest(name, valid));
+    near.map_or_else(String::new, |near| format!(", did you mean `{near}`{}?", different(name)))
+}
+
+/// The field of this name in one of the tables, as it is written there.
+fn inner(name: &str, fields: &[Field]) -> Option<String> {
+    let found = |table: &Field| {
+        let names: Vec<&'static str> = table.fields().iter().map(|field| field.name).collect();
+        let field = names.iter().find(|own| **own == name).copied().or_else(|| meant(name, &names));
+        field.map(|field| format!("{} = {{ {field} = .. }}", table.name))
+    };
+    fields.iter().filter(|field| matches!(field.form, Form::Table(_))).find_map(found)
+}
+
+/// The field of this name in another table, with its path.
+fn elsewhere(name: &str, top: &'static [Field]) -> Option<String> {
+    let is_named =
+        |Entry { field, .. }: &Entry| field.name == name || meant(name, &[field.name]).is_some();
+    let is_plain =
+        |Entry { field, .. }: &Entry| field.fields().is_empty() && field.shapes.is_empty();
+    entries(top)
+        .into_iter()
+        .find(|entry| is_named(entry) && is_plain(entry))
+        .map(|entry| entry.path)
+}
+
+/// The field that names a file.
+const FILE: &str = "file";
+/// Endings of files with numbers.
+const FILES: &[&str] = &[".csv", ".tsv", ".txt", ".dat", ".npy", ".json", ".xlsx"];
+
+/// What may be meant by a list with a number too many.
+fn of_list(value: &Spanned<DeValue<'_>>, written: &str) -> &'static str {
+    match value.get_ref().is_array() && written.contains(", ") && pointed(written).is_some() {
+        true => "; decimals have a point, the comma separates numbers",
+        false => "",
+    }
 }
 
 impl Section<'_> {
@@ -74,8 +149,12 @@ impl Section<'_> {
                 None => table,
             },
             nearest: meant(name, valid)
-                .or_else(|| nearest(name, &absent))
-                .or_else(|| nearest(name, valid)),
+                .map(str::to_owned)
+                .or_else(|| inner(name, self.fields))
+                .or_else(|| nearest(name, &absent).map(str::to_owned))
+                .or_else(|| elsewhere(name, self.top))
+                .or_else(|| nearest(name, valid).map(str::to_owned)),
+            hint: different(name),
             valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
         }
     }
@@ -108,6 +187,11 @@ impl Section<'_> {
             .map(|part| part.split('[').next().unwrap_or(part))
             .collect();
         match field.form {
+            Form::Table(fields) if fields.len() <= 3 && !self.path.is_empty() => {
+                let names: Vec<_> =
+                    fields.iter().map(|field| format!("{} = ..", field.name)).collect();
+                format!("{} {{ {} }}", field.allowed(), names.join(", "))
+            }
             Form::Table(_) => format!("{}, headed [{name}]", field.allowed()),
             Form::Tables(_) => format!("{}: [[{name}]]", field.allowed()),
             _ => field.allowed(),
@@ -161,8 +245,7 @@ impl Section<'_> {
     pub(in crate::case) fn unfit(&self, place: impl Place, allowed: String) -> CaseError {
         let field = self.path(&place);
         let Some(value) = self.find(&place) else { return self.missing_as(place, allowed) };
-        let line = line_at(self.source, value.span().start);
-        let found = shortened(self.source.get(value.span()).unwrap_or("?").trim());
+        let (line, found) = (self.line_of(value), self.written(value));
         CaseError::Kind { field, line, found, allowed }
     }
 
@@ -225,12 +308,19 @@ impl Section<'_> {
         value: &Spanned<DeValue<'_>>,
         allowed: &str,
     ) -> CaseError {
-        let span = value.span();
-        CaseError::Kind {
-            field: self.full(name),
-            line: line_at(self.source, span.start),
-            found: shortened(self.source.get(span).unwrap_or("?").trim()),
-            allowed: allowed.to_owned(),
+        let (line, found) = (self.line_of(value), self.written(value));
+        let allowed = format!("{allowed}{}{}", self.of_file(value), of_list(value, &found));
+        CaseError::Kind { field: self.full(name), line, found, allowed }
+    }
+
+    /// Where a file belongs that stands in the place of a value.
+    fn of_file(&self, value: &Spanned<DeValue<'_>>) -> String {
+        let text = value.get_ref().as_str().unwrap_or("").to_ascii_lowercase();
+        let has_file = self.fields.iter().any(|field| field.name == FILE);
+        match FILES.iter().any(|ending| text.ends_with(ending)) {
+            true if has_file => format!("; a file is named by `{}`", self.full(FILE)),
+            true => "; no file is read here, the values stand in the case".to_owned(),
+            false => String::new(),
         }
     }
 

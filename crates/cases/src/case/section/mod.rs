@@ -2,9 +2,12 @@
 
 mod arrays;
 mod error;
+mod not_toml;
 mod spelling;
 pub(super) mod survey;
 mod usual;
+
+pub use error::likely;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
@@ -24,6 +27,8 @@ pub(super) struct Section<'a> {
     line: usize,
     table: &'a DeTable<'a>,
     fields: &'static [Field],
+    /// The fields of the case.
+    top: &'static [Field],
     /// Collects numbers that vary, where the case allows them.
     varied: Option<&'a Varied>,
 }
@@ -56,8 +61,14 @@ impl<'a> Section<'a> {
         table: &'a DeTable<'a>,
         fields: &'static [Field],
     ) -> Result<Self, CaseError> {
-        let section = Self { source, path: String::new(), line: 0, table, fields, varied: None };
+        let section = Self::unread(source, table, fields);
         section.check(None).map(|()| section)
+    }
+
+    /// The same without a check.
+    fn unread(source: &'a str, table: &'a DeTable<'a>, fields: &'static [Field]) -> Self {
+        let (path, top) = (String::new(), fields);
+        Self { source, path, line: 0, table, fields, top, varied: None }
     }
 
     /// The same table, in which every number may vary.
@@ -92,7 +103,7 @@ impl<'a> Section<'a> {
             DeValue::Table(table) => {
                 let path = self.full(name);
                 let line = self.line_of(value);
-                let section = Self { source: self.source, path, line, table, fields, varied: None };
+                let section = Self { path, line, table, fields, varied: None, ..*self };
                 section.check(None).map(|()| section)
             }
             _ => Err(self.kind(name, value, "a table")),
@@ -302,7 +313,7 @@ impl<'a> Section<'a> {
     /// A value as written, with numbers in the base unit.
     #[must_use]
     pub(super) fn shown(&self, value: &Spanned<DeValue<'_>>, measure: Option<Measure>) -> String {
-        let written = || shortened(self.source.get(value.span()).unwrap_or("?").trim());
+        let written = || self.written(value);
         match (value.get_ref(), measure) {
             (DeValue::String(text), Some(measure)) => {
                 measure.dimension.read(text).map_or_else(written, |number| number.to_string())
@@ -312,6 +323,20 @@ impl<'a> Section<'a> {
                 format!("[{}]", items.join(", "))
             }
             _ => written(),
+        }
+    }
+
+    /// A value as written; of a table that has a heading or dotted names, these.
+    #[must_use]
+    pub(super) fn written(&self, value: &Spanned<DeValue<'_>>) -> String {
+        let text = self.source.get(value.span()).unwrap_or("?").trim();
+        match value.get_ref() {
+            DeValue::Table(table) if !text.starts_with('{') => {
+                let names: Vec<_> =
+                    table.iter().map(|(name, _)| format!("{} = ..", name.get_ref())).collect();
+                shortened(&format!("{{ {} }}", names.join(", ")))
+            }
+            _ => shortened(text),
         }
     }
 

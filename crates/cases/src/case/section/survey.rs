@@ -1,20 +1,21 @@
 //! All errors of a case at once. The reader of a kind stops at its first error; then every table is gone
 //! through with its declared fields, and whatever is unknown, of a wrong value or missing is reported.
 
-use super::{Section, parse};
+use super::error::meant as of_others;
+use super::{Section, not_toml, parse};
 use crate::case::body::SHAPE;
 use crate::case::error::CaseError;
 use crate::case::field::{Field, Form, Need, Word};
 use crate::case::kind::CaseKind;
 use crate::case::unit::Measure;
+use carom_special::nearest;
 use toml::Spanned;
 use toml::de::DeValue;
 
 /// The errors of a case that its reader rejected with `first`.
 pub(in crate::case) fn all(kind: CaseKind, source: &str, first: CaseError) -> CaseError {
     if let CaseError::Syntax { line, column, message } = first {
-        let wrong = source.lines().nth(line.saturating_sub(1)).unwrap_or("");
-        let message = twice(message, wrong, column) + &number_meant(wrong) + &advice(kind, source);
+        let message = not_toml::told(kind, source, line, column, message);
         return CaseError::Syntax { line, column, message };
     }
     let mut errors = survey(kind, source);
@@ -35,55 +36,6 @@ pub(in crate::case) fn all(kind: CaseKind, source: &str, first: CaseError) -> Ca
     }
 }
 
-/// What to write instead of a text that is not TOML but perhaps JSON or YAML.
-fn advice(kind: CaseKind, source: &str) -> String {
-    let first = source.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("");
-    let is_yaml =
-        first == "---" || first.split_once(':').is_some_and(|(name, _)| !name.contains(['=', '"']));
-    match first.starts_with('{') || is_yaml {
-        true => format!("; a case is written in TOML, `carom new {}` prints one", kind.name()),
-        false => String::new(),
-    }
-}
-
-/// The parser's message with the name of a field or table that stands in the file twice.
-fn twice(message: String, line: &str, column: usize) -> String {
-    let is_name = |letter: &char| letter.is_alphanumeric() || "_-.".contains(*letter);
-    match message == "duplicate key" {
-        true => {
-            let name: String = line.chars().skip(column).take_while(is_name).collect();
-            format!("`{name}` is given a second time; leave one of the two out")
-        }
-        false => message,
-    }
-}
-
-/// What may be meant by a line that is not TOML: numbers as other languages write them, or a text.
-fn number_meant(line: &str) -> String {
-    let value = line.split('#').next().and_then(|line| line.split_once('=')).map_or("", |(_, v)| v);
-    let has_decimal_comma = !value.contains(['[', '{', '"'])
-        && value.split_once(',').is_some_and(|(whole, part)| {
-            let is_digit = |letter: Option<char>| letter.is_some_and(|l| l.is_ascii_digit());
-            is_digit(whole.chars().next_back()) && is_digit(part.chars().next())
-        });
-    match () {
-        () if value.contains('\u{2212}') => {
-            "; the minus sign of a number is a hyphen, -".to_owned()
-        }
-        () if has_decimal_comma => "; a number has a decimal point, as 0.3".to_owned(),
-        () if is_bare_text(value) => format!("; write \"{}\"", value.trim()),
-        () => String::new(),
-    }
-}
-
-/// Whether these are words, or a number with a unit, without quotes.
-fn is_bare_text(value: &str) -> bool {
-    let is_plain = |letter: char| letter.is_alphanumeric() || " ._-+/^%".contains(letter);
-    let is_word =
-        |word: &str| word.starts_with(char::is_alphabetic) && word.parse::<f64>().is_err();
-    value.chars().all(is_plain) && value.split_whitespace().any(is_word)
-}
-
 /// The kind of case of which this text has at most half as many errors.
 fn other_kind(kind: CaseKind, source: &str, count: usize) -> Option<CaseKind> {
     let likely = CaseKind::of(source).ok()?;
@@ -99,9 +51,7 @@ fn other_kind(kind: CaseKind, source: &str, count: usize) -> Option<CaseKind> {
 /// The errors that the declared fields tell: unknown fields and wrong values first, then missing fields.
 fn survey(kind: CaseKind, source: &str) -> Vec<CaseError> {
     let Ok(table) = parse(source) else { return Vec::new() };
-    let fields = kind.fields();
-    let path = String::new();
-    let top = Section { source, path, line: 0, table: table.get_ref(), fields, varied: None };
+    let top = Section::unread(source, table.get_ref(), kind.fields());
     let mut found = Found { may_vary: !kind.varied().is_empty(), ..Found::default() };
     found.table(&top);
     found.wrong.sort_by_key(|error| error.line());
@@ -123,7 +73,7 @@ impl Found {
         let shape = if has_shape { section.word(&SHAPE).ok() } else { None };
         let unknown = section.all_unknown(shape);
         let meant = |field: &Field| {
-            unknown.iter().any(|error| matches!(error, CaseError::Unknown { nearest: Some(name), .. } if *name == field.name))
+            unknown.iter().any(|error| matches!(error, CaseError::Unknown { nearest: Some(name), .. } if name == field.name))
         };
         let is_meant = |field: &&Field| field.is_of(shape) && section.means(field);
         for field in section.fields.iter().filter(is_meant) {
@@ -219,7 +169,7 @@ impl Found {
 /// The word that was probably meant by the text, in words; empty if none is similar.
 pub(super) fn meant(text: Option<&str>, words: &[Word]) -> String {
     let words: Vec<&'static str> = words.iter().map(|(word, _)| *word).collect();
-    let near = text.and_then(|text| carom_special::nearest(text, &words));
+    let near = text.and_then(|text| of_others(text, &words).or_else(|| nearest(text, &words)));
     near.map_or_else(String::new, |word| format!("; did you mean {word:?}?"))
 }
 
@@ -254,19 +204,19 @@ frition = 0.2
         let error = CaseKind::Impact.check(TYPED).unwrap_err();
         insta::assert_snapshot!(error.shown_in(TYPED), @r#"
         7 errors
-        line 2: `body_1.shape` = "spere" is out of range: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given"; did you mean "sphere"?
+        line 2: `body_1.shape` = "spere" is not allowed: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given"; did you mean "sphere"?
           2 | shape = "spere"
             | ^^^^^
         line 3: unknown field `body_1.material.E`, did you mean `young_modulus`? `body_1.material` takes `young_modulus`, `shear_modulus`, `poisson`, `rigid`, `yield_stress`, `hardness`
           3 | material = { E = 2e11, poisson = 0.3 }
             |              ^
-        line 4: `body_1.mass` = "3 kilo" is out of range: must be a number, > 0 (inf is allowed), plain in kg or as a text with a unit of kg, t, g, mg, ug
+        line 4: `body_1.mass` = "3 kilo" is not allowed: must be a number, > 0 (inf is allowed), plain in kg or as a text with a unit of kg, t, g, mg, ug
           4 | mass = "3 kilo"
             | ^^^^
-        line 5: `body_1.velocity` = [0.5, 0] is out of range: must be three numbers [x, y, z]
+        line 5: `body_1.velocity` = [0.5, 0] is not allowed: must be three numbers [x, y, z]
           5 | velocity = [0.5, 0]
             | ^^^^^^^^
-        line 9: `body_2.fixed` = 1 is out of range: must be true or false
+        line 9: `body_2.fixed` = 1 is not allowed: must be true or false
           9 | fixed = 1
             | ^^^^^
         line 12: unknown field `contact.frition`, did you mean `friction`? `contact` takes `friction`, `static_friction`, `law`, `torsion`, `normal_restitution`, `wave_loss`, `relaxation`, `point`, `point_1`, `point_2`, `search`
@@ -279,31 +229,67 @@ frition = 0.2
     }
 
     #[test]
+    fn what_is_meant_is_told() {
+        use CaseKind::{History, Impact, Roll, Solve};
+        for (kind, old, new, said) in [
+            (Impact, "radius", "diameter", "did you mean `radius`, half of it?"),
+            (Impact, "\"sphere\"", "\"ball\"", "; did you mean \"sphere\"?"),
+            (Impact, "radius = 0.01", "radius = \"0,01 m\"", "write a point: 0.01 m"),
+            (Impact, "[0.25, 0, -0.5]", "[0,25, 0, -0,5]", "; decimals have a point"),
+            (Impact, "density", "poisson = 0.3\ndensity", "mean `material = { poisson = .. }`?"),
+            (Impact, "density", "mu = 0.3\ndensity", "did you mean `contact.friction`?"),
+            (
+                Impact,
+                "= 0.2",
+                "= { mean = 0.2, sd = 0.1 }",
+                "did you mean `normal = { mean = .. }`?",
+            ),
+            (Impact, "= 0.2", "= { uniform = [0.1, 0.2] }", "a table { low = .., high = .. }"),
+            (
+                Impact,
+                "= 0.2",
+                "= { start = 0, stop = 1, step = 0.1 }",
+                "`count`, the number of values?",
+            ),
+            (Impact, "= 0.2", "= 0.2\nfriction_static = 0.3", "did you mean `static_friction`?"),
+            (
+                Impact,
+                "= 0.2",
+                "= \"f.csv\"",
+                "; no file is read here, the values stand in the case",
+            ),
+            (
+                History,
+                "[[1e-6, 0, 0], [1e-6, 2e-7, 0], [1e-6, 0, 0]]",
+                "\"f.csv\"",
+                "named by `history.file`",
+            ),
+            (Roll, "[0.0005, 0.001, 0.002, 0.004]", "\"0.1 %\"", "; 0.1 % is 0.001"),
+            (
+                Solve,
+                "size = [2.6e-4, 2.6e-4]",
+                "size = [260, 260]",
+                "`gap.shape` = \"sphere\" is not allowed: must be such that a cell",
+            ),
+            (
+                Solve,
+                "cells = [40, 40]",
+                "cells.x = 40",
+                "= { x = .. } is not allowed: must be two whole",
+            ),
+        ] {
+            let source = kind.begin_short().replacen(old, new, 1);
+            let error = kind.check(&source).unwrap_err().to_string();
+            assert!(error.contains(said), "{new}: {error}");
+        }
+    }
+
+    #[test]
     fn an_empty_case_is_of_no_other_kind() {
         for kind in CaseKind::ALL {
             let error = kind.check("# nothing yet\n").unwrap_err();
             assert!(!matches!(error, CaseError::OtherKind { .. }), "{kind:?}: {error}");
         }
-    }
-
-    #[test]
-    fn numbers_of_other_languages_are_told() {
-        let said = |line: &str| {
-            let source = format!("[contact]\n{line}\n");
-            CaseKind::Impact.check(&source).unwrap_err().shown_in(&source)
-        };
-        let comma = said("friction = 0,3");
-        assert!(comma.contains("line 2: ") && comma.contains("has a decimal point"), "{comma}");
-        assert!(comma.ends_with("\n  2 | friction = 0,3\n    |             ^"), "{comma}");
-        let minus = said("friction = \u{2212}0.3");
-        assert!(minus.contains("is a hyphen, -"), "{minus}");
-        let twice = said("friction = 0.1\nfriction = 0.2");
-        assert!(twice.contains("`friction` is given a second time"), "{twice}");
-        assert!(twice.ends_with("\n  3 | friction = 0.2\n    | ^"), "{twice}");
-        let bare = said("radius = 10 mm");
-        assert!(bare.contains("; write \"10 mm\""), "{bare}");
-        let word = said("law = coulomb # the default");
-        assert!(word.contains("; write \"coulomb\""), "{word}");
     }
 
     #[test]
@@ -313,10 +299,5 @@ frition = 0.2
             let error = kind.check(&case).unwrap_err();
             assert_eq!(error, CaseError::OtherKind { kind, likely: CaseKind::Impact });
         }
-        let json = CaseKind::Hertz.check("{ \"a\": 1 }").unwrap_err().to_string();
-        assert!(
-            json.ends_with("a case is written in TOML, `carom new hertz` prints one"),
-            "{json}"
-        );
     }
 }

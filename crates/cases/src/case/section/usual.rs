@@ -14,9 +14,8 @@ impl CaseKind {
     #[must_use]
     pub fn unusual(self, source: &str) -> Vec<String> {
         let Ok(table) = parse(source) else { return Vec::new() };
-        let (fields, path) = (self.fields(), String::new());
         let mut found = Vec::new();
-        let top = Section { source, path, line: 0, table: table.get_ref(), fields, varied: None };
+        let top = Section::unread(source, table.get_ref(), self.fields());
         look(&top, &mut found);
         found
     }

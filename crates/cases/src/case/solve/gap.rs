@@ -203,10 +203,10 @@ impl GapCase {
                 }));
             }
         };
-        let allowed = "such that a cell of the grid lies under the body";
+        let allowed = "such that a cell of the grid lies under the body; is `grid.size` too large?";
         let checked =
             grid.map_or_else(|| shape.check(), |grid| Gap::of_shape(grid, &shape).map(|_| ()));
-        checked.map_err(|error| gap.out_of_range(&SHAPE, error.value, allowed))?;
+        checked.map_err(|_| gap.unfit(&SHAPE, allowed.to_owned()))?;
         Ok(Self::Formula(shape))
     }
 }

@@ -1,0 +1,157 @@
+//! What to write instead of a text that is not TOML.
+
+use crate::case::kind::CaseKind;
+use crate::case::unit::pointed;
+use toml::de::DeValue;
+
+/// Longest line that a hint quotes.
+const LONGEST: usize = 100;
+
+/// The parser's message, and what may be meant by the line at which it stopped.
+pub(super) fn told(
+    kind: CaseKind,
+    source: &str,
+    line: usize,
+    column: usize,
+    message: String,
+) -> String {
+    let wrong = source.lines().nth(line.saturating_sub(1)).unwrap_or("");
+    let meant = if wrong.len() <= LONGEST { number_meant(wrong) } else { String::new() };
+    twice(message, wrong, column) + &meant + &advice(kind, source)
+}
+
+/// What to write instead of a text that is not TOML but perhaps JSON, XML, YAML or a table.
+fn advice(kind: CaseKind, source: &str) -> String {
+    let is_first = |line: &&str| !line.is_empty() && !line.starts_with('#');
+    let first = source.lines().map(str::trim).find(is_first).unwrap_or("");
+    let is_yaml =
+        first == "---" || first.split_once(':').is_some_and(|(name, _)| !name.contains(['=', '"']));
+    match first.starts_with(['{', '<']) || is_yaml || !source.contains('=') {
+        true => format!("; a case is written in TOML, `carom new {}` prints one", kind.name()),
+        false => String::new(),
+    }
+}
+
+/// The parser's message with the name of a field or table that stands in the file twice.
+fn twice(message: String, line: &str, column: usize) -> String {
+    let is_name = |letter: &char| letter.is_alphanumeric() || "_-.".contains(*letter);
+    match message == "duplicate key" {
+        true => {
+            let name: String = line.chars().skip(column).take_while(is_name).collect();
+            format!("`{name}` is given a second time; leave one of the two out")
+        }
+        false => message,
+    }
+}
+
+/// Quotation marks of texts that were typeset.
+const TYPESET: &[char] =
+    &['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}', '\u{ab}', '\u{bb}'];
+
+/// What may be meant by a line that is not TOML: numbers as other languages write them, or a text.
+fn number_meant(line: &str) -> String {
+    let line = line.split('#').next().unwrap_or("");
+    let value = line.split_once('=').map_or("", |(_, value)| value).trim();
+    let decimal = pointed(value).filter(|_| !value.contains(['[', '(', '{', '"']));
+    let tuple = value.strip_prefix('(').and_then(|value| value.strip_suffix(')'));
+    let is_switch = ["true", "false"].contains(&value.to_lowercase().as_str());
+    let has_row = line.contains('[') && line.split([',', '[', ']']).any(is_row);
+    match (value.parse::<f64>(), decimal, tuple) {
+        (Ok(number), ..) if DeValue::parse(value).is_err() => format!("; write {number:?}"),
+        (_, Some(decimal), _) => {
+            format!("; {value} has a decimal comma, write a point: {decimal}")
+        }
+        (_, _, Some(items)) => format!("; a list has brackets, [{items}]"),
+        _ if value.contains('\u{2212}') => "; the minus sign of a number is a hyphen, -".to_owned(),
+        _ if value.contains(TYPESET) => {
+            format!("; write straight quotation marks, {}", value.replace(TYPESET, "\""))
+        }
+        _ if has_row => "; the items of a list are separated by commas, as in [1, 2, 3]".to_owned(),
+        _ if is_switch => format!("; write {}", value.to_lowercase()),
+        _ if is_range(value) => {
+            "; a sweep is { start = .., stop = .., count = .. }, count the number of values"
+                .to_owned()
+        }
+        _ if is_bare_text(value) => format!("; write \"{value}\""),
+        _ if value.contains(['/', '*', '+']) => {
+            "; a case does not calculate, write the number".to_owned()
+        }
+        _ => String::new(),
+    }
+}
+
+/// Whether numbers stand here side by side.
+fn is_row(part: &str) -> bool {
+    let words = part.split([' ', '\t', ';']).filter(|word| !word.is_empty());
+    let mut numbers = words.map(|word| word.parse::<f64>().is_ok());
+    numbers.next() == Some(true) && numbers.next() == Some(true)
+}
+
+/// Whether these are numbers with colons between them.
+fn is_range(value: &str) -> bool {
+    value.contains(':') && value.split(':').all(|part| part.trim().parse::<f64>().is_ok())
+}
+
+/// Whether these are words, or a number with a unit, without quotes.
+fn is_bare_text(value: &str) -> bool {
+    let is_plain = |letter: char| letter.is_alphanumeric() || " ._-+/^%".contains(letter);
+    let is_word =
+        |word: &str| word.starts_with(char::is_alphabetic) && word.parse::<f64>().is_err();
+    value.chars().all(is_plain) && value.split_whitespace().any(is_word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_other_languages_are_told() {
+        let said = |line: &str| {
+            let source = format!("[contact]\n{line}\n");
+            CaseKind::Impact.check(&source).unwrap_err().shown_in(&source)
+        };
+        let comma = said("friction = 0,3");
+        assert!(
+            comma.contains("line 2: ")
+                && comma.contains("; 0,3 has a decimal comma, write a point: 0.3"),
+            "{comma}"
+        );
+        assert!(comma.ends_with("\n  2 | friction = 0,3\n    |             ^"), "{comma}");
+        let minus = said("friction = \u{2212}0.3");
+        assert!(minus.contains("is a hyphen, -"), "{minus}");
+        let twice = said("friction = 0.1\nfriction = 0.2");
+        assert!(
+            twice.contains("`friction` is given a second time; leave one of the two out\n"),
+            "{twice}"
+        );
+        assert!(twice.ends_with("\n  3 | friction = 0.2\n    | ^"), "{twice}");
+        for (written, meant) in [
+            ("velocity = [1 2 3]", "; the items of a list are separated by commas"),
+            ("points = [[1, 2], [3; 4]]", "; the items of a list are separated by commas"),
+            ("velocity = (1, 2, 3)", "; a list has brackets, [1, 2, 3]"),
+            ("radius = .01", "; write 0.01"),
+            ("radius = 1.", "; write 1.0"),
+            ("radius = 1/100", "; a case does not calculate"),
+            ("friction = 0.1:0.3:5", "; a sweep is { start = .., stop = .., count = .. }"),
+            ("radius = \u{201c}1 mm\u{201d}", "; write straight quotation marks, \"1 mm\""),
+            ("fixed = True", "; write true"),
+        ] {
+            assert!(said(written).contains(meant), "{}", said(written));
+        }
+        let bare = said("radius = 10 mm");
+        assert!(bare.contains("; write \"10 mm\""), "{bare}");
+        let word = said("law = coulomb # the default");
+        assert!(word.contains("; write \"coulomb\""), "{word}");
+    }
+
+    #[test]
+    fn files_of_other_kinds_are_told() {
+        for text in
+            ["{ \"a\": 1 }", "<a b=\"1\"/>", "# mine\na:\n  b: 1", "x,y\n1,2\n", " 3 MODULE"]
+        {
+            let error = CaseKind::Hertz.check(text).unwrap_err().to_string();
+            let advice = "; a case is written in TOML, `carom new hertz` prints one";
+            assert!(error.ends_with(advice), "{text}: {error}");
+        }
+    }
+}
