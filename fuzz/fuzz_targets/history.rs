@@ -9,7 +9,7 @@ use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::memory::Fixed;
 use carom_laws::rings::{self, RingConstants, RingLaw};
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::{ShiftTwistLaw, TorsionConstants, TorsionLaw};
@@ -52,7 +52,8 @@ fn path(bytes: &mut Bytes<'_>) -> Option<()> {
         5 => {
             let friction = with_threshold(friction, bytes)?;
             let limits = Limits::of(friction.threshold(), stiffness.c_z);
-            let law: StaticFrictionLaw = StaticFrictionLaw::new(stiffness, friction);
+            let law =
+                ShiftLaw::<f64>::with_static_friction(turning, stiffness, friction, tolerance);
             follow(law, bytes, limits);
         }
         6 => follow(Particle::new(stiffness, friction), bytes, limits),

@@ -1,4 +1,4 @@
-//! Tests the doors to other engines: a JavaScript module, strategies for pooltool, a hook for Rapier, a plugin for DIRT.
+//! Tests the doors to other engines: a JavaScript module, strategies for pooltool, a hook for Rapier.
 //! They stand outside the workspace, each with a lock file of its own.
 
 use anyhow::{Context as _, bail};
@@ -21,8 +21,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
 
 type Door = (&'static str, fn() -> anyhow::Result<Outcome>);
 
-const DOORS: &[Door] =
-    &[("carom-rebound", rebound), ("pooltool", pooltool), ("rapier", rapier), ("dirt", dirt)];
+const DOORS: &[Door] = &[("carom-rebound", rebound), ("pooltool", pooltool), ("rapier", rapier)];
 
 /// Tests the door of this name, or all.
 pub(crate) fn chosen(name: Option<&str>) -> anyhow::Result<Outcome> {
@@ -73,15 +72,6 @@ fn pooltool() -> anyhow::Result<Outcome> {
 /// Tests the hook for Rapier.
 fn rapier() -> anyhow::Result<Outcome> {
     crate_door("rapier", Part::Rapier)
-}
-
-/// Tests the plugin for DIRT, after its published crates have been mended.
-fn dirt() -> anyhow::Result<Outcome> {
-    if !fetches("doors/dirt/published/Cargo.toml")? {
-        return Ok(Outcome::skipped(Part::Dirt, NO_CRATES));
-    }
-    call(&mut Command::new(root().join("doors/dirt/mend.sh")))?;
-    crate_door("dirt", Part::Dirt)
 }
 
 /// Tests a door that is a crate, with its own lock file and build folder; skipped if the registry of crates cannot be

@@ -81,7 +81,7 @@ xflags::xflags! {
             optional --short
         }
         /// Tests the doors to other engines, the folders of doors/: the JavaScript module by Node, the strategy
-        /// of pooltool in an environment below target/, the crates for Rapier and DIRT. Skipped without Node,
+        /// of pooltool in an environment below target/, the crate for Rapier. Skipped without Node,
         /// without Python, or if a package registry cannot be reached; in CI a failure but for the crates.
         cmd doors {
             /// Only this folder.

@@ -13,7 +13,6 @@ const ALLOWED: &[(Part, &str)] = &[
          where it can be fetched, an advisory fails the step",
     ),
     (Part::Rapier, OTHERS_CRATES),
-    (Part::Dirt, OTHERS_CRATES),
     (
         Part::Fuzz,
         "the fuzzer needs the nightly Rust of .ci/nightly, cargo-fuzz and the registry of crates; what it found is a \
@@ -72,8 +71,6 @@ pub(crate) enum Part {
     PythonWishes,
     /// The hook for the engine Rapier.
     Rapier,
-    /// The plugin for the particle code DIRT.
-    Dirt,
     /// The examples, by taplo.
     Taplo,
     /// Whether all changes are committed.

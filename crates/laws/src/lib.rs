@@ -10,7 +10,7 @@
 //!   sliders, and [`profile`] contains other indenters.
 //! - Friction: [`friction`] is the coefficient, [`slip_speed`] one that depends on the slip speed;
 //!   [`static_friction`] is a pair, static friction above kinetic friction, for
-//!   [`shift_law::StaticFrictionLaw`] along a line and [`shift_law::ShiftLaw`] in two directions.
+//!   [`shift_law::ShiftLaw`] along a line and in two directions.
 //! - Twist: [`torsion`].
 //! - Rolling: [`creep`], the forces of vanishing creepage.
 //! - Limits of the theory: [`validity`].

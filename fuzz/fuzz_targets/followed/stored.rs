@@ -3,7 +3,7 @@
 use carom_laws::law::ContactLaw;
 use carom_laws::memory::{Lateral, VertexStack};
 use carom_laws::rings::RingLaw;
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::torsion::law::{ShiftTwistLaw, TorsionLaw};
 
 /// Room for any state of so few steps.
@@ -47,15 +47,6 @@ where
     fn check_stored(&self) {
         check(self, |law, to| law.pack(to).is_ok(), |law, from| law.unpack(from).is_ok());
     }
-}
-
-impl Stored for StaticFrictionLaw {
-    fn is_same(&self, other: &Self) -> bool {
-        self == other
-    }
-
-    // It has no stored form.
-    fn check_stored(&self) {}
 }
 
 impl Stored for TorsionLaw {

@@ -8,7 +8,7 @@ use std::path::Path;
 use toml::{Table, Value};
 
 /// The lock files.
-const LOCKS: &[&str] = &["doors/dirt/Cargo.lock", "doors/rapier/Cargo.lock", "fuzz/Cargo.lock"];
+const LOCKS: &[&str] = &["doors/rapier/Cargo.lock", "fuzz/Cargo.lock"];
 
 /// A fault for each dependency of a crate that one of the lock files lacks.
 pub(super) fn faults(root: &Path) -> anyhow::Result<Vec<String>> {

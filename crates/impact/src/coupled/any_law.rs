@@ -3,7 +3,7 @@
 use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::sliders::SlipLines;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
@@ -13,12 +13,10 @@ use carom_special::RangeError;
 use super::refine::Level;
 use super::{ImpactLaw, Stage, Staged};
 
-/// A law for one direction, also with static friction, for two, or Coulomb's law on a curve or on
-/// line segments.
+/// A law for one direction, for two, or Coulomb's law on line segments.
 #[derive(Debug, Clone)]
 pub(super) enum AnyLaw {
     Line(Box<ShiftLaw<f64>>),
-    Static(Box<StaticFrictionLaw>),
     Plane(Box<ShiftLaw<[f64; 2]>>),
     Lines(Box<SlipLines>),
 }
@@ -40,7 +38,8 @@ impl AnyLaw {
 
     /// The law for one direction with static friction above kinetic friction.
     pub(super) fn with_static(stiffness: ContactStiffness, friction: StaticFriction) -> Self {
-        Self::Static(Box::new(StaticFrictionLaw::new(stiffness, friction)))
+        let (law, tolerance) = (TurningLaw::FixedDirection, Tolerance::default());
+        Self::Line(Box::new(ShiftLaw::with_static_friction(law, stiffness, friction, tolerance)))
     }
 
     /// The law for two directions with static friction above kinetic friction, with the accuracy of a
@@ -98,7 +97,6 @@ macro_rules! each {
     ($any:expr, $law:ident => $call:expr) => {
         match $any {
             AnyLaw::Line($law) => $call,
-            AnyLaw::Static($law) => $call,
             AnyLaw::Plane($law) => $call,
             AnyLaw::Lines($law) => $call,
         }

@@ -84,8 +84,7 @@ impl CoupledImpact {
     }
 
     /// The same impact with static friction f_s above kinetic friction f_k as a threshold of full
-    /// sliding: by [`carom_laws::shift_law::StaticFrictionLaw`] where the slip stays on a line, and by
-    /// [`carom_laws::shift_law::ShiftLaw::with_static_friction`] in space.
+    /// sliding, by [`carom_laws::shift_law::ShiftLaw::with_static_friction`].
     ///
     /// It is computed in time steps, one of which ends where sliding begins. If f_s = f_k, the impact
     /// is that of one coefficient.

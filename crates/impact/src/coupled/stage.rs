@@ -1,7 +1,7 @@
 //! The stage of a contact: adhesion, slip at the edge, or sliding.
 
 use carom_laws::memory::{Lateral, MemoryRegime, VertexStack};
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::sliders::SlipLines;
 
 use crate::oblique::{Event, Regime};
@@ -30,12 +30,6 @@ impl Staged for SlipLines {
 }
 
 impl<V: Lateral, S: VertexStack<V>> Staged for ShiftLaw<V, S> {
-    fn stage(&self) -> Stage {
-        self.regime().into()
-    }
-}
-
-impl<S: VertexStack<f64>> Staged for StaticFrictionLaw<S> {
     fn stage(&self) -> Stage {
         self.regime().into()
     }

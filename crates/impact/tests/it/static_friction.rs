@@ -13,7 +13,7 @@ use carom_laws::accounted::Accounted;
 use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::validity::Limit;
@@ -214,10 +214,7 @@ fn the_mirror_image_is_the_mirror_image() {
 fn energy_lost_is_the_heat_of_the_path() {
     for (coupling, slip) in [(0.0, 0.6), (0.5, 0.9), (-0.5, 1.5)] {
         let impact = impact(coupling, slip, F_S, F_K);
-        let mut law = Accounted::new(StaticFrictionLaw::<carom_laws::memory::Growing<f64>>::new(
-            stiffness(),
-            friction(F_S, F_K),
-        ));
+        let mut law = Accounted::new(in_line());
         for sample in impact.history(TurningLaw::Coulomb).unwrap() {
             law.advance(Shift { zeta: sample.shift.z, xi: sample.shift.x, ..Shift::default() })
                 .unwrap();
@@ -230,9 +227,15 @@ fn energy_lost_is_the_heat_of_the_path() {
     }
 }
 
+/// The law along a line.
+fn in_line() -> ShiftLaw<f64> {
+    let (law, tolerance) = (TurningLaw::FixedDirection, Tolerance::default());
+    ShiftLaw::with_static_friction(law, stiffness(), friction(F_S, F_K), tolerance)
+}
+
 /// A law whose jump an integration does not see.
 #[derive(Clone)]
-struct Unseen(StaticFrictionLaw);
+struct Unseen(ShiftLaw<f64>);
 
 impl ContactLaw for Unseen {
     type Error = RangeError;
@@ -271,10 +274,8 @@ fn errors<L: ContactLaw>(slip: f64, exact: &Vector3<f64>, law: impl Fn() -> L) -
 fn steps_that_end_at_the_jump_keep_the_second_order() {
     for slip in [0.3, 0.6, 1.0] {
         let exact = after(&impact(0.0, slip, F_S, F_K).within(1e-9).unwrap());
-        let law =
-            || -> StaticFrictionLaw { StaticFrictionLaw::new(stiffness(), friction(F_S, F_K)) };
-        let seen = errors(slip, &exact, law);
-        let unseen = errors(slip, &exact, || Unseen(law()));
+        let seen = errors(slip, &exact, in_line);
+        let unseen = errors(slip, &exact, || Unseen(in_line()));
         for (k, error) in seen.iter().enumerate() {
             assert!(*error < 4.5e-4 * 0.25_f64.powi(k as i32), "{slip}: {seen:?}");
         }

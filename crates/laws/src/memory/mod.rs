@@ -28,7 +28,6 @@ mod slides;
 mod slip_in_line;
 mod slip_in_plane;
 mod stack;
-mod threshold;
 
 pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
@@ -42,7 +41,6 @@ use carom_special::RangeError;
 use crate::bounds::{LEAST_APPROACH, LEAST_SQUARE, in_memory};
 use crate::profile::{Hertzian, NormalProfile};
 use merge::push;
-pub(crate) use threshold::{Threshold, mean_force};
 
 /// The contact state after the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -1,7 +1,6 @@
 //! The contact law of a shift: Hertz's normal force and Coulomb's friction with memory.
 
 mod pack;
-mod static_friction_law;
 mod tags;
 #[cfg(test)]
 mod tests;
@@ -20,8 +19,6 @@ use crate::static_friction::StaticFriction;
 use crate::static_slip::StaticMemory;
 use crate::stiffness::ContactStiffness;
 use crate::turning_law::TurningLaw;
-
-pub use static_friction_law::StaticFrictionLaw;
 
 /// The contact law for shifts: normal force by Hertz, tangential force by Coulomb friction with
 /// memory. `V = [f64; 2]` for two directions, `V = f64` for shifts along x.
@@ -159,8 +156,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     ///
     /// Until all of the contact slides, every annulus sticks or slips with f_s. Where the last one
     /// begins to slip, all tractions drop to f_k/f_s of what they were, and the contact slides with
-    /// f_k. As soon as an annulus sticks, the limit is that of f_s again. Along a line it is the law
-    /// [`StaticFrictionLaw`]. If f_s = f_k it is [`ShiftLaw::chosen`], to the bit.
+    /// f_k. As soon as an annulus sticks, the limit is that of f_s again. If f_s = f_k it is [`ShiftLaw::chosen`], to the bit.
     ///
     /// A step of any length is exact as far as the law of one coefficient is. With
     /// [`TurningLaw::Coulomb`] the place where sliding begins has the error of the tolerance.

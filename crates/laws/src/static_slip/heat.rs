@@ -2,8 +2,8 @@
 
 use super::{LONGEST_PATH, Leg, Slides, StaticMemory};
 use crate::bounds::LEAST_APPROACH;
-use crate::memory::{Lateral, mean_force};
-use crate::profile::Hertzian;
+use crate::memory::Lateral;
+use crate::profile::{GAUSS, Hertzian, NormalProfile as _};
 
 impl<M: Slides> StaticMemory<M> {
     /// The heat of a straight step, in the given units of energy per direction: that of slip with
@@ -87,6 +87,16 @@ impl<M: Slides> StaticMemory<M> {
         let ahead = dx.times(1.0 / length);
         let slip = ((1.0 - part) * (length - self.ratio * (zeta - from))).max(0.0);
         let energy = ahead.by_component(ahead).dot(unit);
-        turning + self.ratio * slip * mean_force(&Hertzian, at, zeta) * energy
+        turning + self.ratio * slip * mean_force(at, zeta) * energy
     }
+}
+
+/// The mean of Hertz's normal force over a range of approaches.
+fn mean_force(from: f64, to: f64) -> f64 {
+    let length = to - from;
+    if length.abs() > 0.1 * from.max(to) {
+        return (Hertzian.energy(to) - Hertzian.energy(from)) / length;
+    }
+    let at = |part: f64| Hertzian.force(from + part * length);
+    GAUSS.iter().fold(0.0, |sum, &(part, weight)| sum + weight * at(part))
 }

@@ -2,12 +2,14 @@
 
 use approx::assert_relative_eq;
 use carom_laws::accounted::Accounted;
+use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Dissipative, Energies, Shift};
 use carom_laws::memory::MemoryRegime;
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
+use carom_laws::turning_law::TurningLaw;
 
 const F_S: f64 = 0.5;
 const F_K: f64 = 0.3;
@@ -20,8 +22,9 @@ fn friction(f_s: f64, f_k: f64) -> StaticFriction {
     StaticFriction::new(Friction::new(f_s).unwrap(), Friction::new(f_k).unwrap()).unwrap()
 }
 
-fn law(f_s: f64, f_k: f64) -> StaticFrictionLaw {
-    StaticFrictionLaw::new(stiffness(), friction(f_s, f_k))
+fn law(f_s: f64, f_k: f64) -> ShiftLaw<f64> {
+    let (law, tolerance) = (TurningLaw::FixedDirection, Tolerance::default());
+    ShiftLaw::with_static_friction(law, stiffness(), friction(f_s, f_k), tolerance)
 }
 
 fn constant(f: f64) -> ShiftLaw<f64> {

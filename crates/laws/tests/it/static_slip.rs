@@ -6,7 +6,7 @@ use carom_laws::coulomb::{Tolerance, packed_numbers};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Dissipative, Energies, Shift};
 use carom_laws::memory::{Fixed, MemoryRegime};
-use carom_laws::shift_law::{ShiftLaw, StaticFrictionLaw};
+use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::turning_law::TurningLaw::{self, Coulomb, FixedDirection};
@@ -251,8 +251,12 @@ fn along_a_line_it_is_the_law_of_a_line() {
             for seed in 0..30 {
                 let (sin, cos) = (0.3 * seed as f64).sin_cos();
                 let mut turns = Accounted::new(law(turning, (f_s, f_k), C_X));
-                let line: StaticFrictionLaw =
-                    StaticFrictionLaw::new(stiffness(C_X), friction(f_s, f_k));
+                let line = ShiftLaw::<f64>::with_static_friction(
+                    turning,
+                    stiffness(C_X),
+                    friction(f_s, f_k),
+                    Tolerance::default(),
+                );
                 let mut line = Accounted::new(line);
                 for Shift { zeta, xi, .. } in path(seed, 60, 3.2 * f_s) {
                     let to = at(zeta, cos * xi, sin * xi);

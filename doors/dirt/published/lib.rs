@@ -1,1 +1,0 @@
-//! Nothing: the manifest beside it names the crates of DIRT.
