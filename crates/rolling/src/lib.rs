@@ -31,7 +31,6 @@ pub use steady::{SteadyContact, SteadyRolling, roll_steadily};
 pub use transient::RollingContact;
 pub use way::Way;
 
-use carom_classic::DirectError;
 use carom_solver::{ContactProblem, ContactState, FrictionalError, ProblemError};
 
 /// Rigid motion of body 2 relative to body 1 per distance rolled.
@@ -68,9 +67,12 @@ pub enum RollingError {
     /// The problem of a step could not be set up.
     #[error(transparent)]
     Problem(#[from] ProblemError),
-    /// The linear system of the creep coefficients could not be solved.
-    #[error(transparent)]
-    Coefficients(#[from] DirectError),
+    /// The linear system of the creep coefficients has no solution.
+    #[error("the linear system of {unknowns} unknowns is singular")]
+    Singular {
+        /// Its size.
+        unknowns: usize,
+    },
     /// Static friction exceeds kinetic friction.
     #[error(
         "the static friction {rest} exceeds the kinetic friction {motion}: rolling needs one coefficient, \

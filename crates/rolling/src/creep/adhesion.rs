@@ -6,7 +6,6 @@
 //! tractions of each symmetry are solved by themselves, each time for a quarter of the contact. The
 //! constants follow from the displacement ahead, which has no element of its own.
 
-use carom_classic::DirectError;
 use carom_dense::{Factors, Mat, norm, product};
 use carom_special::RangeError;
 
@@ -150,7 +149,7 @@ impl Adhesion {
             }
         }
         let unknowns = 2 * strips.count() * strips.along();
-        if size.is_finite() { Ok(all) } else { Err(DirectError::Singular { unknowns }.into()) }
+        if size.is_finite() { Ok(all) } else { Err(RollingError::Singular { unknowns }) }
     }
 
     /// The load that works on a motion, of both sides of the axis.

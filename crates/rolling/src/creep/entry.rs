@@ -4,7 +4,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{RollingError, creep_coefficients_on};
-use carom_classic::DirectError;
 
 /// Approximate number of elements of the finest mesh of a contact that is not long.
 const ELEMENTS: f64 = 2500.0;
@@ -40,7 +39,7 @@ pub fn creep_table_entry(ratio: f64, poisson: f64) -> Result<[f64; 4], RollingEr
     let fit = DMatrix::from_fn(meshes.len(), 4, errors).svd(true, true);
     let limit = |which: usize| -> Result<f64, RollingError> {
         let values = DVector::from_iterator(rows.len(), rows.iter().map(|row| row[which]));
-        let singular = DirectError::Singular { unknowns: 4 };
+        let singular = RollingError::Singular { unknowns: 4 };
         Ok(fit.solve(&values, 0.0).map_err(|_| singular)?[0])
     };
     Ok([limit(0)?, limit(1)?, limit(2)?, limit(3)?])
