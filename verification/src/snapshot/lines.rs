@@ -4,8 +4,8 @@ use crate::claim::{Check, Claim, Order, Side, Tolerance, number};
 use crate::figure::{Cell, Figure, Table};
 use carom_plot::Series;
 
-/// Largest number of points of a series in a snapshot.
-const MAX_POINTS_OF_SERIES: usize = 33;
+/// Largest number of points of a series in a snapshot; the others count in its means.
+const MAX_POINTS_OF_SERIES: usize = 20;
 
 /// Allowed difference in rounding steps: half a step, and a tenth for differences between machines.
 const ALLOWED_ROUNDING_STEPS: f64 = 0.6;
@@ -230,23 +230,57 @@ fn tolerance_cells(tolerance: Tolerance) -> [SnapshotCell; 2] {
     [SnapshotCell::Number(Rounded::short(value, TOLERANCE_DIGITS)), SnapshotCell::word(word)]
 }
 
+/// Some points of a series, x in one row and y in the next, and means over all of them: of x, of y, and the root of
+/// that of y squared.
 fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
     let count = series.points.len();
-    let xs = || series.points.iter().map(|point| point.x);
-    let ys = || series.points.iter().map(|point| point.y);
-    let steps = (Step::of(xs(), digits), Step::of(ys(), digits));
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
-    let largest = (largest(&mut xs()), largest(&mut ys()));
-    let form = Form::Column;
     lines.push(Line::Head(format!("series: {} | {count} points", series.label)));
-    let kept = count.min(MAX_POINTS_OF_SERIES);
-    let indices = (0..kept).map(|i| if kept > 1 { i * (count - 1) / (kept - 1) } else { 0 });
-    lines.extend(indices.map(|i| {
-        let point = series.points[i];
-        let x = Rounded { value: point.x, step: steps.0, largest: Some(largest.0), form };
-        let y = Rounded { value: point.y, step: steps.1, largest: Some(largest.1), form };
-        Line::Row(vec![SnapshotCell::Number(x), SnapshotCell::Number(y)])
-    }));
+    let (xs, ys): (Vec<f64>, Vec<f64>) = series.points.iter().map(|p| (p.x, p.y)).unzip();
+    if count == 0 {
+        return;
+    }
+    let [of_x, of_y] = [&xs, &ys].map(|values| Curve::of(values, digits));
+    lines.push(of_x.row("x", thinned(&xs)));
+    lines.push(of_y.row("y", thinned(&ys)));
+    let (x, y, squares) = (mean(&xs, |x| x), mean(&ys, |y| y), mean(&ys, |y| y * y).sqrt());
+    let means = [of_x.cell(x), of_y.cell(y), of_y.cell(squares)];
+    lines.push(Line::Row([&[SnapshotCell::word("means")], &means[..]].concat()));
+}
+
+/// Evenly spaced values, the first and the last among them.
+fn thinned(values: &[f64]) -> impl Iterator<Item = f64> + '_ {
+    let (count, kept) = (values.len(), values.len().min(MAX_POINTS_OF_SERIES));
+    (0..kept).map(move |i| values[if kept > 1 { i * (count - 1) / (kept - 1) } else { 0 }])
+}
+
+/// The mean of a function of the values that are finite.
+fn mean(values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    finite().map(of).sum::<f64>() / finite().count().max(1) as f64
+}
+
+/// How the values of one coordinate of a curve are rounded.
+#[derive(Debug, Clone, Copy)]
+struct Curve {
+    step: Step,
+    largest: f64,
+}
+
+impl Curve {
+    fn of(values: &[f64], digits: u8) -> Self {
+        let largest = values.iter().copied().map(f64::abs).fold(0.0, f64::max);
+        Self { step: Step::of(values.iter().copied(), digits), largest }
+    }
+
+    fn cell(self, value: f64) -> SnapshotCell {
+        let Self { step, largest } = self;
+        SnapshotCell::Number(Rounded { value, step, largest: Some(largest), form: Form::Column })
+    }
+
+    fn row(self, name: &str, values: impl Iterator<Item = f64>) -> Line {
+        let cells = values.map(|value| self.cell(value));
+        Line::Row(std::iter::once(SnapshotCell::word(name)).chain(cells).collect())
+    }
 }
 
 fn push_table(lines: &mut Vec<Line>, table: &Table, digits: u8) {
@@ -286,20 +320,22 @@ pub(super) mod tests {
     #[test]
     fn text_is_rounded_and_thinned() {
         let text = text(&of(&figure(1.0)));
-        insta::assert_snapshot!(text.lines().take(8).collect::<Vec<_>>().join("\n"), @r"
+        insta::assert_snapshot!(text.lines().take(6).collect::<Vec<_>>().join("\n"), @r"
         0.1 (6 digits)
         assumed:	ν	0.3
         claim:	a third	0.3333	0.0001	absolute	(5.3)
         claim:	small	at most	1	Coulomb
         panel:  | x | y
         series: curve | 100 points
-        0.0000	0.00
-        3.0000	1.29
         ");
-        assert_eq!(text.lines().count(), 6 + MAX_POINTS_OF_SERIES + 2);
-        assert!(
-            text.ends_with("99.0000\t1400.14\ntable: numbers | name | value\na\t-333333e-15\n")
-        );
+        let rest: Vec<_> = text.lines().skip(6).collect();
+        assert_eq!(rest.len(), 5);
+        assert!(rest[0].starts_with("x\t0.0000\t5.0000\t10.0000\t"), "{}", rest[0]);
+        assert!(rest[1].starts_with("y\t0.00\t3.57\t") && rest[1].ends_with("\t1400.14"));
+        assert!(rest[..2].iter().all(|row| row.split('\t').count() == 1 + MAX_POINTS_OF_SERIES));
+        // 99/2; (99 199)/(6 7); the root of the mean of i^4/49, by Faulhaber's sum.
+        assert_eq!(rest[2], "means\t49.5000\t469.07\t630.89");
+        assert_eq!(rest[3..], ["table: numbers | name | value", "a\t-333333e-15"]);
     }
 
     #[test]
