@@ -56,7 +56,14 @@ const BENCHES: (&str, Step) = ("the benches, checked and linted", benches);
 const LAST: &[(&str, Step)] = &[("the quick figures, and the report in a browser", report)];
 
 /// Paths of the manifests of all packages.
-const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
+const MANIFESTS: &[&str] = &[
+    "Cargo.toml",
+    "Cargo.lock",
+    "deny.toml",
+    "crates/*/Cargo.toml",
+    "fuzz/Cargo.lock",
+    "doors/rapier/Cargo.lock",
+];
 
 /// The LAMMPS plugin, and what it calls.
 const PLUGIN: &[&str] =

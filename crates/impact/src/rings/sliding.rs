@@ -127,6 +127,7 @@ impl Problem {
             maximal_approach: normal.maximal_approach(),
             maximal_force: normal.maximal_force(),
             compressions: 1,
+            by_direction: 0.0,
         };
         // Displacements matter where the direction of slip turns with the radial displacement.
         let reach = 2.0 * before[0] / (gamma * speed);

@@ -1,0 +1,154 @@
+//! Impacts of spheres with a spin about the normal, against an integration of the contact on a grid.
+
+use carom_halfspace::{Material, MaterialPair};
+use carom_impact::{Body, Collision, Motion, RingImpact};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw as _, Shift};
+use carom_solver::NumericalLaw;
+use std::f64::consts::TAU;
+
+/// The rate of the torsional motion of a ball by a torque, in units of its mass and radius.
+const ABOUT: f64 = 2.5;
+
+/// A ball of radius and mass 1 that meets a plane with velocity 1.
+struct Drawn {
+    materials: [Material; 2],
+    friction: f64,
+    /// The tangential velocity over f v_z, and the velocity of the spin at the rim of the largest contact.
+    slips: [f64; 2],
+    /// a/R of the largest contact.
+    large: f64,
+    direction: f64,
+}
+
+/// Evenly spread numbers from 0 to 1.
+fn spread(place: usize) -> f64 {
+    (place as f64 * 0.618_033_988_749_894_9).fract()
+}
+
+fn between(low: f64, high: f64, part: f64) -> f64 {
+    low * (high / low).powf(part)
+}
+
+impl Drawn {
+    fn new(impact: usize) -> Self {
+        let draw = |number: usize| spread(11 * impact + number + 5);
+        let is_like = impact % 2 == 0;
+        let ratio = if is_like { 1.0 } else { between(0.02, 50.0, draw(0)) };
+        let nu = [draw(1), if is_like { draw(1) } else { draw(2) }].map(|part| 0.5 * part);
+        let large = 0.02 + 0.04 * draw(3);
+        let of = |unit: f64| {
+            let material = |g: f64, nu: f64| Material::from_shear(g, nu).unwrap();
+            [material(unit, nu[0]), material(ratio * unit, nu[1])]
+        };
+        // Hertz's impact: (a/R)^5 = 15/16 m v^2/(E* R^3).
+        let [one, two] = of(1.0);
+        let unit = MaterialPair::new(one, two).unwrap().contact_modulus();
+        let sign = if draw(4) < 0.5 { -1.0 } else { 1.0 };
+        Self {
+            materials: of(15.0 / 16.0 / large.powi(5) / unit),
+            friction: between(0.05, 0.6, draw(5)),
+            slips: [between(0.1, 8.0, draw(6)), sign * between(0.2, 5.0, draw(7))],
+            large,
+            direction: TAU * draw(8),
+        }
+    }
+
+    fn spin(&self) -> f64 {
+        self.slips[1] * self.friction / self.large
+    }
+
+    /// With all motions turned about the normal.
+    fn collision(&self, turn: f64) -> Collision {
+        let (sin, cos) = (self.direction + turn).sin_cos();
+        let slip = self.slips[0] * self.friction;
+        let motion = Motion::new([slip * cos, slip * sin, -1.0], [0.0, 0.0, self.spin()]).unwrap();
+        let ball = Body::sphere(1.0, self.materials[0], 1.0).unwrap().moving(motion);
+        let plane = Body::plane(self.materials[1]);
+        Collision::new(ball, plane, Friction::new(self.friction).unwrap()).unwrap()
+    }
+
+    /// The tangential velocity after the impact over f v_z, in the axes of the contact, by leapfrog steps.
+    fn on_grid(&self, cells: usize, steps: usize) -> [f64; 2] {
+        let collision = self.collision(0.0);
+        let law =
+            NumericalLaw::new(*collision.hertz(), collision.friction(), self.large.powi(2), cells);
+        let mut law = law.unwrap().within(1e-5).unwrap().with_slip_ahead();
+        let d = collision.mobility().matrix();
+        let mobility = [d.m33, d.m11, d.m22, ABOUT];
+        let before = collision.impact().unwrap().unwrap().velocity();
+        let h = 2.943 * self.large.powi(2) / steps as f64;
+        let omega = self.spin() * collision.frame().z().z.signum();
+        let (mut at, mut rates) = ([0.0; 4], [before.z, before.x, before.y, omega]);
+        let mut load = [0.0; 4];
+        let pushed = |rates: &[f64; 4], load: &[f64; 4], time: f64| -> [f64; 4] {
+            std::array::from_fn(|i| rates[i] - mobility[i] * load[i] * time)
+        };
+        loop {
+            let middle = pushed(&rates, &load, 0.5 * h);
+            let next: [f64; 4] = std::array::from_fn(|i| at[i] + h * middle[i]);
+            if next[0] <= 0.0 {
+                // The force falls with the power 3/2 of the rest of the time.
+                let after = pushed(&rates, &load, 0.4 * h * at[0] / (at[0] - next[0]));
+                return [after[1], after[2]].map(|rate| rate / self.friction);
+            }
+            let [zeta, xi, eta, omega] = next;
+            let now = law.advance(Shift { zeta, xi, eta, omega }).unwrap();
+            load = [now.f_z, now.f_x, now.f_y, now.m_z];
+            (at, rates) = (next, pushed(&middle, &load, 0.5 * h));
+        }
+    }
+
+    /// The same by rings, in the axes of the motions, and the estimate of its error.
+    fn by_rings(&self, turn: f64) -> ([f64; 2], f64) {
+        let collision = self.collision(turn);
+        let outcome = RingImpact::new(&collision).solve().unwrap();
+        let rebound = outcome.rebound().unwrap();
+        let after = rebound.contact_velocity_after / self.friction;
+        let (sin, cos) = turn.sin_cos();
+        let before = 1.0_f64.hypot(self.slips[0] * self.friction);
+        let turned = [cos * after.x + sin * after.y, cos * after.y - sin * after.x];
+        (turned, rebound.error_estimate * before / self.friction)
+    }
+}
+
+fn off(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+#[test]
+fn spinning_impacts_by_rings_are_those_on_a_grid_within_their_estimates() {
+    let (mut covered, mut sum) = (0, 0.0);
+    const COUNT: usize = 8;
+    for impact in 0..COUNT {
+        let drawn = Drawn::new(impact);
+        let frame = *drawn.collision(0.0).frame();
+        let [coarse, fine] = [64, 128].map(|steps| drawn.on_grid(36, steps));
+        let fewer = drawn.on_grid(26, 64);
+        let limit: [f64; 2] = std::array::from_fn(|i| fine[i] + (fine[i] - coarse[i]) / 3.0);
+        let own = off(fine, coarse) / 3.0 + off(fewer, coarse);
+        let (after, estimate) = drawn.by_rings(0.0);
+        let along = |axis: nalgebra::Vector3<f64>| axis.x * after[0] + axis.y * after[1];
+        let error = (off([along(frame.x()), along(frame.y())], limit) - own).max(0.0);
+        assert!(error < 2.0 * estimate, "{impact}: {error} {estimate}");
+        covered += usize::from(error <= estimate);
+        sum += error;
+    }
+    assert!(covered >= COUNT - 1, "{covered}");
+    assert!(sum < 4e-3 * COUNT as f64, "{sum}");
+}
+
+#[test]
+fn the_axes_of_the_contact_do_not_matter_to_a_spinning_impact() {
+    for impact in 0..30 {
+        let drawn = Drawn::new(impact);
+        let (first, estimate) = drawn.by_rings(0.0);
+        for turn in [0.196, 0.393, 1.1, 2.9] {
+            let (turned, _) = drawn.by_rings(turn);
+            assert!(
+                off(first, turned) < 1e-6 + 1e-2 * estimate,
+                "{impact} {turn}: {first:?} {turned:?}"
+            );
+        }
+    }
+}
