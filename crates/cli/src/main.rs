@@ -12,11 +12,21 @@ use console::Term;
 use std::error::Error as _;
 use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
+#[cfg(unix)]
+use std::sync::Arc;
 
 /// How results get into a file.
 const TO_A_FILE: &str = "results go to standard output: write `--format csv > results.csv`";
 
+/// A file that would exceed the size that the system allows becomes an error of the write, which removes its part.
+#[cfg(unix)]
+fn report_files_that_are_too_large() {
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
 fn main() -> ExitCode {
+    #[cfg(unix)]
+    report_files_that_are_too_large();
     let colour = asked_colour(std::env::args_os());
     let matches = Carom::command().color(colour).try_get_matches();
     let arguments = match matches.and_then(|matches| Carom::from_arg_matches(&matches)) {
