@@ -9,6 +9,7 @@ mod coupled;
 mod coupled_extremes;
 mod encounters;
 mod history_known;
+mod images;
 mod known_ends;
 mod known_values;
 mod levers;

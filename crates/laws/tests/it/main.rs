@@ -22,6 +22,7 @@ mod grain_rings;
 mod grain_steps;
 mod grains;
 mod hertz;
+mod images;
 mod memory_properties;
 mod memory_reference;
 mod merging;

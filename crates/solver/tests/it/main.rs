@@ -11,6 +11,7 @@ mod fit;
 mod friction_law;
 mod gap;
 mod histories;
+mod images;
 mod interrupt;
 mod known;
 mod known_solutions;
