@@ -3,6 +3,7 @@
 mod contact_cases;
 mod creep_table;
 mod drawn;
+mod images;
 mod nested;
 mod oracle;
 mod rolling;
