@@ -16,6 +16,8 @@ use std::time::Instant;
 enum Which {
     /// All but the ignored tests, in the release profile.
     Usual,
+    /// The same without optimisation of the workspace, for a few tests of one crate while it changes.
+    Loop,
     /// Only the ignored tests, in the release profile.
     Ignored,
     /// All but the ignored tests, with overflow checks and debug assertions; without crates that
@@ -28,6 +30,7 @@ impl Which {
     fn nextest(self) -> &'static [&'static str] {
         match self {
             Self::Usual => &["--cargo-profile", "release"],
+            Self::Loop => &["--cargo-profile", "loop"],
             Self::Ignored => {
                 &["--cargo-profile", "release", "--profile", "long", "--run-ignored", "only"]
             }
@@ -39,6 +42,7 @@ impl Which {
     fn cargo(self) -> (&'static [&'static str], &'static [&'static str]) {
         match self {
             Self::Usual => (&["--profile", "release"], &[]),
+            Self::Loop => (&["--profile", "loop"], &[]),
             Self::Ignored => (&["--profile", "release"], &["--ignored"]),
             Self::Checked => (&["--profile", "checked"], &[]),
         }
@@ -47,7 +51,7 @@ impl Which {
     /// The packages with tests.
     fn workspace(self) -> &'static [&'static str] {
         match self {
-            Self::Usual | Self::Ignored => cargo::WITHOUT_BENCHES,
+            Self::Usual | Self::Loop | Self::Ignored => cargo::WITHOUT_BENCHES,
             Self::Checked => &[
                 "--workspace",
                 "--exclude",
@@ -69,7 +73,8 @@ pub(crate) fn chosen(options: &flags::Test) -> anyhow::Result<()> {
     );
     if let Some(name) = &options.package {
         let package = changes::package(name)?;
-        return tests(Which::Usual, &["--package", &package], options.name.as_deref());
+        let which = if options.name.is_some() { Which::Loop } else { Which::Usual };
+        return tests(which, &["--package", &package], options.name.as_deref());
     }
     match (options.changed, options.all) {
         (true, _) => changed(),
