@@ -43,10 +43,8 @@ impl Followed {
 /// If the case has an error, or a load is out of range.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let case = file.parse(HertzCase::parse)?;
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
-    let loaded = |value: &f64| loaded(&case.hertz, case.given, *value);
-    let states = case.values.as_slice().iter().map(loaded).collect::<Result<_, _>>();
-    let states = states.map_err(at_fault)?;
+    let loaded = |value: &f64| Ok(loaded(&case.hertz, case.given, *value)?);
+    let states = file.follow(|| case.values.as_slice().iter().map(loaded).collect())?;
     Ok(Followed { case, states })
 }
 

@@ -29,4 +29,4 @@ pub mod solve;
 pub mod stress;
 pub mod theory;
 
-pub use error::{Error, is_bad_collision};
+pub use error::{Error, ErrorKind};

@@ -171,7 +171,7 @@ impl Results {
     /// Writes `bytes`, or holds them until the end.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Io`] if they cannot be written, for example on a full disk or if
+    /// [`carom_cases::ErrorKind::Io`] if they cannot be written, for example on a full disk or if
     /// standard output was never open.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), CliError> {
         if !bytes.is_empty() && !self.is_checked {
@@ -237,7 +237,7 @@ impl Write for Results {
 /// Checked on Linux only.
 ///
 /// # Errors
-/// [`carom_cases::Error::Io`] if it is closed.
+/// [`carom_cases::ErrorKind::Io`] if it is closed.
 pub fn is_open() -> Result<(), CliError> {
     const CLOSED: &str = "it is closed, or the null device open for reading and writing; redirect it, or \
                           add --format none";

@@ -27,8 +27,8 @@ pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> 
         Steps::Inline(shifts) => Ok(shifts.clone()),
         Steps::File(name) => {
             let shifts = read_steps(file, name)?;
-            let path = file.beside(name);
-            case.check_twist(&shifts).map_err(|source| Error::Law { path, source })?;
+            case.check_twist(&shifts)
+                .map_err(|source| Error::from(source).of_file(&file.beside(name)))?;
             Ok(shifts)
         }
     }
@@ -60,12 +60,13 @@ impl Followed {
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = shifts(file, &case)?;
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
-    let mut laws = Laws::new(&case, &shifts).map_err(at_fault)?;
-    let after = |(i, shift): (usize, &Shift)| {
-        laws.advance(*shift).map_err(at_fault)?;
-        step((i + 1) as f64, &laws, case.friction, 0)
-    };
-    let steps = shifts.iter().enumerate().map(after).collect::<Result<_, _>>()?;
+    let steps = file.follow(|| {
+        let mut laws = Laws::new(&case, &shifts)?;
+        let after = |(i, shift): (usize, &Shift)| {
+            laws.advance(*shift)?;
+            step((i + 1) as f64, &laws, case.friction, 0)
+        };
+        shifts.iter().enumerate().map(after).collect()
+    })?;
     Ok(Followed { case, steps })
 }

@@ -174,7 +174,7 @@ pub const TRACTION_COLUMNS: &[Column<Traction>] = &[
 /// The present state of the laws, with the traction at `count` radii.
 ///
 /// # Errors
-/// [`Error::Quadrature`] if a traction cannot be integrated.
+/// [`ErrorKind::Quadrature`](crate::ErrorKind::Quadrature) if a traction cannot be integrated.
 pub fn step(
     number: f64,
     laws: &Laws,

@@ -21,7 +21,7 @@ use std::path::PathBuf;
 pub(super) struct Arguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
+    pub(super) case: PathBuf,
     /// The kind of case; by default that given by the tables of the file.
     #[arg(long, value_parser = kind())]
     kind: Option<CaseKind>,

@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let followed = hertz::followed(&file)?;
     let (Followed { case, states }, validities) = (&followed, followed.validities());
-    columns::check(&file.path, HertzState::COLUMNS, states)?;
+    columns::check(HertzState::COLUMNS, states)?;
     let format = arguments.given.format();
     let loads = columns::rows(format, HertzState::COLUMNS, states)?;
     let text = match format {
@@ -60,9 +60,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         Format::Csv | Format::None => loads,
     };
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
     let picture = match plot {
-        Some(to) => Some((to, draw(case, states).map_err(at_fault)?)),
+        Some(to) => Some((to, draw(case, states).map_err(Error::from)?)),
         None => None,
     };
     let (caution, warnings) = followed.heed().told("loads");

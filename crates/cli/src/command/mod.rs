@@ -29,7 +29,7 @@ use crate::progress::Progress;
 use carom_cases::case::CaseKind;
 use carom_cases::input::CaseFile;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// Elastic impact with friction: how two bodies make contact, slip, stick, twist and rebound.
@@ -170,9 +170,9 @@ impl Command {
         }
     }
 
-    /// Kind and text of the case that the command has read.
-    fn case(&self) -> Option<(CaseKind, &str)> {
-        let (kind, given) = match self {
+    /// The kind of case that the command takes, and its arguments.
+    const fn given(&self) -> Option<(CaseKind, &CaseArguments)> {
+        Some(match self {
             Self::Impact(arguments) => (CaseKind::Impact, &arguments.given),
             Self::Hertz(arguments) => (CaseKind::Hertz, &arguments.given),
             Self::History(arguments) => (CaseKind::History, &arguments.given),
@@ -182,8 +182,16 @@ impl Command {
             Self::Stress(arguments) => (CaseKind::Stress, &arguments.given),
             Self::Shell(arguments) => (CaseKind::Shell, &arguments.given),
             _ => return None,
-        };
-        Some((kind, given.text.get()?))
+        })
+    }
+
+    /// The case file of the command, if it has one.
+    fn file(&self) -> Option<&Path> {
+        match self {
+            Self::Compare(arguments) => Some(&arguments.case),
+            Self::Check(arguments) => Some(&arguments.case),
+            _ => self.given().map(|(_, given)| given.case.as_path()),
+        }
     }
 }
 
@@ -201,11 +209,17 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
     pool.map_err(failed)?.install(|| go(&arguments.command, messages, results))
 }
 
-/// Runs the command; warnings of unusual numbers in its case come first.
+/// Runs the command. Errors name its case, and warnings of unusual numbers in it come first.
 fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<Answer, CliError> {
-    let mut answer = run_one(command, messages, results)?;
-    if let Some((kind, text)) = command.case() {
-        answer.warnings.splice(..0, kind.unusual(text));
+    let answer = run_one(command, messages, results);
+    let of_file = |error: CliError| match command.file() {
+        Some(path) => error.of_file(path),
+        None => error,
+    };
+    let mut answer = answer.map_err(of_file)?;
+    if let Some((kind, given)) = command.given() {
+        let unusual = given.text.get().map(|text| kind.unusual(text));
+        answer.warnings.splice(..0, unusual.unwrap_or_default());
     }
     Ok(answer)
 }

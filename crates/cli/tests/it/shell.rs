@@ -274,7 +274,7 @@ fn large_strains_are_told_from_two_percent_of_youngs_modulus_on() {
     for millimetres in 40..50 {
         let case = case("strained.toml", &text.replace(range, &format!("\"{millimetres} mm\"")));
         let output = carom(&["shell", &case, "--format", "json"]);
-        let row: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let row: Value = serde_json::from_slice(&output.stdout).unwrap();
         let row = &row["loads"][0];
         let is_large = row["maximal_equivalent_stress"].as_f64().unwrap() > 0.02 * 195e9;
         let told = String::from_utf8_lossy(&output.stderr).contains("2 % of Young's modulus");

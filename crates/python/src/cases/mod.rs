@@ -11,12 +11,12 @@ pub(crate) use shell::case_shell;
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState};
 use carom::special::WordError;
-use carom_cases::Error;
 use carom_cases::case::CaseKind;
 use carom_cases::history::{self, all_columns};
 use carom_cases::impact::{self, Followed as Impacts};
 use carom_cases::input::CaseFile;
 use carom_cases::solve::{self, Followed as Solved};
+use carom_cases::{Error, ErrorKind};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -117,13 +117,14 @@ fn reason(error: &std::io::Error) -> String {
 
 /// Raises an error in a case as `ValueError`, a file that cannot be read as `OSError`.
 fn raised(error: Error) -> PyErr {
-    match error {
-        Error::Range(range) => Fault::from(range).into(),
-        Error::Io { path, source, .. } => match source.raw_os_error() {
-            Some(code) => PyOSError::new_err((code, reason(&source), path.display().to_string())),
-            None => PyOSError::new_err(format!("{}: {source}", path.display())),
+    let path = error.path.as_ref().map(|path| path.display());
+    match (&*error.kind, path) {
+        (ErrorKind::Range(range), None) => Fault::from(*range).into(),
+        (ErrorKind::Io { source, .. }, Some(path)) => match source.raw_os_error() {
+            Some(code) => PyOSError::new_err((code, reason(source), path.to_string())),
+            None => PyOSError::new_err(format!("{path}: {source}")),
         },
-        error if error.is_bad_input() => PyValueError::new_err(error.to_string()),
-        error => CaromError::new_err(error.to_string()),
+        _ if error.is_bad_input() => PyValueError::new_err(error.to_string()),
+        _ => CaromError::new_err(error.to_string()),
     }
 }

@@ -3,12 +3,12 @@
 use crate::columns::{self, add_fields};
 use crate::error::CliError;
 use crate::output::{Format, Picture, json};
+use carom_cases::Error;
 use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
 use carom_cases::theory::readable;
-use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
+use carom_impact::uncertain::{Bin, Quantity, Study, Summary};
 use carom_impact::{CollisionError, Outcome};
 use carom_laws::validity::{Limit, Validity};
-use carom_numerical::CollisionLawError;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
 use carom_table::short;
@@ -105,10 +105,7 @@ struct BinRecord {
 }
 
 /// Computes all samples of a case.
-pub(super) fn study(
-    file: &ImpactFile<'_>,
-    uncertainty: &Uncertainty,
-) -> Result<Study, Box<UncertainError<CollisionLawError>>> {
+pub(super) fn study(file: &ImpactFile<'_>, uncertainty: &Uncertainty) -> Result<Study, Error> {
     let distributions: Vec<_> = file.inputs().iter().filter_map(Input::distribution).collect();
     let law = file.nominal().contact.law;
     let study =
@@ -117,7 +114,7 @@ pub(super) fn study(
             Err(CaseError::Collision { source, .. }) => Err(*source),
             Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
         });
-    study.map_err(Box::new)
+    Ok(study?)
 }
 
 /// Turns an error in a sample into one of a field out of range.

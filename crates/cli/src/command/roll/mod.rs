@@ -62,7 +62,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     let rolled = watched(&file, &case, wanted, messages)?;
     let Rolled { rows, creep, .. } = &rolled;
     let format = arguments.given.format();
-    columns::check(&file.path, &view::columns(rows, false), rows)?;
+    columns::check(&view::columns(rows, false), rows)?;
     let text = text(format, rows, creep.as_ref())?;
     let picture = match plot {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&case, &rolled)?)),

@@ -13,7 +13,6 @@ use carom_cases::scene::{End, add_bounce, follow};
 use carom_cases::theory::Heed;
 use carom_impact::scene::{Bounce, Leg, PathPoint};
 use carom_table::{row, short};
-use std::path::Path;
 
 /// Path and bounces of a ball between walls.
 ///
@@ -42,7 +41,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     if format == Format::Json {
         results.put(b"{\n  \"bounces\": ")?;
     }
-    let end = follow::<CliError>(&file.path, &case, |legs| {
+    let end = follow::<CliError>(&case, |legs| {
         for leg in legs {
             if let Some(course) = &mut course {
                 course.push(leg)?;
@@ -72,7 +71,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
             results.put(format!("{text},\n  \"path\": ").as_bytes())?;
             text.clear();
         }
-        text.push_str(&instants(&file.path, &case, count, format, results)?);
+        text.push_str(&instants(&case, count, format, results)?);
     }
     if format == Format::Json {
         text.push_str("\n}\n");
@@ -89,7 +88,6 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
 /// Computes the path again and writes `count` instants of every flight; returns the end of the list, which is
 /// still to be written.
 fn instants(
-    path: &Path,
     case: &SceneCase,
     count: usize,
     format: Format,
@@ -104,7 +102,7 @@ fn instants(
         };
         rows.put(points, cells, json, results)
     };
-    follow::<CliError>(path, case, |legs| {
+    follow::<CliError>(case, |legs| {
         for leg in legs {
             waiting.extend(leg.points(count)?);
             if waiting.len() >= BLOCK {

@@ -13,7 +13,6 @@ use carom_cases::shell::{
 use carom_shells::bellows::WallPoint;
 use carom_table::{Column, row};
 use serde::Serialize;
-use std::path::Path;
 
 /// A bellows under pressure and axial load, or a flange under forces around it.
 ///
@@ -50,13 +49,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let format = arguments.given.format();
     let (text, picture) = match &solved {
         Solved::Bellows(bellows) => {
-            columns::check(&file.path, RESPONSE_COLUMNS, std::slice::from_ref(&bellows.response))?;
-            columns::check(&file.path, BellowsRow::COLUMNS, &bellows.rows)?;
+            columns::check(RESPONSE_COLUMNS, std::slice::from_ref(&bellows.response))?;
+            columns::check(BellowsRow::COLUMNS, &bellows.rows)?;
             (of_bellows(arguments, format, bellows)?, plot::bellows(bellows))
         }
         Solved::Flange(flange) => {
-            columns::check(&file.path, RingPlace::COLUMNS, &flange.places)?;
-            (of_flange(arguments, format, &file.path, flange)?, plot::flange(flange))
+            columns::check(RingPlace::COLUMNS, &flange.places)?;
+            (of_flange(arguments, format, flange)?, plot::flange(flange))
         }
     };
     let picture = plot.map(|to| (to, picture));
@@ -109,12 +108,11 @@ fn of_bellows(
 fn of_flange(
     arguments: &Arguments,
     format: Format,
-    path: &Path,
     flange: &SolvedFlange,
 ) -> Result<String, CliError> {
     let SolvedFlange { summary, places, .. } = flange;
     let rows = std::slice::from_ref(summary);
-    columns::check(path, FlangeSummary::COLUMNS, rows)?;
+    columns::check(FlangeSummary::COLUMNS, rows)?;
     match format {
         Format::Json => json(&FlangeReport {
             summary: Record::new(FlangeSummary::COLUMNS, summary),

@@ -33,7 +33,7 @@ const MAX_CELLS_IN_CONTACT: [usize; 3] = [2000, 500, 150];
 pub(in crate::command) struct Arguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
+    pub(in crate::command) case: PathBuf,
     #[command(flatten)]
     printing: Printing,
 }
@@ -145,9 +145,9 @@ pub(in crate::command) fn run(
     let file = outputs.read_case(&arguments.case)?;
     // The method that the case requests is one of those compared.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
-    super::only_half_spaces(&file.path, &case, "the comparison of methods")?;
+    super::only_half_spaces(&case, "the comparison of methods")?;
     let bodies = Bodies::of(&file, &case)?;
-    let run = Run::new(&file.path, &case, &bodies)?;
+    let run = Run::new(&case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());
     let followed = follow(run, Found::default(), None, messages)?;
     let shifts = followed.steps.iter().map(|step| step.shift).collect();

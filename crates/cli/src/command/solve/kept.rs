@@ -212,7 +212,7 @@ fn is_own(name: &OsStr) -> bool {
 }
 
 fn input_error(path: &Path, reason: &str) -> CliError {
-    Error::Input { path: path.to_owned(), reason: reason.to_owned() }.into()
+    Error::input(reason).of_file(path).into()
 }
 
 /// FNV-1a, 64 bits, of all inputs with their lengths and of the version of the program.

@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     })?;
     let solved = stress::solved(&file)?;
     let Solved { case, state, stick_radius, points, greatest, greatest_shear } = &solved;
-    columns::check(&file.path, StressPoint::COLUMNS, points)?;
+    columns::check(StressPoint::COLUMNS, points)?;
     let format = arguments.given.format();
     let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
     let text = match format {
