@@ -1,7 +1,7 @@
 //! Any text as a case of every kind, read as `carom check` does; contacts in closed form are computed too.
 #![no_main]
 
-use carom_cases::case::{CaseKind, HertzCase, HistoryCase, Steps};
+use carom_cases::case::{Case as _, CaseKind, HertzCase, HistoryCase, Steps};
 use carom_cases::input::CaseFile;
 use carom_cases::{hertz, history};
 use carom_fuzz::Folder;

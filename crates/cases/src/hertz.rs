@@ -42,7 +42,7 @@ impl Followed {
 /// # Errors
 /// If the case has an error, or a load is out of range.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
-    let case = file.parse(HertzCase::parse)?;
+    let case = file.parse::<HertzCase>()?;
     let loaded = |value: &f64| Ok(loaded(&case.hertz, case.given, *value)?);
     let states = file.follow(|| case.values.as_slice().iter().map(loaded).collect())?;
     Ok(Followed { case, states })

@@ -22,7 +22,7 @@ pub struct Followed {
 /// # Errors
 /// If the case has an error or `[uncertainty]`, or an impact cannot be computed.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
-    let case = file.parse(ImpactFile::parse)?;
+    let case = file.parse::<ImpactFile<'_>>()?;
     file.follow(|| {
         if case.uncertainty().is_some() {
             return Err(ErrorKind::Uncertainty.into());

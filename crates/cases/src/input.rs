@@ -1,6 +1,6 @@
 //! Reads input files of limited size.
 
-use crate::case::CaseError;
+use crate::case::{Case, CaseError, meant};
 use crate::{Error, ErrorKind};
 use std::fmt;
 use std::fs::{File, FileType};
@@ -107,13 +107,32 @@ impl CaseFile {
         guarded.map_err(|refused| ErrorKind::Refused(refused).into())
     }
 
-    /// Parses the text.
+    /// Parses the text as a case of one kind.
     ///
     /// # Errors
-    /// [`ErrorKind::Case`] if the text has an error.
-    pub fn parse<'a, T>(
+    /// [`ErrorKind::Case`] if the text has an error, or looks like a case of another kind.
+    pub fn parse<'a, C: Case<'a>>(&'a self) -> Result<C, Error> {
+        self.parse_by(C::parse)
+    }
+
+    /// The same by a reader of its own.
+    ///
+    /// # Errors
+    /// As [`CaseFile::parse`].
+    pub fn parse_by<'a, C: Case<'a>>(
         &'a self,
-        parse: impl Fn(&'a str) -> Result<T, CaseError>,
+        parse: impl Fn(&'a str) -> Result<C, CaseError>,
+    ) -> Result<C, Error> {
+        self.told(|source| parse(source).map_err(|error| meant(&C::SCHEMA, source, error)))
+    }
+
+    /// What `tell` finds in the text.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Case`] for an error in the text.
+    pub fn told<'a, T>(
+        &'a self,
+        tell: impl Fn(&'a str) -> Result<T, CaseError>,
     ) -> Result<T, Error> {
         let told = |mut source: CaseError| {
             if let CaseError::Syntax { message, .. } = &mut source {
@@ -122,7 +141,7 @@ impl CaseFile {
             let message = source.shown_in(&self.text);
             Error::from(ErrorKind::Case { source, message }).of_file(&self.path)
         };
-        parse(&self.text).map_err(told)
+        tell(&self.text).map_err(told)
     }
 
     /// The result of a computation of this case; an error that names no file names this one.

@@ -8,7 +8,7 @@
 //! results leave the theory. The command `carom` and the Python module are built on this crate.
 //!
 //! ```
-//! use carom_cases::case::{CaseKind, ImpactFile};
+//! use carom_cases::case::{Case as _, CaseKind, ImpactFile};
 //! let text = CaseKind::Impact.begin();
 //! let file = ImpactFile::parse(&text)?;
 //! assert!(file.nominal().collision.solve()?.rebound().is_some());

@@ -80,7 +80,7 @@ pub struct Followed {
 /// # Errors
 /// If the case has an error, or an impact cannot be computed; [`ErrorKind::Range`](crate::ErrorKind::Range) if `count` is 1.
 pub fn followed(file: &CaseFile, count: usize) -> Result<Followed, Error> {
-    let case = file.parse(SceneCase::parse)?;
+    let case = file.parse::<SceneCase>()?;
     RangeError::check("points", count as f64, count != 1, ">= 2")?;
     let (mut bounces, mut points) = (Vec::new(), Vec::new());
     let visit = |legs: &[Leg]| -> Result<(), Error> {

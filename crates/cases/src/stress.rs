@@ -74,7 +74,7 @@ impl Solved {
 /// # Errors
 /// If the case has an error, or a value is out of range.
 pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
-    let case = file.parse(StressCase::parse)?;
+    let case = file.parse::<StressCase>()?;
     file.follow(|| Ok(at_all_points(case)?))
 }
 

@@ -1,6 +1,5 @@
 //! Errors in case files. Each message names the field and what is allowed.
 
-use super::kind::CaseKind;
 use carom_impact::{CollisionError, NormalSpinError};
 use carom_laws::curvature::CurvatureError;
 
@@ -21,12 +20,12 @@ pub enum CaseError {
     #[error("{} errors{}", .0.len(), .0.iter().map(|error| format!("\n{error}")).collect::<String>())]
     Several(Vec<CaseError>),
     /// The text is a case of another kind.
-    #[error("this looks like a case for `carom {}`, not for `carom {}`", likely.name(), kind.name())]
+    #[error("this looks like a case for `carom {likely}`, not for `carom {kind}`")]
     OtherKind {
-        /// The kind as which it was read.
-        kind: CaseKind,
+        /// The name of the kind as which it was read.
+        kind: &'static str,
         /// The kind that it looks like.
-        likely: CaseKind,
+        likely: &'static str,
     },
     /// An unknown field.
     #[error("line {line}: unknown field `{field}`{} {table} takes {valid}", nearest.as_ref().map_or_else(|| ";".to_owned(), |name| format!(", did you mean `{name}`{hint}?")))]

@@ -291,6 +291,43 @@ pub struct Entry {
     pub field: Field,
 }
 
+/// The name and the fields of a kind of case.
+#[derive(Debug, Clone, Copy)]
+pub struct Schema {
+    /// The command that takes it.
+    pub name: &'static str,
+    /// Its description, a sentence.
+    pub meaning: &'static str,
+    /// Its fields.
+    pub fields: &'static [Field],
+    /// The forms that may replace any of its numbers, except those of `[uncertainty]`.
+    pub varied: &'static [Field],
+}
+
+impl Schema {
+    pub(super) const fn new(
+        name: &'static str,
+        meaning: &'static str,
+        fields: &'static [Field],
+    ) -> Self {
+        Self { name, meaning, fields, varied: &[] }
+    }
+
+    /// The same kind, of which these forms may replace any number.
+    pub(super) const fn varying(self, varied: &'static [Field]) -> Self {
+        Self { varied, ..self }
+    }
+
+    /// Its fields with their paths. The forms that may replace a number come last, under `*`.
+    #[must_use]
+    pub fn entries(&self) -> Vec<Entry> {
+        let mut all = entries(self.fields);
+        let forms = entries(self.varied).into_iter();
+        all.extend(forms.map(|entry| Entry { path: format!("*.{}", entry.path), ..entry }));
+        all
+    }
+}
+
 /// All fields, each table followed by its own fields.
 #[must_use]
 pub fn entries(fields: &[Field]) -> Vec<Entry> {

@@ -1,6 +1,6 @@
 //! Where the two bodies of an impact touch.
 
-use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
+use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII};
 use super::contact::{
     FRICTION, FRICTION_BY_SPEED, LAW, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION, TORSION,
     WAVE_LOSS,
@@ -9,6 +9,7 @@ use super::error::CaseError;
 use super::field::{AXES, Default, Field, Form};
 use super::range::Range;
 use super::section::Section;
+use super::shape::SHAPE;
 use super::unit::{Dimension, Measure};
 use carom_geometry::{FrameError, SearchError, SurfaceError};
 use carom_impact::{Body, Collision, CollisionError, ImpactFriction};

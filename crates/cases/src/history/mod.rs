@@ -58,7 +58,7 @@ impl Followed {
 /// # Errors
 /// If the case has an error, a file cannot be read, or a law rejects a value.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
-    let case = file.parse(HistoryCase::parse)?;
+    let case = file.parse::<HistoryCase>()?;
     let shifts = shifts(file, &case)?;
     let steps = file.follow(|| {
         let mut laws = Laws::new(&case, &shifts)?;

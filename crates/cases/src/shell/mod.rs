@@ -36,7 +36,7 @@ impl Solved {
 /// # Errors
 /// If the case has an error, or its equations cannot be solved.
 pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
-    let case = file.parse(ShellCase::parse)?;
+    let case = file.parse::<ShellCase>()?;
     file.follow(|| match &case {
         ShellCase::Bellows(case) => bellows::followed(case).map(Solved::Bellows),
         ShellCase::Flange(case) => Ok(Solved::Flange(flange::solved(case)?)),

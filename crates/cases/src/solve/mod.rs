@@ -26,7 +26,7 @@ pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<(SolveCase, Foll
     if let Some(accuracy) = accuracy {
         Accuracy::new(accuracy)?;
     }
-    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
+    let case = file.parse_by(|source| SolveCase::parse_to(source, accuracy))?;
     let followed = file.follow(|| {
         let bodies = Bodies::of(file, &case)?;
         let run = Run::new(&case, &bodies)?;

@@ -1,8 +1,8 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
 use crate::columns::{self, Record, add_fields};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::command::plot::{Course, MOST_MARKS};
-use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::Error;
@@ -40,7 +40,7 @@ struct Row<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
+    let Given { case: file, plot } = arguments.given.read()?;
     let followed = hertz::followed(&file)?;
     let (Followed { case, states }, validities) = (&followed, followed.validities());
     columns::check(HertzState::COLUMNS, states)?;

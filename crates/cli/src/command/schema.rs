@@ -1,7 +1,7 @@
 //! `carom schema`: the fields of a kind of case.
 
 use crate::columns::{self, Record};
-use crate::command::kind;
+use crate::command::case_arguments::kind;
 use crate::error::CliError;
 use crate::format::Printing;
 use crate::output::{Answer, Format, json};

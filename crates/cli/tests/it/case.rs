@@ -1,6 +1,6 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
-use carom_cases::case::{CaseError, HistoryCase, ImpactFile};
+use carom_cases::case::{Case as _, CaseError, HistoryCase, ImpactFile};
 use carom_laws::friction::Friction;
 use carom_laws::turning_law::TurningLaw;
 

@@ -74,7 +74,7 @@ pub(crate) fn case_roll<'py>(
 )> {
     let wanted = Wanted { coefficients, springs: fastsim };
     let file = CaseFile::read(&path).map_err(raised)?;
-    let case = file.parse(RollCase::parse).map_err(raised)?;
+    let case = file.parse::<RollCase>().map_err(raised)?;
     if fastsim && case.distance.is_some() {
         let text = "fastsim: supports the steady state only: the case must have no `distance`";
         return Err(PyValueError::new_err(text));

@@ -5,18 +5,32 @@ mod error;
 mod not_toml;
 mod spelling;
 pub(super) mod survey;
+mod sweep;
 mod usual;
 
 pub use error::likely;
+pub use sweep::Numbers;
+pub(super) use sweep::{COUNT, START, STOP, SWEEP};
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;
-use super::varied::{self, Varied};
 use spelling::line_at;
 pub(crate) use spelling::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// Numbers of a case that may be replaced by others.
+pub(super) trait Varying: std::fmt::Debug {
+    /// The number that represents a varied value; none if the value does not vary.
+    fn number<'a>(
+        &self,
+        section: &Section<'a>,
+        name: &str,
+        value: &'a Spanned<DeValue<'a>>,
+        measure: Measure,
+    ) -> Result<Option<f64>, CaseError>;
+}
 
 /// A table of a case file; only its declared fields can be read.
 #[derive(Debug, Clone)]
@@ -30,7 +44,7 @@ pub(super) struct Section<'a> {
     /// The fields of the case.
     top: &'static [Field],
     /// Collects numbers that vary, where the case allows them.
-    varied: Option<&'a Varied>,
+    varied: Option<&'a dyn Varying>,
 }
 
 /// A field of this table or of a table in it.
@@ -72,7 +86,7 @@ impl<'a> Section<'a> {
     }
 
     /// The same table, in which every number may vary.
-    pub(super) fn varying(self, varied: &'a Varied) -> Self {
+    pub(super) fn varying(self, varied: &'a dyn Varying) -> Self {
         Self { varied: Some(varied), ..self }
     }
 
@@ -285,22 +299,6 @@ impl<'a> Section<'a> {
         value.get_ref().as_bool().ok_or_else(|| self.wrong(field, value))
     }
 
-    /// Reads one number, a list of numbers, or `{ start, stop, count }`.
-    ///
-    /// # Errors
-    /// If it is missing, of another kind, or a number is out of range.
-    pub(super) fn numbers(&self, field: &Field) -> Result<Numbers, CaseError> {
-        let value = self.value(field)?;
-        match (value.get_ref(), field.measure()) {
-            (DeValue::Array(_), _) => self.list(field).map(Numbers::Sweep),
-            (DeValue::Table(_), Some(measure)) => {
-                let table = self.table_at(field.name, value, varied::SWEEP)?;
-                varied::spaced(&table, measure).map(Numbers::Sweep)
-            }
-            _ => self.number(field).map(Numbers::One),
-        }
-    }
-
     /// Reads a text.
     ///
     /// # Errors
@@ -439,26 +437,6 @@ pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
         let column = before.chars().rev().take_while(|letter| *letter != '\n').count();
         CaseError::Syntax { line: line_at(source, at), column, message: error.message().to_owned() }
     })
-}
-
-/// One number, or the numbers of a sweep.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Numbers {
-    /// One number.
-    One(f64),
-    /// A sweep.
-    Sweep(Vec<f64>),
-}
-
-impl Numbers {
-    /// The numbers in order.
-    #[must_use]
-    pub fn as_slice(&self) -> &[f64] {
-        match self {
-            Self::One(number) => std::slice::from_ref(number),
-            Self::Sweep(numbers) => numbers,
-        }
-    }
 }
 
 fn number(value: &DeValue<'_>) -> Option<f64> {

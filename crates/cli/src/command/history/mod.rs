@@ -5,7 +5,7 @@ mod plot;
 mod view;
 
 use crate::columns;
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{Rows, check_count, indented};
@@ -34,8 +34,8 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(HistoryCase::parse)?;
+    let Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse::<HistoryCase>()?;
     let shifts = shifts(&file, &case)?;
     let format = arguments.given.format();
     let radii = arguments.tractions.map_or(0, |count| count as usize);

@@ -8,7 +8,7 @@ mod uncertain;
 mod view;
 
 use crate::columns;
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results, json};
@@ -62,12 +62,12 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
-    let (command::Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
+    let (Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
         let to = |path: &PathBuf| outputs.picture("animate", path, arguments.format());
         arguments.animate.as_ref().map(to).transpose()
     })?;
     let plot = moving.or(plot);
-    let file = text.parse(ImpactFile::parse)?;
+    let file = text.parse::<ImpactFile<'_>>()?;
     if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
         return Err(CliError::Options("--animate requires a case with one impact"));
     }

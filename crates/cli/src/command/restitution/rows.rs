@@ -1,7 +1,7 @@
 //! R_x of a pair of numbers, and its columns.
 
 use super::Tensor;
-use super::plane::{Bodies, Coupling, Plane};
+use super::bodies::{Bodies, Coupling};
 use super::tensor::TensorRecord;
 use crate::columns::Record;
 use crate::error::CliError;
@@ -97,15 +97,15 @@ pub(super) struct RowRecord<'a> {
 impl Row {
     /// The impact of two numbers of the plane.
     pub(super) fn new(
-        plane: &Plane<'_>,
+        bodies: Bodies,
         numbers: [f64; 2],
         tensor: Option<Tensor>,
         ratio: f64,
     ) -> Result<Self, CliError> {
-        if let Bodies::Dissimilar(coupling) = plane.bodies {
+        if let Bodies::Dissimilar(coupling) = bodies {
             return Self::dissimilar(coupling, numbers);
         }
-        let groups = plane.bodies.groups(numbers)?;
+        let groups = bodies.groups(numbers)?;
         let impact = ObliqueImpact::new(groups)?;
         let regimes = impact.regimes().map(Regime::name).collect();
         let restitution = impact.restitution();

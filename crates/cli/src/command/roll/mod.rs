@@ -5,7 +5,7 @@ mod plot;
 mod view;
 
 use crate::columns::{self, Record};
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
@@ -51,8 +51,8 @@ struct Both<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(RollCase::parse)?;
+    let Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse::<RollCase>()?;
     if arguments.fastsim && case.distance.is_some() {
         return Err(CliError::Options(
             "--fastsim supports the steady state only: remove `distance`",

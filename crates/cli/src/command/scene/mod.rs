@@ -4,7 +4,7 @@ mod plot;
 mod view;
 
 use crate::columns;
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{BLOCK, Rows, indented};
@@ -32,8 +32,8 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(SceneCase::parse)?;
+    let Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse::<SceneCase>()?;
     let (format, points) = (arguments.given.format(), arguments.points.map(|count| count as usize));
     let mut bounces = Rows::new(format).at_depth(1).showing(view::shown(&case));
     let mut course = plot.is_some().then(|| plot::Course::new(&case));

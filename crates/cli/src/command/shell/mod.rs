@@ -3,7 +3,7 @@
 mod plot;
 
 use crate::columns::{self, Record};
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
 use carom_cases::shell::{
@@ -44,7 +44,7 @@ fn help() -> String {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
+    let Given { case: file, plot } = arguments.given.read()?;
     let solved = solved(&file)?;
     let format = arguments.given.format();
     let (text, picture) = match &solved {

@@ -144,7 +144,7 @@ pub(in crate::command) fn run(
     let outputs = Outputs::of_command(arguments.printing.format())?;
     let file = outputs.read_case(&arguments.case)?;
     // The method that the case requests is one of those compared.
-    let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
+    let case = SolveCase { method: SolveMethod::Newton, ..file.parse::<SolveCase>()? };
     super::only_half_spaces(&case, "the comparison of methods")?;
     let bodies = Bodies::of(&file, &case)?;
     let run = Run::new(&case, &bodies)?;

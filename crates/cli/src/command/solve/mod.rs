@@ -9,7 +9,7 @@ mod store;
 mod view;
 
 use crate::columns::{self, Record};
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
@@ -68,13 +68,13 @@ struct Both<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
-    let (command::Given { case: file, plot }, keep) = arguments.given.read_beside(|outputs| {
+    let (Given { case: file, plot }, keep) = arguments.given.read_beside(|outputs| {
         arguments.keep.as_ref().map(|path| outputs.folder("keep", path)).transpose()
     })?;
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
     }
-    let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
+    let case = file.parse_by(|source| SolveCase::parse_to(source, arguments.accuracy))?;
     if arguments.depths.is_some() {
         only_half_spaces(&case, "--depths")?;
     }

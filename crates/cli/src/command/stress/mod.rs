@@ -3,8 +3,8 @@
 mod field;
 
 use crate::columns::{self, Record};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::command::plot::{Course, Value};
-use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::stress::{self, Solved, StressPoint};
@@ -51,7 +51,7 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let (command::Given { case: file, plot }, to) = arguments.given.read_beside(|outputs| {
+    let (Given { case: file, plot }, to) = arguments.given.read_beside(|outputs| {
         arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
     })?;
     let solved = stress::solved(&file)?;
