@@ -7,6 +7,7 @@ use crate::round_off::{clear_round_off, without_round_off};
 use carom_cases::{Error, ErrorKind};
 use carom_table::{
     Cell, Column, Quantity, Value, cells, described, heads, labels, row, short, texts as texts_of,
+    yes_or_no,
 };
 use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -58,6 +59,7 @@ pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::E
             }
             Value::Number(value) => map.serialize_entry(name, value)?,
             Value::Count(count) => map.serialize_entry(name, count)?,
+            Value::Flag(flag) => map.serialize_entry(name, yes_or_no(*flag))?,
             Value::Text(text) => map.serialize_entry(name, text)?,
             Value::Words(words) => map.serialize_entry(name, words)?,
             Value::Texts(texts) => map.serialize_entry(name, texts)?,

@@ -135,10 +135,10 @@ impl BellowsRow {
         Column::new("maximal_equivalent_stress", "Pa", "after von Mises, on either face", |row| {
             row.maximal_equivalent_stress().into()
         }),
-        Column::new("end", "", "whether the load is reached, or a limit before it", |row| {
+        Column::text("end", "", "whether the load is reached, or a limit before it", |row| {
             row.end.name().into()
         }),
-        Column::new("iterations", "", "steps of Newton's method at the end", |row| {
+        Column::count("iterations", "", "steps of Newton's method at the end", |row| {
             (row.state.convergence().iterations as u64).into()
         }),
         Column::new("residual", "", "of the equations, in units E = t = 1", |row| {

@@ -99,7 +99,7 @@ impl FlangeSummary {
         Column::new("maximal_torsion", "N m", "greatest torque", |of| {
             of.greatest.loads.torsion.into()
         }),
-        Column::new("harmonic", "", "harmonic n with most of the energy of the tube", |of| {
+        Column::count("harmonic", "", "harmonic n with most of the energy of the tube", |of| {
             of.shallowness.map(|(harmonic, _)| harmonic as u64).into()
         }),
         Column::new("shallowness", "", "mean of n^2 t/R, weighted by energy in the tube", |of| {
