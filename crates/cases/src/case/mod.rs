@@ -26,7 +26,6 @@ mod stress;
 mod tests;
 mod touch;
 mod uncertainty;
-mod understood;
 mod unit;
 mod varied;
 
@@ -43,7 +42,7 @@ pub use reader::Case;
 pub use roll::{Elliptical, RollCase};
 pub use scene::SceneCase;
 pub(crate) use section::shortened;
-pub use section::{Numbers, likely};
+pub use section::{Numbers, Understood, likely};
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
     Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase,
@@ -51,6 +50,6 @@ pub use solve::{
 };
 pub use stress::StressCase;
 pub use uncertainty::Uncertainty;
-pub use understood::Understood;
+
 pub use unit::{Dimension, Measure};
 pub use varied::{Input, Variation};

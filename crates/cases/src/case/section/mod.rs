@@ -6,11 +6,13 @@ mod not_toml;
 mod spelling;
 pub(super) mod survey;
 mod sweep;
+mod understood;
 mod usual;
 
 pub use error::likely;
 pub use sweep::Numbers;
 pub(super) use sweep::{COUNT, START, STOP, SWEEP};
+pub use understood::Understood;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
@@ -113,14 +115,36 @@ impl<'a> Section<'a> {
         value: &'a Spanned<DeValue<'a>>,
         fields: &'static [Field],
     ) -> Result<Self, CaseError> {
-        match value.get_ref() {
-            DeValue::Table(table) => {
-                let path = self.full(name);
-                let line = self.line_of(value);
-                let section = Self { path, line, table, fields, varied: None, ..*self };
-                section.check(None).map(|()| section)
+        let section = self.within(name, value, fields);
+        let section = section.ok_or_else(|| self.kind(name, value, "a table"))?;
+        section.check(None).map(|()| Self { varied: None, ..section })
+    }
+
+    /// The table of this name with these fields, before a check; none if the value is no table.
+    fn within(
+        &self,
+        name: &str,
+        value: &'a Spanned<DeValue<'a>>,
+        fields: &'static [Field],
+    ) -> Option<Self> {
+        let table = value.get_ref().as_table()?;
+        let (path, line) = (self.full(name), self.line_of(value));
+        Some(Self { path, line, table, fields, ..self.clone() })
+    }
+
+    /// The tables in the value of a field of tables, before a check; none for any other field or value.
+    pub(super) fn tables(
+        &self,
+        field: &Field,
+        value: &'a Spanned<DeValue<'a>>,
+    ) -> Option<Vec<Self>> {
+        match (field.form, value.get_ref()) {
+            (Form::Table(fields), _) => Some(vec![self.within(field.name, value, fields)?]),
+            (Form::Tables(fields), DeValue::Array(items)) => {
+                let item = |(i, item)| self.within(&format!("{}[{i}]", field.name), item, fields);
+                Some(items.iter().enumerate().filter_map(item).collect())
             }
-            _ => Err(self.kind(name, value, "a table")),
+            _ => None,
         }
     }
 
@@ -136,10 +160,20 @@ impl<'a> Section<'a> {
         self.find(&place).is_some()
     }
 
-    /// Whether the value of this name is meant for this field, [`is_meant`].
+    /// Whether the value of a name that a plain field and a table share is meant for this field. It is meant for the
+    /// table if it is a table with one of its names.
     #[must_use]
     pub(super) fn means(&self, field: &Field) -> bool {
-        is_meant(self.fields, field, self.find(&field))
+        let is_table = |field: &Field| matches!(field.form, Form::Table(_));
+        let twin = |other: &&Field| other.name == field.name && is_table(other) != is_table(field);
+        let Some(twin) = self.fields.iter().find(twin) else { return true };
+        let parts = if is_table(field) { field } else { twin }.fields();
+        let is_part = |name: &str| parts.iter().any(|part| part.name == name);
+        let has_part = self
+            .find(&field)
+            .and_then(|value| value.get_ref().as_table())
+            .is_some_and(|table| table.iter().any(|(name, _)| is_part(name.get_ref())));
+        has_part == is_table(field)
     }
 
     /// Those of the fields that are present.
@@ -183,16 +217,8 @@ impl<'a> Section<'a> {
 
     fn unchecked(&self, field: &Field) -> Result<Self, CaseError> {
         let value = self.value(field)?;
-        match value.get_ref() {
-            DeValue::Table(table) => Ok(Self {
-                path: self.full(field.name),
-                line: self.line_of(value),
-                table,
-                fields: field.fields(),
-                ..self.clone()
-            }),
-            _ => Err(self.wrong(field, value)),
-        }
+        let section = self.within(field.name, value, field.fields());
+        section.ok_or_else(|| self.wrong(field, value))
     }
 
     /// Reads the tables `[[name]]`, at least one.
@@ -406,24 +432,6 @@ impl<'a> Section<'a> {
             }
         }
     }
-}
-
-/// Whether the value of a name that a plain field and a table share is meant for this field. It is meant for the table
-/// if it is a table with one of its names.
-pub(super) fn is_meant(
-    fields: &[Field],
-    field: &Field,
-    value: Option<&Spanned<DeValue<'_>>>,
-) -> bool {
-    let is_table = |field: &Field| matches!(field.form, Form::Table(_));
-    let twin = |other: &&Field| other.name == field.name && is_table(other) != is_table(field);
-    let Some(twin) = fields.iter().find(twin) else { return true };
-    let parts = if is_table(field) { field } else { twin }.fields();
-    let is_part = |name: &str| parts.iter().any(|part| part.name == name);
-    let has_part = value
-        .and_then(|value| value.get_ref().as_table())
-        .is_some_and(|table| table.iter().any(|(name, _)| is_part(name.get_ref())));
-    has_part == is_table(field)
 }
 
 /// Parses a case file as TOML.

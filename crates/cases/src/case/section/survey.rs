@@ -75,25 +75,14 @@ impl Found {
     }
 
     fn value<'a>(&mut self, section: &Section<'a>, field: &Field, value: &'a Spanned<DeValue<'a>>) {
+        if let Some(tables) = section.tables(field, value) {
+            tables.iter().for_each(|table| self.table(table));
+            let items = value.get_ref().as_array().into_iter().flat_map(|items| items.iter());
+            let wrong = items.filter(|item| !item.get_ref().is_table());
+            self.wrong.extend(wrong.map(|_| section.wrong(field, value)));
+            return;
+        }
         let error = match (field.form, value.get_ref()) {
-            (Form::Table(fields), DeValue::Table(table)) => {
-                let (path, line) = (section.full(field.name), section.line_of(value));
-                self.table(&Section { path, line, table, fields, ..section.clone() });
-                return;
-            }
-            (Form::Tables(fields), DeValue::Array(items)) => {
-                for (i, item) in items.iter().enumerate() {
-                    match item.get_ref() {
-                        DeValue::Table(table) => {
-                            let path = section.full(&format!("{}[{i}]", field.name));
-                            let line = section.line_of(item);
-                            self.table(&Section { path, line, table, fields, ..section.clone() });
-                        }
-                        _ => self.wrong.push(section.wrong(field, value)),
-                    }
-                }
-                return;
-            }
             (Form::Table(_) | Form::Tables(_), _) => Err(section.wrong(field, value)),
             (Form::Number(measure), _) => self.number(section, field.name, value, measure),
             (Form::Numbers(_), DeValue::Table(_)) | (Form::Rows(_), DeValue::Array(_)) => Ok(()),

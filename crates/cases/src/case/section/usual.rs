@@ -1,7 +1,7 @@
 //! Plain numbers that are allowed but unusual, probably in another unit.
 
 use super::{Section, number, parse};
-use crate::case::field::{Field, Form, Schema};
+use crate::case::field::{Field, Schema};
 use crate::case::shape::SHAPE;
 use carom_special::Readable;
 use toml::Spanned;
@@ -24,20 +24,9 @@ fn look(section: &Section<'_>, found: &mut Vec<String>) {
     let shape = section.find(&&SHAPE).and_then(|value| value.get_ref().as_str());
     for field in section.fields.iter().filter(|field| field.is_of(shape)) {
         let Some(value) = section.find(&field) else { continue };
-        match (field.form, value.get_ref()) {
-            (Form::Table(fields), DeValue::Table(table)) => {
-                let path = section.full(field.name);
-                look(&Section { path, table, fields, ..section.clone() }, found);
-            }
-            (Form::Tables(fields), DeValue::Array(items)) => {
-                for (i, item) in items.iter().enumerate() {
-                    if let DeValue::Table(table) = item.get_ref() {
-                        let path = section.full(&format!("{}[{i}]", field.name));
-                        look(&Section { path, table, fields, ..section.clone() }, found);
-                    }
-                }
-            }
-            _ => found.extend(told(section, field, value)),
+        match section.tables(field, value) {
+            Some(tables) => tables.iter().for_each(|table| look(table, found)),
+            None => found.extend(told(section, field, value)),
         }
     }
 }
