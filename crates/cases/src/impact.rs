@@ -1,6 +1,6 @@
 //! Computes the impact of a case, or all impacts of its sweep.
 
-use crate::case::{CaseError, ImpactCase, ImpactFile, Input};
+use crate::case::{CaseFault, ImpactCase, ImpactFile, Input};
 use crate::input::CaseFile;
 use crate::{Error, ErrorKind};
 use carom_impact::{CollisionError, HistoryPoint, Outcome};
@@ -68,7 +68,7 @@ pub fn course(case: &ImpactCase, count: usize) -> Result<Vec<HistoryPoint>, Erro
 fn blamed(case: &ImpactCase, source: CollisionLawError) -> Error {
     match (source, case.contact.torsion_line) {
         (CollisionLawError::Collision(CollisionError::NormalSpin(source)), line @ 1..) => {
-            CaseError::Torsion { line, source: Box::new(source) }.into()
+            CaseFault::Torsion(Box::new(source)).at("contact.torsion", line).into()
         }
         (source, _) => source.into(),
     }

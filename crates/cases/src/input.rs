@@ -1,6 +1,6 @@
 //! Reads input files of limited size.
 
-use crate::case::{Case, CaseError, meant};
+use crate::case::{Case, CaseError, CaseFault, meant};
 use crate::{Error, ErrorKind};
 use std::fmt;
 use std::fs::{File, FileType};
@@ -135,7 +135,7 @@ impl CaseFile {
         tell: impl Fn(&'a str) -> Result<T, CaseError>,
     ) -> Result<T, Error> {
         let told = |mut source: CaseError| {
-            if let CaseError::Syntax { message, .. } = &mut source {
+            if let CaseFault::Syntax { message, .. } = &mut source.fault {
                 *message += &of_ending(&self.path);
             }
             let message = source.shown_in(&self.text);

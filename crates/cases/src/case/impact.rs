@@ -6,7 +6,7 @@
 
 use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, VELOCITY, Velocity};
 use super::contact::Contact;
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{Field, Form, Schema, Usual};
 use super::material::MATERIAL;
 use super::range::Range;
@@ -80,13 +80,12 @@ impl<'a> Case<'a> for ImpactFile<'a> {
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let sweeps: Vec<&Input> = inputs.iter().filter(|input| input.sweep().is_some()).collect();
         if let [one, other, ..] = sweeps.as_slice() {
-            return Err(CaseError::Conflict {
-                field: other.field.to_owned(),
-                line: other.line,
+            let fault = CaseFault::Conflict {
                 other: one.field.to_owned(),
                 reason: "sweep over one field at a time; for each value of the other run a case of its own, in a \
                          loop of the shell, or use `carom.collide_many` in Python",
-            });
+            };
+            return Err(fault.at(other.field, other.line));
         }
         let uncertainty = Uncertainty::read(&case, &inputs)?;
         Ok(Self { source, table, inputs, uncertainty, nominal })

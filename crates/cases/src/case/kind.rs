@@ -1,6 +1,6 @@
 //! The kinds of cases.
 
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{Field, Need, Schema};
 use super::reader::Case;
 use super::section::{parse, survey};
@@ -119,13 +119,13 @@ impl CaseKind {
 
 /// The error of a text that was read as a case of this kind; if it looks like one of another kind, that alone.
 pub(crate) fn meant(schema: &Schema, source: &str, error: CaseError) -> CaseError {
-    let count = match &error {
-        CaseError::Syntax { .. } => return error,
-        CaseError::Several(errors) => errors.len(),
+    let count = match &error.fault {
+        CaseFault::Syntax { .. } => return error,
+        CaseFault::Several(errors) => errors.len(),
         _ => 1,
     };
     match other_kind(schema.name, source, count) {
-        Some(likely) => CaseError::OtherKind { kind: schema.name, likely },
+        Some(likely) => CaseFault::OtherKind { kind: schema.name, likely }.at("", 0),
         None => error,
     }
 }

@@ -30,7 +30,7 @@ mod unit;
 mod varied;
 
 pub use contact::Contact;
-pub use error::CaseError;
+pub use error::{CaseError, CaseFault};
 pub use field::{Default, Entry, Field, Form, Need, Rows, Schema, Word, entries};
 pub use hertz::{Given, HertzCase};
 pub use history::{HistoryCase, Steps};

@@ -1,7 +1,7 @@
 //! What users are told of cases with errors.
 
 use super::section::survey::survey;
-use super::{CaseError, CaseKind};
+use super::{CaseFault, CaseKind};
 
 #[test]
 fn a_case_that_is_right_has_no_errors() {
@@ -104,7 +104,7 @@ fn what_is_meant_is_told() {
 fn an_empty_case_is_of_no_other_kind() {
     for kind in CaseKind::ALL {
         let error = kind.check("# nothing yet\n").unwrap_err();
-        assert!(!matches!(error, CaseError::OtherKind { .. }), "{kind:?}: {error}");
+        assert!(!matches!(error.fault, CaseFault::OtherKind { .. }), "{kind:?}: {error}");
     }
 }
 
@@ -113,7 +113,7 @@ fn a_case_of_another_kind_is_recognised() {
     let case = CaseKind::Impact.begin();
     for kind in CaseKind::ALL.into_iter().filter(|kind| *kind != CaseKind::Impact) {
         let error = kind.check(&case).unwrap_err();
-        assert_eq!(error, CaseError::OtherKind { kind: kind.name, likely: "impact" });
+        assert_eq!(error.fault, CaseFault::OtherKind { kind: kind.name, likely: "impact" });
     }
 }
 

@@ -5,7 +5,7 @@ use super::contact::{
     FRICTION, FRICTION_BY_SPEED, LAW, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION, TORSION,
     WAVE_LOSS,
 };
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{AXES, Default, Field, Form};
 use super::range::Range;
 use super::section::Section;
@@ -189,7 +189,8 @@ impl Touch {
             true => (case.path(&at), case.line(at)),
             false => (CONTACT.name.to_owned(), case.line(&CONTACT)),
         };
-        CaseError::Collision { field, line, hint: hint(&source, self), source: Box::new(source) }
+        let hint = hint(&source, self);
+        CaseFault::Collision { hint, source: Box::new(source) }.at(field, line)
     }
 }
 

@@ -14,7 +14,7 @@ pub use sweep::Numbers;
 pub(super) use sweep::{COUNT, START, STOP, SWEEP};
 pub use understood::Understood;
 
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;
 use spelling::line_at;
@@ -209,7 +209,9 @@ impl<'a> Section<'a> {
         let section = self.unchecked(field)?;
         match section.word(shape) {
             // The name of `shape` may be misspelt.
-            Err(missing @ CaseError::Missing { .. }) => section.check(None).and(Err(missing)),
+            Err(missing @ CaseError { fault: CaseFault::Missing(_), .. }) => {
+                section.check(None).and(Err(missing))
+            }
             Err(wrong) => Err(wrong),
             Ok(word) => section.check(Some(word)).map(|()| (section, word)),
         }
@@ -417,12 +419,7 @@ impl<'a> Section<'a> {
         };
         match read {
             Some(number) if range.holds(number) => Ok(number),
-            Some(number) if !is_text => Err(CaseError::Range {
-                field: self.full(name),
-                line: line_at(self.source, value.span().start),
-                value: number,
-                allowed: range.allowed().to_owned(),
-            }),
+            Some(number) if !is_text => Err(self.beyond(name, value, number, range)),
             // The error shows the value as written.
             Some(_) => Err(self.kind(name, value, range.allowed())),
             None => {
@@ -443,7 +440,8 @@ pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
         let at = error.span().map_or(0, |span| span.start);
         let before = source.get(..at).unwrap_or("");
         let column = before.chars().rev().take_while(|letter| *letter != '\n').count();
-        CaseError::Syntax { line: line_at(source, at), column, message: error.message().to_owned() }
+        let message = error.message().to_owned();
+        CaseFault::Syntax { column, message }.at("", line_at(source, at))
     })
 }
 

@@ -3,7 +3,7 @@
 
 use super::error::meant as of_others;
 use super::{Section, not_toml, parse};
-use crate::case::error::CaseError;
+use crate::case::error::{CaseError, CaseFault};
 use crate::case::field::{Field, Form, Need, Schema, Word};
 use crate::case::shape::SHAPE;
 use crate::case::unit::Measure;
@@ -13,22 +13,19 @@ use toml::de::DeValue;
 
 /// The errors of a case that its reader rejected with `first`.
 pub(in crate::case) fn all(schema: &Schema, source: &str, first: CaseError) -> CaseError {
-    if let CaseError::Syntax { line, column, message } = first {
-        let message = not_toml::told(schema.name, source, line, column, message);
-        return CaseError::Syntax { line, column, message };
+    if let CaseFault::Syntax { column, message } = first.fault {
+        let message = not_toml::told(schema.name, source, first.line, column, message);
+        return CaseFault::Syntax { column, message }.at("", first.line);
     }
     let mut errors = survey(schema, source);
-    match errors
-        .iter_mut()
-        .find(|error| !first.field().is_empty() && error.field() == first.field())
-    {
+    match errors.iter_mut().find(|error| !first.field.is_empty() && error.field == first.field) {
         // The reader's own text, which may say more.
         Some(error) => *error = first,
         None => errors.push(first),
     }
     match errors.len() {
         1 => errors.swap_remove(0),
-        _ => CaseError::Several(errors),
+        _ => CaseFault::Several(errors).at("", 0),
     }
 }
 
@@ -38,7 +35,7 @@ pub(in crate::case) fn survey(schema: &Schema, source: &str) -> Vec<CaseError> {
     let top = Section::unread(source, table.get_ref(), schema.fields);
     let mut found = Found { may_vary: !schema.varied.is_empty(), ..Found::default() };
     found.table(&top);
-    found.wrong.sort_by_key(|error| error.line());
+    found.wrong.sort_by_key(|error| error.line);
     found.wrong.append(&mut found.missing);
     found.wrong
 }
@@ -57,7 +54,7 @@ impl Found {
         let shape = if has_shape { section.word(&SHAPE).ok() } else { None };
         let unknown = section.all_unknown(shape);
         let meant = |field: &Field| {
-            unknown.iter().any(|error| matches!(error, CaseError::Unknown { nearest: Some(name), .. } if name == field.name))
+            unknown.iter().any(|error| matches!(&error.fault, CaseFault::Unknown { nearest: Some(name), .. } if name == field.name))
         };
         let is_meant = |field: &&Field| field.is_of(shape) && section.means(field);
         for field in section.fields.iter().filter(is_meant) {

@@ -4,7 +4,7 @@ use crate::columns::{self, add_fields};
 use crate::error::CliError;
 use crate::output::{Format, Picture, json};
 use carom_cases::Error;
-use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
+use carom_cases::case::{CaseError, CaseFault, ImpactFile, Input, Uncertainty};
 use carom_cases::theory::readable;
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary};
 use carom_impact::{CollisionError, Outcome};
@@ -111,7 +111,7 @@ pub(super) fn study(file: &ImpactFile<'_>, uncertainty: &Uncertainty) -> Result<
     let study =
         uncertainty.sampling.run_by(&law, &distributions, |values| match file.case(values) {
             Ok(case) => Ok(case.collision),
-            Err(CaseError::Collision { source, .. }) => Err(*source),
+            Err(CaseError { fault: CaseFault::Collision { source, .. }, .. }) => Err(*source),
             Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
         });
     Ok(study?)
@@ -119,8 +119,8 @@ pub(super) fn study(file: &ImpactFile<'_>, uncertainty: &Uncertainty) -> Result<
 
 /// Turns an error in a sample into one of a field out of range.
 fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
-    if let CaseError::Range { field, value, .. } = error {
-        if let Some(input) = file.inputs().iter().find(|input| input.field == field) {
+    if let CaseFault::Range { value, .. } = &error.fault {
+        if let Some(input) = file.inputs().iter().find(|input| input.field == error.field) {
             return RangeError::new(input.field, *value, input.allowed);
         }
         return RangeError::new("a derived value", *value, "possible together with the others");
