@@ -9,7 +9,7 @@
 //!
 //! ```
 //! use carom_cases::case::{Case as _, CaseKind, ImpactFile};
-//! let text = CaseKind::Impact.begin();
+//! let text = CaseKind::Impact.template();
 //! let file = ImpactFile::parse(&text)?;
 //! assert!(file.nominal().collision.solve()?.rebound().is_some());
 //! # Ok::<(), Box<dyn std::error::Error>>(())

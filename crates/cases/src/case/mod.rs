@@ -1,7 +1,6 @@
 //! Case files: TOML, in SI units or with units of their own. An unknown, missing or out-of-range field is an
 //! error that names it. Each kind of case has one table of its fields.
 
-mod begin;
 mod body;
 mod contact;
 mod error;
@@ -22,6 +21,7 @@ mod shape;
 mod shell;
 mod solve;
 mod stress;
+mod template;
 #[cfg(test)]
 mod tests;
 mod touch;

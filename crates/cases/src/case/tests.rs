@@ -6,7 +6,7 @@ use super::{CaseFault, CaseKind};
 #[test]
 fn a_case_that_is_right_has_no_errors() {
     for kind in CaseKind::ALL {
-        assert_eq!(survey(&kind, &kind.begin()), [], "{kind:?}");
+        assert_eq!(survey(&kind, &kind.template()), [], "{kind:?}");
     }
 }
 
@@ -94,7 +94,7 @@ fn what_is_meant_is_told() {
             "= { x = .. } is not allowed: must be two whole",
         ),
     ] {
-        let source = kind.begin_short().replacen(old, new, 1);
+        let source = kind.short_template().replacen(old, new, 1);
         let error = kind.check(&source).unwrap_err().to_string();
         assert!(error.contains(said), "{new}: {error}");
     }
@@ -110,7 +110,7 @@ fn an_empty_case_is_of_no_other_kind() {
 
 #[test]
 fn a_case_of_another_kind_is_recognised() {
-    let case = CaseKind::Impact.begin();
+    let case = CaseKind::Impact.template();
     for kind in CaseKind::ALL.into_iter().filter(|kind| *kind != CaseKind::Impact) {
         let error = kind.check(&case).unwrap_err();
         assert_eq!(error.fault, CaseFault::OtherKind { kind: kind.name, likely: "impact" });
@@ -169,7 +169,7 @@ fn files_of_other_kinds_are_told() {
 #[test]
 fn new_cases_are_usual() {
     for kind in CaseKind::ALL {
-        assert_eq!(kind.unusual(&kind.begin()), [""; 0], "{kind:?}");
+        assert_eq!(kind.unusual(&kind.template()), [""; 0], "{kind:?}");
     }
 }
 

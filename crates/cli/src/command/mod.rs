@@ -1,7 +1,6 @@
 //! The commands, one module each. A command returns an [`Answer`] and writes nothing itself, except
 //! for tables too large to hold in memory.
 
-mod begin;
 mod case_arguments;
 mod check;
 mod completions;
@@ -9,6 +8,7 @@ mod hertz;
 mod history;
 mod impact;
 mod man;
+mod new;
 mod npz;
 mod plot;
 mod restitution;
@@ -77,7 +77,7 @@ enum Command {
     Stress(stress::Arguments),
     Shell(shell::Arguments),
     Compare(solve::compare::Arguments),
-    New(begin::Arguments),
+    New(new::Arguments),
     Check(check::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
@@ -170,7 +170,7 @@ fn run_one(
         Command::Stress(arguments) => stress::run(arguments),
         Command::Shell(arguments) => shell::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments, messages),
-        Command::New(arguments) => begin::run(arguments),
+        Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => Ok(completions::run(arguments)),

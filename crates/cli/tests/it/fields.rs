@@ -82,7 +82,7 @@ fn every_field_and_every_word_stands_in_an_example() {
 fn a_new_case_of_every_kind_passes_and_runs() {
     for kind in CaseKind::ALL {
         let text = stdout(&["new", kind.name]);
-        assert_eq!(text, kind.begin());
+        assert_eq!(text, kind.template());
         let file = case(&format!("new_{}.toml", kind.name), &text);
         let checked = stdout(&["check", &file]);
         assert!(checked.starts_with(&format!("a case for `carom {}`\n", kind.name)), "{checked}");
@@ -119,14 +119,14 @@ fn a_short_new_case_has_what_is_necessary_and_runs() {
             let told = kind.understood(text).unwrap().into_iter().filter(|told| told.is_given);
             told.map(|told| (told.field, told.value)).collect()
         };
-        assert_eq!(given(&text), given(&kind.begin()));
+        assert_eq!(given(&text), given(&kind.template()));
     }
 }
 
 #[test]
 fn what_stands_behind_a_sign_in_a_new_case_is_well_formed() {
     for kind in CaseKind::ALL {
-        for line in kind.begin().lines().filter(|line| !line.starts_with("# ")) {
+        for line in kind.template().lines().filter(|line| !line.starts_with("# ")) {
             let line = line.trim_start_matches('#');
             assert!(line.parse::<Table>().is_ok(), "{line}");
             assert!(!line.ends_with("= "), "{line}");

@@ -88,7 +88,7 @@ pub(crate) fn case_solve<'py>(
 #[pyfunction]
 pub(crate) fn case_new(kind: &str) -> PyResult<String> {
     let kind: Result<CaseKind, WordError> = kind.parse();
-    Ok(kind.map_err(|error| PyValueError::new_err(error.to_string()))?.begin())
+    Ok(kind.map_err(|error| PyValueError::new_err(error.to_string()))?.template())
 }
 
 /// Fields and cell states as flat arrays: pressure, tractions, displacements.

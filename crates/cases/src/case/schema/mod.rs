@@ -9,10 +9,10 @@ mod json;
 mod quantity;
 mod shape;
 
-use super::begin::{capital, described};
 use super::field::{Default, Field, Form, Need, Rows, Schema, Word};
 use super::range::Range;
 use super::section::SWEEP;
+use super::template::{capital, described};
 use super::uncertainty::UNCERTAINTY;
 use super::unit::Measure;
 use super::varied::VARIED;

@@ -26,7 +26,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let Arguments { kind, short, schema } = arguments;
-    let text = if *short { kind.begin_short() } else { kind.begin() };
+    let text = if *short { kind.short_template() } else { kind.template() };
     let text =
         width(&console::Term::stdout()).map_or_else(|| text.clone(), |width| fitted(&text, width));
     let Some(given) = schema else { return Ok(Answer { text, ..Answer::default() }) };

@@ -14,7 +14,7 @@ const VARIED: &str = "Any number may be a sweep, as a list or { start, stop, cou
 impl Schema {
     /// A commented case of this kind with all its fields, ready to run.
     #[must_use]
-    pub fn begin(&self) -> String {
+    pub fn template(&self) -> String {
         let mut text = String::new();
         comment(&mut text, self.meaning);
         comment(&mut text, HEAD);
@@ -29,7 +29,7 @@ impl Schema {
 
     /// A case of this kind with the necessary fields and their units, ready to run.
     #[must_use]
-    pub fn begin_short(&self) -> String {
+    pub fn short_template(&self) -> String {
         let mut text = String::new();
         comment(&mut text, self.meaning);
         let all = format!("SI units. All fields: `carom schema {}`.", self.name);
