@@ -5,7 +5,7 @@
 //! it succeeded. The exception are tables too large to hold in memory, which are written as they
 //! are computed.
 
-use crate::aside::{self, Aside};
+use crate::atomic_file::{self, AtomicFile};
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 pub use crate::format::Format;
@@ -109,18 +109,18 @@ impl Answer {
             Some((to, picture)) => Some((to, picture.encode(to.kind())?)),
             None => None,
         };
-        let mut asides = Vec::new();
+        let mut files = Vec::new();
         match &encoded {
             Some((Destination::File { place, .. }, bytes)) => {
-                aside::clear(place);
-                asides.push(Aside::write(place, bytes)?);
+                atomic_file::clear(place);
+                files.push(AtomicFile::write(place, bytes)?);
             }
             Some((Destination::StandardOutput, bytes)) => results.put(bytes)?,
             None => {}
         }
         if let Some((place, bytes)) = &self.file {
-            aside::clear(place);
-            asides.push(Aside::write(place, bytes)?);
+            atomic_file::clear(place);
+            files.push(AtomicFile::write(place, bytes)?);
         }
         match &self.caution {
             Some(Caution { line, is_read_first: true }) => {
@@ -135,7 +135,7 @@ impl Answer {
         }
         results.put(self.text.as_bytes())?;
         results.finish()?;
-        asides.into_iter().try_for_each(Aside::put_in_place)
+        files.into_iter().try_for_each(AtomicFile::put_in_place)
     }
 }
 

@@ -5,7 +5,7 @@
 //! it is opened, and each output with the earlier ones. A [`Place`] can only be obtained by a
 //! claim, and only places are written to.
 
-use crate::aside::is_aside;
+use crate::atomic_file::is_temporary;
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::identity::{Identity, folder, resolved};
@@ -145,7 +145,7 @@ impl Outputs {
         // An input that does not exist or is no file is reported when it is opened.
         let Ok(identity) = Identity::of(input) else { return Ok(()) };
         let destination_error = |reason: &str| Error::input(reason).of_file(input).into();
-        if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_aside)) {
+        if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_temporary)) {
             return Err(destination_error(
                 "this is a temporary file of an interrupted run of carom; rename it",
             ));
