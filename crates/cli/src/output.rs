@@ -9,7 +9,7 @@ use crate::atomic_file::{self, AtomicFile};
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 pub use crate::format::Format;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::page::Page;
 use crate::place::Place;
 use carom_plot::{Panel, PlotError, render, render_pdf, render_png};

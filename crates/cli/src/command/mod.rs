@@ -21,7 +21,7 @@ mod stress;
 mod thinned;
 
 use crate::error::CliError;
-use crate::manner::{Manner, Messages};
+use crate::global_options::{GlobalOptions, Messages};
 use crate::output::{Answer, Results};
 use crate::progress::Progress;
 use carom_cases::case::CaseKind;
@@ -41,7 +41,7 @@ pub struct Carom {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
-    manner: Manner,
+    options: GlobalOptions,
 }
 
 const FIRST_STEPS: &str = "\
@@ -61,7 +61,7 @@ impl Carom {
     /// The message writer for the given options.
     #[must_use]
     pub fn messages(&self) -> Messages {
-        self.manner.messages()
+        self.options.messages()
     }
 }
 
@@ -129,7 +129,7 @@ impl Command {
 /// If its input is bad, or a file cannot be read.
 pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError> {
     let messages = &arguments.messages();
-    let Some(threads) = arguments.manner.threads() else {
+    let Some(threads) = arguments.options.threads() else {
         return go(&arguments.command, messages, results);
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();

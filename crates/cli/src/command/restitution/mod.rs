@@ -9,7 +9,7 @@ mod tensor;
 use crate::columns;
 use crate::error::CliError;
 use crate::format::Printing;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
 use crate::progress::Progress;

@@ -6,7 +6,7 @@ use super::follow;
 use crate::columns::{self, Record};
 use crate::error::CliError;
 use crate::format::Printing;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
 use crate::progress::Progress;

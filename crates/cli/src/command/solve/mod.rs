@@ -11,7 +11,7 @@ mod view;
 use crate::columns::{self, Record};
 use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, json};
 use crate::progress::Progress;
 use carom_cases::Error;
