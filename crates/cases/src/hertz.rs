@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::case::{Given, HertzCase};
 use crate::input::CaseFile;
-use crate::theory::{Heed, readable};
+use crate::theory::{ValidityReport, readable};
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_laws::validity::Validity;
 use carom_special::RangeError;
@@ -28,12 +28,12 @@ impl Followed {
 
     /// What the contacts exceed.
     #[must_use]
-    pub fn heed(&self) -> Heed {
-        let mut heed = Heed::default();
+    pub fn validity_report(&self) -> ValidityReport {
+        let mut report = ValidityReport::default();
         for (state, validity) in self.states.iter().zip(self.validities()) {
-            heed.add(|| format!("at {} N", readable(state.force)), validity);
+            report.add(|| format!("at {} N", readable(state.force)), validity);
         }
-        heed
+        report
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::case::SceneCase;
 use crate::input::CaseFile;
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
 use carom_special::RangeError;
@@ -58,8 +58,8 @@ pub fn follow<E: From<Error>>(
 }
 
 /// Adds the next bounce to what the bounces of a path exceed.
-pub fn add_bounce(heed: &mut Heed, bounce: &Bounce) {
-    heed.add_impact(|number| format!("at bounce {number}"), &bounce.rebound);
+pub fn add_bounce(report: &mut ValidityReport, bounce: &Bounce) {
+    report.add_impact(|number| format!("at bounce {number}"), &bounce.rebound);
 }
 
 /// The whole path of a ball.

@@ -125,12 +125,12 @@ impl Warnings {
 
 /// What many contacts exceed, added one by one.
 #[derive(Debug, Clone, Default)]
-pub struct Heed {
+pub struct ValidityReport {
     warnings: Warnings,
     worst: Worst,
 }
 
-impl Heed {
+impl ValidityReport {
     /// Adds a contact; `place` names it, for example `at step 5`.
     pub fn add(&mut self, place: impl Fn() -> String, validity: Validity) {
         self.warnings.add(place, &Warning::of(validity).collect::<Vec<_>>());
@@ -202,11 +202,11 @@ mod tests {
             semi_axis_over_radius,
             ..Validity::default()
         };
-        let mut heed = Heed::default();
+        let mut report = ValidityReport::default();
         for (place, value) in [("at a", 0.0), ("at b", 0.2), ("at c", 0.2)] {
-            heed.add(|| place.to_owned(), of(0.3, value));
+            report.add(|| place.to_owned(), of(0.3, value));
         }
-        let (caution, told) = heed.told("steps");
+        let (caution, told) = report.told("steps");
         assert_eq!(caution, None);
         assert!(
             told[0].ends_with("is neglected: R_x of an impact changes by up to 0.3"),

@@ -15,7 +15,7 @@ pub use twist::Twist;
 use crate::Error;
 use crate::case::{HistoryCase, Steps};
 use crate::input::CaseFile;
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use carom_laws::law::Shift;
 
 /// Reads the shifts of a case; a file that it names is relative to the case file.
@@ -46,10 +46,10 @@ pub struct Followed {
 impl Followed {
     /// What the contacts exceed.
     #[must_use]
-    pub fn heed(&self) -> Heed {
-        let mut heed = Heed::default();
-        self.steps.iter().for_each(|step| step.add_to(&mut heed, &self.case));
-        heed
+    pub fn validity_report(&self) -> ValidityReport {
+        let mut report = ValidityReport::default();
+        self.steps.iter().for_each(|step| step.add_to(&mut report, &self.case));
+        report
     }
 }
 

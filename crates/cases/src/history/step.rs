@@ -4,7 +4,7 @@ use super::laws::{Laws, is_twisted};
 use super::twist::{self, Twist};
 use crate::Error;
 use crate::case::HistoryCase;
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
@@ -61,8 +61,8 @@ impl Step {
     }
 
     /// Adds what the contact exceeds.
-    pub fn add_to(&self, heed: &mut Heed, case: &HistoryCase) {
-        heed.add(|| format!("at step {}", self.step), self.validity(case));
+    pub fn add_to(&self, report: &mut ValidityReport, case: &HistoryCase) {
+        report.add(|| format!("at step {}", self.step), self.validity(case));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
 use crate::case::{Border, GridCase, Leg, SolveCase, SolveMethod, Target};
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use crate::{Error, ErrorKind};
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Grid, room};
@@ -35,13 +35,13 @@ pub struct Followed {
 impl Followed {
     /// Where the pressures exceed what the bodies bear.
     #[must_use]
-    pub fn heed(&self) -> Heed {
-        let mut heed = Heed::default();
+    pub fn validity_report(&self) -> ValidityReport {
+        let mut report = ValidityReport::default();
         for step in &self.steps {
             let validity = self.limits.validity(step.greatest_pressure);
-            heed.add(|| format!("at step {}", step.step), validity);
+            report.add(|| format!("at step {}", step.step), validity);
         }
-        heed
+        report
     }
 
     /// The warning on a displacement that is too large.

@@ -64,7 +64,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Some(to) => Some((to, draw(case, states).map_err(Error::from)?)),
         None => None,
     };
-    let (caution, warnings) = followed.heed().told("loads");
+    let (caution, warnings) = followed.validity_report().told("loads");
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }

@@ -27,7 +27,7 @@ use crate::error::{CaromError, Fault};
 use crate::quantities::{Accuracy, In};
 use crate::records::arrays;
 use crate::threads::beside;
-use crate::told::{Told, heeded, of_impacts};
+use crate::told::{Told, of_impacts, reported};
 
 /// Name, unit and values of the field that a case sweeps over.
 type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
@@ -52,7 +52,7 @@ pub(crate) fn case_impact<'py>(
 pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
     let followed = beside(py, || history::followed(&CaseFile::read(&path)?));
     let followed = followed?.map_err(raised)?;
-    let told = heeded(followed.heed(), "steps");
+    let told = reported(followed.validity_report(), "steps");
     Ok((arrays(py, &all_columns(), &followed.steps)?, told))
 }
 
@@ -74,9 +74,9 @@ pub(crate) fn case_solve<'py>(
     let accuracy = accuracy.map(|accuracy| accuracy.0);
     let solved = beside(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
     let (case, solved) = solved?.map_err(raised)?;
-    let caution = solved.heed().told("steps").0;
+    let caution = solved.validity_report().told("steps").0;
     let texts = caution.into_iter().chain(solved.warnings(&case)).collect();
-    let is_left = !solved.heed().validity().holds() || solved.too_large.is_some();
+    let is_left = !solved.validity_report().validity().holds() || solved.too_large.is_some();
     let Solved { steps, state, window, .. } = solved;
     let axes = contact::centres(py, &window.grid(), window.middle());
     let (fields, cells) = lines(py, &state);

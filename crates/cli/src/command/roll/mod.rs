@@ -13,7 +13,7 @@ use crate::progress::Progress;
 use carom_cases::case::RollCase;
 use carom_cases::input::CaseFile;
 use carom_cases::roll::{self, COLUMNS, CREEP, Creep, Rolled, Row, Wanted};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_table::row;
 use serde::Serialize;
 
@@ -68,9 +68,9 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&case, &rolled)?)),
         None => None,
     };
-    let mut heed = Heed::default();
-    heed.add(String::new, roll::validity(&case, rows));
-    let (caution, mut warnings) = heed.told("contacts");
+    let mut report = ValidityReport::default();
+    report.add(String::new, roll::validity(&case, rows));
+    let (caution, mut warnings) = report.told("contacts");
     warnings.extend(roll::warnings(&case, &rolled, wanted));
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))

@@ -10,7 +10,7 @@ use crate::output::{Answer, Format, Results};
 use crate::rows::{BLOCK, Rows, indented};
 use carom_cases::case::SceneCase;
 use carom_cases::scene::{End, add_bounce, follow};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_impact::scene::{Bounce, Leg, PathPoint};
 use carom_table::{row, short};
 
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let (format, points) = (arguments.given.format(), arguments.points.map(|count| count as usize));
     let mut bounces = Rows::new(format).at_depth(1).showing(view::shown(&case));
     let mut course = plot.is_some().then(|| plot::Course::new(&case));
-    let mut heed = Heed::default();
+    let mut report = ValidityReport::default();
     if format == Format::Json {
         results.put(b"{\n  \"bounces\": ")?;
     }
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
             }
         }
         let met: Vec<&Bounce> = legs.iter().filter_map(Leg::bounce).collect();
-        met.iter().for_each(|bounce| add_bounce(&mut heed, bounce));
+        met.iter().for_each(|bounce| add_bounce(&mut report, bounce));
         if format == Format::Csv && points.is_some() {
             return Ok(());
         }
@@ -80,7 +80,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         (Some(to), Some(course)) => Some((to, course.draw())),
         _ => None,
     };
-    let (caution, warnings) = heed.told("bounces");
+    let (caution, warnings) = report.told("bounces");
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }

@@ -8,7 +8,7 @@ use crate::command::plot::{Course, Value};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::stress::{self, Solved, StressPoint};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_laws::hertz::HertzState;
 use carom_plot::{Field, Marker, Panel, PlotError, Series};
 use carom_table::row;
@@ -82,9 +82,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     let file = to.map(|to| to.encoded(case, points)).transpose()?;
-    let mut heed = Heed::default();
-    heed.add(String::new, solved.validity());
-    let (caution, warnings) = heed.told("loads");
+    let mut report = ValidityReport::default();
+    report.add(String::new, solved.validity());
+    let (caution, warnings) = report.told("loads");
     let answer = Answer { text, warnings, picture, file, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }
