@@ -240,7 +240,7 @@ fn is_bad_fit<E: std::error::Error>(error: &FitError<E>, is_beyond: impl Fn(&E) 
 /// Whether the step that a method is to solve is impossible.
 const fn is_beyond_chosen(error: &ChosenError) -> bool {
     match error {
-        ChosenError::Today(source) => is_beyond(source),
+        ChosenError::Main(source) => is_beyond(source),
         ChosenError::Normal(source) => !matches!(source, NormalError::NotConverged { .. }),
         ChosenError::Classic(source) => {
             !matches!(source, DirectError::NotConverged { .. } | DirectError::Singular { .. })

@@ -90,7 +90,7 @@ impl<'a> Run<'a> {
             None => method,
         };
         let chosen = Chosen {
-            today: method,
+            main: method,
             plate: case.plate.map(|_| frictionless(case.tolerance)).transpose()?,
             method: case.method,
             tolerance: case.tolerance,

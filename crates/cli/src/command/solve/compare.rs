@@ -164,7 +164,7 @@ pub(in crate::command) fn run(
     Ok(Answer { text, ..Answer::default() })
 }
 
-fn rows(path: &Course<'_>, today: &Frictional, messages: Messages) -> Vec<Row> {
+fn rows(path: &Course<'_>, main: &Frictional, messages: Messages) -> Vec<Row> {
     let [sweeps, dense, combined] = MAX_CELLS_IN_CONTACT;
     let (gauss, discs) = (GaussSeidel::default(), DiscGaussSeidel::default());
     let (johnson, kalker) = (Johnson::default(), Panagiotopoulos::default());
@@ -173,7 +173,7 @@ fn rows(path: &Course<'_>, today: &Frictional, messages: Messages) -> Vec<Row> {
     let tasks: [Task<'_>; 6] = [
         (
             "Newton on active sets (present method)",
-            Box::new(|name| path.row(name, usize::MAX, today)),
+            Box::new(|name| path.row(name, usize::MAX, main)),
         ),
         ("Jaeger: Gauss-Seidel", Box::new(|name| path.row(name, sweeps, &gauss))),
         ("Gauss-Seidel on discs", Box::new(|name| path.row(name, sweeps, &discs))),
