@@ -33,6 +33,16 @@ impl<R> Serialize for Record<'_, R> {
     }
 }
 
+/// Records as a list of maps from column names to values.
+#[derive(Debug)]
+pub struct Records<'a, R>(pub &'a [Column<R>], pub &'a [R]);
+
+impl<R> Serialize for Records<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.1.iter().map(|record| Record::new(self.0, record)))
+    }
+}
+
 /// The cells of a row as a map; absent values are omitted.
 #[derive(Debug)]
 pub struct Fields<'a>(pub &'a [Cell]);

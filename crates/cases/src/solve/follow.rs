@@ -116,7 +116,7 @@ impl<'a> Run<'a> {
         let history = NestedHistory::new(chosen, window.grid(), make);
         let history = history.map_err(|error| match error {
             NestedError::Problem(source) => source.into(),
-            NestedError::Method(source) => failed(0, source),
+            NestedError::Method(source) => Error::from(source).at("step", 0),
         })?;
         Ok(Self { case, window, method, history })
     }
@@ -189,16 +189,19 @@ impl<'a> Run<'a> {
         last: Option<&StepSummary>,
     ) -> Result<StepSummary, Error> {
         let before = self.history.state().clone();
-        let went = self.history.step(drive, &mut ()).map_err(|error| failed(number, error))?;
+        let went = self
+            .history
+            .step(drive, &mut ())
+            .map_err(|error| Error::from(error).at("step", number))?;
         let state = self.history.state();
         if let Some(side) = border(state).filter(|_| self.is_free()) {
             return Err(Error::from(ErrorKind::Border(side)).at("step", number));
         }
         let estimates = self.history.estimates();
         let begin = last.copied().unwrap_or_default();
-        let step = begin
-            .next(self.problem(), [&before, state], &went)
-            .map_err(|error| failed(number, FrictionalError::from(error).into()))?;
+        let step = begin.next(self.problem(), [&before, state], &went).map_err(|error| {
+            Error::from(ChosenError::from(FrictionalError::from(error))).at("step", number)
+        })?;
         Ok(step.with_middle_at(self.window.middle()).with_estimates(estimates.as_ref()))
     }
 
@@ -235,10 +238,6 @@ fn check_room(grid: Grid) -> Result<(), OperatorError> {
 fn frictionless(tolerance: Option<f64>) -> Result<Frictionless, RangeError> {
     let method = Frictionless::default();
     tolerance.map_or(Ok(method), |tolerance| method.within(tolerance))
-}
-
-fn failed(step: usize, error: ChosenError) -> Error {
-    Error::from(error).at("step", step)
 }
 
 /// The drives before the first leg.

@@ -1,6 +1,6 @@
 //! `carom check`: validates a case without computing it.
 
-use crate::columns::{self, Record};
+use crate::columns::{self, Records};
 use crate::command::case_arguments::kind;
 use crate::error::CliError;
 use crate::format::Printing;
@@ -33,7 +33,7 @@ pub(super) struct Arguments {
 #[derive(Serialize)]
 struct Checked<'a> {
     kind: &'static str,
-    fields: Vec<Record<'a, Understood>>,
+    fields: Records<'a, Understood>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
@@ -49,8 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let fields = file.told(|source| kind.understood(source))?;
     let text = match format {
         Format::Json => {
-            let records = fields.iter().map(|field| Record::new(Understood::COLUMNS, field));
-            json(&Checked { kind: kind.name, fields: records.collect() })?
+            json(&Checked { kind: kind.name, fields: Records(Understood::COLUMNS, &fields) })?
         }
         Format::Table(page) => {
             format!("a case for `carom {}`\n", kind.name)

@@ -1,6 +1,6 @@
 //! The outcome of a collision as records for JSON and rows of cells.
 
-use crate::columns::{self, Fields, add_fields};
+use crate::columns::{self, Fields, Records, add_fields};
 use carom_cases::case::{ImpactCase, Input};
 use carom_cases::impact;
 use carom_impact::{
@@ -8,7 +8,7 @@ use carom_impact::{
 };
 use carom_laws::validity::Validity;
 use carom_table::{Cell, Column, Quantity as _, Value, row};
-use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// An impact and its outcome. SI units.
 #[derive(Debug, Clone)]
@@ -131,11 +131,11 @@ impl Serialize for Record {
                 let torsion = columns::Record::new(Torsion::COLUMNS, torsion);
                 map.serialize_entry("torsion", &torsion)?;
             }
-            map.serialize_entry("events", &List(LogEntry::COLUMNS, &rebound.log))?;
+            map.serialize_entry("events", &Records(LogEntry::COLUMNS, &rebound.log))?;
         }
         map.serialize_entry("outside_theory", &self.validity.reasons())?;
         if let Some(points) = &self.history {
-            map.serialize_entry("history", &List(HistoryPoint::COLUMNS, points))?;
+            map.serialize_entry("history", &Records(HistoryPoint::COLUMNS, points))?;
         }
         map.end()
     }
@@ -150,17 +150,4 @@ fn motions(motions: &[Motion; 2]) -> Vec<Cell> {
 /// The cells of an outcome without an impact.
 fn without_impact(motions: &[Motion; 2]) -> Vec<Cell> {
     row(Outcome::COLUMNS, Some(&Outcome::NoImpact { motions: *motions }))
-}
-
-/// Records by their columns.
-struct List<'a, R>(&'a [Column<R>], &'a [R]);
-
-impl<R> Serialize for List<'_, R> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(self.1.len()))?;
-        for record in self.1 {
-            list.serialize_element(&columns::Record::new(self.0, record))?;
-        }
-        list.end()
-    }
 }

@@ -4,7 +4,7 @@ mod contact;
 mod plot;
 mod view;
 
-use crate::columns::{self, Record};
+use crate::columns::{self, Record, Records};
 use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::global_options::Messages;
@@ -47,7 +47,7 @@ fn help() -> String {
 #[derive(Serialize)]
 struct Both<'a> {
     coefficients: Record<'a, Creep>,
-    rows: Vec<Record<'a, Row>>,
+    rows: Records<'a, Row>,
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
@@ -92,11 +92,10 @@ fn watched(
 }
 
 fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, CliError> {
-    let records = || rows.iter().map(|row| Record::new(COLUMNS, row)).collect::<Vec<_>>();
     match (format, creep) {
-        (Format::Json, None) => json(&records()),
+        (Format::Json, None) => json(&Records(COLUMNS, rows)),
         (Format::Json, Some(creep)) => {
-            json(&Both { coefficients: Record::new(CREEP, creep), rows: records() })
+            json(&Both { coefficients: Record::new(CREEP, creep), rows: Records(COLUMNS, rows) })
         }
         (Format::Csv, Some(creep)) => columns::rows(format, CREEP, std::slice::from_ref(creep)),
         (Format::Table(page), creep) => {

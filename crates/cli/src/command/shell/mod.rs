@@ -2,7 +2,7 @@
 
 mod plot;
 
-use crate::columns::{self, Record};
+use crate::columns::{self, Record, Records};
 use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
@@ -11,7 +11,7 @@ use carom_cases::shell::{
     SolvedFlange, WALL_COLUMNS, solved,
 };
 use carom_shells::bellows::WallPoint;
-use carom_table::{Column, row};
+use carom_table::row;
 use serde::Serialize;
 
 /// A bellows under pressure and axial load, or a flange under forces around it.
@@ -67,8 +67,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 struct BellowsReport<'a> {
     #[serde(flatten)]
     response: Record<'a, Response>,
-    loads: Vec<Record<'a, BellowsRow>>,
-    places: Vec<Record<'a, WallPoint>>,
+    loads: Records<'a, BellowsRow>,
+    places: Records<'a, WallPoint>,
 }
 
 /// The complete result of a flange.
@@ -76,11 +76,7 @@ struct BellowsReport<'a> {
 struct FlangeReport<'a> {
     #[serde(flatten)]
     summary: Record<'a, FlangeSummary>,
-    places: Vec<Record<'a, RingPlace>>,
-}
-
-fn records<'a, R>(columns: &'a [Column<R>], all: &'a [R]) -> Vec<Record<'a, R>> {
-    all.iter().map(|one| Record::new(columns, one)).collect()
+    places: Records<'a, RingPlace>,
 }
 
 fn of_bellows(
@@ -93,8 +89,8 @@ fn of_bellows(
     match format {
         Format::Json => json(&BellowsReport {
             response: Record::new(RESPONSE_COLUMNS, response),
-            loads: records(BellowsRow::COLUMNS, rows),
-            places: records(WALL_COLUMNS, places),
+            loads: Records(BellowsRow::COLUMNS, rows),
+            places: Records(WALL_COLUMNS, places),
         }),
         _ if arguments.places => columns::rows(format, WALL_COLUMNS, places),
         Format::Table(page) => {
@@ -116,7 +112,7 @@ fn of_flange(
     match format {
         Format::Json => json(&FlangeReport {
             summary: Record::new(FlangeSummary::COLUMNS, summary),
-            places: records(RingPlace::COLUMNS, places),
+            places: Records(RingPlace::COLUMNS, places),
         }),
         _ if arguments.places => columns::rows(format, RingPlace::COLUMNS, places),
         Format::Table(page) => {

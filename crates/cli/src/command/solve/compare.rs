@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::follow;
-use crate::columns::{self, Record};
+use crate::columns::{self, Records};
 use crate::error::CliError;
 use crate::format::Printing;
 use crate::global_options::Messages;
@@ -156,9 +156,7 @@ pub(in crate::command) fn run(
     let rows = rows(&path, &method, *messages);
     let format = arguments.printing.format();
     let text = match format {
-        Format::Json => {
-            json(&rows.iter().map(|row| Record::new(COLUMNS, row)).collect::<Vec<_>>())?
-        }
+        Format::Json => json(&Records(COLUMNS, &rows))?,
         format => columns::rows(format, COLUMNS, &rows)?,
     };
     Ok(Answer { text, ..Answer::default() })

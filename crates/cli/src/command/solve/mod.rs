@@ -8,7 +8,7 @@ pub(super) mod plot;
 mod store;
 mod view;
 
-use crate::columns::{self, Record};
+use crate::columns::{self, Records};
 use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::global_options::Messages;
@@ -63,8 +63,8 @@ fn help() -> String {
 /// Steps, and stresses below the last one, in JSON.
 #[derive(Serialize)]
 struct Both<'a> {
-    steps: Vec<Record<'a, StepSummary>>,
-    depths: Vec<Record<'a, below::Below>>,
+    steps: Records<'a, StepSummary>,
+    depths: Records<'a, below::Below>,
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
@@ -93,7 +93,6 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     let (steps, format) = (&followed.steps, arguments.given.format());
     let all = StepSummary::columns();
     columns::check(&all, steps)?;
-    let records = || steps.iter().map(|step| Record::new(&all, step)).collect::<Vec<_>>();
     let stresses = match (arguments.depths, steps.last()) {
         (Some(count), Some(last)) => {
             below::along_normal(&case, &followed.state, last, count as usize)?
@@ -102,11 +101,10 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     };
     let depths = || columns::rows(format, below::COLUMNS, &stresses);
     let text = match (format, arguments.depths) {
-        (Format::Json, None) => json(&records())?,
-        (Format::Json, Some(_)) => json(&Both {
-            steps: records(),
-            depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
-        })?,
+        (Format::Json, None) => json(&Records(&all, steps))?,
+        (Format::Json, Some(_)) => {
+            json(&Both { steps: Records(&all, steps), depths: Records(below::COLUMNS, &stresses) })?
+        }
         (Format::Table(page), depth) => {
             let rows =
                 columns::rows(format, view::readable(), steps)? + &page.fold(&view::errors(steps));

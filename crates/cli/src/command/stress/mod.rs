@@ -2,7 +2,7 @@
 
 mod field;
 
-use crate::columns::{self, Record};
+use crate::columns::{self, Record, Records};
 use crate::command::case_arguments::{CaseArguments, Given};
 use crate::command::plot::{Course, Value};
 use crate::error::CliError;
@@ -43,7 +43,7 @@ struct Report<'a> {
     contact: Record<'a, HertzState>,
     /// Radius of the stick area over that of the contact.
     stick_radius: f64,
-    points: Vec<Record<'a, StressPoint>>,
+    points: Records<'a, StressPoint>,
     /// The point of greatest equivalent stress, searched between the points too.
     greatest: Record<'a, StressPoint>,
     /// The point of greatest shear stress, searched likewise.
@@ -58,12 +58,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let Solved { case, state, stick_radius, points, greatest, greatest_shear } = &solved;
     columns::check(StressPoint::COLUMNS, points)?;
     let format = arguments.given.format();
-    let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
     let text = match format {
         Format::Json => json(&Report {
             contact: Record::new(HertzState::COLUMNS, state),
             stick_radius: *stick_radius,
-            points: records(),
+            points: Records(StressPoint::COLUMNS, points),
             greatest: Record::new(StressPoint::COLUMNS, greatest),
             greatest_shear: Record::new(StressPoint::COLUMNS, greatest_shear),
         })?,
