@@ -16,7 +16,7 @@ use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_cases::Error;
 use carom_cases::case::{ImpactCase, ImpactFile, Input, Uncertainty};
 use carom_cases::impact::{self, outcome};
-use carom_cases::theory::{Warnings, Worst, caution};
+use carom_cases::theory::ValidityReport;
 use carom_impact::HistoryPoint;
 use carom_table::row;
 use rayon::prelude::*;
@@ -112,9 +112,9 @@ fn single(
         (Format::Table(page), _) => table::one(page, &record)?,
         (Format::None, _) => String::new(),
     };
-    let mut warnings = Warnings::default();
-    warnings.add(|| place(&record), record.limits());
-    let mut warnings = warnings.told(several(&record));
+    let mut report = ValidityReport::default();
+    report.add_warned(|| place(&record), record.limits(), record.validity);
+    let (caution, mut warnings) = report.told(several(&record));
     if (arguments.history.is_some() || plot.is_some())
         && record.rebound().is_some_and(|rebound| rebound.energy.lost > 0.0)
     {
@@ -135,7 +135,6 @@ fn single(
         }
         None => None,
     };
-    let caution = caution(&[record.validity], several(&record));
     Ok(Answer { text, warnings, picture, ..Answer::default() }.cautioned(caution, format))
 }
 
@@ -153,11 +152,10 @@ fn sweep(
     let shown = [&[swept][..], &table::OF_SWEEP, table::friction(file.nominal())].concat();
     let mut rows = Rows::new(format).showing(shown);
     let mut drawn = plot.is_some().then(|| sweep::Sweep::new(values));
-    let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
-    let mut what = "impacts";
+    let (mut report, mut what) = (ValidityReport::default(), "impacts");
     for block in values.chunks(BLOCK) {
         let records = records(file, block)?;
-        let first = warnings.count();
+        let first = report.count();
         // The swept number itself may be infinite, like friction.
         columns::check_rows(&records, [first, values.len()], |record| {
             view::cells(Some(record)).split_off(1)
@@ -165,8 +163,7 @@ fn sweep(
         rows.put(&records, |record| view::cells(Some(record)), indented, results)?;
         for record in &records {
             what = several(record);
-            warnings.add(|| place(record), record.limits());
-            worst.add(record.validity);
+            report.add_warned(|| place(record), record.limits(), record.validity);
         }
         match &mut drawn {
             Some(drawn) => drawn.add(&records),
@@ -175,7 +172,7 @@ fn sweep(
             None => {}
         }
     }
-    let mut warnings = warnings.told(what);
+    let (caution, mut warnings) = report.told(what);
     let mut picture = None;
     if let (Some(to), Some(mut drawn)) = (plot, drawn) {
         for block in drawn.between().chunks(BLOCK) {
@@ -187,7 +184,7 @@ fn sweep(
         }
     }
     let answer = Answer { text: rows.finish()?, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(worst.caution(what), format))
+    Ok(answer.cautioned(caution, format))
 }
 
 /// The impacts for these values of a sweep, in order.
@@ -233,7 +230,9 @@ fn scatter(
         picture,
         ..Answer::default()
     };
-    Ok(answer.cautioned(caution(&[validity], "means"), arguments.format()))
+    let mut means = ValidityReport::default();
+    means.add(String::new, validity);
+    Ok(answer.cautioned(means.told("means").0, arguments.format()))
 }
 
 /// The plural of the swept quantity, for warnings.
