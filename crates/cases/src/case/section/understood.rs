@@ -36,12 +36,12 @@ pub struct Understood {
 impl Understood {
     /// The columns of the table of fields.
     pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("field", "", "name with its path", |told| told.field.clone().into()),
-        Column::new("value", "", "value, with numbers in the base unit", |told| {
+        Column::text("field", "", "name with its path", |told| told.field.clone().into()),
+        Column::text("value", "", "value, with numbers in the base unit", |told| {
             told.value.clone().into()
         }),
-        Column::new("unit", "", "base unit", |told| told.unit.into()),
-        Column::new("from", "", "whether the file or the default sets it", |told| {
+        Column::text("unit", "", "base unit", |told| told.unit.into()),
+        Column::text("from", "", "whether the file or the default sets it", |told| {
             match told.is_given {
                 true => "file".into(),
                 false => "default".into(),

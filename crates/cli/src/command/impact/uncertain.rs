@@ -65,8 +65,8 @@ struct Spread {
 }
 
 const COLUMNS: &[Column<Spread>] = &[
-    Column::new("name", "", "name of the quantity", |spread| spread.name.into()),
-    Column::new("count", "", "number of samples that have it", |spread| {
+    Column::text("name", "", "name of the quantity", |spread| spread.name.into()),
+    Column::count("count", "", "number of samples that have it", |spread| {
         (spread.count as u64).into()
     }),
     Column::new("mean", "", "mean, in the unit of the quantity", |spread| spread.mean.into()),

@@ -37,7 +37,7 @@ impl Parameter {
 }
 
 const LAW: Column<Record> =
-    Column::new("law", "", "law of friction", |record| record.case.contact.law.name().into());
+    Column::text("law", "", "law of friction", |record| record.case.contact.law.name().into());
 
 impl Record {
     /// The record of an impact.

@@ -29,7 +29,7 @@ const LAMBDA: Column<Row> =
 const RESTITUTION: Column<Row> =
     Column::new("R_x", "", "tangential restitution", |row| row.restitution.into());
 const REGIMES: Column<Row> =
-    Column::new("regimes", "", "what the contact does, one after the other", |row| {
+    Column::text("regimes", "", "what the contact does, one after the other", |row| {
         row.regimes.clone().into()
     });
 
@@ -47,7 +47,7 @@ pub(super) const OF_DISSIMILAR: &[Column<Row>] = &[
     }),
     LAMBDA,
     RESTITUTION,
-    Column::new("method", "", "table, rings, uncoupled (gamma = 0) or frictionless", |row| {
+    Column::text("method", "", "table, rings, uncoupled (gamma = 0) or frictionless", |row| {
         row.dissimilar.map(|(_, found)| found.method.name()).into()
     }),
     Column::new("error_estimate", "", "how far R_x may be off", |row| {
@@ -73,7 +73,7 @@ macro_rules! component {
 
 /// Those of a tensor.
 pub(super) const OF_TENSOR: &[Column<Row>] = &[
-    Column::new("tensor", "", "its name", |row| row.tensor.map(|tensor| tensor.name).into()),
+    Column::text("tensor", "", "its name", |row| row.tensor.map(|tensor| tensor.name).into()),
     component!("R_xx", 0, 0),
     component!("R_xy", 0, 1),
     component!("R_xz", 0, 2),

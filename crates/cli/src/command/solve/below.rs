@@ -22,7 +22,7 @@ pub(super) struct Below {
 
 /// Its columns.
 pub(super) const COLUMNS: &[Column<Below>] = &[
-    Column::new("body", "", "1 or 2", |below| below.body.into()),
+    Column::count("body", "", "1 or 2", |below| below.body.into()),
     Column::new("depth", "m", "below the point of maximum pressure", |below| below.depth.into()),
     Column::new("s_xx", "Pa", "stress, tension positive", |below| below.stress.xx.into()),
     Column::new("s_yy", "Pa", "", |below| below.stress.yy.into()),

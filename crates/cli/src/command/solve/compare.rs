@@ -50,8 +50,8 @@ struct Row {
 }
 
 const COLUMNS: &[Column<Row>] = &[
-    Column::new("method", "", "its name", |row| row.method.into()),
-    Column::new("iterations", "", "sweeps or linear systems of all steps", |row| {
+    Column::text("method", "", "its name", |row| row.method.into()),
+    Column::count("iterations", "", "sweeps or linear systems of all steps", |row| {
         row.of(|went| Some(Value::Count(went.iterations as u64)))
     }),
     Column::new("products", "", "products with blocks of the influence matrix", |row| {
@@ -66,7 +66,7 @@ const COLUMNS: &[Column<Row>] = &[
         "largest difference of a traction or pressure, over the largest pressure",
         |row| row.difference.map_or(Value::Undefined, Value::Number),
     ),
-    Column::new("note", "", "why there is no result", |row| row.note.clone().into()),
+    Column::text("note", "", "why there is no result", |row| row.note.clone().into()),
 ];
 
 impl Row {
