@@ -1,7 +1,7 @@
 //! Any text as a case of every kind, read as `carom check` does; contacts in closed form are computed too.
 #![no_main]
 
-use carom_cases::case::{CaseKind, HertzCase, HistoryCase, Steps};
+use carom_cases::case::{Case as _, CaseKind, HertzCase, HistoryCase, Steps};
 use carom_cases::input::CaseFile;
 use carom_cases::{hertz, history};
 use carom_fuzz::Folder;
@@ -67,7 +67,7 @@ fn pressed(file: &CaseFile) {
         let numbers = [state.approach, state.force, state.peak_pressure, state.normal_stiffness];
         assert!(numbers.iter().all(|number| !number.is_nan()), "{state:?}");
     }
-    let _ = followed.heed();
+    let _ = followed.validity_report();
 }
 
 fn shifted(file: &CaseFile) {
@@ -77,5 +77,5 @@ fn shifted(file: &CaseFile) {
         let numbers = [load.f_x, load.f_y, load.f_z, load.m_z, step.stored_energy, step.dissipated];
         assert!(numbers.iter().all(|number| !number.is_nan()), "{step:?}");
     }
-    let _ = followed.heed();
+    let _ = followed.validity_report();
 }

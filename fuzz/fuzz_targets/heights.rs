@@ -1,7 +1,7 @@
 //! Any bytes as the files that a case names: heights, factors of friction, influence numbers, steps.
 #![no_main]
 
-use carom_cases::case::SolveCase;
+use carom_cases::case::{Case as _, SolveCase};
 use carom_cases::history::read_steps;
 use carom_cases::input::CaseFile;
 use carom_cases::solve::Bodies;

@@ -1,6 +1,6 @@
 //! Special functions, integrals over rectangles, Hertz's ellipse, a case file.
 
-use carom_cases::case::ImpactFile;
+use carom_cases::case::{Case as _, ImpactFile};
 use carom_halfspace::{Offset, Rectangle};
 use carom_special::AxisRatio;
 use carom_special::elliptic::{Amplitude, complete, incomplete};

@@ -5,6 +5,7 @@ use crate::history::StepsError;
 use crate::solve::ChosenError;
 use carom_classic::DirectError;
 use carom_impact::scene::SceneError;
+use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, RingImpactError};
 use carom_numerical::{CollisionLawError, NumericalImpactError};
 use carom_rolling::RollingError;
@@ -13,171 +14,81 @@ use carom_shells::flange::FlangeError;
 use carom_solver::{FitError, FrictionalError, NormalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// An error of reading or computing a case.
+/// An error of reading or computing a case, with the file and the place in it that are at fault.
+#[derive(Debug)]
+pub struct Error {
+    /// The case file, or a file that it names; none while no file is known to be at fault.
+    pub path: Option<PathBuf>,
+    /// A step, row or load and its number, from 1.
+    pub place: Option<(&'static str, usize)>,
+    /// What is wrong.
+    pub kind: Box<ErrorKind>,
+}
+
+/// What is wrong with a case.
 #[derive(Debug, thiserror::Error)]
-pub enum Error {
+pub enum ErrorKind {
     /// The computation was [ended](carom_special::interrupt) from outside.
     #[error("interrupted")]
     Interrupted,
-    /// The case file has an error.
-    #[error("{}: {message}", path.display())]
+    /// The text of the case has an error.
+    #[error("{message}")]
     Case {
-        /// The case file.
-        path: PathBuf,
         /// The error.
-        source: Box<CaseError>,
+        source: CaseError,
         /// The error with the lines of the file that are wrong.
         message: String,
     },
-    /// The collision of a case could not be computed.
-    #[error("{}: {source}", path.display())]
-    Collision {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<CollisionError>,
-    },
     /// The collision of a case could not be computed with its contact law.
-    #[error("{}: {source}", path.display())]
-    CollisionLaw {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<CollisionLawError>,
-    },
-    /// A law rejects a value of a case.
-    #[error("{}: {source}", path.display())]
-    Law {
-        /// The case file.
-        path: PathBuf,
-        /// Which value, and what is allowed.
-        source: RangeError,
-    },
+    #[error(transparent)]
+    Collision(#[from] CollisionLawError),
+    /// No sample of an uncertain case gives an outcome.
+    #[error(transparent)]
+    Uncertain(#[from] UncertainError<CollisionLawError>),
+    /// A value of a case, or without a file an argument, is out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
     /// A step on a grid could not be solved.
-    #[error("{}: step {step}: {source}", path.display())]
-    Step {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1.
-        step: usize,
-        /// Why.
-        source: Box<FrictionalError>,
-    },
-    /// A step without friction, as on a plate, could not be solved.
-    #[error("{}: step {step}: {source}", path.display())]
-    Frictionless {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1; 0 before the first.
-        step: usize,
-        /// Why.
-        source: Box<NormalError>,
-    },
-    /// A step could not be solved by the requested method.
-    #[error("{}: step {step}: {source}{}", path.display(), advice(source))]
-    Classic {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1; 0 before the first.
-        step: usize,
-        /// Why.
-        source: Box<DirectError>,
-    },
-    /// The contact reaches the border of its grid.
-    #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
-    Border {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1.
-        step: usize,
-        /// Left, right, lower or upper.
-        side: &'static str,
-    },
+    #[error("{}{}", .0, advice(.0))]
+    Step(#[from] ChosenError),
+    /// The contact reaches this border of its grid: left, right, lower or upper.
+    #[error("the contact reaches the {0} border of the grid; `grid.size` must be larger")]
+    Border(&'static str),
     /// No grid was found for the contact.
-    #[error("{}: {source}; or give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
-    Fit {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<FitError<ChosenError>>,
-    },
+    #[error("{0}; or give `grid.cells` and `grid.size` instead of an accuracy")]
+    Fit(#[from] FitError<ChosenError>),
     /// No grid reaches the accuracy of steady rolling.
-    #[error("{}: {source}", path.display())]
-    RollingFit {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<FitError<RollingError>>,
-    },
+    #[error(transparent)]
+    RollingFit(#[from] FitError<RollingError>),
     /// A contact problem could not be set up.
-    #[error("{}: {source}", path.display())]
-    Problem {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<ProblemError>,
-    },
-    /// A bellows could not be computed under one of its loads.
-    #[error("{}: {}{source}", path.display(), of_load(*load))]
-    Bellows {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the load, from 1; 0 before the first.
-        load: usize,
-        /// Why.
-        source: Box<BellowsError>,
-    },
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// A bellows could not be computed.
+    #[error(transparent)]
+    Bellows(#[from] BellowsError),
     /// A flange could not be computed.
-    #[error("{}: {source}", path.display())]
-    Flange {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<FlangeError>,
-    },
+    #[error(transparent)]
+    Flange(#[from] FlangeError),
     /// The scene of a case cannot be computed.
-    #[error("{}: {source}", path.display())]
-    Scene {
-        /// The case file.
-        path: PathBuf,
-        /// The cause.
-        source: Box<SceneError<CollisionLawError>>,
-    },
+    #[error(transparent)]
+    Scene(#[from] SceneError<CollisionLawError>),
     /// A rolling contact could not be solved.
-    #[error("{}: row {row}: {source}", path.display())]
-    Rolling {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the creepage or step, from 1.
-        row: usize,
-        /// The cause.
-        source: Box<RollingError>,
-    },
+    #[error(transparent)]
+    Rolling(#[from] RollingError),
     /// A file of steps has an error.
-    #[error("{}: {source}", path.display())]
-    Steps {
-        /// The file.
-        path: PathBuf,
-        /// The error.
-        source: StepsError,
-    },
-    /// An input is not a text file of an allowed size, or the same run writes it.
-    #[error("{}: {reason}", path.display())]
-    Input {
-        /// The file.
-        path: PathBuf,
-        /// The reason.
-        reason: String,
-    },
+    #[error(transparent)]
+    Steps(#[from] StepsError),
+    /// An input is not a text file of an allowed size, does not fit the case, or the same run writes it.
+    #[error("{0}")]
+    Input(String),
     /// A file could not be read or written.
-    #[error("cannot {action} {}: {source}{hint}", path.display())]
+    #[error("cannot {action}: {source}{hint}")]
     Io {
         /// `read` or `write`.
         action: &'static str,
-        /// The file.
-        path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
         /// What was expected, or an empty text.
@@ -187,98 +98,153 @@ pub enum Error {
     #[error(transparent)]
     Refused(Box<dyn std::error::Error + Send + Sync>),
     /// A case with distributions has no single result.
-    #[error("{}: only `carom impact` computes a case with [uncertainty]", path.display())]
-    Uncertainty {
-        /// The case file.
-        path: PathBuf,
-    },
+    #[error("only `carom impact` computes a case with [uncertainty]")]
+    Uncertainty,
     /// A traction could not be integrated.
     #[error("cannot integrate a traction: {0}")]
     Quadrature(#[from] QuadratureError),
-    /// An argument out of range.
-    #[error(transparent)]
-    Range(#[from] RangeError),
+    /// A result is not finite.
+    #[error("{quantity} = {value} is not finite: numbers of the case are too large or too small")]
+    Overflow {
+        /// The name of the result.
+        quantity: String,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, place, kind } = self;
+        if let (Some(path), ErrorKind::Io { action, source, hint }) = (path, &**kind) {
+            return write!(f, "cannot {action} {}: {source}{hint}", path.display());
+        }
+        if let Some(path) = path {
+            write!(f, "{}: ", path.display())?;
+        }
+        if let Some((what, number)) = place {
+            write!(f, "{what} {number}: ")?;
+        }
+        write!(f, "{kind}")
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.kind.source()
+    }
+}
+
+impl<K: Into<ErrorKind>> From<K> for Error {
+    fn from(kind: K) -> Self {
+        Self { path: None, place: None, kind: Box::new(kind.into()) }
+    }
+}
+
+impl From<CaseError> for ErrorKind {
+    fn from(source: CaseError) -> Self {
+        Self::Case { message: source.to_string(), source }
+    }
 }
 
 impl Error {
-    /// Whether the input causes the error, not the computation or the system.
+    /// The error of an input, with its reason.
     #[must_use]
-    pub fn is_bad_input(&self) -> bool {
-        match self {
-            Self::Interrupted => false,
-            Self::Collision { source, .. } => is_bad(source),
-            Self::CollisionLaw { source, .. } => is_bad_collision(source),
-            Self::Step { source, .. } => is_beyond(source),
-            Self::Frictionless { source, .. } => is_beyond_normal(source),
-            Self::Fit { source, .. } => match &**source {
-                FitError::Range(_)
-                | FitError::Problem(_)
-                | FitError::NoWindow { .. }
-                | FitError::Endless { .. } => true,
-                FitError::Method(ChosenError::Today(source)) => is_beyond(source),
-                FitError::Method(ChosenError::Normal(source)) => is_beyond_normal(source),
-                _ => false,
-            },
-            Self::Classic { source, .. } => {
-                !matches!(**source, DirectError::NotConverged { .. } | DirectError::Singular { .. })
-            }
-            Self::Scene { source, .. } => match &**source {
-                SceneError::Collision { source, .. } => is_bad_collision(source),
-                _ => true,
-            },
-            Self::Rolling { source, .. } => is_beyond_rolling(source),
-            Self::RollingFit { source, .. } => match &**source {
-                FitError::Range(_)
-                | FitError::Problem(_)
-                | FitError::NoWindow { .. }
-                | FitError::Endless { .. } => true,
-                FitError::Method(source) => is_beyond_rolling(source),
-                _ => false,
-            },
-            Self::Bellows { source, .. } => matches!(**source, BellowsError::Range(_)),
-            Self::Flange { source, .. } => matches!(**source, FlangeError::Range(_)),
-            Self::Case { .. }
-            | Self::Law { .. }
-            | Self::Border { .. }
-            | Self::Problem { .. }
-            | Self::Steps { .. }
-            | Self::Input { .. }
-            | Self::Refused(_)
-            | Self::Uncertainty { .. }
-            | Self::Range(_) => true,
-            Self::Io { .. } | Self::Quadrature(_) => false,
-        }
+    pub fn input(reason: impl Into<String>) -> Self {
+        ErrorKind::Input(reason.into()).into()
     }
 
     /// The error of the system in reading or writing `path`.
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
-        Self::Io { action, path: path.to_owned(), source, hint: "" }
+        Self::from(ErrorKind::Io { action, source, hint: "" }).of_file(path)
+    }
+
+    /// The same error in this file, unless it names another one.
+    #[must_use]
+    pub fn of_file(mut self, path: &Path) -> Self {
+        self.path.get_or_insert_with(|| path.to_owned());
+        self
+    }
+
+    /// The same error in the step, row or load of this number.
+    #[must_use]
+    pub fn at(self, what: &'static str, number: usize) -> Self {
+        Self { place: Some((what, number)), ..self }
     }
 
     /// The same error; of a path where no file is, with what was expected there.
     #[must_use]
     pub(crate) fn hinting(mut self, expected: &'static str) -> Self {
         use std::io::ErrorKind::{IsADirectory, NotFound};
-        if let Self::Io { source, hint, .. } = &mut self
+        if let ErrorKind::Io { source, hint, .. } = &mut *self.kind
             && matches!(source.kind(), NotFound | IsADirectory)
         {
             *hint = expected;
         }
         self
     }
-}
 
-/// Which load of a bellows it was.
-fn of_load(load: usize) -> String {
-    if load == 0 { String::new() } else { format!("load {load}: ") }
+    /// Whether the input causes the error, not the computation or the system.
+    #[must_use]
+    pub fn is_bad_input(&self) -> bool {
+        match &*self.kind {
+            ErrorKind::Collision(source) => is_bad_collision(source),
+            ErrorKind::Uncertain(UncertainError::Collision { source, .. }) => {
+                is_bad_collision(source)
+            }
+            ErrorKind::Step(source) => is_beyond_chosen(source),
+            ErrorKind::Fit(source) => is_bad_fit(source, is_beyond_chosen),
+            ErrorKind::Scene(SceneError::Collision { source, .. }) => is_bad_collision(source),
+            ErrorKind::Rolling(source) => is_beyond_rolling(source),
+            ErrorKind::RollingFit(source) => is_bad_fit(source, is_beyond_rolling),
+            ErrorKind::Bellows(source) => matches!(source, BellowsError::Range(_)),
+            ErrorKind::Flange(source) => matches!(source, FlangeError::Range(_)),
+            ErrorKind::Case { .. }
+            | ErrorKind::Range(_)
+            | ErrorKind::Uncertain(_)
+            | ErrorKind::Border(_)
+            | ErrorKind::Problem(_)
+            | ErrorKind::Scene(_)
+            | ErrorKind::Steps(_)
+            | ErrorKind::Input(_)
+            | ErrorKind::Refused(_)
+            | ErrorKind::Uncertainty
+            | ErrorKind::Overflow { .. } => true,
+            ErrorKind::Interrupted | ErrorKind::Io { .. } | ErrorKind::Quadrature(_) => false,
+        }
+    }
 }
 
 /// A hint for the case that an older method cannot solve it.
-const fn advice(error: &DirectError) -> &'static str {
+const fn advice(error: &ChosenError) -> &'static str {
     match error {
-        DirectError::Range(_) | DirectError::Operator(_) => "",
-        _ => "; `contact.method` = \"newton\", the default, solves it",
+        ChosenError::Classic(DirectError::Range(_) | DirectError::Operator(_)) => "",
+        ChosenError::Classic(_) => "; `contact.method` = \"newton\", the default, solves it",
+        _ => "",
+    }
+}
+
+/// Whether no grid can be found for what is prescribed.
+fn is_bad_fit<E: std::error::Error>(error: &FitError<E>, is_beyond: impl Fn(&E) -> bool) -> bool {
+    match error {
+        FitError::Range(_)
+        | FitError::Problem(_)
+        | FitError::NoWindow { .. }
+        | FitError::Endless { .. } => true,
+        FitError::Method(source) => is_beyond(source),
+        _ => false,
+    }
+}
+
+/// Whether the step that a method is to solve is impossible.
+const fn is_beyond_chosen(error: &ChosenError) -> bool {
+    match error {
+        ChosenError::Main(source) => is_beyond(source),
+        ChosenError::Normal(source) => !matches!(source, NormalError::NotConverged { .. }),
+        ChosenError::Classic(source) => {
+            !matches!(source, DirectError::NotConverged { .. } | DirectError::Singular { .. })
+        }
     }
 }
 
@@ -303,13 +269,7 @@ const fn is_beyond_rolling(error: &RollingError) -> bool {
     }
 }
 
-/// The same without friction.
-const fn is_beyond_normal(error: &NormalError) -> bool {
-    !matches!(error, NormalError::NotConverged { .. })
-}
-
 /// Whether the prescribed collision itself is impossible; a failed computation is not.
-#[must_use]
 const fn is_bad(error: &CollisionError) -> bool {
     !matches!(
         error,
@@ -318,8 +278,7 @@ const fn is_bad(error: &CollisionError) -> bool {
 }
 
 /// Whether the prescribed collision with its law is impossible.
-#[must_use]
-pub const fn is_bad_collision(error: &CollisionLawError) -> bool {
+const fn is_bad_collision(error: &CollisionLawError) -> bool {
     match error {
         CollisionLawError::Collision(error) => is_bad(error),
         CollisionLawError::Rings(RingImpactError::Collision(error)) => is_bad(error),

@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::case::{Given, HertzCase};
 use crate::input::CaseFile;
-use crate::theory::{Heed, readable};
+use crate::theory::{ValidityReport, readable};
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_laws::validity::Validity;
 use carom_special::RangeError;
@@ -28,12 +28,12 @@ impl Followed {
 
     /// What the contacts exceed.
     #[must_use]
-    pub fn heed(&self) -> Heed {
-        let mut heed = Heed::default();
+    pub fn validity_report(&self) -> ValidityReport {
+        let mut report = ValidityReport::default();
         for (state, validity) in self.states.iter().zip(self.validities()) {
-            heed.add(|| format!("at {} N", readable(state.force)), validity);
+            report.add(|| format!("at {} N", readable(state.force)), validity);
         }
-        heed
+        report
     }
 }
 
@@ -42,11 +42,9 @@ impl Followed {
 /// # Errors
 /// If the case has an error, or a load is out of range.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
-    let case = file.parse(HertzCase::parse)?;
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
-    let loaded = |value: &f64| loaded(&case.hertz, case.given, *value);
-    let states = case.values.as_slice().iter().map(loaded).collect::<Result<_, _>>();
-    let states = states.map_err(at_fault)?;
+    let case = file.parse::<HertzCase>()?;
+    let loaded = |value: &f64| Ok(loaded(&case.hertz, case.given, *value)?);
+    let states = file.follow(|| case.values.as_slice().iter().map(loaded).collect())?;
     Ok(Followed { case, states })
 }
 

@@ -1,7 +1,7 @@
 //! Reads input files of limited size.
 
-use crate::Error;
-use crate::case::CaseError;
+use crate::case::{Case, CaseError, CaseFault, meant};
+use crate::{Error, ErrorKind};
 use std::fmt;
 use std::fs::{File, FileType};
 use std::io::Read;
@@ -54,7 +54,7 @@ impl CaseFile {
     /// If the guard does not allow it, or it cannot be read, is a device or a pipe, is larger than 1 MiB, or
     /// is not UTF-8.
     pub fn read_guarded(path: &Path, guard: Guard) -> Result<Self, Error> {
-        guard(path).map_err(Error::Refused)?;
+        guard(path).map_err(ErrorKind::Refused)?;
         Self::read_unguarded(path, Some(guard))
     }
 
@@ -103,25 +103,53 @@ impl CaseFile {
     }
 
     fn check(&self, path: &Path) -> Result<(), Error> {
-        self.guard.as_ref().map_or(Ok(()), |guard| guard(path).map_err(Error::Refused))
+        let guarded = self.guard.as_ref().map_or(Ok(()), |guard| guard(path));
+        guarded.map_err(|refused| ErrorKind::Refused(refused).into())
     }
 
-    /// Parses the text.
+    /// Parses the text as a case of one kind.
     ///
     /// # Errors
-    /// [`Error::Case`] if the text has an error.
-    pub fn parse<'a, T>(
+    /// [`ErrorKind::Case`] if the text has an error, or looks like a case of another kind.
+    pub fn parse<'a, C: Case<'a>>(&'a self) -> Result<C, Error> {
+        self.parse_by(C::parse)
+    }
+
+    /// The same by a reader of its own.
+    ///
+    /// # Errors
+    /// As [`CaseFile::parse`].
+    pub fn parse_by<'a, C: Case<'a>>(
         &'a self,
-        parse: impl Fn(&'a str) -> Result<T, CaseError>,
+        parse: impl Fn(&'a str) -> Result<C, CaseError>,
+    ) -> Result<C, Error> {
+        self.told(|source| parse(source).map_err(|error| meant(&C::SCHEMA, source, error)))
+    }
+
+    /// What `tell` finds in the text.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Case`] for an error in the text.
+    pub fn told<'a, T>(
+        &'a self,
+        tell: impl Fn(&'a str) -> Result<T, CaseError>,
     ) -> Result<T, Error> {
         let told = |mut source: CaseError| {
-            if let CaseError::Syntax { message, .. } = &mut source {
+            if let CaseFault::Syntax { message, .. } = &mut source.fault {
                 *message += &of_ending(&self.path);
             }
             let message = source.shown_in(&self.text);
-            Error::Case { path: self.path.clone(), source: Box::new(source), message }
+            Error::from(ErrorKind::Case { source, message }).of_file(&self.path)
         };
-        parse(&self.text).map_err(told)
+        tell(&self.text).map_err(told)
+    }
+
+    /// The result of a computation of this case; an error that names no file names this one.
+    ///
+    /// # Errors
+    /// Those of `compute`.
+    pub fn follow<T>(&self, compute: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+        compute().map_err(|error| error.of_file(&self.path))
     }
 }
 
@@ -150,7 +178,7 @@ fn text(bytes: Vec<u8>, path: &Path, most: u64, kind: &str) -> Result<String, Er
         let is_wide = matches!(error.as_bytes(), [0xff, 0xfe, ..] | [0xfe, 0xff, ..]);
         let found = if is_wide { ", but UTF-16, as PowerShell writes it" } else { "" };
         let reason = format!("byte {place} is not UTF-8 text{found}; it {allowed}, saved as UTF-8");
-        Error::Input { path: path.to_owned(), reason }
+        Error::input(reason).of_file(path)
     })
 }
 
@@ -172,7 +200,7 @@ pub fn open(path: &Path, allowed: &str) -> Result<File, Error> {
     let check = |of: FileType| match special(of) {
         Some(what) => {
             let reason = format!("this is {what}; it {allowed}");
-            Err(Error::Input { path: path.to_owned(), reason })
+            Err(Error::input(reason).of_file(path))
         }
         None => Ok(()),
     };
@@ -192,7 +220,7 @@ fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<
     if bytes.len() as u64 > most {
         let allowed = allowed(most, kind);
         let reason = format!("the file is larger; it {allowed}");
-        return Err(Error::Input { path: path.to_owned(), reason });
+        return Err(Error::input(reason).of_file(path));
     }
     Ok(bytes)
 }

@@ -8,8 +8,8 @@
 //! results leave the theory. The command `carom` and the Python module are built on this crate.
 //!
 //! ```
-//! use carom_cases::case::{CaseKind, ImpactFile};
-//! let text = CaseKind::Impact.begin();
+//! use carom_cases::case::{Case as _, CaseKind, ImpactFile};
+//! let text = CaseKind::Impact.template();
 //! let file = ImpactFile::parse(&text)?;
 //! assert!(file.nominal().collision.solve()?.rebound().is_some());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -29,4 +29,4 @@ pub mod solve;
 pub mod stress;
 pub mod theory;
 
-pub use error::{Error, is_bad_collision};
+pub use error::{Error, ErrorKind};

@@ -3,12 +3,12 @@
 use crate::Error;
 use crate::case::SceneCase;
 use crate::input::CaseFile;
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
+use carom_special::RangeError;
 use carom_special::interrupt::is_wanted;
 use carom_table::Column;
-use std::path::Path;
 
 /// Legs that are computed before they are visited.
 const BLOCK: usize = 1024;
@@ -39,19 +39,17 @@ impl End {
 /// Computes the path; `visit` receives several legs at a time.
 ///
 /// # Errors
-/// [`Error::Scene`] if an impact cannot be computed; errors of `visit`.
+/// [`ErrorKind::Scene`](crate::ErrorKind::Scene) if an impact cannot be computed; errors of `visit`.
 pub fn follow<E: From<Error>>(
-    path: &Path,
     case: &SceneCase,
     mut visit: impl FnMut(&[Leg]) -> Result<(), E>,
 ) -> Result<End, E> {
-    let at_fault = |source| Error::Scene { path: path.to_owned(), source: Box::new(source) };
     let legs = case.scene.legs_by(case.law, &case.ball, case.limits);
-    let mut legs = legs.map_err(at_fault)?;
+    let mut legs = legs.map_err(Error::from)?;
     let mut ending = Ending::Time;
     loop {
         let block = legs.by_ref().take(BLOCK).take_while(|_| !is_wanted());
-        let some = block.collect::<Result<Vec<_>, _>>().map_err(at_fault)?;
+        let some = block.collect::<Result<Vec<_>, _>>().map_err(Error::from)?;
         let Some(last) = some.last() else { break };
         ending = last.ending().unwrap_or(ending);
         visit(&some)?;
@@ -60,8 +58,8 @@ pub fn follow<E: From<Error>>(
 }
 
 /// Adds the next bounce to what the bounces of a path exceed.
-pub fn add_bounce(heed: &mut Heed, bounce: &Bounce) {
-    heed.add_impact(|number| format!("at bounce {number}"), &bounce.rebound);
+pub fn add_bounce(report: &mut ValidityReport, bounce: &Bounce) {
+    report.add_impact(|number| format!("at bounce {number}"), &bounce.rebound);
 }
 
 /// The whole path of a ball.
@@ -80,17 +78,19 @@ pub struct Followed {
 /// Computes the whole path, with `count` instants of every flight; none for 0.
 ///
 /// # Errors
-/// If the case has an error, or an impact cannot be computed; [`Error::Range`] if `count` is 1.
+/// If the case has an error, or an impact cannot be computed; [`ErrorKind::Range`](crate::ErrorKind::Range) if `count` is 1.
 pub fn followed(file: &CaseFile, count: usize) -> Result<Followed, Error> {
-    let case = file.parse(SceneCase::parse)?;
+    let case = file.parse::<SceneCase>()?;
+    RangeError::check("points", count as f64, count != 1, ">= 2")?;
     let (mut bounces, mut points) = (Vec::new(), Vec::new());
-    let end = follow(&file.path, &case, |legs| {
+    let visit = |legs: &[Leg]| -> Result<(), Error> {
         bounces.extend(legs.iter().filter_map(Leg::bounce).cloned());
         for leg in legs.iter().filter(|_| count > 0) {
             points.extend(leg.points(count)?);
         }
-        Ok::<(), Error>(())
-    })?;
+        Ok(())
+    };
+    let end = file.follow(|| follow(&case, visit))?;
     Ok(Followed { case, bounces, points, end })
 }
 

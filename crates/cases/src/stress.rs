@@ -74,14 +74,16 @@ impl Solved {
 /// # Errors
 /// If the case has an error, or a value is out of range.
 pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
-    let case = file.parse(StressCase::parse)?;
-    let failed = |source| Error::Law { path: file.path.clone(), source };
-    let state = case.hertz.at_force(case.force[2]).map_err(failed)?;
+    let case = file.parse::<StressCase>()?;
+    file.follow(|| Ok(at_all_points(case)?))
+}
+
+fn at_all_points(case: StressCase) -> Result<Solved, RangeError> {
+    let state = case.hertz.at_force(case.force[2])?;
     let stick_radius = stick_radius(&case);
     let field = StressField::new(&case, &state, stick_radius);
-    let points = field.at_all(&case.places).map_err(failed)?;
-    let greatest =
-        |size: fn(&Stress) -> f64| field.greatest(&case.places, &points, size).map_err(failed);
+    let points = field.at_all(&case.places)?;
+    let greatest = |size: fn(&Stress) -> f64| field.greatest(&case.places, &points, size);
     let (greatest, greatest_shear) =
         (greatest(Stress::von_mises)?, greatest(Stress::maximum_shear)?);
     Ok(Solved { case, state, stick_radius, points, greatest, greatest_shear })

@@ -14,58 +14,14 @@ pub fn readable(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
-/// The warning on results outside the theory; `None` if all lie within. `what` names several
-/// results.
-#[must_use]
-pub fn caution(validities: &[Validity], what: &str) -> Option<String> {
-    let mut worst = Worst::default();
-    validities.iter().for_each(|validity| worst.add(*validity));
-    worst.caution(what)
-}
-
-/// The worst of many results, added one by one.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Worst {
-    validity: Validity,
-    concerned: usize,
-    all: usize,
-}
-
-impl Worst {
-    /// Adds a result.
-    pub fn add(&mut self, validity: Validity) {
-        self.validity = self.validity.and(validity);
-        self.concerned += usize::from(validity.is_outside());
-        self.all += 1;
-    }
-
-    /// The worst of all, in each ratio.
-    #[must_use]
-    pub const fn validity(&self) -> Validity {
-        self.validity
-    }
-
-    /// The warning as in [`caution`], for all of them.
-    #[must_use]
-    pub fn caution(&self, what: &str) -> Option<String> {
-        if !self.validity.is_outside() {
-            return None;
-        }
-        let place = match self.all {
-            1 => String::new(),
-            all => format!(" at {} of {all} {what}", self.concerned),
-        };
-        let reasons = self.validity.reasons().join("; ");
-        let advice = if self.validity.is_meaningless() { MEANINGLESS } else { APPROXIMATE };
-        Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
-    }
-}
-
-/// Warnings of many results, added one by one: each kind once, in the order of occurrence, in its
-/// worst form and with the number of results concerned.
+/// What many results exceed, added one by one: the worst of all, and their warnings, each kind once, in the order of
+/// occurrence, in its worst form and with the number of results concerned.
 #[derive(Debug, Clone, Default)]
-pub struct Warnings {
+pub struct ValidityReport {
     kinds: Vec<Kind>,
+    validity: Validity,
+    /// Number of results outside the theory.
+    outside: usize,
     all: usize,
 }
 
@@ -80,11 +36,29 @@ struct Kind {
     varies: bool,
 }
 
-impl Warnings {
-    /// Adds the warnings of one result; `place` names it, for example `at 5°`. That on the approach is left
-    /// to [`Worst::caution`].
-    pub fn add(&mut self, place: impl Fn() -> String, warnings: &[Warning]) {
+impl ValidityReport {
+    /// Adds a contact; `place` names it, for example `at step 5`.
+    pub fn add(&mut self, place: impl Fn() -> String, validity: Validity) {
+        self.add_warned(place, &Warning::of(validity).collect::<Vec<_>>(), validity);
+    }
+
+    /// Adds an impact with its warnings; `place` gets its number, from 1.
+    pub fn add_impact(&mut self, place: impl Fn(usize) -> String, rebound: &Rebound) {
+        let number = self.all + 1;
+        self.add_warned(|| place(number), &rebound.warnings, rebound.validity);
+    }
+
+    /// Adds a result with its warnings; `place` names it.
+    pub fn add_warned(
+        &mut self,
+        place: impl Fn() -> String,
+        warnings: &[Warning],
+        validity: Validity,
+    ) {
+        self.validity = self.validity.and(validity);
+        self.outside += usize::from(validity.is_outside());
         self.all += 1;
+        // The caution tells of the approach.
         let is_told = |warning: &&Warning| warning.ratio(Limit::LargeApproach).is_none();
         for warning in warnings.iter().filter(is_told) {
             match self.kinds.iter_mut().find(|kind| is_alike(&kind.worst, warning)) {
@@ -109,51 +83,37 @@ impl Warnings {
         self.all
     }
 
-    /// The texts of the warnings; `what` names all results.
+    /// The worst of all, in each ratio.
     #[must_use]
-    pub fn told(self, what: &str) -> Vec<String> {
-        let all = self.all;
+    pub const fn validity(&self) -> Validity {
+        self.validity
+    }
+
+    /// The warning on results outside the theory, if any are, and the texts of all other warnings; `what` names
+    /// several results.
+    #[must_use]
+    pub fn told(self, what: &str) -> (Option<String>, Vec<String>) {
+        let (all, caution) = (self.all, self.caution(what));
         let told = self.kinds.into_iter().map(|Kind { worst, place, count, varies }| match all {
             1 => worst.to_string(),
             _ if count == all && !varies => worst.to_string(),
             _ if severity(&worst).is_none() => format!("{worst} ({count} of {all} {what})"),
             _ => format!("{worst} ({count} of {all} {what} concerned, the worst {place})"),
         });
-        told.collect()
-    }
-}
-
-/// What many contacts exceed, added one by one.
-#[derive(Debug, Clone, Default)]
-pub struct Heed {
-    warnings: Warnings,
-    worst: Worst,
-}
-
-impl Heed {
-    /// Adds a contact; `place` names it, for example `at step 5`.
-    pub fn add(&mut self, place: impl Fn() -> String, validity: Validity) {
-        self.warnings.add(place, &Warning::of(validity).collect::<Vec<_>>());
-        self.worst.add(validity);
+        (caution, told.collect())
     }
 
-    /// Adds an impact with its warnings; `place` gets its number, from 1.
-    pub fn add_impact(&mut self, place: impl Fn(usize) -> String, rebound: &Rebound) {
-        let number = self.warnings.count() + 1;
-        self.warnings.add(|| place(number), &rebound.warnings);
-        self.worst.add(rebound.validity);
-    }
-
-    /// The worst of all, in each ratio.
-    #[must_use]
-    pub const fn validity(&self) -> Validity {
-        self.worst.validity()
-    }
-
-    /// The warning on results outside the theory, and the texts of all other warnings; `what` names all.
-    #[must_use]
-    pub fn told(self, what: &str) -> (Option<String>, Vec<String>) {
-        (self.worst.caution(what), self.warnings.told(what))
+    fn caution(&self, what: &str) -> Option<String> {
+        if !self.validity.is_outside() {
+            return None;
+        }
+        let place = match self.all {
+            1 => String::new(),
+            all => format!(" at {} of {all} {what}", self.outside),
+        };
+        let reasons = self.validity.reasons().join("; ");
+        let advice = if self.validity.is_meaningless() { MEANINGLESS } else { APPROXIMATE };
+        Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
     }
 }
 
@@ -185,9 +145,11 @@ mod tests {
             .map(|value| vec![Warning::Exceeds(Excess { limit: Limit::Waves, value })]);
         let places = ["at 5°", "at 10°", "at 15°", "at 20°"].map(str::to_owned);
         let concerned = places.into_iter().zip(shares.iter().map(Vec::as_slice).chain([&[][..]]));
-        let mut warnings = Warnings::default();
-        concerned.for_each(|(place, shares)| warnings.add(|| place.clone(), shares));
-        let told = warnings.told("angles");
+        let mut report = ValidityReport::default();
+        concerned.for_each(|(place, shares)| {
+            report.add_warned(|| place.clone(), shares, Validity::default())
+        });
+        let (_, told) = report.told("angles");
         assert_eq!(
             told,
             ["elastic waves would carry away more than 1 % of the normal energy: about 5 % \
@@ -202,11 +164,11 @@ mod tests {
             semi_axis_over_radius,
             ..Validity::default()
         };
-        let mut heed = Heed::default();
+        let mut report = ValidityReport::default();
         for (place, value) in [("at a", 0.0), ("at b", 0.2), ("at c", 0.2)] {
-            heed.add(|| place.to_owned(), of(0.3, value));
+            report.add(|| place.to_owned(), of(0.3, value));
         }
-        let (caution, told) = heed.told("steps");
+        let (caution, told) = report.told("steps");
         assert_eq!(caution, None);
         assert!(
             told[0].ends_with("is neglected: R_x of an impact changes by up to 0.3"),
@@ -225,6 +187,11 @@ mod tests {
             approach_over_radius,
             wave_share,
             ..Validity::default()
+        };
+        let caution = |validities: &[Validity], what: &str| {
+            let mut report = ValidityReport::default();
+            validities.iter().for_each(|validity| report.add(String::new, *validity));
+            report.told(what).0
         };
         let [within, outside] = [of(0.1, 0.0), of(0.25, 0.0).and(of(0.0, 11.6))];
         assert_eq!(caution(&[within], "angles"), None);

@@ -4,12 +4,13 @@ use crate::error::CliError;
 use crate::output::{Format, csv};
 use crate::page::Page;
 use crate::round_off::{clear_round_off, without_round_off};
+use carom_cases::{Error, ErrorKind};
 use carom_table::{
     Cell, Column, Quantity, Value, cells, described, heads, labels, row, short, texts as texts_of,
+    yes_or_no,
 };
 use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::path::Path;
 
 /// A record as a map from column names to values; absent values are omitted.
 #[derive(Debug)]
@@ -29,6 +30,16 @@ impl<'a, R> Record<'a, R> {
 impl<R> Serialize for Record<'_, R> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Fields(&row(self.columns, Some(self.record))).serialize(serializer)
+    }
+}
+
+/// Records as a list of maps from column names to values.
+#[derive(Debug)]
+pub struct Records<'a, R>(pub &'a [Column<R>], pub &'a [R]);
+
+impl<R> Serialize for Records<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.1.iter().map(|record| Record::new(self.0, record)))
     }
 }
 
@@ -58,6 +69,7 @@ pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::E
             }
             Value::Number(value) => map.serialize_entry(name, value)?,
             Value::Count(count) => map.serialize_entry(name, count)?,
+            Value::Flag(flag) => map.serialize_entry(name, yes_or_no(*flag))?,
             Value::Text(text) => map.serialize_entry(name, text)?,
             Value::Words(words) => map.serialize_entry(name, words)?,
             Value::Texts(texts) => map.serialize_entry(name, texts)?,
@@ -149,19 +161,18 @@ fn vector(value: [f64; 3]) -> String {
 /// Checks that all numbers are finite.
 ///
 /// # Errors
-/// [`CliError::Overflow`] that names the first that is not.
-pub fn check<R: Sync>(path: &Path, columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
+/// [`ErrorKind::Overflow`] that names the first that is not.
+pub fn check<R: Sync>(columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
     let all = records.len();
-    check_rows(path, records, [0, all], |record| row(columns, Some(record)))
+    check_rows(records, [0, all], |record| row(columns, Some(record)))
 }
 
 /// Checks that all numbers are finite in a part of `all` rows, of which the first has this index,
 /// from 0.
 ///
 /// # Errors
-/// [`CliError::Overflow`] that names the first that is not.
+/// [`ErrorKind::Overflow`] that names the first that is not.
 pub fn check_rows<R: Sync>(
-    path: &Path,
     rows: &[R],
     [first, all]: [usize; 2],
     cells: impl Fn(&R) -> Vec<Cell> + Sync,
@@ -169,9 +180,9 @@ pub fn check_rows<R: Sync>(
     let wrong = rows.par_iter().enumerate().find_map_first(|(i, row)| {
         let (head, value) = infinite(&cells(row))?;
         let quantity = if all == 1 { head } else { format!("{head} in row {}", first + i + 1) };
-        Some(CliError::Overflow { path: path.to_owned(), quantity, value })
+        Some(Error::from(ErrorKind::Overflow { quantity, value }))
     });
-    wrong.map_or(Ok(()), Err)
+    wrong.map_or(Ok(()), |error| Err(error.into()))
 }
 
 /// The head and the value of the first number that is not finite.
@@ -205,12 +216,10 @@ mod tests {
         fn of_vector(value: [f64; 3]) -> Cell {
             Column::vector("v", "", "", |value: &[f64; 3]| (*value).into()).cell(Some(&value))
         }
-        let check = |rows: &[Vec<Cell>]| {
-            check_rows(Path::new("case.toml"), rows, [0, rows.len()], Clone::clone)
-        };
+        let check = |rows: &[Vec<Cell>]| check_rows(rows, [0, rows.len()], Clone::clone);
         let error = |rows: &[Vec<Cell>]| check(rows).unwrap_err().to_string();
         let bad = row(1.0, [0.0, f64::INFINITY, 0.0]);
-        assert!(error(std::slice::from_ref(&bad)).starts_with("case.toml: v_y = inf is"));
+        assert!(error(std::slice::from_ref(&bad)).starts_with("v_y = inf is"));
         assert!(error(&[row(1.0, [0.0; 3]), row(f64::NAN, [0.0; 3])]).contains("x in row 2 = NaN"));
         assert!(check(&[row(1e300, [0.0; 3])]).is_ok());
     }
@@ -219,7 +228,7 @@ mod tests {
     fn a_row_of_a_block_is_counted_from_the_first_of_all() {
         let row = |x: f64| vec![Cell::new("x", "m", "", x)];
         let rows = [row(1.0), row(f64::INFINITY), row(2.0)];
-        let error = check_rows(Path::new("a.toml"), &rows, [200, 500], Clone::clone).unwrap_err();
+        let error = check_rows(&rows, [200, 500], Clone::clone).unwrap_err();
         assert!(error.to_string().contains("x in row 202 = inf"), "{error}");
     }
 

@@ -1,10 +1,8 @@
 //! The errors of a command and their exit codes.
 
-use carom_cases::{Error, is_bad_collision};
+use carom_cases::{Error, ErrorKind};
 use carom_impact::RingImpactError;
 use carom_impact::oblique::ObliqueError;
-use carom_impact::uncertain::UncertainError;
-use carom_numerical::CollisionLawError;
 use carom_plot::PlotError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
@@ -15,14 +13,6 @@ pub enum CliError {
     /// A case cannot be read or computed, or a file cannot be written.
     #[error(transparent)]
     Case(Error),
-    /// No sample of an uncertain case gives an outcome.
-    #[error("{}: {source}", path.display())]
-    Uncertain {
-        /// The case file.
-        path: PathBuf,
-        /// The cause.
-        source: Box<UncertainError<CollisionLawError>>,
-    },
     /// Standard error is redirected to an input, so that no message can be written.
     #[error("{}: standard error goes to this input", path.display())]
     Messages {
@@ -45,19 +35,6 @@ pub enum CliError {
     /// The impact of dissimilar spheres could not be followed by rings.
     #[error(transparent)]
     Rings(#[from] RingImpactError),
-    /// A result is not finite, since numbers of the case are too large or too small.
-    #[error(
-        "{}: {quantity} = {value} is not finite: numbers of the case are too large or too small",
-        path.display()
-    )]
-    Overflow {
-        /// The case file.
-        path: PathBuf,
-        /// The name of the result.
-        quantity: String,
-        /// Its value.
-        value: f64,
-    },
     /// The value of an option is out of range.
     #[error("--{0}")]
     Option(#[from] RangeError),
@@ -86,13 +63,8 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Case(source) => 1 + u8::from(source.is_bad_input()),
-            Self::Uncertain { source, .. } => match &**source {
-                UncertainError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
-                _ => 2,
-            },
             Self::Rings(source) => 1 + u8::from(matches!(source, RingImpactError::Range(_))),
-            Self::Overflow { .. }
-            | Self::Messages { .. }
+            Self::Messages { .. }
             | Self::Destination { .. }
             | Self::Option(_)
             | Self::Options(_) => 2,
@@ -105,17 +77,26 @@ impl CliError {
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Case(Error::io(action, path, source))
     }
+
+    /// The same error; that of a case is one in this file, unless it names another one.
+    #[must_use]
+    pub fn of_file(self, path: &Path) -> Self {
+        match self {
+            Self::Case(error) => Self::Case(error.of_file(path)),
+            error => error,
+        }
+    }
 }
 
 /// Unwraps an error of this crate that was passed through the reader of cases.
 impl From<Error> for CliError {
     fn from(error: Error) -> Self {
-        match error {
-            Error::Refused(source) => match source.downcast::<Self>() {
+        match *error.kind {
+            ErrorKind::Refused(source) => match source.downcast::<Self>() {
                 Ok(own) => *own,
-                Err(other) => Self::Case(Error::Refused(other)),
+                Err(other) => Self::Case(ErrorKind::Refused(other).into()),
             },
-            error => Self::Case(error),
+            kind => Self::Case(Error { kind: Box::new(kind), ..error }),
         }
     }
 }

@@ -5,14 +5,14 @@
 //! results. Output is written only after the whole computation has succeeded, except for tables too
 //! large to hold in memory. Exit code 2 means bad input, 1 a file that cannot be read or written.
 
-mod aside;
+mod atomic_file;
 pub mod columns;
 pub mod command;
 pub mod destination;
 pub mod error;
 pub mod format;
+pub mod global_options;
 mod identity;
-pub mod manner;
 pub mod output;
 pub mod outputs;
 pub mod page;

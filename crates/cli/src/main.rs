@@ -3,7 +3,7 @@
 
 use carom_cli::command::{Carom, run};
 use carom_cli::error::CliError;
-use carom_cli::manner::{asked_colour, is_coloured};
+use carom_cli::global_options::{asked_colour, is_coloured};
 use carom_cli::output::{Results, is_open};
 use carom_cli::page::{hang, width};
 use clap::error::{ContextKind, ContextValue};

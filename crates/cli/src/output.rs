@@ -5,11 +5,11 @@
 //! it succeeded. The exception are tables too large to hold in memory, which are written as they
 //! are computed.
 
-use crate::aside::{self, Aside};
+use crate::atomic_file::{self, AtomicFile};
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 pub use crate::format::Format;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::page::Page;
 use crate::place::Place;
 use carom_plot::{Panel, PlotError, render, render_pdf, render_png};
@@ -109,18 +109,18 @@ impl Answer {
             Some((to, picture)) => Some((to, picture.encode(to.kind())?)),
             None => None,
         };
-        let mut asides = Vec::new();
+        let mut files = Vec::new();
         match &encoded {
             Some((Destination::File { place, .. }, bytes)) => {
-                aside::clear(place);
-                asides.push(Aside::write(place, bytes)?);
+                atomic_file::clear(place);
+                files.push(AtomicFile::write(place, bytes)?);
             }
             Some((Destination::StandardOutput, bytes)) => results.put(bytes)?,
             None => {}
         }
         if let Some((place, bytes)) = &self.file {
-            aside::clear(place);
-            asides.push(Aside::write(place, bytes)?);
+            atomic_file::clear(place);
+            files.push(AtomicFile::write(place, bytes)?);
         }
         match &self.caution {
             Some(Caution { line, is_read_first: true }) => {
@@ -135,7 +135,7 @@ impl Answer {
         }
         results.put(self.text.as_bytes())?;
         results.finish()?;
-        asides.into_iter().try_for_each(Aside::put_in_place)
+        files.into_iter().try_for_each(AtomicFile::put_in_place)
     }
 }
 
@@ -171,7 +171,7 @@ impl Results {
     /// Writes `bytes`, or holds them until the end.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Io`] if they cannot be written, for example on a full disk or if
+    /// [`carom_cases::ErrorKind::Io`] if they cannot be written, for example on a full disk or if
     /// standard output was never open.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), CliError> {
         if !bytes.is_empty() && !self.is_checked {
@@ -237,7 +237,7 @@ impl Write for Results {
 /// Checked on Linux only.
 ///
 /// # Errors
-/// [`carom_cases::Error::Io`] if it is closed.
+/// [`carom_cases::ErrorKind::Io`] if it is closed.
 pub fn is_open() -> Result<(), CliError> {
     const CLOSED: &str = "it is closed, or the null device open for reading and writing; redirect it, or \
                           add --format none";

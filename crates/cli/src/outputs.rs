@@ -5,7 +5,7 @@
 //! it is opened, and each output with the earlier ones. A [`Place`] can only be obtained by a
 //! claim, and only places are written to.
 
-use crate::aside::is_aside;
+use crate::atomic_file::is_temporary;
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::identity::{Identity, folder, resolved};
@@ -44,7 +44,7 @@ impl Outputs {
     /// The outputs of every command: standard output and standard error.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Io`] if results are requested and standard output is closed.
+    /// [`carom_cases::ErrorKind::Io`] if results are requested and standard output is closed.
     pub fn of_command(format: Format) -> Result<Self, CliError> {
         if format != Format::None {
             is_open()?;
@@ -81,7 +81,7 @@ impl Outputs {
     ///
     /// # Errors
     /// [`CliError::Destination`] if it is standard output, another output, or not a file that may
-    /// be replaced; [`carom_cases::Error::Io`] if its folder cannot be read.
+    /// be replaced; [`carom_cases::ErrorKind::Io`] if its folder cannot be read.
     pub fn file(&mut self, option: &'static str, path: &Path) -> Result<Place, CliError> {
         let failed = |error| CliError::io("write", path, error);
         let place = resolved(path).map_err(failed)?;
@@ -139,14 +139,13 @@ impl Outputs {
     /// Checks that no output goes to `input`, so that it may be read.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Input`] if standard output or standard error goes there,
+    /// [`carom_cases::ErrorKind::Input`] if standard output or standard error goes there,
     /// [`CliError::Destination`] if another output does, or if the input lies in the folder of one.
     pub fn check_input(&self, input: &Path) -> Result<(), CliError> {
         // An input that does not exist or is no file is reported when it is opened.
         let Ok(identity) = Identity::of(input) else { return Ok(()) };
-        let destination_error =
-            |reason: &str| Error::Input { path: input.to_owned(), reason: reason.into() }.into();
-        if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_aside)) {
+        let destination_error = |reason: &str| Error::input(reason).of_file(input).into();
+        if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_temporary)) {
             return Err(destination_error(
                 "this is a temporary file of an interrupted run of carom; rename it",
             ));

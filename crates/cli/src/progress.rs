@@ -1,6 +1,6 @@
 //! Progress of a computation that takes longer than two seconds: a bar on a terminal, lines in a log.
 
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::page::width;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;

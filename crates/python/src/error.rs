@@ -107,7 +107,7 @@ fault_of! {
     carom::impact::restitution::RestitutionError:
         carom::impact::restitution::RestitutionError::Range(error) => error;
     carom_cases::solve::ChosenError:
-        carom_cases::solve::ChosenError::Today(carom::solver::FrictionalError::Range(error))
+        carom_cases::solve::ChosenError::Main(carom::solver::FrictionalError::Range(error))
         | carom_cases::solve::ChosenError::Normal(carom::solver::NormalError::Range(error)) => error;
     carom::laws::curvature::CurvatureError: carom::laws::curvature::CurvatureError::Range(error) => error;
     carom::geometry::SurfaceError: carom::geometry::SurfaceError::Range(error) => error;

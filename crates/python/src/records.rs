@@ -6,7 +6,7 @@ use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::creep::CreepCoefficients;
 use carom::laws::hertz::HertzState;
 use carom::rolling::FastsimForces;
-use carom::table::{Column, Quantity, Value};
+use carom::table::{Column, Kind, Quantity, Value};
 use carom_cases::history::all_columns as history_columns;
 use carom_cases::roll;
 use carom_cases::scene::rebound_columns;
@@ -16,22 +16,23 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Columns of texts. They are lists even if no record has a value.
-const TEXTS: [&str; 8] =
-    ["outcome", "regimes", "method", "warnings", "regime", "twist_regime", "wall", "end"];
-/// Columns of whole numbers; 0 without a value.
-const COUNTS: [&str; 4] = ["step", "compressions", "iterations", "harmonic"];
-/// Columns that say `yes` or `no`.
-const FLAGS: [&str; 1] = ["slides"];
-
-/// What the values of a column are.
-fn kind(column: &impl Quantity) -> &'static str {
+/// What the values of a column are, told here for columns of the crates below that do not say it themselves.
+fn kind(column: &impl Quantity) -> Kind {
     match column.name() {
-        _ if column.parts().len() == 3 => "vector",
-        name if TEXTS.contains(&name) => "text",
-        name if COUNTS.contains(&name) => "count",
-        name if FLAGS.contains(&name) => "flag",
-        _ => "number",
+        "outcome" | "regimes" | "regime" | "method" | "warnings" => Kind::Text,
+        "step" | "compressions" => Kind::Count,
+        _ => column.kind(),
+    }
+}
+
+/// Its name in Python.
+fn kind_name(column: &impl Quantity) -> &'static str {
+    match kind(column) {
+        Kind::Number => "number",
+        Kind::Count => "count",
+        Kind::Flag => "flag",
+        Kind::Text => "text",
+        Kind::Vector => "vector",
     }
 }
 
@@ -70,7 +71,8 @@ pub(crate) fn columns(
 fn about<R>(
     columns: &[Column<R>],
 ) -> Vec<(&'static str, &'static str, &'static str, &'static str)> {
-    let one = |column: &Column<R>| (column.name(), column.unit(), column.meaning(), kind(column));
+    let one =
+        |column: &Column<R>| (column.name(), column.unit(), column.meaning(), kind_name(column));
     columns.iter().map(one).collect()
 }
 
@@ -105,16 +107,22 @@ pub(crate) fn add<R>(
         let values: Vec<Value> = records.iter().map(|record| column.value(record)).collect();
         let (name, values) = (column.name(), values.into_iter());
         match kind(column) {
-            "vector" => {
+            Kind::Vector => {
                 let parts = values.flat_map(vector).collect::<Vec<f64>>();
                 let array = PyArray1::from_vec(py, parts).reshape([records.len(), 3])?;
                 let _: &Bound<'_, PyArray2<f64>> = &array;
                 dict.set_item(name, array)?;
             }
-            "text" => dict.set_item(name, values.map(text).collect::<Vec<_>>())?,
-            "count" => dict.set_item(name, PyArray1::from_vec(py, values.map(count).collect()))?,
-            "flag" => dict.set_item(name, PyArray1::from_vec(py, values.map(flag).collect()))?,
-            _ => dict.set_item(name, PyArray1::from_vec(py, values.map(number).collect()))?,
+            Kind::Text => dict.set_item(name, values.map(text).collect::<Vec<_>>())?,
+            Kind::Count => {
+                dict.set_item(name, PyArray1::from_vec(py, values.map(count).collect()))?
+            }
+            Kind::Flag => {
+                dict.set_item(name, PyArray1::from_vec(py, values.map(flag).collect()))?
+            }
+            Kind::Number => {
+                dict.set_item(name, PyArray1::from_vec(py, values.map(number).collect()))?
+            }
         }
     }
     Ok(())
@@ -142,7 +150,7 @@ fn count(value: Value) -> i64 {
 }
 
 fn flag(value: Value) -> bool {
-    value == Value::Text("yes".into())
+    value == Value::Flag(true)
 }
 
 fn text(value: Value) -> String {

@@ -5,7 +5,7 @@ use carom::laws::hertz::HertzState;
 use carom::laws::law::Shift;
 use carom::laws::validity::{Limit, Validity};
 use carom::prelude::{ContactLoad, RangeError};
-use carom_cases::theory::{Heed, readable};
+use carom_cases::theory::{ValidityReport, readable};
 use pyo3::prelude::*;
 
 use crate::error::Fault;
@@ -16,34 +16,34 @@ pub(crate) type Told = (Vec<String>, bool);
 
 /// The warnings of many impacts: whether they lie outside the theory, then each kind once, in its worst form.
 pub(crate) fn of_impacts(outcomes: &[Outcome]) -> Told {
-    let mut heed = Heed::default();
+    let mut report = ValidityReport::default();
     for (i, outcome) in outcomes.iter().enumerate() {
         match outcome.rebound() {
-            Some(rebound) => heed.add_impact(|_| format!("at entry {i}"), rebound),
-            None => heed.add(String::new, Validity::default()),
+            Some(rebound) => report.add_impact(|_| format!("at entry {i}"), rebound),
+            None => report.add(String::new, Validity::default()),
         }
     }
-    heeded(heed, "impacts")
+    reported(report, "impacts")
 }
 
 /// The warnings of one contact.
 pub(crate) fn of_contact(validity: Validity) -> Told {
-    let mut heed = Heed::default();
-    heed.add(String::new, validity);
-    heeded(heed, "contacts")
+    let mut report = ValidityReport::default();
+    report.add(String::new, validity);
+    reported(report, "contacts")
 }
 
 /// The warnings of Hertz contacts under load.
 pub(crate) fn of_loads(hertz: &Hertz, states: &[HertzState]) -> Told {
     // All ratios grow with the approach.
     let deepest = states.iter().max_by(|one, other| one.approach.total_cmp(&other.approach));
-    let mut heed = Heed::default();
+    let mut report = ValidityReport::default();
     if deepest.is_some_and(|state| hertz.validity(state).exceeded().next().is_some()) {
         for state in states {
-            heed.add(|| format!("at {} N", readable(state.force)), hertz.validity(state));
+            report.add(|| format!("at {} N", readable(state.force)), hertz.validity(state));
         }
     }
-    heeded(heed, "loads")
+    reported(report, "loads")
 }
 
 /// Warns in Python, at the call of the user.
@@ -103,13 +103,13 @@ impl Watch {
         if !approaches.iter().any(|zeta| *zeta > self.from) {
             return Ok(());
         }
-        let mut heed = Heed::default();
+        let mut report = ValidityReport::default();
         for (i, path) in approaches.chunks(steps).enumerate() {
             let greatest = path.iter().copied().fold(0.0, f64::max);
-            heed.add(|| format!("at entry {i}"), self.validity(greatest));
+            report.add(|| format!("at entry {i}"), self.validity(greatest));
         }
-        let worst = heed.validity();
-        warn(py, heeded(heed, "contacts"))?;
+        let worst = report.validity();
+        warn(py, reported(report, "contacts"))?;
         self.told.extend(worst.exceeded().map(|excess| excess.limit));
         self.from = self.next();
         Ok(())
@@ -151,8 +151,8 @@ impl Watch {
 }
 
 /// The warnings of many contacts.
-pub(crate) fn heeded(heed: Heed, what: &str) -> Told {
-    let worst = heed.validity();
-    let (caution, warnings) = heed.told(what);
+pub(crate) fn reported(report: ValidityReport, what: &str) -> Told {
+    let worst = report.validity();
+    let (caution, warnings) = report.told(what);
     (caution.into_iter().chain(warnings).collect(), !worst.holds())
 }

@@ -31,6 +31,8 @@ pub enum Value {
     Number(f64),
     /// An integer count.
     Count(u64),
+    /// Yes or no, printed so.
+    Flag(bool),
     /// A text.
     Text(Cow<'static, str>),
     /// A list of words.
@@ -45,6 +47,21 @@ pub enum Value {
     Undefined,
 }
 
+/// What the values of a column are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Numbers.
+    Number,
+    /// Whole numbers.
+    Count,
+    /// Yes or no.
+    Flag,
+    /// Texts, words or lists of them.
+    Text,
+    /// Vectors of three components.
+    Vector,
+}
+
 /// Anything with a heading: a column, or a cell of a row.
 pub trait Quantity {
     /// The name: a word of letters, digits and `_`.
@@ -53,8 +70,13 @@ pub trait Quantity {
     fn unit(&self) -> &'static str;
     /// The meaning of the quantity, in a few words.
     fn meaning(&self) -> &'static str;
+    /// What its values are.
+    fn kind(&self) -> Kind;
+
     /// The components of a vector; empty for anything else.
-    fn parts(&self) -> &'static [&'static str];
+    fn parts(&self) -> &'static [&'static str] {
+        if self.kind() == Kind::Vector { AXES } else { &[] }
+    }
 }
 
 /// A quantity of one record, with its value.
@@ -63,7 +85,7 @@ pub struct Cell {
     name: Cow<'static, str>,
     unit: &'static str,
     meaning: &'static str,
-    parts: &'static [&'static str],
+    kind: Kind,
     value: Value,
 }
 
@@ -73,7 +95,7 @@ pub struct Column<R> {
     name: &'static str,
     unit: &'static str,
     meaning: &'static str,
-    parts: &'static [&'static str],
+    kind: Kind,
     value: fn(&R) -> Value,
 }
 
@@ -85,29 +107,38 @@ impl<R> Clone for Column<R> {
 
 impl<R> Copy for Column<R> {}
 
-impl<R> Column<R> {
-    /// A column of numbers or words. `unit` is empty for pure numbers and words.
-    #[must_use]
-    pub const fn new(
-        name: &'static str,
-        unit: &'static str,
-        meaning: &'static str,
-        value: fn(&R) -> Value,
-    ) -> Self {
-        Self { name, unit, meaning, parts: &[], value }
-    }
+/// Constructors of a column, one for each kind of values.
+macro_rules! constructors {
+    ($($(#[$doc:meta])* $constructor:ident: $kind:ident,)*) => {
+        impl<R> Column<R> {
+            $($(#[$doc])*
+            #[must_use]
+            pub const fn $constructor(
+                name: &'static str,
+                unit: &'static str,
+                meaning: &'static str,
+                value: fn(&R) -> Value,
+            ) -> Self {
+                Self { name, unit, meaning, kind: Kind::$kind, value }
+            })*
+        }
+    };
+}
 
+constructors! {
+    /// A column of numbers. `unit` is empty for pure numbers.
+    new: Number,
+    /// A column of whole numbers.
+    count: Count,
+    /// A column of flags, which are printed as yes or no.
+    flag: Flag,
+    /// A column of texts or words.
+    text: Text,
     /// A column of vectors, with three components.
-    #[must_use]
-    pub const fn vector(
-        name: &'static str,
-        unit: &'static str,
-        meaning: &'static str,
-        value: fn(&R) -> Value,
-    ) -> Self {
-        Self { name, unit, meaning, parts: AXES, value }
-    }
+    vector: Vector,
+}
 
+impl<R> Column<R> {
     /// The name: a word of letters, digits and `_`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
@@ -135,8 +166,8 @@ impl<R> Column<R> {
     /// The cell for a record; without a record its value is absent.
     #[must_use]
     pub fn cell(&self, record: Option<&R>) -> Cell {
-        let Self { name, unit, meaning, parts, value } = *self;
-        Cell { name: name.into(), unit, meaning, parts, value: record.map_or(Value::Absent, value) }
+        let Self { name, unit, meaning, kind, value } = *self;
+        Cell { name: name.into(), unit, meaning, kind, value: record.map_or(Value::Absent, value) }
     }
 
     /// The label of an axis: `time / s`.
@@ -146,40 +177,31 @@ impl<R> Column<R> {
     }
 }
 
-impl<R> Quantity for Column<R> {
-    fn name(&self) -> &str {
-        self.name
-    }
+macro_rules! quantities {
+    ($([$($record:ident)?] $quantity:ty,)*) => {
+        $(impl<$($record)?> Quantity for $quantity {
+            fn name(&self) -> &str {
+                &self.name
+            }
 
-    fn unit(&self) -> &'static str {
-        self.unit
-    }
+            fn unit(&self) -> &'static str {
+                self.unit
+            }
 
-    fn meaning(&self) -> &'static str {
-        self.meaning
-    }
+            fn meaning(&self) -> &'static str {
+                self.meaning
+            }
 
-    fn parts(&self) -> &'static [&'static str] {
-        self.parts
-    }
+            fn kind(&self) -> Kind {
+                self.kind
+            }
+        })*
+    };
 }
 
-impl Quantity for Cell {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn unit(&self) -> &'static str {
-        self.unit
-    }
-
-    fn meaning(&self) -> &'static str {
-        self.meaning
-    }
-
-    fn parts(&self) -> &'static [&'static str] {
-        self.parts
-    }
+quantities! {
+    [R] Column<R>,
+    [] Cell,
 }
 
 impl Cell {
@@ -191,7 +213,7 @@ impl Cell {
         meaning: &'static str,
         value: impl Into<Value>,
     ) -> Self {
-        Self { name: name.into(), unit, meaning, parts: &[], value: value.into() }
+        Self { name: name.into(), unit, meaning, kind: Kind::Number, value: value.into() }
     }
 
     /// Gives the cell another value.
@@ -216,15 +238,22 @@ impl Cell {
         match &self.value {
             Value::Number(value) => texts.push(number(*value)),
             Value::Count(count) => texts.push(count.to_string()),
+            Value::Flag(is) => texts.push(yes_or_no(*is).to_owned()),
             Value::Text(text) => texts.push(text.clone().into_owned()),
             Value::Words(words) => texts.push(words.join(" ")),
             Value::Texts(several) => texts.push(several.join("; ")),
             Value::Vector(parts) => texts.extend(parts.map(number)),
             Value::Absent | Value::Undefined => {
-                texts.extend(std::iter::repeat_n(String::new(), self.parts.len().max(1)));
+                texts.extend(std::iter::repeat_n(String::new(), self.parts().len().max(1)));
             }
         }
     }
+}
+
+/// A flag as it is printed.
+#[must_use]
+pub const fn yes_or_no(flag: bool) -> &'static str {
+    if flag { "yes" } else { "no" }
 }
 
 /// The cells of a record; without a record their values are absent.
@@ -305,46 +334,25 @@ pub fn short(value: f64) -> String {
     }
 }
 
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Self::Number(number)
-    }
+macro_rules! values {
+    ($($kind:ty => $variant:ident,)*) => {
+        $(impl From<$kind> for Value {
+            fn from(value: $kind) -> Self {
+                Self::$variant(value.into())
+            }
+        })*
+    };
 }
 
-impl From<u64> for Value {
-    fn from(count: u64) -> Self {
-        Self::Count(count)
-    }
-}
-
-impl From<&'static str> for Value {
-    fn from(word: &'static str) -> Self {
-        Self::Text(Cow::Borrowed(word))
-    }
-}
-
-impl From<String> for Value {
-    fn from(text: String) -> Self {
-        Self::Text(Cow::Owned(text))
-    }
-}
-
-impl From<Vec<&'static str>> for Value {
-    fn from(words: Vec<&'static str>) -> Self {
-        Self::Words(words)
-    }
-}
-
-impl From<Vec<String>> for Value {
-    fn from(texts: Vec<String>) -> Self {
-        Self::Texts(texts)
-    }
-}
-
-impl From<[f64; 3]> for Value {
-    fn from(parts: [f64; 3]) -> Self {
-        Self::Vector(parts)
-    }
+values! {
+    f64 => Number,
+    u64 => Count,
+    bool => Flag,
+    &'static str => Text,
+    String => Text,
+    Vec<&'static str> => Words,
+    Vec<String> => Texts,
+    [f64; 3] => Vector,
 }
 
 impl<T: Into<Self>> From<Option<T>> for Value {

@@ -1,17 +1,26 @@
 //! Errors in case files. Each message names the field and what is allowed.
 
-use super::kind::CaseKind;
 use carom_impact::{CollisionError, NormalSpinError};
 use carom_laws::curvature::CurvatureError;
+use std::fmt;
 
-/// An error in a case file.
+/// An error in a case file, and its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseError {
+    /// The field that is wrong, with its path; empty if there is no single one.
+    pub field: String,
+    /// The line of the file, from 1; 0 if there is no single one.
+    pub line: usize,
+    /// What is wrong.
+    pub fault: CaseFault,
+}
+
+/// What is wrong in a case file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum CaseError {
+pub enum CaseFault {
     /// The text is not TOML.
-    #[error("line {line}: {message}")]
+    #[error("{message}")]
     Syntax {
-        /// Line, from 1.
-        line: usize,
         /// The character of the line at which the parser stopped, from 0.
         column: usize,
         /// Message of the parser, and what may be meant.
@@ -21,20 +30,16 @@ pub enum CaseError {
     #[error("{} errors{}", .0.len(), .0.iter().map(|error| format!("\n{error}")).collect::<String>())]
     Several(Vec<CaseError>),
     /// The text is a case of another kind.
-    #[error("this looks like a case for `carom {}`, not for `carom {}`", likely.name(), kind.name())]
+    #[error("this looks like a case for `carom {likely}`, not for `carom {kind}`")]
     OtherKind {
-        /// The kind as which it was read.
-        kind: CaseKind,
+        /// The name of the kind as which it was read.
+        kind: &'static str,
         /// The kind that it looks like.
-        likely: CaseKind,
+        likely: &'static str,
     },
     /// An unknown field.
-    #[error("line {line}: unknown field `{field}`{} {table} takes {valid}", nearest.as_ref().map_or_else(|| ";".to_owned(), |name| format!(", did you mean `{name}`{hint}?")))]
+    #[error("{} {table} takes {valid}", nearest.as_ref().map_or_else(|| ";".to_owned(), |name| format!(", did you mean `{name}`{hint}?")))]
     Unknown {
-        /// The name with its path.
-        field: String,
-        /// Line, from 1.
-        line: usize,
         /// The table that contains it.
         table: String,
         /// The most similar valid name, if one is similar, or the one in a table of the table.
@@ -44,90 +49,79 @@ pub enum CaseError {
         /// All valid names.
         valid: String,
     },
-    /// A necessary field is missing.
-    #[error("{}`{field}` is missing: must be {allowed}", of_line(*line))]
-    Missing {
-        /// The field with its path.
-        field: String,
-        /// Line of the table that lacks it, from 1; 0 for the whole file.
-        line: usize,
-        /// What it must be.
-        allowed: String,
-    },
+    /// A necessary field is missing; the line is that of the table that lacks it, and this is what it must be.
+    #[error(" is missing: must be {0}")]
+    Missing(String),
     /// A value of the wrong kind.
-    #[error("line {line}: `{field}` = {found} is not allowed: must be {allowed}")]
+    #[error(" = {found} is not allowed: must be {allowed}")]
     Kind {
-        /// The field with its path.
-        field: String,
-        /// Line, from 1.
-        line: usize,
         /// The value as written.
         found: String,
         /// What it must be.
         allowed: String,
     },
     /// A number out of its range.
-    #[error("line {line}: `{field}` = {} is out of range: must be {allowed}", carom_special::Readable(*value))]
+    #[error(" = {} is out of range: must be {allowed}", carom_special::Readable(*value))]
     Range {
-        /// The field with its path.
-        field: String,
-        /// Line, from 1.
-        line: usize,
         /// The value.
         value: f64,
         /// What it must be.
         allowed: String,
     },
     /// Two fields that exclude each other.
-    #[error("line {line}: `{field}` excludes `{other}`: {reason}")]
+    #[error(" excludes `{other}`: {reason}")]
     Conflict {
-        /// The field with its path.
-        field: String,
-        /// Line, from 1.
-        line: usize,
-        /// The field it excludes.
+        /// The field that is excluded.
         other: String,
         /// Why.
         reason: &'static str,
     },
     /// The surfaces have no elliptical contact.
-    #[error("{}`{field}`{others}: {source}{}", of_line(*line), line_contact(source))]
+    #[error("{others}: {source}{}", line_contact(source))]
     Curvature {
-        /// The field of the first radii, with its path.
-        field: String,
         /// Further fields of radii, after a comma.
         others: &'static str,
-        /// Line, from 1.
-        line: usize,
         /// Why.
         source: CurvatureError,
     },
     /// The bodies have no contact that can be computed.
-    #[error("line {line}: `{field}`: {source}{hint}")]
+    #[error(": {source}{hint}")]
     Collision {
-        /// The field that causes it, with its path.
-        field: String,
-        /// Line, from 1.
-        line: usize,
         /// Why.
         source: Box<CollisionError>,
         /// A hint for the user, or an empty text.
         hint: &'static str,
     },
     /// A torsional impact was requested but cannot be computed.
-    #[error("line {line}: `contact.torsion`: {source}")]
-    Torsion {
-        /// Line, from 1.
-        line: usize,
-        /// Why.
-        source: Box<NormalSpinError>,
-    },
+    #[error(": {0}")]
+    Torsion(Box<NormalSpinError>),
 }
 
-/// The line in words; nothing for 0.
-fn of_line(line: usize) -> String {
-    if line == 0 { String::new() } else { format!("line {line}: ") }
+impl CaseFault {
+    /// The error of this fault at a field.
+    #[must_use]
+    pub fn at(self, field: impl Into<String>, line: usize) -> CaseError {
+        CaseError { field: field.into(), line, fault: self }
+    }
 }
+
+impl fmt::Display for CaseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { field, line, fault } = self;
+        if *line > 0 {
+            write!(f, "line {line}: ")?;
+        }
+        match fault {
+            CaseFault::Syntax { .. } | CaseFault::Several(_) | CaseFault::OtherKind { .. } => {
+                write!(f, "{fault}")
+            }
+            CaseFault::Unknown { .. } => write!(f, "unknown field `{field}`{fault}"),
+            _ => write!(f, "`{field}`{fault}"),
+        }
+    }
+}
+
+impl std::error::Error for CaseError {}
 
 /// What to do with a line contact, which is not elliptical.
 const fn line_contact(error: &CurvatureError) -> &'static str {
@@ -140,51 +134,18 @@ const fn line_contact(error: &CurvatureError) -> &'static str {
 }
 
 impl CaseError {
-    /// The field that is wrong, with its path; empty if there is no single one.
-    #[must_use]
-    pub fn field(&self) -> &str {
-        match self {
-            Self::Unknown { field, .. }
-            | Self::Missing { field, .. }
-            | Self::Kind { field, .. }
-            | Self::Range { field, .. }
-            | Self::Conflict { field, .. }
-            | Self::Curvature { field, .. }
-            | Self::Collision { field, .. } => field,
-            Self::Torsion { .. } => "contact.torsion",
-            Self::Syntax { .. } | Self::Several(_) | Self::OtherKind { .. } => "",
-        }
-    }
-
-    /// The line of the file, from 1; 0 if there is no single one.
-    #[must_use]
-    pub const fn line(&self) -> usize {
-        match self {
-            Self::Syntax { line, .. }
-            | Self::Unknown { line, .. }
-            | Self::Missing { line, .. }
-            | Self::Kind { line, .. }
-            | Self::Range { line, .. }
-            | Self::Conflict { line, .. }
-            | Self::Curvature { line, .. }
-            | Self::Collision { line, .. }
-            | Self::Torsion { line, .. } => *line,
-            Self::Several(_) | Self::OtherKind { .. } => 0,
-        }
-    }
-
     /// The message, with the lines of the file that are wrong and marks under the fields.
     #[must_use]
     pub fn shown_in(&self, source: &str) -> String {
-        match self {
-            Self::Several(errors) => {
+        match &self.fault {
+            CaseFault::Several(errors) => {
                 let shown = errors.iter().map(|error| format!("\n{}", error.shown_in(source)));
                 format!("{} errors{}", errors.len(), shown.collect::<String>())
             }
-            Self::Syntax { line, column, .. } => {
-                format!("{self}{}", marked(source, *line, *column, 1))
+            CaseFault::Syntax { column, .. } => {
+                format!("{self}{}", marked(source, self.line, *column, 1))
             }
-            error => format!("{error}{}", excerpt(source, error.line(), error.field())),
+            _ => format!("{self}{}", excerpt(source, self.line, &self.field)),
         }
     }
 }

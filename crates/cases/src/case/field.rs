@@ -291,6 +291,43 @@ pub struct Entry {
     pub field: Field,
 }
 
+/// The name and the fields of a kind of case.
+#[derive(Debug, Clone, Copy)]
+pub struct Schema {
+    /// The command that takes it.
+    pub name: &'static str,
+    /// Its description, a sentence.
+    pub meaning: &'static str,
+    /// Its fields.
+    pub fields: &'static [Field],
+    /// The forms that may replace any of its numbers, except those of `[uncertainty]`.
+    pub varied: &'static [Field],
+}
+
+impl Schema {
+    pub(super) const fn new(
+        name: &'static str,
+        meaning: &'static str,
+        fields: &'static [Field],
+    ) -> Self {
+        Self { name, meaning, fields, varied: &[] }
+    }
+
+    /// The same kind, of which these forms may replace any number.
+    pub(super) const fn varying(self, varied: &'static [Field]) -> Self {
+        Self { varied, ..self }
+    }
+
+    /// Its fields with their paths. The forms that may replace a number come last, under `*`.
+    #[must_use]
+    pub fn entries(&self) -> Vec<Entry> {
+        let mut all = entries(self.fields);
+        let forms = entries(self.varied).into_iter();
+        all.extend(forms.map(|entry| Entry { path: format!("*.{}", entry.path), ..entry }));
+        all
+    }
+}
+
 /// All fields, each table followed by its own fields.
 #[must_use]
 pub fn entries(fields: &[Field]) -> Vec<Entry> {
@@ -313,15 +350,15 @@ fn add(prefix: &str, fields: &[Field], found: &mut Vec<Entry>) {
 impl Entry {
     /// The columns of a schema.
     pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("field", "", "name with its path", |entry| entry.path.clone().into()),
-        Column::new("kind", "", "kind of the value", |entry| entry.kind().into()),
-        Column::new("allowed", "", "allowed values in words", |entry| {
+        Column::text("field", "", "name with its path", |entry| entry.path.clone().into()),
+        Column::text("kind", "", "kind of the value", |entry| entry.kind().into()),
+        Column::text("allowed", "", "allowed values in words", |entry| {
             match entry.field.measure() {
                 Some(measure) => measure.range.allowed().into(),
                 None => entry.field.allowed().into(),
             }
         }),
-        Column::new("unit", "", "unit of a plain number", |entry| match entry.field.form {
+        Column::text("unit", "", "unit of a plain number", |entry| match entry.field.form {
             Form::Rows(rows) => rows
                 .measures
                 .iter()
@@ -330,31 +367,33 @@ impl Entry {
                 .into(),
             _ => entry.field.measure().map_or("", |measure| measure.dimension.unit()).into(),
         }),
-        Column::new("need", "", "must, or (one of several), may", |entry| match entry.field.need {
-            Need::Must => "must".into(),
-            Need::Or(_) => "or".into(),
-            Need::Default(_) | Need::May(_) => "may".into(),
+        Column::text("need", "", "must, or (one of several), may", |entry| {
+            match entry.field.need {
+                Need::Must => "must".into(),
+                Need::Or(_) => "or".into(),
+                Need::Default(_) | Need::May(_) => "may".into(),
+            }
         }),
-        Column::new("default", "", "value if the field is missing", |entry| {
+        Column::text("default", "", "value if the field is missing", |entry| {
             entry.field.default_text().into()
         }),
-        Column::new("shapes", "", "shapes that have this field", |entry| {
+        Column::text("shapes", "", "shapes that have this field", |entry| {
             match entry.field.shapes {
                 [] => Value::Absent,
                 shapes => shapes.to_vec().into(),
             }
         }),
-        Column::new("meaning", "", "meaning of the field", |entry| entry.field.meaning.into()),
-        Column::new("words", "", "allowed words", |entry| match entry.field.form {
+        Column::text("meaning", "", "meaning of the field", |entry| entry.field.meaning.into()),
+        Column::text("words", "", "allowed words", |entry| match entry.field.form {
             Form::Word(words) | Form::WordOrVector(words, ..) => {
                 words.iter().map(|(word, _)| *word).collect::<Vec<_>>().into()
             }
             _ => Value::Absent,
         }),
         Column::new("low", "", "lower end", |entry| entry.end(0).map(End::number).into()),
-        Column::new("low_is_in", "", "whether the lower end is allowed", |entry| entry.is_in(0)),
+        Column::flag("low_is_in", "", "whether the lower end is allowed", |entry| entry.is_in(0)),
         Column::new("high", "", "upper end", |entry| entry.end(1).map(End::number).into()),
-        Column::new("high_is_in", "", "whether the upper end is allowed", |entry| entry.is_in(1)),
+        Column::flag("high_is_in", "", "whether the upper end is allowed", |entry| entry.is_in(1)),
     ];
 
     /// The columns of a schema that fit a printed table.
@@ -386,8 +425,7 @@ impl Entry {
     }
 
     fn is_in(&self, which: usize) -> Value {
-        let word = |end| if matches!(end, End::In(_)) { "yes" } else { "no" };
-        self.end(which).map(word).into()
+        self.end(which).map(|end| matches!(end, End::In(_))).into()
     }
 }
 

@@ -1,11 +1,11 @@
 //! The case file of `carom hertz`.
 
 use super::error::CaseError;
-use super::field::{Field, Form};
-use super::kind::CaseKind;
+use super::field::{Field, Form, Schema};
 use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
-use super::section::{Numbers, Section, parse, survey};
+use super::reader::Case;
+use super::section::{Numbers, Section, parse};
 use super::unit::{Dimension, Measure};
 use carom_laws::hertz::Hertz;
 
@@ -28,7 +28,7 @@ const LOAD: Field = Field::new(
 .begun(&[(&FORCE, "")]);
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, LOAD];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, LOAD];
 
 const fn load(name: &'static str, measure: Measure, meaning: &'static str) -> Field {
     Field::new(name, Form::Numbers(measure), meaning).or(OTHERS)
@@ -60,15 +60,8 @@ pub enum Given {
     SemiAxisB,
 }
 
-impl HertzCase {
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::Hertz, source, first))
-    }
+impl Case<'_> for HertzCase {
+    const SCHEMA: Schema = Schema::new("hertz", "Two surfaces pressed together.", FIELDS);
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;

@@ -4,11 +4,11 @@ use super::contact::{
     COULOMB, FRICTION, LAWS_OF_SHIFTS, SHIFT_STATIC_FRICTION, static_friction, turning_law,
 };
 use super::error::CaseError;
-use super::field::{Default, Field, Form, Rows};
-use super::kind::CaseKind;
+use super::field::{Default, Field, Form, Rows, Schema};
 use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
-use super::section::{Section, parse, survey};
+use super::reader::Case;
+use super::section::{Section, parse};
 use super::unit::{Dimension, Measure};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::hertz::Hertz;
@@ -60,7 +60,7 @@ const HISTORY: Field = Field::new("history", Form::Table(&[STEPS, FILE]), "the h
     .begun(&[(&STEPS, "")]);
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, HISTORY];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, HISTORY];
 
 /// A contact and its history of shifts.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,15 +88,12 @@ pub enum Steps {
     File(PathBuf),
 }
 
-impl HistoryCase {
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::History, source, first))
-    }
+impl Case<'_> for HistoryCase {
+    const SCHEMA: Schema = Schema::new(
+        "history",
+        "A contact that is pressed, shifted and twisted, step by step.",
+        FIELDS,
+    );
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
@@ -122,7 +119,9 @@ impl HistoryCase {
         }
         Ok(case)
     }
+}
 
+impl HistoryCase {
     /// Checks that no step has a twist if static friction exceeds kinetic friction: torsion has one coefficient.
     ///
     /// # Errors

@@ -4,18 +4,19 @@
 //! bodies touch where `[contact]` says so, or where a search finds the contact point. A number may be
 //! replaced by several values, a sweep, or by a distribution.
 
-use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, VELOCITY, Velocity};
+use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, VELOCITY, Velocity};
 use super::contact::Contact;
-use super::error::CaseError;
-use super::field::{Field, Form, Usual};
-use super::kind::CaseKind;
+use super::error::{CaseError, CaseFault};
+use super::field::{Field, Form, Schema, Usual};
 use super::material::MATERIAL;
 use super::range::Range;
-use super::section::{Section, parse, survey};
+use super::reader::Case;
+use super::section::{Section, parse};
+use super::shape::SHAPE;
 use super::touch::{CONTACT, Touch};
 use super::uncertainty::{UNCERTAINTY, Uncertainty};
 use super::unit::Dimension;
-use super::varied::{Input, Varied};
+use super::varied::{Input, VARIED, Varied};
 use carom_halfspace::MaterialPair;
 use carom_impact::{Body, Collision, CollisionError, Motion};
 use nalgebra::Vector3;
@@ -43,7 +44,7 @@ const APPROACH: Field = Field::new(
 .may("the velocity is `body_1.velocity`");
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, UNCERTAINTY];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, UNCERTAINTY];
 
 /// An impact of two bodies.
 #[derive(Debug, Clone)]
@@ -66,16 +67,10 @@ pub struct ImpactFile<'a> {
     nominal: ImpactCase,
 }
 
-impl<'a> ImpactFile<'a> {
-    /// Reads the text of the file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, a field is missing, unknown, out of range (the mean of a distribution and
-    /// every value of a sweep included) or in conflict with another, or the bodies have no contact that can
-    /// be computed.
-    pub fn parse(source: &'a str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::Impact, source, first))
-    }
+impl<'a> Case<'a> for ImpactFile<'a> {
+    const SCHEMA: Schema =
+        Schema::new("impact", "An impact of two bodies of any smooth shape.", FIELDS)
+            .varying(VARIED);
 
     fn read(source: &'a str) -> Result<Self, CaseError> {
         let table = parse(source)?;
@@ -85,18 +80,19 @@ impl<'a> ImpactFile<'a> {
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let sweeps: Vec<&Input> = inputs.iter().filter(|input| input.sweep().is_some()).collect();
         if let [one, other, ..] = sweeps.as_slice() {
-            return Err(CaseError::Conflict {
-                field: other.field.to_owned(),
-                line: other.line,
+            let fault = CaseFault::Conflict {
                 other: one.field.to_owned(),
                 reason: "sweep over one field at a time; for each value of the other run a case of its own, in a \
                          loop of the shell, or use `carom.collide_many` in Python",
-            });
+            };
+            return Err(fault.at(other.field, other.line));
         }
         let uncertainty = Uncertainty::read(&case, &inputs)?;
         Ok(Self { source, table, inputs, uncertainty, nominal })
     }
+}
 
+impl ImpactFile<'_> {
     /// The impact with the mean of every distribution and the first value of a sweep.
     #[must_use]
     pub const fn nominal(&self) -> &ImpactCase {
@@ -124,7 +120,7 @@ impl<'a> ImpactFile<'a> {
     /// The impact with these values of the varied numbers.
     ///
     /// # Errors
-    /// As [`ImpactFile::parse`].
+    /// As [`Case::parse`].
     pub fn case(&self, values: &[f64]) -> Result<ImpactCase, CaseError> {
         let drawn = self.inputs.iter().map(Input::place).zip(values.iter().copied()).collect();
         read(self.source, self.table.get_ref(), &Varied::new(FIELDS, drawn))

@@ -1,6 +1,6 @@
 //! Two surfaces in contact: radii and materials of `[body_1]` and `[body_2]`, and their angle.
 
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{Default, Field, Form};
 use super::material::{self, MATERIAL};
 use super::range::Range;
@@ -41,12 +41,9 @@ pub(super) fn read(case: &Section<'_>, contact: Option<&Section<'_>>) -> Result<
         .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
     let curvature =
         RelativeCurvature::new(radii_1, radii_2, angle.to_radians()).map_err(|source| {
-            CaseError::Curvature {
-                field: case.path(&[&BODY_1, &RADII]),
-                others: ", `body_2.radii`",
-                line: case.line([&BODY_1, &RADII]),
-                source,
-            }
+            let place = [&BODY_1, &RADII];
+            let fault = CaseFault::Curvature { others: ", `body_2.radii`", source };
+            fault.at(case.path(&place), case.line(place))
         })?;
     let hertz = Hertz::new(curvature, materials)
         .map_err(|error| case.out_of_range([&BODY_1, &RADII], error.value, error.allowed))?;

@@ -6,11 +6,11 @@ use super::contact::{
     TORSION, WAVE_LOSS, impact_friction, normal_restitution, torsion_mode,
 };
 use super::error::CaseError;
-use super::field::{Default, Field, Form};
-use super::kind::CaseKind;
+use super::field::{Default, Field, Form, Schema};
 use super::material::{self, MATERIAL};
 use super::range::Range;
-use super::section::{Section, parse, survey};
+use super::reader::Case;
+use super::section::{Section, parse};
 use super::unit::{Dimension, Measure};
 use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
 use carom_numerical::CollisionLaw;
@@ -92,7 +92,7 @@ const SETTING: Field = Field::new(
 .begun(&[(&START, "")]);
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BALL, WALL, SETTING];
+const FIELDS: &[Field] = &[BALL, WALL, SETTING];
 
 /// A scene, ready to run.
 #[derive(Debug, Clone)]
@@ -109,15 +109,9 @@ pub struct SceneCase {
     pub law: CollisionLaw,
 }
 
-impl SceneCase {
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::Scene, source, first))
-    }
+impl Case<'_> for SceneCase {
+    const SCHEMA: Schema =
+        Schema::new("scene", "A ball that flies under gravity and bounces between walls.", FIELDS);
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;

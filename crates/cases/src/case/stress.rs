@@ -1,11 +1,11 @@
 //! The case file of `carom stress`.
 
 use super::error::CaseError;
-use super::field::{Field, Form, Usual, Word};
-use super::kind::CaseKind;
+use super::field::{Field, Form, Schema, Usual, Word};
 use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
 use super::range::Range;
-use super::section::{Section, parse, survey};
+use super::reader::Case;
+use super::section::{Section, parse};
 use super::unit::Dimension;
 use carom_laws::hertz::Hertz;
 
@@ -54,7 +54,7 @@ const POINTS: Field = Field::new(
 );
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, LOAD, POINTS];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, LOAD, POINTS];
 
 /// Largest number of points.
 const MOST: usize = 1_000_000;
@@ -80,15 +80,9 @@ pub struct StressCase {
     pub places: [Vec<f64>; 3],
 }
 
-impl StressCase {
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::Stress, source, first))
-    }
+impl Case<'_> for StressCase {
+    const SCHEMA: Schema =
+        Schema::new("stress", "Stresses below a contact under normal and tangential load.", FIELDS);
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;

@@ -1,14 +1,15 @@
 //! Where the two bodies of an impact touch.
 
-use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
+use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII};
 use super::contact::{
     FRICTION, FRICTION_BY_SPEED, LAW, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION, TORSION,
     WAVE_LOSS,
 };
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{AXES, Default, Field, Form};
 use super::range::Range;
 use super::section::Section;
+use super::shape::SHAPE;
 use super::unit::{Dimension, Measure};
 use carom_geometry::{FrameError, SearchError, SurfaceError};
 use carom_impact::{Body, Collision, CollisionError, ImpactFriction};
@@ -188,7 +189,8 @@ impl Touch {
             true => (case.path(&at), case.line(at)),
             false => (CONTACT.name.to_owned(), case.line(&CONTACT)),
         };
-        CaseError::Collision { field, line, hint: hint(&source, self), source: Box::new(source) }
+        let hint = hint(&source, self);
+        CaseFault::Collision { hint, source: Box::new(source) }.at(field, line)
     }
 }
 

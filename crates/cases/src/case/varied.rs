@@ -3,7 +3,7 @@
 use super::error::CaseError;
 use super::field::{Field, Form, interned};
 use super::range::Range;
-use super::section::Section;
+use super::section::{COUNT, START, STOP, Section, Varying};
 use super::unit::Measure;
 use carom_impact::uncertain::Distribution;
 use std::cell::RefCell;
@@ -22,9 +22,6 @@ const fn distribution(
     Field::new(name, Form::Table(fields), meaning).or(KINDS)
 }
 
-const START: Field = number("start", "first value of a sweep");
-const STOP: Field = number("stop", "last value");
-const COUNT: Field = Field::number("count", Range::Count.pure(), "how many values, equally spaced");
 const MEAN: Field = number("mean", "mean of the number itself");
 const DEVIATION: Field = number("sd", "standard deviation of the number itself");
 const LOW: Field = number("low", "smallest value");
@@ -40,8 +37,6 @@ const KINDS: &str = "{ normal = { mean, sd } }, { log_normal = { mean, sd } }, \
                      { uniform = { low, high } }, { triangular = { low, mode, high } } or a sweep \
                      { start, stop, count }";
 
-/// The fields of a sweep.
-pub(super) const SWEEP: &[Field] = &[START, STOP, COUNT];
 /// The fields of a varied number of an impact.
 pub(super) const VARIED: &[Field] = &[START, STOP, COUNT, NORMAL, LOG_NORMAL, UNIFORM, TRIANGULAR];
 
@@ -126,9 +121,10 @@ impl Varied {
         found.sort_by_key(|input| input.place);
         found
     }
+}
 
-    /// The number that represents a varied value; none if the value does not vary.
-    pub(super) fn number<'a>(
+impl Varying for Varied {
+    fn number<'a>(
         &self,
         section: &Section<'a>,
         name: &str,
@@ -162,19 +158,12 @@ fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError>
     match (sweep.as_slice(), kinds.as_slice()) {
         ([], [kind]) => read_distribution(section, kind, measure).map(Variation::Uncertain),
         ([], []) => Err(section.empty(KINDS)),
-        (_, []) => spaced(section, measure).map(Variation::Sweep),
+        (_, []) => section.spaced(measure).map(Variation::Sweep),
         ([], several) => Err(section.several(several, "give one of them")),
         ([one, ..], [other, ..]) => {
             Err(section.conflict(*other, *one, "give a sweep or a distribution"))
         }
     }
-}
-
-/// The values of a sweep.
-pub(super) fn spaced(section: &Section<'_>, measure: Measure) -> Result<Vec<f64>, CaseError> {
-    let start = section.number(&START.measured(measure))?;
-    let stop = section.number(&STOP.measured(measure))?;
-    Ok(carom_special::linspace(start, stop, section.count(&COUNT)?))
 }
 
 fn read_distribution(

@@ -15,7 +15,7 @@ pub use twist::Twist;
 use crate::Error;
 use crate::case::{HistoryCase, Steps};
 use crate::input::CaseFile;
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use carom_laws::law::Shift;
 
 /// Reads the shifts of a case; a file that it names is relative to the case file.
@@ -27,8 +27,8 @@ pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> 
         Steps::Inline(shifts) => Ok(shifts.clone()),
         Steps::File(name) => {
             let shifts = read_steps(file, name)?;
-            let path = file.beside(name);
-            case.check_twist(&shifts).map_err(|source| Error::Law { path, source })?;
+            case.check_twist(&shifts)
+                .map_err(|source| Error::from(source).of_file(&file.beside(name)))?;
             Ok(shifts)
         }
     }
@@ -46,10 +46,10 @@ pub struct Followed {
 impl Followed {
     /// What the contacts exceed.
     #[must_use]
-    pub fn heed(&self) -> Heed {
-        let mut heed = Heed::default();
-        self.steps.iter().for_each(|step| step.add_to(&mut heed, &self.case));
-        heed
+    pub fn validity_report(&self) -> ValidityReport {
+        let mut report = ValidityReport::default();
+        self.steps.iter().for_each(|step| step.add_to(&mut report, &self.case));
+        report
     }
 }
 
@@ -58,14 +58,15 @@ impl Followed {
 /// # Errors
 /// If the case has an error, a file cannot be read, or a law rejects a value.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
-    let case = file.parse(HistoryCase::parse)?;
+    let case = file.parse::<HistoryCase>()?;
     let shifts = shifts(file, &case)?;
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
-    let mut laws = Laws::new(&case, &shifts).map_err(at_fault)?;
-    let after = |(i, shift): (usize, &Shift)| {
-        laws.advance(*shift).map_err(at_fault)?;
-        step((i + 1) as f64, &laws, case.friction, 0)
-    };
-    let steps = shifts.iter().enumerate().map(after).collect::<Result<_, _>>()?;
+    let steps = file.follow(|| {
+        let mut laws = Laws::new(&case, &shifts)?;
+        let after = |(i, shift): (usize, &Shift)| {
+            laws.advance(*shift)?;
+            step((i + 1) as f64, &laws, case.friction, 0)
+        };
+        shifts.iter().enumerate().map(after).collect()
+    })?;
     Ok(Followed { case, steps })
 }

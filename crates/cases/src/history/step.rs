@@ -4,7 +4,7 @@ use super::laws::{Laws, is_twisted};
 use super::twist::{self, Twist};
 use crate::Error;
 use crate::case::HistoryCase;
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
@@ -61,15 +61,15 @@ impl Step {
     }
 
     /// Adds what the contact exceeds.
-    pub fn add_to(&self, heed: &mut Heed, case: &HistoryCase) {
-        heed.add(|| format!("at step {}", self.step), self.validity(case));
+    pub fn add_to(&self, report: &mut ValidityReport, case: &HistoryCase) {
+        report.add(|| format!("at step {}", self.step), self.validity(case));
     }
 }
 
 /// The columns of every history.
 pub const COLUMNS: &[Column<Step>] = &[
     // States drawn between the steps have fractional numbers.
-    Column::new("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
+    Column::count("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
     Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
     Column::new(
         "xi",
@@ -81,7 +81,7 @@ pub const COLUMNS: &[Column<Step>] = &[
     Column::new("F_x", "N", "force on body 1 along x", |step| step.load.f_x.into()),
     Column::new("F_y", "N", "the same along y", |step| step.load.f_y.into()),
     Column::new("F_z", "N", "normal force", |step| step.load.f_z.into()),
-    Column::new("regime", "", "regime of the last step", |step| step.regime.into()),
+    Column::text("regime", "", "regime of the last step", |step| step.regime.into()),
     Column::new("semi_axis_a", "m", "semi-axis of the contact ellipse along x", |step| {
         step.semi_axis_a.into()
     }),
@@ -106,7 +106,7 @@ pub const COLUMNS: &[Column<Step>] = &[
 pub const TWIST_COLUMNS: &[Column<Step>] = &[
     Column::new("omega", "rad", "twist about the normal", |step| step.shift.omega.into()),
     Column::new("M_z", "N m", "torque on body 1", |step| step.load.m_z.into()),
-    Column::new("twist_regime", "", "regime of the twist", |step| {
+    Column::text("twist_regime", "", "regime of the twist", |step| {
         step.twist.map(|twist| twist.regime).into()
     }),
     Column::new(
@@ -154,7 +154,9 @@ pub struct Traction {
 
 /// Its columns; the first is the number of the step.
 pub const TRACTION_COLUMNS: &[Column<Traction>] = &[
-    Column::new("step", "", "number of the step, from 1", |traction| (traction.step as u64).into()),
+    Column::count("step", "", "number of the step, from 1", |traction| {
+        (traction.step as u64).into()
+    }),
     Column::new("radius", "", "from the centre (0) to the edge (1)", |traction| {
         traction.radius.into()
     }),
@@ -174,7 +176,7 @@ pub const TRACTION_COLUMNS: &[Column<Traction>] = &[
 /// The present state of the laws, with the traction at `count` radii.
 ///
 /// # Errors
-/// [`Error::Quadrature`] if a traction cannot be integrated.
+/// [`ErrorKind::Quadrature`](crate::ErrorKind::Quadrature) if a traction cannot be integrated.
 pub fn step(
     number: f64,
     laws: &Laws,

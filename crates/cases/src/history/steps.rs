@@ -38,7 +38,7 @@ pub enum StepsError {
 /// If it cannot be read, is not a text of at most 64 MiB, lacks a column or has an unknown one, or a value is
 /// not a finite number.
 pub fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift>, Error> {
-    parse(&case.table(name)?).map_err(|source| Error::Steps { path: case.beside(name), source })
+    parse(&case.table(name)?).map_err(|source| Error::from(source).of_file(&case.beside(name)))
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {

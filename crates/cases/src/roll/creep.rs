@@ -6,7 +6,6 @@ use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, FastsimForces, RollingError, creep_coefficients,
 };
 use carom_table::Column;
-use std::path::Path;
 
 /// Strips and elements of FASTSIM.
 const SPRINGS: [usize; 2] = [100, 100];
@@ -37,43 +36,41 @@ pub const CREEP: &[Column<Creep>] = &[
 ];
 
 /// The elliptical contact, whose axis a lies along the direction of rolling.
-fn ellipse<'a>(path: &Path, case: &'a RollCase) -> Result<&'a Elliptical, Error> {
-    let refused = |reason: &str| Error::Input { path: path.to_owned(), reason: reason.to_owned() };
+fn ellipse(case: &RollCase) -> Result<&Elliptical, Error> {
     let ellipse = case.ellipse.as_ref().ok_or_else(|| {
-        refused(
+        Error::input(
             "creep coefficients and FASTSIM are for an elliptical contact: give \
              `contact.semi_axes` or `contact.radii` instead of `gap`",
         )
     })?;
     match case.method.direction() == 0.0 {
         true => Ok(ellipse),
-        false => Err(refused(
+        false => Err(Error::input(
             "creep coefficients and FASTSIM are for rolling along x: remove `rolling.direction`",
         )),
     }
 }
 
 /// The creep coefficients of the contact, with its bodies replaced by two equal ones.
-pub(super) fn of(path: &Path, case: &RollCase) -> Result<Creep, Error> {
-    let Elliptical { hertz, loaded } = ellipse(path, case)?;
+pub(super) fn of(case: &RollCase) -> Result<Creep, Error> {
+    let Elliptical { hertz, loaded } = ellipse(case)?;
     let (ellipse, materials) = (loaded.ellipse, hertz.materials());
     let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();
     let poisson = materials.poisson();
     let coefficients = creep_coefficients(ratio, poisson).map_err(|source| match source {
-        RollingError::Range(source) => Error::Law { path: path.to_owned(), source },
-        source => Error::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
+        RollingError::Range(source) => source.into(),
+        source => Error::from(source).at("row", 1),
     })?;
     Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })
 }
 
 /// The forces of FASTSIM at a creepage.
 pub(super) fn springs(
-    path: &Path,
     case: &RollCase,
     coefficients: CreepCoefficients,
     creepage: Creepage,
 ) -> Result<FastsimForces, Error> {
-    let Elliptical { hertz, loaded } = ellipse(path, case)?;
+    let Elliptical { hertz, loaded } = ellipse(case)?;
     let fastsim = Fastsim {
         semi_axes: [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()],
         shear_modulus: 2.0 * hertz.materials().shear_modulus(),
@@ -82,5 +79,5 @@ pub(super) fn springs(
         friction: case.friction.motion,
         mesh: SPRINGS,
     };
-    fastsim.forces(creepage).map_err(|source| Error::Law { path: path.to_owned(), source })
+    Ok(fastsim.forces(creepage)?)
 }

@@ -8,13 +8,12 @@ pub use creep::{CREEP, Creep};
 pub use row::{COLUMNS, Row};
 pub use run::{Rows, Run, RunError};
 
-use crate::Error;
 use crate::case::{Border, GridCase, RollCase};
 use crate::input::CaseFile;
 use crate::solve::Bodies;
+use crate::{Error, ErrorKind};
 use carom_laws::validity::Validity;
 use carom_solver::{Accuracy, ContactState, GridWarning, Window};
-use std::path::Path;
 
 /// A rolling contact: its rows, and the contact after the last one.
 #[derive(Debug, Clone)]
@@ -43,25 +42,32 @@ pub struct Wanted {
 /// Computes a rolling contact. `observer` is told how many rows there are, and of each one.
 ///
 /// # Errors
-/// [`Error::Rolling`] if a row cannot be solved; [`Error::RollingFit`] if no grid reaches the accuracy;
-/// [`Error::Border`] if the contact reaches the border of the grid; [`Error::Law`], [`Error::Problem`],
-/// [`Error::Input`] if a value or a file that the case names is not valid.
+/// [`ErrorKind::Rolling`] if a row cannot be solved; [`ErrorKind::RollingFit`] if no grid reaches the accuracy;
+/// [`ErrorKind::Border`] if the contact reaches the border of the grid; [`ErrorKind::Range`], [`ErrorKind::Problem`],
+/// [`ErrorKind::Input`] if a value or a file that the case names is not valid.
 pub fn rolled(
     file: &CaseFile,
     case: &RollCase,
     wanted: Wanted,
     observer: &mut dyn FnMut(Progress),
 ) -> Result<Rolled, Error> {
-    let creep =
-        (wanted.coefficients || wanted.springs).then(|| creep::of(&file.path, case)).transpose()?;
+    file.follow(|| rows_of(file, case, wanted, observer))
+}
+
+fn rows_of(
+    file: &CaseFile,
+    case: &RollCase,
+    wanted: Wanted,
+    observer: &mut dyn FnMut(Progress),
+) -> Result<Rolled, Error> {
+    let creep = (wanted.coefficients || wanted.springs).then(|| creep::of(case)).transpose()?;
     let bodies =
         Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?
             .with_influence(file, case.influence.as_ref(), case.grid)?;
-    let path = &file.path;
     if case.distance.is_none() {
         observer(Progress::Begun(case.drives.len()));
     }
-    let window = window(path, case, &bodies)?;
+    let window = window(case, &bodies)?;
     let run = Run {
         grid: window.grid(),
         method: case.method,
@@ -78,11 +84,11 @@ pub fn rolled(
         }
         _ => run.steadily(make, &case.drives, observer),
     };
-    let Rows { rows, state, too_large } = computed.map_err(|error| of_run(path, error))?;
+    let Rows { rows, state, too_large } = computed.map_err(of_run)?;
     let mut rows: Vec<Row> = rows.into_iter().map(|row| row.about(window.middle())).collect();
     if let Some(creep) = creep.as_ref().filter(|_| wanted.springs) {
         for row in &mut rows {
-            row.springs = Some(creep::springs(path, case, creep.coefficients, row.creepage)?);
+            row.springs = Some(creep::springs(case, creep.coefficients, row.creepage)?);
         }
     }
     let creep = creep.filter(|_| wanted.coefficients);
@@ -93,29 +99,24 @@ pub fn rolled(
 const MOST_CELLS: usize = 512 * 512;
 
 /// The window of a case, or one chosen for its accuracy.
-fn window(path: &Path, case: &RollCase, bodies: &Bodies) -> Result<Window, Error> {
-    let range = |source| Error::Law { path: path.to_owned(), source };
+fn window(case: &RollCase, bodies: &Bodies) -> Result<Window, Error> {
     let accuracy = match case.grid {
-        GridCase::Cells { grid, .. } => return Window::about([0.0; 2], grid).map_err(range),
-        GridCase::Accuracy(accuracy) => Accuracy::new(accuracy).map_err(range)?,
+        GridCase::Cells { grid, .. } => return Ok(Window::about([0.0; 2], grid)?),
+        GridCase::Accuracy(accuracy) => Accuracy::new(accuracy)?,
     };
     let drives: Vec<_> = case.drives.iter().map(|drive| (*drive).into()).collect();
     let make = |window: &Window| bodies.problem(window);
     let fit = accuracy.at_most(MOST_CELLS).fit(case.method, make, bodies.sides(), &drives);
-    match fit {
-        Ok(fit) => Ok(fit.window),
-        Err(source) => Err(Error::RollingFit { path: path.to_owned(), source: source.into() }),
-    }
+    Ok(fit?.window)
 }
 
 /// The error of a run in a case.
-fn of_run(path: &Path, error: RunError) -> Error {
-    let path = path.to_owned();
+fn of_run(error: RunError) -> Error {
     match error {
-        RunError::Range(source) => Error::Law { path, source },
-        RunError::Problem(source) => Error::Problem { path, source: source.into() },
-        RunError::Row { row, source } => Error::Rolling { path, row, source },
-        RunError::Border { row, side } => Error::Border { path, step: row, side },
+        RunError::Range(source) => source.into(),
+        RunError::Problem(source) => source.into(),
+        RunError::Row { row, source } => Error::from(*source).at("row", row),
+        RunError::Border { row, side } => Error::from(ErrorKind::Border(side)).at("step", row),
     }
 }
 

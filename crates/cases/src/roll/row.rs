@@ -146,13 +146,11 @@ pub const COLUMNS: &[Column<Row>] = &[
     ),
     Column::new("contact_area", "m2", "of all cells in contact", |row| row.contact_area.into()),
     Column::new("stick_area", "m2", "of all cells that stick", |row| row.stick_area.into()),
-    Column::new(
+    Column::flag(
         "slides",
         "",
         "whether the whole contact slides: the creep force is saturated",
-        |row| {
-            if row.slides { "yes".into() } else { "no".into() }
-        },
+        |row| row.slides.into(),
     ),
     Column::new("F_x_springs", "N", "F_x of FASTSIM, with --fastsim", |row| {
         row.springs.map(|springs| springs.f_x).into()
@@ -177,7 +175,7 @@ pub const COLUMNS: &[Column<Row>] = &[
     Column::new("residual_tangential", "", "residual of the friction law", |row| {
         row.convergence.residuals.tangential.into()
     }),
-    Column::new("iterations", "", "linear systems or passes", |row| {
+    Column::count("iterations", "", "linear systems or passes", |row| {
         (row.convergence.iterations as u64).into()
     }),
     Column::new(

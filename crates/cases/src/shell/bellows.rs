@@ -7,7 +7,6 @@ use carom_shells::bellows::{
     WallPoint,
 };
 use carom_table::Column;
-use std::path::Path;
 
 /// A bellows under each of its loads.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,10 +135,10 @@ impl BellowsRow {
         Column::new("maximal_equivalent_stress", "Pa", "after von Mises, on either face", |row| {
             row.maximal_equivalent_stress().into()
         }),
-        Column::new("end", "", "whether the load is reached, or a limit before it", |row| {
+        Column::text("end", "", "whether the load is reached, or a limit before it", |row| {
             row.end.name().into()
         }),
-        Column::new("iterations", "", "steps of Newton's method at the end", |row| {
+        Column::count("iterations", "", "steps of Newton's method at the end", |row| {
             (row.state.convergence().iterations as u64).into()
         }),
         Column::new("residual", "", "of the equations, in units E = t = 1", |row| {
@@ -224,18 +223,16 @@ impl FollowedBellows {
 /// Number of states on the way to all loads together, at least.
 const COURSE: usize = 32;
 
-pub(super) fn followed(path: &Path, case: &BellowsCase) -> Result<FollowedBellows, Error> {
-    let failed = |load: usize| {
-        move |source| Error::Bellows { path: path.to_owned(), load, source: Box::new(source) }
-    };
+pub(super) fn followed(case: &BellowsCase) -> Result<FollowedBellows, Error> {
     let corrugations = case.corrugations as f64;
-    let linear = case.bellows.linear_response().map_err(failed(0))?;
+    let linear = case.bellows.linear_response()?;
     let response = Response { linear, corrugations, pitch: case.bellows.meridian().pitch() };
     let steps = COURSE.div_ceil(case.loads.len()).min(COURSE / 2);
     let mut walk = Walk { bellows: &case.bellows, at: None, course: Vec::new() };
     let mut rows = Vec::new();
     for (i, load) in case.loads.iter().enumerate() {
-        let (state, end) = walk.to(*load, steps).map_err(failed(i + 1))?;
+        let (state, end) =
+            walk.to(*load, steps).map_err(|source| Error::from(source).at("load", i + 1))?;
         rows.push(BellowsRow { state, end, load: *load, corrugations });
     }
     let (bellows, course) = (case.bellows.clone(), walk.course);

@@ -1,11 +1,11 @@
 //! A flange under forces around it.
 
-use crate::Error;
 use crate::case::FlangeCase;
-use carom_shells::flange::{Flange, FlangeSolution, RingDisplacement, RingForce, RingLoads};
+use carom_shells::flange::{
+    Flange, FlangeError, FlangeSolution, RingDisplacement, RingForce, RingLoads,
+};
 use carom_table::Column;
 use std::f64::consts::TAU;
-use std::path::Path;
 
 /// A flange under its forces.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,7 +99,7 @@ impl FlangeSummary {
         Column::new("maximal_torsion", "N m", "greatest torque", |of| {
             of.greatest.loads.torsion.into()
         }),
-        Column::new("harmonic", "", "harmonic n with most of the energy of the tube", |of| {
+        Column::count("harmonic", "", "harmonic n with most of the energy of the tube", |of| {
             of.shallowness.map(|(harmonic, _)| harmonic as u64).into()
         }),
         Column::new("shallowness", "", "mean of n^2 t/R, weighted by energy in the tube", |of| {
@@ -140,11 +140,8 @@ impl SolvedFlange {
     }
 }
 
-pub(super) fn solved(path: &Path, case: &FlangeCase) -> Result<SolvedFlange, Error> {
-    let solution = case
-        .flange
-        .solve(&case.forces, case.harmonics)
-        .map_err(|source| Error::Flange { path: path.to_owned(), source: Box::new(source) })?;
+pub(super) fn solved(case: &FlangeCase) -> Result<SolvedFlange, FlangeError> {
+    let solution = case.flange.solve(&case.forces, case.harmonics)?;
     let places: Vec<_> = angles(case).into_iter().map(|angle| place(&solution, angle)).collect();
     let summary = FlangeSummary {
         stored_energy: 0.5 * solution.twice_energy(),

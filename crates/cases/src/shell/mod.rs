@@ -36,8 +36,9 @@ impl Solved {
 /// # Errors
 /// If the case has an error, or its equations cannot be solved.
 pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
-    match file.parse(ShellCase::parse)? {
-        ShellCase::Bellows(case) => bellows::followed(&file.path, &case).map(Solved::Bellows),
-        ShellCase::Flange(case) => flange::solved(&file.path, &case).map(Solved::Flange),
-    }
+    let case = file.parse::<ShellCase>()?;
+    file.follow(|| match &case {
+        ShellCase::Bellows(case) => bellows::followed(case).map(Solved::Bellows),
+        ShellCase::Flange(case) => Ok(Solved::Flange(flange::solved(case)?)),
+    })
 }

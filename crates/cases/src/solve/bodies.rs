@@ -38,7 +38,7 @@ impl Bodies {
     /// Reads the bodies of a case of `carom solve`.
     ///
     /// # Errors
-    /// [`Error::Input`] if a file is not valid, or if an accuracy is given for heights that define their own
+    /// [`ErrorKind::Input`](crate::ErrorKind::Input) if a file is not valid, or if an accuracy is given for heights that define their own
     /// grid.
     pub fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, Error> {
         let bodies =
@@ -50,7 +50,7 @@ impl Bodies {
     /// Takes the influence numbers of a file instead of half-spaces, if the case names one.
     ///
     /// # Errors
-    /// [`Error::Input`] if the file is not valid, or its numbers are not those of elastic bodies.
+    /// [`ErrorKind::Input`](crate::ErrorKind::Input) if the file is not valid, or its numbers are not those of elastic bodies.
     pub(crate) fn with_influence(
         mut self,
         file: &CaseFile,
@@ -76,13 +76,11 @@ impl Bodies {
         grid: GridCase,
         friction: &FrictionCase,
     ) -> Result<Self, Error> {
-        let path = &file.path;
-        let law = |source| Error::Law { path: path.clone(), source };
         let own = |what: &str| {
             grid.given().ok_or_else(|| {
-                let reason =
-                    format!("{what} define their own grid; give `grid.cells`, not an accuracy");
-                Error::Input { path: path.clone(), reason }
+                Error::input(format!(
+                    "{what} define their own grid; give `grid.cells`, not an accuracy"
+                ))
             })
         };
         let (gap, mut read) = match gap {
@@ -92,12 +90,12 @@ impl Bodies {
                 (Given::Grid(gap), read)
             }
             GapCase::Rough { surface, radius } => {
-                let rough = surface.heights(own("random heights")?).map_err(law)?;
-                (Given::Grid(standing(&rough, *radius).map_err(law)?), Vec::new())
+                let rough = surface.heights(own("random heights")?)?;
+                (Given::Grid(standing(&rough, *radius)?), Vec::new())
             }
         };
         let friction = match &friction.map {
-            None => cell_friction(friction, 1.0).map_err(law)?.into(),
+            None => cell_friction(friction, 1.0)?.into(),
             Some(map) => {
                 let (factors, bytes) = heights::factors(file, map, own("factors of friction")?)?;
                 read.extend(bytes);
@@ -106,7 +104,7 @@ impl Bodies {
                     .iter()
                     .map(|factor| cell_friction(friction, *factor))
                     .collect();
-                Field::new(factors.grid(), cells.map_err(law)?).map_err(law)?.into()
+                Field::new(factors.grid(), cells?)?.into()
             }
         };
         Ok(Self { gap, materials, friction, border: grid.border(), plate: None, table: None, read })

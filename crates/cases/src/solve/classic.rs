@@ -74,7 +74,7 @@ fn classic(
 #[derive(Debug, Clone, Copy)]
 pub struct Chosen {
     /// The main method.
-    pub(super) today: Frictional,
+    pub(super) main: Frictional,
     /// The method for a plate, which has no friction; none for half-spaces.
     pub(super) plate: Option<Frictionless>,
     pub(super) method: SolveMethod,
@@ -84,8 +84,8 @@ pub struct Chosen {
 impl Chosen {
     /// The main method, or the one of a plate.
     #[must_use]
-    pub fn main(today: Frictional, plate: Option<Frictionless>) -> Self {
-        Self { today, plate, method: SolveMethod::Newton, tolerance: None }
+    pub fn main(main: Frictional, plate: Option<Frictionless>) -> Self {
+        Self { main, plate, method: SolveMethod::Newton, tolerance: None }
     }
 }
 
@@ -94,7 +94,7 @@ impl Chosen {
 pub enum ChosenError {
     /// The main method failed.
     #[error(transparent)]
-    Today(#[from] FrictionalError),
+    Main(#[from] FrictionalError),
     /// The method without friction failed.
     #[error(transparent)]
     Normal(#[from] NormalError),
@@ -110,7 +110,7 @@ pub struct Working(Kind);
 
 #[derive(Clone)]
 enum Kind {
-    Today(Box<FrictionalScratch>),
+    Main(Box<FrictionalScratch>),
     Normal(Frictionless, Box<NormalScratch>),
     Classic(Arc<dyn Classic>),
 }
@@ -125,7 +125,7 @@ impl Method for Chosen {
         }
         Ok(Working(match classic(self.method, self.tolerance, problem)? {
             Some(classic) => Kind::Classic(classic),
-            None => Kind::Today(Box::new(self.today.scratch(problem)?)),
+            None => Kind::Main(Box::new(self.main.scratch(problem)?)),
         }))
     }
 
@@ -139,7 +139,7 @@ impl Method for Chosen {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, ChosenError> {
         Ok(match &mut scratch.0 {
-            Kind::Today(own) => self.today.step(problem, from, drive, to, own, observer)?,
+            Kind::Main(own) => self.main.step(problem, from, drive, to, own, observer)?,
             Kind::Normal(method, own) => method.step(problem, from, drive, to, own, observer)?,
             Kind::Classic(classic) => classic.step(problem, from, drive, to)?,
         })

@@ -2,9 +2,9 @@
 
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
-use crate::Error;
 use crate::case::{Border, GridCase, Leg, SolveCase, SolveMethod, Target};
-use crate::theory::Heed;
+use crate::theory::ValidityReport;
+use crate::{Error, ErrorKind};
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Grid, room};
 use carom_laws::law::{ContactLoad, Shift};
@@ -14,7 +14,6 @@ use carom_solver::{
     Frictionless, GridWarning, NestedError, NestedHistory, ProblemError, StepSummary, Window,
 };
 use carom_special::RangeError;
-use std::path::Path;
 
 /// The result of a run.
 #[derive(Debug)]
@@ -36,13 +35,13 @@ pub struct Followed {
 impl Followed {
     /// Where the pressures exceed what the bodies bear.
     #[must_use]
-    pub fn heed(&self) -> Heed {
-        let mut heed = Heed::default();
+    pub fn validity_report(&self) -> ValidityReport {
+        let mut report = ValidityReport::default();
         for step in &self.steps {
             let validity = self.limits.validity(step.greatest_pressure);
-            heed.add(|| format!("at step {}", step.step), validity);
+            report.add(|| format!("at step {}", step.step), validity);
         }
-        heed
+        report
     }
 
     /// The warning on a displacement that is too large.
@@ -73,7 +72,6 @@ pub struct Saved {
 /// A contact on its grid, before its steps.
 #[allow(missing_debug_implementations)] // memory of any method
 pub struct Run<'a> {
-    path: &'a Path,
     case: &'a SolveCase,
     window: Window,
     method: Frictional,
@@ -85,27 +83,24 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// [`Error`] if the grid is too large for the memory, a value is out of range, or no grid fits.
-    pub fn new(path: &'a Path, case: &'a SolveCase, bodies: &Bodies) -> Result<Self, Error> {
-        let range = |source| Error::Law { path: path.to_owned(), source };
-        let problem =
-            |source: ProblemError| Error::Problem { path: path.to_owned(), source: source.into() };
+    pub fn new(case: &'a SolveCase, bodies: &Bodies) -> Result<Self, Error> {
         let method = Frictional::default();
         let method = match case.tolerance {
-            Some(tolerance) => method.within(tolerance).map_err(range)?,
+            Some(tolerance) => method.within(tolerance)?,
             None => method,
         };
         let chosen = Chosen {
-            today: method,
-            plate: case.plate.map(|_| frictionless(case.tolerance)).transpose().map_err(range)?,
+            main: method,
+            plate: case.plate.map(|_| frictionless(case.tolerance)).transpose()?,
             method: case.method,
             tolerance: case.tolerance,
         };
         let window = match case.grid {
-            GridCase::Cells { grid, .. } => Window::about([0.0; 2], grid).map_err(range)?,
+            GridCase::Cells { grid, .. } => Window::about([0.0; 2], grid)?,
             GridCase::Accuracy(accuracy) => {
                 let (drives, sides) = (ends(&case.legs), bodies.sides());
                 let make = |window: &Window| bodies.problem(window);
-                let accuracy = Accuracy::new(accuracy).map_err(range)?;
+                let accuracy = Accuracy::new(accuracy)?;
                 let fit = match case.plate {
                     Some(_) => accuracy.fit_cells(chosen, make, sides, &drives),
                     None => {
@@ -113,18 +108,17 @@ impl<'a> Run<'a> {
                         accuracy.fit(main, make, sides, &drives)
                     }
                 };
-                fit.map_err(|source| Error::Fit { path: path.to_owned(), source: source.into() })?
-                    .window
+                fit?.window
             }
         };
         let make = |grid| bodies.problem(&window.with(grid));
-        check_room(window.grid()).map_err(|source| problem(source.into()))?;
+        check_room(window.grid()).map_err(ProblemError::from)?;
         let history = NestedHistory::new(chosen, window.grid(), make);
         let history = history.map_err(|error| match error {
-            NestedError::Problem(source) => problem(source),
-            NestedError::Method(source) => failed(path, 0, source),
+            NestedError::Problem(source) => source.into(),
+            NestedError::Method(source) => Error::from(source).at("step", 0),
         })?;
-        Ok(Self { path, case, window, method, history })
+        Ok(Self { case, window, method, history })
     }
 
     /// The contact problem.
@@ -154,7 +148,7 @@ impl<'a> Run<'a> {
     /// Computes the steps after those found. After each step `done` receives all steps and the present state.
     ///
     /// # Errors
-    /// [`Error::Step`], [`Error::Border`], or the error of `done`.
+    /// [`ErrorKind::Step`], [`ErrorKind::Border`], or the error of `done`.
     pub fn follow<E: From<Error>>(
         mut self,
         found: Found,
@@ -162,8 +156,7 @@ impl<'a> Run<'a> {
     ) -> Result<Followed, E> {
         let Found { mut steps, saved } = found;
         if let Some(Saved { state, coarse }) = saved {
-            let law = |source| Error::Law { path: self.path.to_owned(), source };
-            self.history.restore(state, coarse).map_err(law)?;
+            self.history.restore(state, coarse).map_err(Error::from)?;
         }
         let count = steps.len();
         let (mut first, mut held) = (0, HELD);
@@ -195,29 +188,27 @@ impl<'a> Run<'a> {
         drive: &Drive,
         last: Option<&StepSummary>,
     ) -> Result<StepSummary, Error> {
-        let path = self.path;
         let before = self.history.state().clone();
-        let went =
-            self.history.step(drive, &mut ()).map_err(|error| failed(path, number, error))?;
+        let went = self
+            .history
+            .step(drive, &mut ())
+            .map_err(|error| Error::from(error).at("step", number))?;
         let state = self.history.state();
         if let Some(side) = border(state).filter(|_| self.is_free()) {
-            return Err(Error::Border { path: path.to_owned(), step: number, side });
+            return Err(Error::from(ErrorKind::Border(side)).at("step", number));
         }
         let estimates = self.history.estimates();
         let begin = last.copied().unwrap_or_default();
-        let step = begin
-            .next(self.problem(), [&before, state], &went)
-            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?;
+        let step = begin.next(self.problem(), [&before, state], &went).map_err(|error| {
+            Error::from(ChosenError::from(FrictionalError::from(error))).at("step", number)
+        })?;
         Ok(step.with_middle_at(self.window.middle()).with_estimates(estimates.as_ref()))
     }
 
     /// The warning of a displacement beyond the theory of the operator in this step, the present one.
     fn too_large(&self, step: usize) -> Result<Option<(usize, GridWarning)>, Error> {
         let warnings = self.problem().warnings(self.history.state());
-        let warnings = warnings.map_err(|source| {
-            let source = ProblemError::from(source).into();
-            Error::Problem { path: self.path.to_owned(), source }
-        })?;
+        let warnings = warnings.map_err(ProblemError::from)?;
         let large =
             |warning: &GridWarning| matches!(warning, GridWarning::LargeDisplacement { .. });
         Ok(warnings.into_iter().find(large).map(|warning| (step, warning)))
@@ -247,15 +238,6 @@ fn check_room(grid: Grid) -> Result<(), OperatorError> {
 fn frictionless(tolerance: Option<f64>) -> Result<Frictionless, RangeError> {
     let method = Frictionless::default();
     tolerance.map_or(Ok(method), |tolerance| method.within(tolerance))
-}
-
-fn failed(path: &Path, step: usize, error: ChosenError) -> Error {
-    let path = path.to_owned();
-    match error {
-        ChosenError::Today(source) => Error::Step { path, step, source: source.into() },
-        ChosenError::Normal(source) => Error::Frictionless { path, step, source: source.into() },
-        ChosenError::Classic(source) => Error::Classic { path, step, source: source.into() },
-    }
 }
 
 /// The drives before the first leg.

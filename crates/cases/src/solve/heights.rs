@@ -12,9 +12,9 @@ use std::path::Path;
 /// The factors in a file, one for each cell, and its content.
 ///
 /// # Errors
-/// [`Error::Input`] as [`gap`], or if a factor is negative.
+/// [`ErrorKind::Input`](crate::ErrorKind::Input) as [`gap`], or if a factor is negative.
 pub(super) fn factors(case: &CaseFile, file: &Path, grid: Grid) -> Result<(Field, Vec<u8>), Error> {
-    let refused = |reason: String| Error::Input { path: case.beside(file), reason };
+    let refused = |reason: String| Error::input(reason).of_file(&case.beside(file));
     let (rows, read) = numbers(case, file, grid)?;
     for (i, row) in rows.iter().enumerate() {
         if let Some(j) = row.iter().position(|factor| !(*factor >= 0.0 && factor.is_finite())) {
@@ -32,17 +32,17 @@ pub(super) fn factors(case: &CaseFile, file: &Path, grid: Grid) -> Result<(Field
 /// The gap of the heights in the file that the case names, and the content of the file.
 ///
 /// # Errors
-/// [`Error::Input`] if the rows differ in length, the size differs from that of the grid, or a height is too
+/// [`ErrorKind::Input`](crate::ErrorKind::Input) if the rows differ in length, the size differs from that of the grid, or a height is too
 /// large or not finite.
 pub(super) fn gap(case: &CaseFile, map: &HeightFile, grid: Grid) -> Result<(Gap, Vec<u8>), Error> {
     let (rows, read) = numbers(case, &map.file, grid)?;
-    let refused = |reason: String| Error::Input { path: case.beside(&map.file), reason };
+    let refused = |reason: String| Error::input(reason).of_file(&case.beside(&map.file));
     Ok((under(rows, map, grid).map_err(refused)?, read))
 }
 
 /// The rows of numbers in a file, one number for each cell, and its content.
 fn numbers(case: &CaseFile, file: &Path, grid: Grid) -> Result<(Vec<Vec<f64>>, Vec<u8>), Error> {
-    let refused = |reason: String| Error::Input { path: case.beside(file), reason };
+    let refused = |reason: String| Error::input(reason).of_file(&case.beside(file));
     let check = |size| HeightMap::check_size(size, grid).map_err(|error| error.to_string());
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     Ok(match ending.to_ascii_lowercase().as_str() {

@@ -18,7 +18,7 @@ const MILLIMETRE: f64 = 1e-3;
 /// Betti's theorem, and tractions of the kind `blocks` do positive work.
 ///
 /// # Errors
-/// [`Error::Input`].
+/// [`ErrorKind::Input`](crate::ErrorKind::Input).
 pub(super) fn operator(
     case: &CaseFile,
     influence: &InfluenceFile,
@@ -27,7 +27,7 @@ pub(super) fn operator(
     blocks: Blocks,
 ) -> Result<(KernelOperator, Vec<u8>), Error> {
     let file = &influence.file;
-    let refused = |reason: String| Error::Input { path: case.beside(file), reason };
+    let refused = |reason: String| Error::input(reason).of_file(&case.beside(file));
     let told = |error: OperatorError| refused(error.to_string());
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let (kernel, read) = match ending.to_ascii_lowercase().as_str() {

@@ -26,9 +26,11 @@ pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<(SolveCase, Foll
     if let Some(accuracy) = accuracy {
         Accuracy::new(accuracy)?;
     }
-    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
-    let bodies = Bodies::of(file, &case)?;
-    let run = Run::new(&file.path, &case, &bodies)?;
-    let followed = run.follow(Found::default(), |_, _, _| Ok::<_, Error>(()))?;
+    let case = file.parse_by(|source| SolveCase::parse_to(source, accuracy))?;
+    let followed = file.follow(|| {
+        let bodies = Bodies::of(file, &case)?;
+        let run = Run::new(&case, &bodies)?;
+        run.follow(Found::default(), |_, _, _| Ok(()))
+    })?;
     Ok((case, followed))
 }

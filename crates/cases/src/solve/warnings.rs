@@ -13,7 +13,7 @@ impl Followed {
         let mut warnings: Vec<String> = few.into_iter().chain(unestimated(case, self)).collect();
         warnings.extend(untouched(&self.steps));
         warnings.extend(self.large());
-        warnings.extend(self.heed().told("steps").1);
+        warnings.extend(self.validity_report().told("steps").1);
         warnings.extend(unreached(case, &self.steps));
         warnings
     }

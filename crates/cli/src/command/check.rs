@@ -1,7 +1,7 @@
 //! `carom check`: validates a case without computing it.
 
-use crate::columns::{self, Record};
-use crate::command::kind;
+use crate::columns::{self, Records};
+use crate::command::case_arguments::kind;
 use crate::error::CliError;
 use crate::format::Printing;
 use crate::output::{Answer, Format, json};
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 pub(super) struct Arguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
+    pub(super) case: PathBuf,
     /// The kind of case; by default that given by the tables of the file.
     #[arg(long, value_parser = kind())]
     kind: Option<CaseKind>,
@@ -33,7 +33,7 @@ pub(super) struct Arguments {
 #[derive(Serialize)]
 struct Checked<'a> {
     kind: &'static str,
-    fields: Vec<Record<'a, Understood>>,
+    fields: Records<'a, Understood>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
@@ -42,18 +42,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let file = outputs.read_case(&arguments.case)?;
     let kind = match arguments.kind {
         Some(kind) => kind,
-        None => file.parse(CaseKind::of)?,
+        None => file.told(CaseKind::of)?,
     };
-    file.parse(|source| kind.check(source))?;
+    file.told(|source| kind.check(source))?;
     check_files(&file, kind)?;
-    let fields = file.parse(|source| kind.understood(source))?;
+    let fields = file.told(|source| kind.understood(source))?;
     let text = match format {
         Format::Json => {
-            let records = fields.iter().map(|field| Record::new(Understood::COLUMNS, field));
-            json(&Checked { kind: kind.name(), fields: records.collect() })?
+            json(&Checked { kind: kind.name, fields: Records(Understood::COLUMNS, &fields) })?
         }
         Format::Table(page) => {
-            format!("a case for `carom {}`\n", kind.name())
+            format!("a case for `carom {}`\n", kind.name)
                 + &columns::texts(page, Understood::COLUMNS, &fields)
         }
         format => columns::rows(format, Understood::COLUMNS, &fields)?,
@@ -65,10 +64,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
     match kind {
         CaseKind::History => {
-            history::shifts(file, &file.parse(HistoryCase::parse)?)?;
+            history::shifts(file, &file.parse::<HistoryCase>()?)?;
         }
         CaseKind::Solve => {
-            Bodies::of(file, &file.parse(SolveCase::parse)?)?;
+            Bodies::of(file, &file.parse::<SolveCase>()?)?;
         }
         CaseKind::Impact
         | CaseKind::Hertz

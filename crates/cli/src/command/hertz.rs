@@ -1,8 +1,8 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
 use crate::columns::{self, Record, add_fields};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::command::plot::{Course, MOST_MARKS};
-use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::Error;
@@ -40,10 +40,10 @@ struct Row<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
+    let Given { case: file, plot } = arguments.given.read()?;
     let followed = hertz::followed(&file)?;
     let (Followed { case, states }, validities) = (&followed, followed.validities());
-    columns::check(&file.path, HertzState::COLUMNS, states)?;
+    columns::check(HertzState::COLUMNS, states)?;
     let format = arguments.given.format();
     let loads = columns::rows(format, HertzState::COLUMNS, states)?;
     let text = match format {
@@ -60,12 +60,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         Format::Csv | Format::None => loads,
     };
-    let at_fault = |source| Error::Law { path: file.path.clone(), source };
     let picture = match plot {
-        Some(to) => Some((to, draw(case, states).map_err(at_fault)?)),
+        Some(to) => Some((to, draw(case, states).map_err(Error::from)?)),
         None => None,
     };
-    let (caution, warnings) = followed.heed().told("loads");
+    let (caution, warnings) = followed.validity_report().told("loads");
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }

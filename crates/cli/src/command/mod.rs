@@ -1,13 +1,14 @@
 //! The commands, one module each. A command returns an [`Answer`] and writes nothing itself, except
 //! for tables too large to hold in memory.
 
-mod begin;
+mod case_arguments;
 mod check;
 mod completions;
 mod hertz;
 mod history;
 mod impact;
 mod man;
+mod new;
 mod npz;
 mod plot;
 mod restitution;
@@ -19,18 +20,13 @@ mod solve;
 mod stress;
 mod thinned;
 
-use crate::destination::Destination;
 use crate::error::CliError;
-use crate::format::Printing;
-use crate::manner::{Manner, Messages};
-use crate::output::{Answer, Format, Picture, Results, Shown};
-use crate::outputs::Outputs;
+use crate::global_options::{GlobalOptions, Messages};
+use crate::output::{Answer, Results};
 use crate::progress::Progress;
 use carom_cases::case::CaseKind;
-use carom_cases::input::CaseFile;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use std::path::PathBuf;
-use std::sync::OnceLock;
+use case_arguments::CaseArguments;
+use std::path::Path;
 
 /// Elastic impact with friction: how two bodies make contact, slip, stick, twist and rebound.
 ///
@@ -45,7 +41,7 @@ pub struct Carom {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
-    manner: Manner,
+    options: GlobalOptions,
 }
 
 const FIRST_STEPS: &str = "\
@@ -65,75 +61,7 @@ impl Carom {
     /// The message writer for the given options.
     #[must_use]
     pub fn messages(&self) -> Messages {
-        self.manner.messages()
-    }
-}
-
-/// Parses a kind of case.
-fn kind() -> impl TypedValueParser<Value = CaseKind> {
-    let value = |kind: CaseKind| PossibleValue::new(kind.name()).help(kind.meaning());
-    PossibleValuesParser::new(CaseKind::ALL.map(value)).try_map(|word| word.parse::<CaseKind>())
-}
-
-/// Arguments of every command with a case file.
-#[derive(Debug, clap::Args)]
-struct CaseArguments {
-    /// The case file; - is standard input.
-    #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
-    #[command(flatten)]
-    printing: Printing,
-    /// Draw the results into this file, as SVG, PNG or PDF according to its ending; - is standard
-    /// output.
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
-    /// Show the panels of the picture that say most, or all.
-    #[arg(long, value_name = "WHICH", value_enum, default_value_t, hide_possible_values = true)]
-    panels: Shown,
-    /// The text of the case, once it is read.
-    #[arg(skip)]
-    text: OnceLock<String>,
-}
-
-/// A case file and the destination of its picture, if one is requested.
-struct Given {
-    case: CaseFile,
-    plot: Option<Destination>,
-}
-
-impl CaseArguments {
-    /// The format of the results; with a picture, none by default.
-    fn format(&self) -> Format {
-        match self.plot {
-            Some(_) => self.printing.format_beside_picture(),
-            None => self.printing.format(),
-        }
-    }
-
-    /// A picture for the place given with --plot, with the panels asked for.
-    fn drawn(&self, to: Destination, picture: Picture) -> (Destination, Picture) {
-        (to, picture.showing(self.panels))
-    }
-
-    /// Reads the case after checking that no output goes to the same file.
-    fn read(&self) -> Result<Given, CliError> {
-        Ok(self.read_beside(|_| Ok(()))?.0)
-    }
-
-    /// The same, with other outputs that the command `claims`.
-    fn read_beside<T>(
-        &self,
-        claims: impl FnOnce(&mut Outputs) -> Result<T, CliError>,
-    ) -> Result<(Given, T), CliError> {
-        let mut outputs = Outputs::of_command(self.format())?;
-        // Checked first, so that no other error is written to a stream that goes to the case file.
-        outputs.check_input(&self.case)?;
-        let to = |path: &PathBuf| outputs.picture("plot", path, self.format());
-        let plot = self.plot.as_ref().map(to).transpose()?;
-        let claimed = claims(&mut outputs)?;
-        let case = outputs.read_case(&self.case)?;
-        self.text.get_or_init(|| case.text().to_owned());
-        Ok((Given { case, plot }, claimed))
+        self.options.messages()
     }
 }
 
@@ -149,7 +77,7 @@ enum Command {
     Stress(stress::Arguments),
     Shell(shell::Arguments),
     Compare(solve::compare::Arguments),
-    New(begin::Arguments),
+    New(new::Arguments),
     Check(check::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
@@ -170,9 +98,9 @@ impl Command {
         }
     }
 
-    /// Kind and text of the case that the command has read.
-    fn case(&self) -> Option<(CaseKind, &str)> {
-        let (kind, given) = match self {
+    /// The kind of case that the command takes, and its arguments.
+    const fn given(&self) -> Option<(CaseKind, &CaseArguments)> {
+        Some(match self {
             Self::Impact(arguments) => (CaseKind::Impact, &arguments.given),
             Self::Hertz(arguments) => (CaseKind::Hertz, &arguments.given),
             Self::History(arguments) => (CaseKind::History, &arguments.given),
@@ -182,8 +110,16 @@ impl Command {
             Self::Stress(arguments) => (CaseKind::Stress, &arguments.given),
             Self::Shell(arguments) => (CaseKind::Shell, &arguments.given),
             _ => return None,
-        };
-        Some((kind, given.text.get()?))
+        })
+    }
+
+    /// The case file of the command, if it has one.
+    fn file(&self) -> Option<&Path> {
+        match self {
+            Self::Compare(arguments) => Some(&arguments.case),
+            Self::Check(arguments) => Some(&arguments.case),
+            _ => self.given().map(|(_, given)| given.case.as_path()),
+        }
     }
 }
 
@@ -193,7 +129,7 @@ impl Command {
 /// If its input is bad, or a file cannot be read.
 pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError> {
     let messages = &arguments.messages();
-    let Some(threads) = arguments.manner.threads() else {
+    let Some(threads) = arguments.options.threads() else {
         return go(&arguments.command, messages, results);
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -201,11 +137,17 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
     pool.map_err(failed)?.install(|| go(&arguments.command, messages, results))
 }
 
-/// Runs the command; warnings of unusual numbers in its case come first.
+/// Runs the command. Errors name its case, and warnings of unusual numbers in it come first.
 fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<Answer, CliError> {
-    let mut answer = run_one(command, messages, results)?;
-    if let Some((kind, text)) = command.case() {
-        answer.warnings.splice(..0, kind.unusual(text));
+    let answer = run_one(command, messages, results);
+    let of_file = |error: CliError| match command.file() {
+        Some(path) => error.of_file(path),
+        None => error,
+    };
+    let mut answer = answer.map_err(of_file)?;
+    if let Some((kind, given)) = command.given() {
+        let unusual = given.text.get().map(|text| kind.unusual(text));
+        answer.warnings.splice(..0, unusual.unwrap_or_default());
     }
     Ok(answer)
 }
@@ -228,7 +170,7 @@ fn run_one(
         Command::Stress(arguments) => stress::run(arguments),
         Command::Shell(arguments) => shell::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments, messages),
-        Command::New(arguments) => begin::run(arguments),
+        Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => Ok(completions::run(arguments)),

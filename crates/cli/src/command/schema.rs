@@ -1,7 +1,7 @@
 //! `carom schema`: the fields of a kind of case.
 
-use crate::columns::{self, Record};
-use crate::command::kind;
+use crate::columns::{self, Records};
+use crate::command::case_arguments::kind;
 use crate::error::CliError;
 use crate::format::Printing;
 use crate::output::{Answer, Format, json};
@@ -31,10 +31,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     }
     let entries = arguments.kind.entries();
     let text = match arguments.printing.format() {
-        Format::Json => {
-            let records = entries.iter().map(|entry| Record::new(Entry::COLUMNS, entry));
-            json(&records.collect::<Vec<_>>())?
-        }
+        Format::Json => json(&Records(Entry::COLUMNS, &entries))?,
         Format::Table(page) => columns::texts(page, Entry::readable(), &entries),
         format => columns::rows(format, Entry::COLUMNS, &entries)?,
     };

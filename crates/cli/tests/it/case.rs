@@ -1,6 +1,6 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
-use carom_cases::case::{CaseError, HistoryCase, ImpactFile};
+use carom_cases::case::{Case as _, CaseError, CaseFault, HistoryCase, ImpactFile};
 use carom_laws::friction::Friction;
 use carom_laws::turning_law::TurningLaw;
 
@@ -273,7 +273,10 @@ fn conflicts_name_both_fields() {
 #[test]
 fn what_is_not_toml_is_shown_with_its_line() {
     let source = changed("radius = 0.0025", "radius 0.0025");
-    assert!(matches!(ImpactFile::parse(&source), Err(CaseError::Syntax { line: 3, .. })));
+    assert!(matches!(
+        ImpactFile::parse(&source),
+        Err(CaseError { line: 3, fault: CaseFault::Syntax { .. }, .. })
+    ));
 }
 
 /// The case with an approach instead of a velocity.

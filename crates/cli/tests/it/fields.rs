@@ -72,7 +72,7 @@ fn every_field_and_every_word_stands_in_an_example() {
             let words = words.iter().filter(|(word, _)| format!("{word:?}") != default);
             let words = words.map(|(word, _)| format!("{path} = {word}"));
             let wanted = std::iter::once(path.clone()).chain(words);
-            lacking.extend(wanted.filter(|path| !found.contains(path)).map(|p| (kind.name(), p)));
+            lacking.extend(wanted.filter(|path| !found.contains(path)).map(|p| (kind.name, p)));
         }
     }
     assert!(lacking.is_empty(), "no example has {lacking:#?}");
@@ -81,12 +81,12 @@ fn every_field_and_every_word_stands_in_an_example() {
 #[test]
 fn a_new_case_of_every_kind_passes_and_runs() {
     for kind in CaseKind::ALL {
-        let text = stdout(&["new", kind.name()]);
-        assert_eq!(text, kind.begin());
-        let file = case(&format!("new_{}.toml", kind.name()), &text);
+        let text = stdout(&["new", kind.name]);
+        assert_eq!(text, kind.template());
+        let file = case(&format!("new_{}.toml", kind.name), &text);
         let checked = stdout(&["check", &file]);
-        assert!(checked.starts_with(&format!("a case for `carom {}`\n", kind.name())), "{checked}");
-        assert!(!stdout(&[kind.name(), &file, "--format", "csv"]).is_empty());
+        assert!(checked.starts_with(&format!("a case for `carom {}`\n", kind.name)), "{checked}");
+        assert!(!stdout(&[kind.name, &file, "--format", "csv"]).is_empty());
         // Every field is there, in force or behind #, with its meaning.
         for entry in kind.entries().iter().filter(|entry| !entry.path.starts_with('*')) {
             let name = entry.field.name;
@@ -94,7 +94,7 @@ fn a_new_case_of_every_kind_passes_and_runs() {
                 let line = line.trim_start_matches('#').trim_matches(['[', ']']);
                 line.starts_with(&format!("{name} = ")) || line == entry.path.replace("[]", "")
             });
-            assert!(is_there, "{}: {}", kind.name(), entry.path);
+            assert!(is_there, "{}: {}", kind.name, entry.path);
             let flat = |text: &str| {
                 let words = text.split(|c: char| c.is_whitespace() || c == '#');
                 words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
@@ -107,26 +107,26 @@ fn a_new_case_of_every_kind_passes_and_runs() {
 #[test]
 fn a_short_new_case_has_what_is_necessary_and_runs() {
     for kind in CaseKind::ALL {
-        let text = stdout(&["new", kind.name(), "--short"]);
-        let file = case(&format!("short_{}.toml", kind.name()), &text);
-        let output = carom(&[kind.name(), &file, "--format", "csv"]);
-        assert!(output.status.success() && !output.stdout.is_empty(), "{}", kind.name());
+        let text = stdout(&["new", kind.name, "--short"]);
+        let file = case(&format!("short_{}.toml", kind.name), &text);
+        let output = carom(&[kind.name, &file, "--format", "csv"]);
+        assert!(output.status.success() && !output.stdout.is_empty(), "{}", kind.name);
         let told = String::from_utf8(output.stderr).unwrap();
-        assert!(!told.contains("warning"), "{}: {told}", kind.name());
-        assert!(text.lines().count() < 45, "{}: {}", kind.name(), text.lines().count());
+        assert!(!told.contains("warning"), "{}: {told}", kind.name);
+        assert!(text.lines().count() < 45, "{}: {}", kind.name, text.lines().count());
         // The same values as in the long one.
         let given = |text: &str| -> Vec<_> {
             let told = kind.understood(text).unwrap().into_iter().filter(|told| told.is_given);
             told.map(|told| (told.field, told.value)).collect()
         };
-        assert_eq!(given(&text), given(&kind.begin()));
+        assert_eq!(given(&text), given(&kind.template()));
     }
 }
 
 #[test]
 fn what_stands_behind_a_sign_in_a_new_case_is_well_formed() {
     for kind in CaseKind::ALL {
-        for line in kind.begin().lines().filter(|line| !line.starts_with("# ")) {
+        for line in kind.template().lines().filter(|line| !line.starts_with("# ")) {
             let line = line.trim_start_matches('#');
             assert!(line.parse::<Table>().is_ok(), "{line}");
             assert!(!line.ends_with("= "), "{line}");
@@ -274,7 +274,7 @@ fn what_must_be_there_is_missed() {
 fn a_schema_has_every_field_in_every_format() {
     for kind in CaseKind::ALL {
         let [table, json, csv] = ["table", "json", "csv"]
-            .map(|format| stdout(&["schema", kind.name(), "--format", format]));
+            .map(|format| stdout(&["schema", kind.name, "--format", format]));
         let json: serde_json::Value = serde_json::from_str(&json).unwrap();
         assert_eq!(json.as_array().unwrap().len(), kind.entries().len());
         assert_eq!(csv.lines().count(), kind.entries().len() + 1);

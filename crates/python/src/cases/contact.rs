@@ -16,14 +16,14 @@ use std::path::PathBuf;
 use super::{Lines, lines, raised};
 use crate::records::arrays;
 use crate::threads::beside;
-use crate::told::{Told, heeded, of_contact};
+use crate::told::{Told, of_contact, reported};
 
 /// The contact under each of its loads, and warnings.
 #[pyfunction]
 pub(crate) fn case_hertz(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
     let followed = beside(py, || hertz::followed(&CaseFile::read(&path)?));
     let followed = followed?.map_err(raised)?;
-    let told = heeded(followed.heed(), "loads");
+    let told = reported(followed.validity_report(), "loads");
     Ok((arrays(py, HertzState::COLUMNS, &followed.states)?, told))
 }
 
@@ -74,7 +74,7 @@ pub(crate) fn case_roll<'py>(
 )> {
     let wanted = Wanted { coefficients, springs: fastsim };
     let file = CaseFile::read(&path).map_err(raised)?;
-    let case = file.parse(RollCase::parse).map_err(raised)?;
+    let case = file.parse::<RollCase>().map_err(raised)?;
     if fastsim && case.distance.is_some() {
         let text = "fastsim: supports the steady state only: the case must have no `distance`";
         return Err(PyValueError::new_err(text));

@@ -11,12 +11,12 @@ pub(crate) use shell::case_shell;
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState};
 use carom::special::WordError;
-use carom_cases::Error;
 use carom_cases::case::CaseKind;
 use carom_cases::history::{self, all_columns};
 use carom_cases::impact::{self, Followed as Impacts};
 use carom_cases::input::CaseFile;
 use carom_cases::solve::{self, Followed as Solved};
+use carom_cases::{Error, ErrorKind};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -27,7 +27,7 @@ use crate::error::{CaromError, Fault};
 use crate::quantities::{Accuracy, In};
 use crate::records::arrays;
 use crate::threads::beside;
-use crate::told::{Told, heeded, of_impacts};
+use crate::told::{Told, of_impacts, reported};
 
 /// Name, unit and values of the field that a case sweeps over.
 type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
@@ -52,7 +52,7 @@ pub(crate) fn case_impact<'py>(
 pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
     let followed = beside(py, || history::followed(&CaseFile::read(&path)?));
     let followed = followed?.map_err(raised)?;
-    let told = heeded(followed.heed(), "steps");
+    let told = reported(followed.validity_report(), "steps");
     Ok((arrays(py, &all_columns(), &followed.steps)?, told))
 }
 
@@ -74,9 +74,9 @@ pub(crate) fn case_solve<'py>(
     let accuracy = accuracy.map(|accuracy| accuracy.0);
     let solved = beside(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
     let (case, solved) = solved?.map_err(raised)?;
-    let caution = solved.heed().told("steps").0;
+    let caution = solved.validity_report().told("steps").0;
     let texts = caution.into_iter().chain(solved.warnings(&case)).collect();
-    let is_left = !solved.heed().validity().holds() || solved.too_large.is_some();
+    let is_left = !solved.validity_report().validity().holds() || solved.too_large.is_some();
     let Solved { steps, state, window, .. } = solved;
     let axes = contact::centres(py, &window.grid(), window.middle());
     let (fields, cells) = lines(py, &state);
@@ -88,7 +88,7 @@ pub(crate) fn case_solve<'py>(
 #[pyfunction]
 pub(crate) fn case_new(kind: &str) -> PyResult<String> {
     let kind: Result<CaseKind, WordError> = kind.parse();
-    Ok(kind.map_err(|error| PyValueError::new_err(error.to_string()))?.begin())
+    Ok(kind.map_err(|error| PyValueError::new_err(error.to_string()))?.template())
 }
 
 /// Fields and cell states as flat arrays: pressure, tractions, displacements.
@@ -117,13 +117,14 @@ fn reason(error: &std::io::Error) -> String {
 
 /// Raises an error in a case as `ValueError`, a file that cannot be read as `OSError`.
 fn raised(error: Error) -> PyErr {
-    match error {
-        Error::Range(range) => Fault::from(range).into(),
-        Error::Io { path, source, .. } => match source.raw_os_error() {
-            Some(code) => PyOSError::new_err((code, reason(&source), path.display().to_string())),
-            None => PyOSError::new_err(format!("{}: {source}", path.display())),
+    let path = error.path.as_ref().map(|path| path.display());
+    match (&*error.kind, path) {
+        (ErrorKind::Range(range), None) => Fault::from(*range).into(),
+        (ErrorKind::Io { source, .. }, Some(path)) => match source.raw_os_error() {
+            Some(code) => PyOSError::new_err((code, reason(source), path.to_string())),
+            None => PyOSError::new_err(format!("{path}: {source}")),
         },
-        error if error.is_bad_input() => PyValueError::new_err(error.to_string()),
-        error => CaromError::new_err(error.to_string()),
+        _ if error.is_bad_input() => PyValueError::new_err(error.to_string()),
+        _ => CaromError::new_err(error.to_string()),
     }
 }

@@ -3,39 +3,17 @@
 use crate::case::field::{AXES, Default, Field, Form, Usual};
 use crate::case::material::{MATERIAL, YIELDING};
 use crate::case::range::Range;
+use crate::case::shape::{
+    BOX, CAPSULE, CYLINDER, ELLIPSOID, GIVEN, HALF_SPACE, PLANE, SHAPE, SPHERE, TORUS,
+};
 use crate::case::unit::{Dimension, Measure};
 
-pub(super) const SPHERE: &str = "sphere";
-pub(super) const ELLIPSOID: &str = "ellipsoid";
-pub(super) const CYLINDER: &str = "cylinder";
-pub(super) const CAPSULE: &str = "capsule";
-pub(super) const TORUS: &str = "torus";
-pub(super) const BOX: &str = "box";
-pub(super) const PLANE: &str = "plane";
-pub(super) const HALF_SPACE: &str = "half-space";
-pub(super) const GIVEN: &str = "given";
 pub(super) const SOLID: &str = "solid";
 pub(super) const SHELL: &str = "shell";
 
 const LENGTH_ABOVE_0: Measure = Range::Positive.of(Dimension::Length);
 const PLACE: Measure = Range::Finite.of(Dimension::Length);
 
-pub(in crate::case) const SHAPE: Field = Field::new(
-    "shape",
-    Form::Word(&[
-        (SPHERE, "about its centre of mass"),
-        (ELLIPSOID, "with semi-axes along the axes of the body"),
-        (CYLINDER, "about axis c; contact on its curved side"),
-        (CAPSULE, "a cylinder with hemispherical ends, about axis c"),
-        (TORUS, "a ring about axis c"),
-        (BOX, "with edges along the axes of the body; contact on a face"),
-        (PLANE, "an infinite plane, the surface of a half-space"),
-        (HALF_SPACE, "another name for plane"),
-        (GIVEN, "a surface known by its curvatures at one point"),
-    ]),
-    "shape of the surface",
-)
-.such_as("\"sphere\"");
 pub(super) const RADIUS: Field =
     Field::number("radius", LENGTH_ABOVE_0, "radius; for a torus that of its centre circle")
         .of(&[SPHERE, CYLINDER, CAPSULE, TORUS])

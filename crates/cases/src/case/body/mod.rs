@@ -3,22 +3,23 @@
 mod fields;
 
 pub(super) use fields::{
-    BALL, BODY_1, BODY_2, FIXED, INERTIA, MASS, POINT as KNOWN_POINT, POSITION, RADII, SHAPE,
-    VELOCITY,
+    BALL, BODY_1, BODY_2, FIXED, INERTIA, MASS, POINT as KNOWN_POINT, POSITION, RADII, VELOCITY,
 };
 
 use super::error::CaseError;
 use super::field::Field;
 use super::material;
 use super::section::Section;
+use super::shape::{
+    BOX, CAPSULE, CYLINDER, ELLIPSOID, GIVEN, HALF_SPACE, PLANE, SHAPE, SPHERE, TORUS,
+};
 use carom_geometry::curvature::PrincipalRadii;
 use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom_impact::{Body, Motion};
 use carom_special::RangeError;
 use fields::{
-    ANGLES, BOX, CAPSULE, CYLINDER, DENSITY, DIRECTION, EDGES, ELLIPSOID, GIVEN, HALF_SPACE,
-    LENGTH, NORMAL, OUTWARD, PLANE, QUATERNION, RADIUS, SEMI_AXES, SHELL, SOLID, SPHERE, SPIN,
-    TORUS, TUBE,
+    ANGLES, DENSITY, DIRECTION, EDGES, LENGTH, NORMAL, OUTWARD, QUATERNION, RADIUS, SEMI_AXES,
+    SHELL, SOLID, SPIN, TUBE,
 };
 
 /// A body as a case file describes it.

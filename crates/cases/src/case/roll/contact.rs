@@ -1,7 +1,7 @@
 //! What touches: an elliptical contact or any gap, and its grid.
 
 use super::ANY_GAP;
-use crate::case::error::CaseError;
+use crate::case::error::{CaseError, CaseFault};
 use crate::case::field::{Default, Field, Form, Usual};
 use crate::case::range::Range;
 use crate::case::section::Section;
@@ -125,11 +125,8 @@ pub(super) fn read(
         RelativeCurvature::from_coefficients(0.5 / x, 0.5 / y)
             .and_then(|curvature| Ok(Hertz::new(curvature, materials)?))
     };
-    let hertz = made.map_err(|source| CaseError::Curvature {
-        field: contact.path(&field),
-        others: "",
-        line: contact.line(field),
-        source,
+    let hertz = made.map_err(|source| {
+        CaseFault::Curvature { others: "", source }.at(contact.path(&field), contact.line(field))
     })?;
     let loaded = hertz
         .at_force(force)

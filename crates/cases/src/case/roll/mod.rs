@@ -6,10 +6,10 @@ mod rolling;
 pub use contact::Elliptical;
 
 use super::error::CaseError;
-use super::field::{Field, Form};
-use super::kind::CaseKind;
+use super::field::{Field, Form, Schema};
 use super::material::{self, MATERIAL};
-use super::section::{Section, parse, survey};
+use super::reader::Case;
+use super::section::{Section, parse};
 use super::solve::influence::{self, INFLUENCE};
 use super::solve::{FrictionCase, GAP, GapCase, GridCase, InfluenceFile, TOLERANCE};
 use carom_halfspace::MaterialPair;
@@ -29,7 +29,7 @@ const BODIES: Field = Field::new("bodies", Form::Table(&[INFLUENCE]), "what the 
     .may("both are half-spaces");
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, ANY_GAP, CONTACT, ROLLING, GRID];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, ANY_GAP, CONTACT, ROLLING, GRID];
 
 /// A rolling contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,22 +56,9 @@ pub struct RollCase {
     pub distance: Option<f64>,
 }
 
-impl RollCase {
-    /// What the bodies bear.
-    #[must_use]
-    pub fn pressure_limits(&self) -> PressureLimits {
-        let limits = PressureLimits::of(&self.materials);
-        if self.influence.is_none() { limits } else { limits.without_half_spaces() }
-    }
-
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::Roll, source, first))
-    }
+impl Case<'_> for RollCase {
+    const SCHEMA: Schema =
+        Schema::new("roll", "A rolling contact, driven by creepages or by forces.", FIELDS);
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
@@ -116,5 +103,14 @@ impl RollCase {
             drives,
             distance,
         })
+    }
+}
+
+impl RollCase {
+    /// What the bodies bear.
+    #[must_use]
+    pub fn pressure_limits(&self) -> PressureLimits {
+        let limits = PressureLimits::of(&self.materials);
+        if self.influence.is_none() { limits } else { limits.without_half_spaces() }
     }
 }

@@ -17,39 +17,27 @@ pub(super) enum Json {
     Map(Vec<(String, Json)>),
 }
 
-impl From<bool> for Json {
-    fn from(value: bool) -> Self {
-        Self::Bool(value)
-    }
+macro_rules! values {
+    ($($kind:ty => $variant:ident,)*) => {
+        $(impl From<$kind> for Json {
+            fn from(value: $kind) -> Self {
+                Self::$variant(value.into())
+            }
+        })*
+    };
 }
 
-impl From<f64> for Json {
-    fn from(value: f64) -> Self {
-        Self::Number(value)
-    }
+values! {
+    bool => Bool,
+    f64 => Number,
+    &str => Text,
+    String => Text,
+    Vec<Json> => List,
 }
 
 impl From<usize> for Json {
     fn from(value: usize) -> Self {
         Self::Number(value as f64)
-    }
-}
-
-impl From<&str> for Json {
-    fn from(value: &str) -> Self {
-        Self::Text(value.to_owned())
-    }
-}
-
-impl From<String> for Json {
-    fn from(value: String) -> Self {
-        Self::Text(value)
-    }
-}
-
-impl From<Vec<Self>> for Json {
-    fn from(value: Vec<Self>) -> Self {
-        Self::List(value)
     }
 }
 

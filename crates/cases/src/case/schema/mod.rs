@@ -9,13 +9,13 @@ mod json;
 mod quantity;
 mod shape;
 
-use super::begin::{capital, described};
-use super::field::{Default, Field, Form, Need, Rows, Word};
-use super::kind::CaseKind;
+use super::field::{Default, Field, Form, Need, Rows, Schema, Word};
 use super::range::Range;
+use super::section::SWEEP;
+use super::template::{capital, described};
 use super::uncertainty::UNCERTAINTY;
 use super::unit::Measure;
-use super::varied::{SWEEP, VARIED};
+use super::varied::VARIED;
 use choice::Place;
 use json::{Json, map, texts};
 use quantity::plain;
@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 /// The version of the language.
 const DRAFT: &str = "http://json-schema.org/draft-04/schema#";
 
-impl CaseKind {
+impl Schema {
     /// Its schema as JSON Schema, draft 4.
     ///
     /// ```
@@ -36,15 +36,15 @@ impl CaseKind {
     /// assert!(schema.contains("\"semi_axis_a\""));
     /// ```
     #[must_use]
-    pub fn json_schema(self) -> String {
-        let numbers = if self.varied().is_empty() { Numbers::Single } else { Numbers::Varied };
-        let maker = Maker { root: self.fields(), parts: RefCell::default() };
+    pub fn json_schema(&self) -> String {
+        let numbers = if self.varied.is_empty() { Numbers::Single } else { Numbers::Varied };
+        let maker = Maker { root: self.fields, parts: RefCell::default() };
         let head = map([
             ("$schema", DRAFT.into()),
-            ("title", format!("A case for carom {}", self.name()).into()),
-            ("description", self.meaning().into()),
+            ("title", format!("A case for carom {}", self.name).into()),
+            ("description", self.meaning.into()),
         ]);
-        let (table, mut conditions) = maker.table(head, self.fields(), &[], numbers);
+        let (table, mut conditions) = maker.table(head, self.fields, &[], numbers);
         let Parts { definitions, of_case } = maker.parts.into_inner();
         conditions.extend(of_case);
         table

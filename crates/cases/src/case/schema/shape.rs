@@ -1,8 +1,8 @@
 //! Tables with a field `shape`: which fields belong to which shape.
 
 use super::json::{Json, map, texts};
-use crate::case::body::SHAPE;
 use crate::case::field::{Field, Form, Need};
+use crate::case::shape::SHAPE;
 
 /// The condition that the shape is one of these.
 fn is_one_of(words: &[&str]) -> Json {

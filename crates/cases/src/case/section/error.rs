@@ -2,8 +2,9 @@
 
 use super::spelling::line_at;
 use super::{Place, Section};
-use crate::case::error::CaseError;
+use crate::case::error::{CaseError, CaseFault};
 use crate::case::field::{Entry, Field, Form, Need, entries};
+use crate::case::range::Range;
 use crate::case::unit::{Measure, pointed};
 use carom_special::RangeError;
 use carom_special::nearest;
@@ -141,9 +142,7 @@ impl Section<'_> {
             "" => "a case".to_owned(),
             path => format!("`{path}`"),
         };
-        CaseError::Unknown {
-            field: self.full(name),
-            line: line_at(self.source, at),
+        let unknown = CaseFault::Unknown {
             table: match shape {
                 Some(shape) => format!("{table} of shape {shape:?}"),
                 None => table,
@@ -156,7 +155,8 @@ impl Section<'_> {
                 .or_else(|| nearest(name, valid).map(str::to_owned)),
             hint: different(name),
             valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
-        }
+        };
+        unknown.at(self.full(name), line_at(self.source, at))
     }
 
     /// The path of a field from the top of the file.
@@ -205,8 +205,7 @@ impl Section<'_> {
         place: impl Place,
         allowed: impl Into<String>,
     ) -> CaseError {
-        let (field, allowed) = (self.path(&place), allowed.into());
-        CaseError::Missing { field, line: self.line, allowed }
+        CaseFault::Missing(allowed.into()).at(self.path(&place), self.line)
     }
 
     /// The error of a value that a later check rejects, reported at its field.
@@ -217,12 +216,8 @@ impl Section<'_> {
         value: f64,
         allowed: &str,
     ) -> CaseError {
-        CaseError::Range {
-            field: self.path(&place),
-            line: self.find(&place).map_or(0, |value| line_at(self.source, value.span().start)),
-            value,
-            allowed: allowed.to_owned(),
-        }
+        let fault = CaseFault::Range { value, allowed: allowed.to_owned() };
+        fault.at(self.path(&place), self.line(place))
     }
 
     /// The error of a value that the library rejects, reported at the field with the same name.
@@ -231,12 +226,10 @@ impl Section<'_> {
         let name = error.field.replace(' ', "_");
         match self.fields.iter().find(|field| field.name == name) {
             Some(field) => self.out_of_range(field, error.value, error.allowed),
-            None => CaseError::Range {
-                field: self.full(&name),
-                line: 0,
-                value: error.value,
-                allowed: error.allowed.to_owned(),
-            },
+            None => {
+                let (value, allowed) = (error.value, error.allowed.to_owned());
+                CaseFault::Range { value, allowed }.at(self.full(&name), 0)
+            }
         }
     }
 
@@ -246,7 +239,7 @@ impl Section<'_> {
         let field = self.path(&place);
         let Some(value) = self.find(&place) else { return self.missing_as(place, allowed) };
         let (line, found) = (self.line_of(value), self.written(value));
-        CaseError::Kind { field, line, found, allowed }
+        CaseFault::Kind { found, allowed }.at(field, line)
     }
 
     /// The error of two fields of this table that exclude each other.
@@ -268,8 +261,7 @@ impl Section<'_> {
         other: String,
         reason: &'static str,
     ) -> CaseError {
-        let (field, line) = (self.path(&place), self.line(place));
-        CaseError::Conflict { field, line, other, reason }
+        CaseFault::Conflict { other, reason }.at(self.path(&place), self.line(place))
     }
 
     /// The error of several fields of which only one may be given.
@@ -278,11 +270,7 @@ impl Section<'_> {
         match given {
             [one, other, ..] => self.conflict(*other, *one, reason),
             [one] => self.missing(one),
-            [] => CaseError::Missing {
-                field: self.path.clone(),
-                line: self.line,
-                allowed: reason.to_owned(),
-            },
+            [] => CaseFault::Missing(reason.to_owned()).at(self.path.as_str(), self.line),
         }
     }
 
@@ -294,12 +282,8 @@ impl Section<'_> {
     /// The error of a table in the place of a number that has nothing in it.
     #[must_use]
     pub(in crate::case) fn empty(&self, allowed: &str) -> CaseError {
-        CaseError::Kind {
-            field: self.path.clone(),
-            line: self.line,
-            found: "{}".to_owned(),
-            allowed: allowed.to_owned(),
-        }
+        let fault = CaseFault::Kind { found: "{}".to_owned(), allowed: allowed.to_owned() };
+        fault.at(self.path.as_str(), self.line)
     }
 
     pub(super) fn kind(
@@ -310,7 +294,7 @@ impl Section<'_> {
     ) -> CaseError {
         let (line, found) = (self.line_of(value), self.written(value));
         let allowed = format!("{allowed}{}{}", self.of_file(value), of_list(value, &found));
-        CaseError::Kind { field: self.full(name), line, found, allowed }
+        CaseFault::Kind { found, allowed }.at(self.full(name), line)
     }
 
     /// Where a file belongs that stands in the place of a value.
@@ -334,12 +318,19 @@ impl Section<'_> {
     ) -> Result<f64, CaseError> {
         match range.holds(number) {
             true => Ok(number),
-            false => Err(CaseError::Range {
-                field: self.full(name),
-                line: line_at(self.source, value.span().start),
-                value: number,
-                allowed: range.allowed().to_owned(),
-            }),
+            false => Err(self.beyond(name, value, number, range)),
         }
+    }
+
+    /// The error of a number out of its range, at the value in which it stands.
+    pub(super) fn beyond(
+        &self,
+        name: &str,
+        at: &Spanned<DeValue<'_>>,
+        value: f64,
+        range: Range,
+    ) -> CaseError {
+        let allowed = range.allowed().to_owned();
+        CaseFault::Range { value, allowed }.at(self.full(name), self.line_of(at))
     }
 }

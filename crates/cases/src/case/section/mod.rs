@@ -5,18 +5,34 @@ mod error;
 mod not_toml;
 mod spelling;
 pub(super) mod survey;
+mod sweep;
+mod understood;
 mod usual;
 
 pub use error::likely;
+pub use sweep::Numbers;
+pub(super) use sweep::{COUNT, START, STOP, SWEEP};
+pub use understood::Understood;
 
-use super::error::CaseError;
+use super::error::{CaseError, CaseFault};
 use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;
-use super::varied::{self, Varied};
 use spelling::line_at;
 pub(crate) use spelling::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// Numbers of a case that may be replaced by others.
+pub(super) trait Varying: std::fmt::Debug {
+    /// The number that represents a varied value; none if the value does not vary.
+    fn number<'a>(
+        &self,
+        section: &Section<'a>,
+        name: &str,
+        value: &'a Spanned<DeValue<'a>>,
+        measure: Measure,
+    ) -> Result<Option<f64>, CaseError>;
+}
 
 /// A table of a case file; only its declared fields can be read.
 #[derive(Debug, Clone)]
@@ -30,7 +46,7 @@ pub(super) struct Section<'a> {
     /// The fields of the case.
     top: &'static [Field],
     /// Collects numbers that vary, where the case allows them.
-    varied: Option<&'a Varied>,
+    varied: Option<&'a dyn Varying>,
 }
 
 /// A field of this table or of a table in it.
@@ -72,7 +88,7 @@ impl<'a> Section<'a> {
     }
 
     /// The same table, in which every number may vary.
-    pub(super) fn varying(self, varied: &'a Varied) -> Self {
+    pub(super) fn varying(self, varied: &'a dyn Varying) -> Self {
         Self { varied: Some(varied), ..self }
     }
 
@@ -99,14 +115,36 @@ impl<'a> Section<'a> {
         value: &'a Spanned<DeValue<'a>>,
         fields: &'static [Field],
     ) -> Result<Self, CaseError> {
-        match value.get_ref() {
-            DeValue::Table(table) => {
-                let path = self.full(name);
-                let line = self.line_of(value);
-                let section = Self { path, line, table, fields, varied: None, ..*self };
-                section.check(None).map(|()| section)
+        let section = self.within(name, value, fields);
+        let section = section.ok_or_else(|| self.kind(name, value, "a table"))?;
+        section.check(None).map(|()| Self { varied: None, ..section })
+    }
+
+    /// The table of this name with these fields, before a check; none if the value is no table.
+    fn within(
+        &self,
+        name: &str,
+        value: &'a Spanned<DeValue<'a>>,
+        fields: &'static [Field],
+    ) -> Option<Self> {
+        let table = value.get_ref().as_table()?;
+        let (path, line) = (self.full(name), self.line_of(value));
+        Some(Self { path, line, table, fields, ..self.clone() })
+    }
+
+    /// The tables in the value of a field of tables, before a check; none for any other field or value.
+    pub(super) fn tables(
+        &self,
+        field: &Field,
+        value: &'a Spanned<DeValue<'a>>,
+    ) -> Option<Vec<Self>> {
+        match (field.form, value.get_ref()) {
+            (Form::Table(fields), _) => Some(vec![self.within(field.name, value, fields)?]),
+            (Form::Tables(fields), DeValue::Array(items)) => {
+                let item = |(i, item)| self.within(&format!("{}[{i}]", field.name), item, fields);
+                Some(items.iter().enumerate().filter_map(item).collect())
             }
-            _ => Err(self.kind(name, value, "a table")),
+            _ => None,
         }
     }
 
@@ -122,10 +160,20 @@ impl<'a> Section<'a> {
         self.find(&place).is_some()
     }
 
-    /// Whether the value of this name is meant for this field, [`is_meant`].
+    /// Whether the value of a name that a plain field and a table share is meant for this field. It is meant for the
+    /// table if it is a table with one of its names.
     #[must_use]
     pub(super) fn means(&self, field: &Field) -> bool {
-        is_meant(self.fields, field, self.find(&field))
+        let is_table = |field: &Field| matches!(field.form, Form::Table(_));
+        let twin = |other: &&Field| other.name == field.name && is_table(other) != is_table(field);
+        let Some(twin) = self.fields.iter().find(twin) else { return true };
+        let parts = if is_table(field) { field } else { twin }.fields();
+        let is_part = |name: &str| parts.iter().any(|part| part.name == name);
+        let has_part = self
+            .find(&field)
+            .and_then(|value| value.get_ref().as_table())
+            .is_some_and(|table| table.iter().any(|(name, _)| is_part(name.get_ref())));
+        has_part == is_table(field)
     }
 
     /// Those of the fields that are present.
@@ -161,7 +209,9 @@ impl<'a> Section<'a> {
         let section = self.unchecked(field)?;
         match section.word(shape) {
             // The name of `shape` may be misspelt.
-            Err(missing @ CaseError::Missing { .. }) => section.check(None).and(Err(missing)),
+            Err(missing @ CaseError { fault: CaseFault::Missing(_), .. }) => {
+                section.check(None).and(Err(missing))
+            }
             Err(wrong) => Err(wrong),
             Ok(word) => section.check(Some(word)).map(|()| (section, word)),
         }
@@ -169,16 +219,8 @@ impl<'a> Section<'a> {
 
     fn unchecked(&self, field: &Field) -> Result<Self, CaseError> {
         let value = self.value(field)?;
-        match value.get_ref() {
-            DeValue::Table(table) => Ok(Self {
-                path: self.full(field.name),
-                line: self.line_of(value),
-                table,
-                fields: field.fields(),
-                ..self.clone()
-            }),
-            _ => Err(self.wrong(field, value)),
-        }
+        let section = self.within(field.name, value, field.fields());
+        section.ok_or_else(|| self.wrong(field, value))
     }
 
     /// Reads the tables `[[name]]`, at least one.
@@ -285,22 +327,6 @@ impl<'a> Section<'a> {
         value.get_ref().as_bool().ok_or_else(|| self.wrong(field, value))
     }
 
-    /// Reads one number, a list of numbers, or `{ start, stop, count }`.
-    ///
-    /// # Errors
-    /// If it is missing, of another kind, or a number is out of range.
-    pub(super) fn numbers(&self, field: &Field) -> Result<Numbers, CaseError> {
-        let value = self.value(field)?;
-        match (value.get_ref(), field.measure()) {
-            (DeValue::Array(_), _) => self.list(field).map(Numbers::Sweep),
-            (DeValue::Table(_), Some(measure)) => {
-                let table = self.table_at(field.name, value, varied::SWEEP)?;
-                varied::spaced(&table, measure).map(Numbers::Sweep)
-            }
-            _ => self.number(field).map(Numbers::One),
-        }
-    }
-
     /// Reads a text.
     ///
     /// # Errors
@@ -393,12 +419,7 @@ impl<'a> Section<'a> {
         };
         match read {
             Some(number) if range.holds(number) => Ok(number),
-            Some(number) if !is_text => Err(CaseError::Range {
-                field: self.full(name),
-                line: line_at(self.source, value.span().start),
-                value: number,
-                allowed: range.allowed().to_owned(),
-            }),
+            Some(number) if !is_text => Err(self.beyond(name, value, number, range)),
             // The error shows the value as written.
             Some(_) => Err(self.kind(name, value, range.allowed())),
             None => {
@@ -410,24 +431,6 @@ impl<'a> Section<'a> {
     }
 }
 
-/// Whether the value of a name that a plain field and a table share is meant for this field. It is meant for the table
-/// if it is a table with one of its names.
-pub(super) fn is_meant(
-    fields: &[Field],
-    field: &Field,
-    value: Option<&Spanned<DeValue<'_>>>,
-) -> bool {
-    let is_table = |field: &Field| matches!(field.form, Form::Table(_));
-    let twin = |other: &&Field| other.name == field.name && is_table(other) != is_table(field);
-    let Some(twin) = fields.iter().find(twin) else { return true };
-    let parts = if is_table(field) { field } else { twin }.fields();
-    let is_part = |name: &str| parts.iter().any(|part| part.name == name);
-    let has_part = value
-        .and_then(|value| value.get_ref().as_table())
-        .is_some_and(|table| table.iter().any(|(name, _)| is_part(name.get_ref())));
-    has_part == is_table(field)
-}
-
 /// Parses a case file as TOML.
 ///
 /// # Errors
@@ -437,28 +440,9 @@ pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
         let at = error.span().map_or(0, |span| span.start);
         let before = source.get(..at).unwrap_or("");
         let column = before.chars().rev().take_while(|letter| *letter != '\n').count();
-        CaseError::Syntax { line: line_at(source, at), column, message: error.message().to_owned() }
+        let message = error.message().to_owned();
+        CaseFault::Syntax { column, message }.at("", line_at(source, at))
     })
-}
-
-/// One number, or the numbers of a sweep.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Numbers {
-    /// One number.
-    One(f64),
-    /// A sweep.
-    Sweep(Vec<f64>),
-}
-
-impl Numbers {
-    /// The numbers in order.
-    #[must_use]
-    pub fn as_slice(&self) -> &[f64] {
-        match self {
-            Self::One(number) => std::slice::from_ref(number),
-            Self::Sweep(numbers) => numbers,
-        }
-    }
 }
 
 fn number(value: &DeValue<'_>) -> Option<f64> {

@@ -1,6 +1,5 @@
 //! What to write instead of a text that is not TOML.
 
-use crate::case::kind::CaseKind;
 use crate::case::unit::pointed;
 use toml::de::DeValue;
 
@@ -9,7 +8,7 @@ const LONGEST: usize = 100;
 
 /// The parser's message, and what may be meant by the line at which it stopped.
 pub(super) fn told(
-    kind: CaseKind,
+    kind: &str,
     source: &str,
     line: usize,
     column: usize,
@@ -21,13 +20,13 @@ pub(super) fn told(
 }
 
 /// What to write instead of a text that is not TOML but perhaps JSON, XML, YAML or a table.
-fn advice(kind: CaseKind, source: &str) -> String {
+fn advice(kind: &str, source: &str) -> String {
     let is_first = |line: &&str| !line.is_empty() && !line.starts_with('#');
     let first = source.lines().map(str::trim).find(is_first).unwrap_or("");
     let is_yaml =
         first == "---" || first.split_once(':').is_some_and(|(name, _)| !name.contains(['=', '"']));
     match first.starts_with(['{', '<']) || is_yaml || !source.contains('=') {
-        true => format!("; a case is written in TOML, `carom new {}` prints one", kind.name()),
+        true => format!("; a case is written in TOML, `carom new {kind}` prints one"),
         false => String::new(),
     }
 }
@@ -98,60 +97,4 @@ fn is_bare_text(value: &str) -> bool {
     let is_word =
         |word: &str| word.starts_with(char::is_alphabetic) && word.parse::<f64>().is_err();
     value.chars().all(is_plain) && value.split_whitespace().any(is_word)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_of_other_languages_are_told() {
-        let said = |line: &str| {
-            let source = format!("[contact]\n{line}\n");
-            CaseKind::Impact.check(&source).unwrap_err().shown_in(&source)
-        };
-        let comma = said("friction = 0,3");
-        assert!(
-            comma.contains("line 2: ")
-                && comma.contains("; 0,3 has a decimal comma, write a point: 0.3"),
-            "{comma}"
-        );
-        assert!(comma.ends_with("\n  2 | friction = 0,3\n    |             ^"), "{comma}");
-        let minus = said("friction = \u{2212}0.3");
-        assert!(minus.contains("is a hyphen, -"), "{minus}");
-        let twice = said("friction = 0.1\nfriction = 0.2");
-        assert!(
-            twice.contains("`friction` is given a second time; leave one of the two out\n"),
-            "{twice}"
-        );
-        assert!(twice.ends_with("\n  3 | friction = 0.2\n    | ^"), "{twice}");
-        for (written, meant) in [
-            ("velocity = [1 2 3]", "; the items of a list are separated by commas"),
-            ("points = [[1, 2], [3; 4]]", "; the items of a list are separated by commas"),
-            ("velocity = (1, 2, 3)", "; a list has brackets, [1, 2, 3]"),
-            ("radius = .01", "; write 0.01"),
-            ("radius = 1.", "; write 1.0"),
-            ("radius = 1/100", "; a case does not calculate"),
-            ("friction = 0.1:0.3:5", "; a sweep is { start = .., stop = .., count = .. }"),
-            ("radius = \u{201c}1 mm\u{201d}", "; write straight quotation marks, \"1 mm\""),
-            ("fixed = True", "; write true"),
-        ] {
-            assert!(said(written).contains(meant), "{}", said(written));
-        }
-        let bare = said("radius = 10 mm");
-        assert!(bare.contains("; write \"10 mm\""), "{bare}");
-        let word = said("law = coulomb # the default");
-        assert!(word.contains("; write \"coulomb\""), "{word}");
-    }
-
-    #[test]
-    fn files_of_other_kinds_are_told() {
-        for text in
-            ["{ \"a\": 1 }", "<a b=\"1\"/>", "# mine\na:\n  b: 1", "x,y\n1,2\n", " 3 MODULE"]
-        {
-            let error = CaseKind::Hertz.check(text).unwrap_err().to_string();
-            let advice = "; a case is written in TOML, `carom new hertz` prints one";
-            assert!(error.ends_with(advice), "{text}: {error}");
-        }
-    }
 }

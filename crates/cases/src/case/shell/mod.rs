@@ -7,17 +7,17 @@ pub use bellows::BellowsCase;
 pub use flange::FlangeCase;
 
 use super::error::CaseError;
-use super::field::Field;
-use super::kind::CaseKind;
+use super::field::{Field, Schema};
 use super::material::{self, ELASTIC, POISSON, YOUNG};
-use super::section::{Section, parse, survey};
+use super::reader::Case;
+use super::section::{Section, parse};
 use bellows::BELLOWS;
 use carom_shells::Wall;
 use carom_special::RangeError;
 use flange::FLANGE;
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BELLOWS, FLANGE];
+const FIELDS: &[Field] = &[BELLOWS, FLANGE];
 
 /// A thin ring or shell of revolution.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,15 +28,12 @@ pub enum ShellCase {
     Flange(FlangeCase),
 }
 
-impl ShellCase {
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::read(source).map_err(|first| survey::all(CaseKind::Shell, source, first))
-    }
+impl Case<'_> for ShellCase {
+    const SCHEMA: Schema = Schema::new(
+        "shell",
+        "A bellows under pressure and axial load, or a flange under forces around it.",
+        FIELDS,
+    );
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;

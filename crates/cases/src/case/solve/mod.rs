@@ -17,10 +17,10 @@ pub use method::SolveMethod;
 pub use plate::PlateCase;
 
 use super::error::CaseError;
-use super::field::{Field, Form};
-use super::kind::CaseKind;
+use super::field::{Field, Form, Schema};
 use super::material::{self, MATERIAL};
 use super::range::Range;
+use super::reader::Case;
 use super::section::{Section, parse, survey};
 use carom_halfspace::MaterialPair;
 use carom_laws::validity::PressureLimits;
@@ -54,7 +54,7 @@ const CONTACT: Field = Field::new(
 );
 
 /// All fields.
-pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, GAP, GRID, CONTACT, STEP];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, GAP, GRID, CONTACT, STEP];
 
 /// A contact on a grid and its load history.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,6 +79,15 @@ pub struct SolveCase {
     pub legs: Vec<Leg>,
 }
 
+impl Case<'_> for SolveCase {
+    const SCHEMA: Schema =
+        Schema::new("solve", "A contact with friction on a grid, step by step.", FIELDS);
+
+    fn read(source: &str) -> Result<Self, CaseError> {
+        Self::read_to(source, None)
+    }
+}
+
 impl SolveCase {
     /// What the bodies bear.
     #[must_use]
@@ -91,24 +100,15 @@ impl SolveCase {
         }
     }
 
-    /// Reads a case from the text of its file.
-    ///
-    /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
-        Self::parse_to(source, None)
-    }
-
     /// Reads a case; if an accuracy is given, it replaces the grid of the file.
     ///
     /// # Errors
-    /// As [`SolveCase::parse`].
+    /// As [`Case::parse`].
     pub fn parse_to(source: &str, accuracy: Option<f64>) -> Result<Self, CaseError> {
-        Self::read(source, accuracy).map_err(|first| survey::all(CaseKind::Solve, source, first))
+        Self::read_to(source, accuracy).map_err(|first| survey::all(&Self::SCHEMA, source, first))
     }
 
-    fn read(source: &str, accuracy: Option<f64>) -> Result<Self, CaseError> {
+    fn read_to(source: &str, accuracy: Option<f64>) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let body = |field| material::read(&case.section(field)?);

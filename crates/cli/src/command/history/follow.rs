@@ -8,7 +8,6 @@ use carom_cases::Error;
 use carom_cases::case::HistoryCase;
 use carom_cases::history::{self, Laws, Step};
 use carom_laws::law::Shift;
-use carom_special::RangeError;
 
 /// Number of radii of a traction in a picture.
 const RADII: usize = 401;
@@ -53,12 +52,11 @@ pub(super) struct Drawn {
 }
 
 /// Computes the states along the shifts. `visit` is called with blocks of states after steps; the
-/// states for a picture are returned. `at_fault` turns an error of a law into one of the case.
+/// states for a picture are returned.
 pub(super) fn follow(
     case: &HistoryCase,
     shifts: &[Shift],
     wanted: Wanted,
-    at_fault: impl Fn(RangeError) -> Error,
     mut visit: impl FnMut(&mut Vec<Step>) -> Result<(), CliError>,
 ) -> Result<Drawn, CliError> {
     let friction = case.friction;
@@ -66,7 +64,7 @@ pub(super) fn follow(
         return Err(CliError::Options("--tractions requires finite friction"));
     }
     let state = |number, laws: &Laws, radii| history::step(number, laws, friction, radii);
-    let mut laws = Laws::new(case, shifts).map_err(&at_fault)?;
+    let mut laws = Laws::new(case, shifts).map_err(Error::from)?;
     let (mut course, mut marked) = (Thinned::new(QUANTITIES), Vec::new());
     let (mut steps, mut last) = (Vec::new(), None);
     for (i, shift) in shifts.iter().enumerate() {
@@ -77,11 +75,11 @@ pub(super) fn follow(
                 // Each from the same state, so that the line passes through the states after the
                 // steps.
                 let mut between = laws.clone();
-                between.advance(lerp(laws.present(), *shift, part)).map_err(&at_fault)?;
+                between.advance(lerp(laws.present(), *shift, part)).map_err(Error::from)?;
                 course.push(state(i as f64 + part, &between, 0)?);
             }
         }
-        laws.advance(*shift).map_err(&at_fault)?;
+        laws.advance(*shift).map_err(Error::from)?;
         let step = state((i + 1) as f64, &laws, wanted.radii)?;
         if wanted.picture {
             let bare = Step { tractions: Vec::new(), ..step.clone() };

@@ -5,14 +5,13 @@ mod plot;
 mod view;
 
 use crate::columns;
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{Rows, check_count, indented};
-use carom_cases::Error;
 use carom_cases::case::HistoryCase;
 use carom_cases::history::{self, Step, Traction, shifts};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_laws::stiffness::ContactStiffness;
 use carom_table::row;
 use follow::{Wanted, follow};
@@ -35,25 +34,23 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let path = &file.path;
-    let case = file.parse(HistoryCase::parse)?;
+    let Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse::<HistoryCase>()?;
     let shifts = shifts(&file, &case)?;
     let format = arguments.given.format();
     let radii = arguments.tractions.map_or(0, |count| count as usize);
     check_count(format, shifts.len().saturating_mul(radii.max(1)))?;
     let wanted = Wanted { radii, picture: plot.is_some() };
-    let at_fault = |source| Error::Law { path: path.clone(), source };
     let columns = history::columns(&shifts);
     let (mut steps, mut tractions) =
         (Rows::new(format), Rows::new(format).of(history::TRACTION_COLUMNS));
-    let (mut heed, mut limits, mut first) = (Heed::default(), Limits::default(), 0);
-    let drawn = follow(&case, &shifts, wanted, at_fault, |done| {
+    let (mut report, mut limits, mut first) = (ValidityReport::default(), Limits::default(), 0);
+    let drawn = follow(&case, &shifts, wanted, |done| {
         let cells = |step: &Step| row(&columns, Some(step));
-        columns::check_rows(path, done, [first, shifts.len()], cells)?;
+        columns::check_rows(done, [first, shifts.len()], cells)?;
         first += done.len();
         for step in done.iter() {
-            step.add_to(&mut heed, &case);
+            step.add_to(&mut report, &case);
             limits.add(step);
         }
         if format != Format::Csv || radii == 0 {
@@ -76,7 +73,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     };
     let picture = plot.map(|to| arguments.given.drawn(to, plot::draw(&drawn)));
     let mut warnings = warnings(&case, &limits, arguments.tractions.is_some());
-    let (caution, exceeded) = heed.told("steps");
+    let (caution, exceeded) = report.told("steps");
     warnings.extend(exceeded);
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))

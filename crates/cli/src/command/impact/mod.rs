@@ -8,18 +8,19 @@ mod uncertain;
 mod view;
 
 use crate::columns;
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results, json};
 use crate::rows::{BLOCK, Rows, check_count, indented};
+use carom_cases::Error;
 use carom_cases::case::{ImpactCase, ImpactFile, Input, Uncertainty};
-use carom_cases::impact::{self, outcome, swept};
-use carom_cases::theory::{Warnings, Worst, caution};
+use carom_cases::impact::{self, outcome};
+use carom_cases::theory::ValidityReport;
 use carom_impact::HistoryPoint;
 use carom_table::row;
 use rayon::prelude::*;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use view::{Parameter, Record};
 
 /// Impact of two bodies of any smooth shape.
@@ -61,12 +62,12 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
-    let (command::Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
+    let (Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
         let to = |path: &PathBuf| outputs.picture("animate", path, arguments.format());
         arguments.animate.as_ref().map(to).transpose()
     })?;
     let plot = moving.or(plot);
-    let file = text.parse(ImpactFile::parse)?;
+    let file = text.parse::<ImpactFile<'_>>()?;
     if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
         return Err(CliError::Options("--animate requires a case with one impact"));
     }
@@ -89,14 +90,14 @@ fn single(
     file: &ImpactFile<'_>,
     results: &mut Results,
 ) -> Result<Answer, CliError> {
-    let (path, format) = (&arguments.given.case, arguments.format());
+    let format = arguments.format();
     check_count(format, arguments.history.map_or(0, |count| count as usize))?;
-    let mut record = record(path, None, file.nominal())?;
+    let mut record = record(None, file.nominal())?;
     if let Some(count) = arguments.history {
-        record.history = Some(course(path, file, count as usize)?);
+        record.history = Some(course(file, count as usize)?);
     }
     let cells = view::cells(Some(&record));
-    columns::check_rows(path, &[&cells[1..]], [0, 1], |cells| cells.to_vec())?;
+    columns::check_rows(&[&cells[1..]], [0, 1], |cells| cells.to_vec())?;
     let text = match (format, &record.history) {
         (Format::Json, _) => json(&record)?,
         (Format::Csv, Some(points)) => {
@@ -111,9 +112,9 @@ fn single(
         (Format::Table(page), _) => table::one(page, &record)?,
         (Format::None, _) => String::new(),
     };
-    let mut warnings = Warnings::default();
-    warnings.add(|| place(&record), record.limits());
-    let mut warnings = warnings.told(several(&record));
+    let mut report = ValidityReport::default();
+    report.add_warned(|| place(&record), record.limits(), record.validity);
+    let (caution, mut warnings) = report.told(several(&record));
     if (arguments.history.is_some() || plot.is_some())
         && record.rebound().is_some_and(|rebound| rebound.energy.lost > 0.0)
     {
@@ -125,16 +126,15 @@ fn single(
             None
         }
         Some(to) if arguments.animate.is_some() => {
-            Some((to, movie::movie(&record, &course(path, file, movie::INSTANTS)?)))
+            Some((to, movie::movie(&record, &course(file, movie::INSTANTS)?)))
         }
         Some(to) => {
-            let history = course(path, file, plot::INSTANTS)?;
+            let history = course(file, plot::INSTANTS)?;
             let friction = file.nominal().collision.friction();
             Some(arguments.given.drawn(to, plot::course(&history, friction)))
         }
         None => None,
     };
-    let caution = caution(&[record.validity], several(&record));
     Ok(Answer { text, warnings, picture, ..Answer::default() }.cautioned(caution, format))
 }
 
@@ -146,26 +146,24 @@ fn sweep(
     (input, values): (&Input, &[f64]),
     results: &mut Results,
 ) -> Result<Answer, CliError> {
-    let (path, format) = (&arguments.given.case, arguments.format());
+    let format = arguments.format();
     check_count(format, values.len())?;
     let swept = Parameter::of(input, 0.0).name;
     let shown = [&[swept][..], &table::OF_SWEEP, table::friction(file.nominal())].concat();
     let mut rows = Rows::new(format).showing(shown);
     let mut drawn = plot.is_some().then(|| sweep::Sweep::new(values));
-    let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
-    let mut what = "impacts";
+    let (mut report, mut what) = (ValidityReport::default(), "impacts");
     for block in values.chunks(BLOCK) {
-        let records = records(path, file, block)?;
-        let first = warnings.count();
+        let records = records(file, block)?;
+        let first = report.count();
         // The swept number itself may be infinite, like friction.
-        columns::check_rows(path, &records, [first, values.len()], |record| {
+        columns::check_rows(&records, [first, values.len()], |record| {
             view::cells(Some(record)).split_off(1)
         })?;
         rows.put(&records, |record| view::cells(Some(record)), indented, results)?;
         for record in &records {
             what = several(record);
-            warnings.add(|| place(record), record.limits());
-            worst.add(record.validity);
+            report.add_warned(|| place(record), record.limits(), record.validity);
         }
         match &mut drawn {
             Some(drawn) => drawn.add(&records),
@@ -174,11 +172,11 @@ fn sweep(
             None => {}
         }
     }
-    let mut warnings = warnings.told(what);
+    let (caution, mut warnings) = report.told(what);
     let mut picture = None;
     if let (Some(to), Some(mut drawn)) = (plot, drawn) {
         for block in drawn.between().chunks(BLOCK) {
-            drawn.add_between(&records(path, file, block)?);
+            drawn.add_between(&records(file, block)?);
         }
         match drawn.draw(input) {
             Some(drawn) => picture = Some(arguments.given.drawn(to, drawn)),
@@ -186,31 +184,27 @@ fn sweep(
         }
     }
     let answer = Answer { text: rows.finish()?, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(worst.caution(what), format))
+    Ok(answer.cautioned(caution, format))
 }
 
 /// The impacts for these values of a sweep, in order.
-fn records(path: &Path, file: &ImpactFile<'_>, values: &[f64]) -> Result<Vec<Record>, CliError> {
+fn records(file: &ImpactFile<'_>, values: &[f64]) -> Result<Vec<Record>, CliError> {
     let input = file.sweep().map(|(input, _)| input);
     let record = |value: &f64| {
         let parameter = input.map(|input| Parameter::of(input, *value));
-        record(path, parameter, &swept(path, file, *value)?)
+        record(parameter, &file.case(&[*value]).map_err(Error::from)?)
     };
     values.par_iter().map(record).collect()
 }
 
-fn record(
-    path: &Path,
-    parameter: Option<Parameter>,
-    case: &ImpactCase,
-) -> Result<Record, CliError> {
-    Ok(Record::new(parameter, case.clone(), outcome(path, case)?))
+fn record(parameter: Option<Parameter>, case: &ImpactCase) -> Result<Record, CliError> {
+    Ok(Record::new(parameter, case.clone(), outcome(case)?))
 }
 
 /// The history of the impact, with all numbers checked.
-fn course(path: &Path, file: &ImpactFile<'_>, count: usize) -> Result<Vec<HistoryPoint>, CliError> {
-    let history = impact::course(path, file.nominal(), count)?;
-    columns::check(path, HistoryPoint::COLUMNS, &history)?;
+fn course(file: &ImpactFile<'_>, count: usize) -> Result<Vec<HistoryPoint>, CliError> {
+    let history = impact::course(file.nominal(), count)?;
+    columns::check(HistoryPoint::COLUMNS, &history)?;
     Ok(history)
 }
 
@@ -225,8 +219,7 @@ fn scatter(
             "--history requires a case with one impact, not [uncertainty]",
         ));
     }
-    let study = uncertain::study(file, uncertainty)
-        .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
+    let study = uncertain::study(file, uncertainty)?;
     let validity = uncertain::validity(file);
     let report = uncertain::report(file, uncertainty, &study, validity)?;
     let picture = plot.map(|to| (to, uncertain::draw(&report)));
@@ -237,7 +230,9 @@ fn scatter(
         picture,
         ..Answer::default()
     };
-    Ok(answer.cautioned(caution(&[validity], "means"), arguments.format()))
+    let mut means = ValidityReport::default();
+    means.add(String::new, validity);
+    Ok(answer.cautioned(means.told("means").0, arguments.format()))
 }
 
 /// The plural of the swept quantity, for warnings.

@@ -3,12 +3,12 @@
 use crate::columns::{self, add_fields};
 use crate::error::CliError;
 use crate::output::{Format, Picture, json};
-use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
+use carom_cases::Error;
+use carom_cases::case::{CaseError, CaseFault, ImpactFile, Input, Uncertainty};
 use carom_cases::theory::readable;
-use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
+use carom_impact::uncertain::{Bin, Quantity, Study, Summary};
 use carom_impact::{CollisionError, Outcome};
 use carom_laws::validity::{Limit, Validity};
-use carom_numerical::CollisionLawError;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
 use carom_table::short;
@@ -65,8 +65,8 @@ struct Spread {
 }
 
 const COLUMNS: &[Column<Spread>] = &[
-    Column::new("name", "", "name of the quantity", |spread| spread.name.into()),
-    Column::new("count", "", "number of samples that have it", |spread| {
+    Column::text("name", "", "name of the quantity", |spread| spread.name.into()),
+    Column::count("count", "", "number of samples that have it", |spread| {
         (spread.count as u64).into()
     }),
     Column::new("mean", "", "mean, in the unit of the quantity", |spread| spread.mean.into()),
@@ -105,25 +105,22 @@ struct BinRecord {
 }
 
 /// Computes all samples of a case.
-pub(super) fn study(
-    file: &ImpactFile<'_>,
-    uncertainty: &Uncertainty,
-) -> Result<Study, Box<UncertainError<CollisionLawError>>> {
+pub(super) fn study(file: &ImpactFile<'_>, uncertainty: &Uncertainty) -> Result<Study, Error> {
     let distributions: Vec<_> = file.inputs().iter().filter_map(Input::distribution).collect();
     let law = file.nominal().contact.law;
     let study =
         uncertainty.sampling.run_by(&law, &distributions, |values| match file.case(values) {
             Ok(case) => Ok(case.collision),
-            Err(CaseError::Collision { source, .. }) => Err(*source),
+            Err(CaseError { fault: CaseFault::Collision { source, .. }, .. }) => Err(*source),
             Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
         });
-    study.map_err(Box::new)
+    Ok(study?)
 }
 
 /// Turns an error in a sample into one of a field out of range.
 fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
-    if let CaseError::Range { field, value, .. } = error {
-        if let Some(input) = file.inputs().iter().find(|input| input.field == field) {
+    if let CaseFault::Range { value, .. } = &error.fault {
+        if let Some(input) = file.inputs().iter().find(|input| input.field == error.field) {
             return RangeError::new(input.field, *value, input.allowed);
         }
         return RangeError::new("a derived value", *value, "possible together with the others");

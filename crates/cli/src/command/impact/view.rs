@@ -1,14 +1,14 @@
 //! The outcome of a collision as records for JSON and rows of cells.
 
-use crate::columns::{self, Fields, add_fields};
+use crate::columns::{self, Fields, Records, add_fields};
 use carom_cases::case::{ImpactCase, Input};
 use carom_cases::impact;
 use carom_impact::{
     Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
 };
 use carom_laws::validity::Validity;
-use carom_table::{Cell, Column, Quantity as _, row};
-use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
+use carom_table::{Cell, Column, Quantity as _, Value, row};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// An impact and its outcome. SI units.
 #[derive(Debug, Clone)]
@@ -37,7 +37,7 @@ impl Parameter {
 }
 
 const LAW: Column<Record> =
-    Column::new("law", "", "law of friction", |record| record.case.contact.law.name().into());
+    Column::text("law", "", "law of friction", |record| record.case.contact.law.name().into());
 
 impl Record {
     /// The record of an impact.
@@ -74,8 +74,12 @@ impl Record {
 
     /// The outcome with torsion, without motions and warnings.
     pub(super) fn quantities(&self) -> Vec<Cell> {
-        let mut outcome = row(Outcome::COLUMNS, Some(&self.outcome));
-        outcome.retain(|cell| !is_motion(cell) && !["outcome", "warnings"].contains(&cell.name()));
+        // What has a value without an impact too are the motions and the word for the outcome itself.
+        let is_of_impact = |(cell, without): &(Cell, Cell)| {
+            *without.value() == Value::Absent && !matches!(cell.value(), Value::Texts(_))
+        };
+        let outcome = row(Outcome::COLUMNS, Some(&self.outcome)).into_iter();
+        let outcome = outcome.zip(without_impact(&self.outcome.motions())).filter(is_of_impact);
         let torsion = self.rebound().and_then(|rebound| rebound.torsion);
         let torsion = row(Torsion::COLUMNS, torsion.as_ref());
         let named = |cell: Cell| {
@@ -83,7 +87,7 @@ impl Record {
             cell.named(name)
         };
         let torsion = torsion.into_iter().map(named);
-        outcome.into_iter().chain(torsion).collect()
+        outcome.map(|(cell, _)| cell).chain(torsion).collect()
     }
 
     /// The regimes in order.
@@ -127,11 +131,11 @@ impl Serialize for Record {
                 let torsion = columns::Record::new(Torsion::COLUMNS, torsion);
                 map.serialize_entry("torsion", &torsion)?;
             }
-            map.serialize_entry("events", &List(LogEntry::COLUMNS, &rebound.log))?;
+            map.serialize_entry("events", &Records(LogEntry::COLUMNS, &rebound.log))?;
         }
         map.serialize_entry("outside_theory", &self.validity.reasons())?;
         if let Some(points) = &self.history {
-            map.serialize_entry("history", &List(HistoryPoint::COLUMNS, points))?;
+            map.serialize_entry("history", &Records(HistoryPoint::COLUMNS, points))?;
         }
         map.end()
     }
@@ -139,24 +143,11 @@ impl Serialize for Record {
 
 /// Motions of body 1 and body 2, named as those of an outcome.
 fn motions(motions: &[Motion; 2]) -> Vec<Cell> {
-    let outcome = Outcome::NoImpact { motions: *motions };
-    row(Outcome::COLUMNS, Some(&outcome)).into_iter().filter(is_motion).collect()
+    let is_motion = |cell: &Cell| matches!(cell.value(), Value::Vector(_));
+    without_impact(motions).into_iter().filter(is_motion).collect()
 }
 
-/// Whether a cell of an outcome is a motion of a body.
-fn is_motion(cell: &Cell) -> bool {
-    cell.name().starts_with("body_")
-}
-
-/// Records by their columns.
-struct List<'a, R>(&'a [Column<R>], &'a [R]);
-
-impl<R> Serialize for List<'_, R> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(self.1.len()))?;
-        for record in self.1 {
-            list.serialize_element(&columns::Record::new(self.0, record))?;
-        }
-        list.end()
-    }
+/// The cells of an outcome without an impact.
+fn without_impact(motions: &[Motion; 2]) -> Vec<Cell> {
+    row(Outcome::COLUMNS, Some(&Outcome::NoImpact { motions: *motions }))
 }

@@ -1,5 +1,6 @@
 //! `carom restitution`: R_x of spheres by kappa and lambda, of any bodies by chi and psi.
 
+mod bodies;
 mod plane;
 mod plot;
 mod rows;
@@ -8,7 +9,7 @@ mod tensor;
 use crate::columns;
 use crate::error::CliError;
 use crate::format::Printing;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
 use crate::progress::Progress;
@@ -153,7 +154,7 @@ fn follow(
             .into_par_iter()
             .map(|place| {
                 progress.iter().for_each(|progress| progress.inc(1));
-                Row::new(plane, plane.pair(place), arguments.tensor, ratio)
+                Row::new(plane.bodies, plane.pair(place), arguments.tensor, ratio)
             })
             .collect::<Result<Vec<_>, _>>()?;
         if is_mapped {

@@ -1,7 +1,7 @@
 //! R_x of a pair of numbers, and its columns.
 
 use super::Tensor;
-use super::plane::{Bodies, Coupling, Plane};
+use super::bodies::{Bodies, Coupling};
 use super::tensor::TensorRecord;
 use crate::columns::Record;
 use crate::error::CliError;
@@ -29,7 +29,7 @@ const LAMBDA: Column<Row> =
 const RESTITUTION: Column<Row> =
     Column::new("R_x", "", "tangential restitution", |row| row.restitution.into());
 const REGIMES: Column<Row> =
-    Column::new("regimes", "", "what the contact does, one after the other", |row| {
+    Column::text("regimes", "", "what the contact does, one after the other", |row| {
         row.regimes.clone().into()
     });
 
@@ -47,7 +47,7 @@ pub(super) const OF_DISSIMILAR: &[Column<Row>] = &[
     }),
     LAMBDA,
     RESTITUTION,
-    Column::new("method", "", "table, rings, uncoupled (gamma = 0) or frictionless", |row| {
+    Column::text("method", "", "table, rings, uncoupled (gamma = 0) or frictionless", |row| {
         row.dissimilar.map(|(_, found)| found.method.name()).into()
     }),
     Column::new("error_estimate", "", "how far R_x may be off", |row| {
@@ -73,7 +73,7 @@ macro_rules! component {
 
 /// Those of a tensor.
 pub(super) const OF_TENSOR: &[Column<Row>] = &[
-    Column::new("tensor", "", "its name", |row| row.tensor.map(|tensor| tensor.name).into()),
+    Column::text("tensor", "", "its name", |row| row.tensor.map(|tensor| tensor.name).into()),
     component!("R_xx", 0, 0),
     component!("R_xy", 0, 1),
     component!("R_xz", 0, 2),
@@ -97,15 +97,15 @@ pub(super) struct RowRecord<'a> {
 impl Row {
     /// The impact of two numbers of the plane.
     pub(super) fn new(
-        plane: &Plane<'_>,
+        bodies: Bodies,
         numbers: [f64; 2],
         tensor: Option<Tensor>,
         ratio: f64,
     ) -> Result<Self, CliError> {
-        if let Bodies::Dissimilar(coupling) = plane.bodies {
+        if let Bodies::Dissimilar(coupling) = bodies {
             return Self::dissimilar(coupling, numbers);
         }
-        let groups = plane.bodies.groups(numbers)?;
+        let groups = bodies.groups(numbers)?;
         let impact = ObliqueImpact::new(groups)?;
         let regimes = impact.regimes().map(Regime::name).collect();
         let restitution = impact.restitution();

@@ -4,16 +4,16 @@ mod contact;
 mod plot;
 mod view;
 
-use crate::columns::{self, Record};
-use crate::command::{self, CaseArguments};
+use crate::columns::{self, Record, Records};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, json};
 use crate::progress::Progress;
 use carom_cases::case::RollCase;
 use carom_cases::input::CaseFile;
 use carom_cases::roll::{self, COLUMNS, CREEP, Creep, Rolled, Row, Wanted};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_table::row;
 use serde::Serialize;
 
@@ -47,12 +47,12 @@ fn help() -> String {
 #[derive(Serialize)]
 struct Both<'a> {
     coefficients: Record<'a, Creep>,
-    rows: Vec<Record<'a, Row>>,
+    rows: Records<'a, Row>,
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(RollCase::parse)?;
+    let Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse::<RollCase>()?;
     if arguments.fastsim && case.distance.is_some() {
         return Err(CliError::Options(
             "--fastsim supports the steady state only: remove `distance`",
@@ -62,15 +62,15 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     let rolled = watched(&file, &case, wanted, messages)?;
     let Rolled { rows, creep, .. } = &rolled;
     let format = arguments.given.format();
-    columns::check(&file.path, &view::columns(rows, false), rows)?;
+    columns::check(&view::columns(rows, false), rows)?;
     let text = text(format, rows, creep.as_ref())?;
     let picture = match plot {
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&case, &rolled)?)),
         None => None,
     };
-    let mut heed = Heed::default();
-    heed.add(String::new, roll::validity(&case, rows));
-    let (caution, mut warnings) = heed.told("contacts");
+    let mut report = ValidityReport::default();
+    report.add(String::new, roll::validity(&case, rows));
+    let (caution, mut warnings) = report.told("contacts");
     warnings.extend(roll::warnings(&case, &rolled, wanted));
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
@@ -92,11 +92,10 @@ fn watched(
 }
 
 fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, CliError> {
-    let records = || rows.iter().map(|row| Record::new(COLUMNS, row)).collect::<Vec<_>>();
     match (format, creep) {
-        (Format::Json, None) => json(&records()),
+        (Format::Json, None) => json(&Records(COLUMNS, rows)),
         (Format::Json, Some(creep)) => {
-            json(&Both { coefficients: Record::new(CREEP, creep), rows: records() })
+            json(&Both { coefficients: Record::new(CREEP, creep), rows: Records(COLUMNS, rows) })
         }
         (Format::Csv, Some(creep)) => columns::rows(format, CREEP, std::slice::from_ref(creep)),
         (Format::Table(page), creep) => {

@@ -4,16 +4,15 @@ mod plot;
 mod view;
 
 use crate::columns;
-use crate::command::{self, CaseArguments};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{BLOCK, Rows, indented};
 use carom_cases::case::SceneCase;
 use carom_cases::scene::{End, add_bounce, follow};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_impact::scene::{Bounce, Leg, PathPoint};
 use carom_table::{row, short};
-use std::path::Path;
 
 /// Path and bounces of a ball between walls.
 ///
@@ -33,23 +32,23 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(SceneCase::parse)?;
+    let Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse::<SceneCase>()?;
     let (format, points) = (arguments.given.format(), arguments.points.map(|count| count as usize));
     let mut bounces = Rows::new(format).at_depth(1).showing(view::shown(&case));
     let mut course = plot.is_some().then(|| plot::Course::new(&case));
-    let mut heed = Heed::default();
+    let mut report = ValidityReport::default();
     if format == Format::Json {
         results.put(b"{\n  \"bounces\": ")?;
     }
-    let end = follow::<CliError>(&file.path, &case, |legs| {
+    let end = follow::<CliError>(&case, |legs| {
         for leg in legs {
             if let Some(course) = &mut course {
                 course.push(leg)?;
             }
         }
         let met: Vec<&Bounce> = legs.iter().filter_map(Leg::bounce).collect();
-        met.iter().for_each(|bounce| add_bounce(&mut heed, bounce));
+        met.iter().for_each(|bounce| add_bounce(&mut report, bounce));
         if format == Format::Csv && points.is_some() {
             return Ok(());
         }
@@ -72,7 +71,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
             results.put(format!("{text},\n  \"path\": ").as_bytes())?;
             text.clear();
         }
-        text.push_str(&instants(&file.path, &case, count, format, results)?);
+        text.push_str(&instants(&case, count, format, results)?);
     }
     if format == Format::Json {
         text.push_str("\n}\n");
@@ -81,7 +80,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         (Some(to), Some(course)) => Some((to, course.draw())),
         _ => None,
     };
-    let (caution, warnings) = heed.told("bounces");
+    let (caution, warnings) = report.told("bounces");
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }
@@ -89,7 +88,6 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
 /// Computes the path again and writes `count` instants of every flight; returns the end of the list, which is
 /// still to be written.
 fn instants(
-    path: &Path,
     case: &SceneCase,
     count: usize,
     format: Format,
@@ -104,7 +102,7 @@ fn instants(
         };
         rows.put(points, cells, json, results)
     };
-    follow::<CliError>(path, case, |legs| {
+    follow::<CliError>(case, |legs| {
         for leg in legs {
             waiting.extend(leg.points(count)?);
             if waiting.len() >= BLOCK {

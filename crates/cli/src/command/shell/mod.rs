@@ -2,8 +2,8 @@
 
 mod plot;
 
-use crate::columns::{self, Record};
-use crate::command::{self, CaseArguments};
+use crate::columns::{self, Record, Records};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
 use carom_cases::shell::{
@@ -11,9 +11,8 @@ use carom_cases::shell::{
     SolvedFlange, WALL_COLUMNS, solved,
 };
 use carom_shells::bellows::WallPoint;
-use carom_table::{Column, row};
+use carom_table::row;
 use serde::Serialize;
-use std::path::Path;
 
 /// A bellows under pressure and axial load, or a flange under forces around it.
 ///
@@ -45,18 +44,18 @@ fn help() -> String {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
+    let Given { case: file, plot } = arguments.given.read()?;
     let solved = solved(&file)?;
     let format = arguments.given.format();
     let (text, picture) = match &solved {
         Solved::Bellows(bellows) => {
-            columns::check(&file.path, RESPONSE_COLUMNS, std::slice::from_ref(&bellows.response))?;
-            columns::check(&file.path, BellowsRow::COLUMNS, &bellows.rows)?;
+            columns::check(RESPONSE_COLUMNS, std::slice::from_ref(&bellows.response))?;
+            columns::check(BellowsRow::COLUMNS, &bellows.rows)?;
             (of_bellows(arguments, format, bellows)?, plot::bellows(bellows))
         }
         Solved::Flange(flange) => {
-            columns::check(&file.path, RingPlace::COLUMNS, &flange.places)?;
-            (of_flange(arguments, format, &file.path, flange)?, plot::flange(flange))
+            columns::check(RingPlace::COLUMNS, &flange.places)?;
+            (of_flange(arguments, format, flange)?, plot::flange(flange))
         }
     };
     let picture = plot.map(|to| (to, picture));
@@ -68,8 +67,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 struct BellowsReport<'a> {
     #[serde(flatten)]
     response: Record<'a, Response>,
-    loads: Vec<Record<'a, BellowsRow>>,
-    places: Vec<Record<'a, WallPoint>>,
+    loads: Records<'a, BellowsRow>,
+    places: Records<'a, WallPoint>,
 }
 
 /// The complete result of a flange.
@@ -77,11 +76,7 @@ struct BellowsReport<'a> {
 struct FlangeReport<'a> {
     #[serde(flatten)]
     summary: Record<'a, FlangeSummary>,
-    places: Vec<Record<'a, RingPlace>>,
-}
-
-fn records<'a, R>(columns: &'a [Column<R>], all: &'a [R]) -> Vec<Record<'a, R>> {
-    all.iter().map(|one| Record::new(columns, one)).collect()
+    places: Records<'a, RingPlace>,
 }
 
 fn of_bellows(
@@ -94,8 +89,8 @@ fn of_bellows(
     match format {
         Format::Json => json(&BellowsReport {
             response: Record::new(RESPONSE_COLUMNS, response),
-            loads: records(BellowsRow::COLUMNS, rows),
-            places: records(WALL_COLUMNS, places),
+            loads: Records(BellowsRow::COLUMNS, rows),
+            places: Records(WALL_COLUMNS, places),
         }),
         _ if arguments.places => columns::rows(format, WALL_COLUMNS, places),
         Format::Table(page) => {
@@ -109,16 +104,15 @@ fn of_bellows(
 fn of_flange(
     arguments: &Arguments,
     format: Format,
-    path: &Path,
     flange: &SolvedFlange,
 ) -> Result<String, CliError> {
     let SolvedFlange { summary, places, .. } = flange;
     let rows = std::slice::from_ref(summary);
-    columns::check(path, FlangeSummary::COLUMNS, rows)?;
+    columns::check(FlangeSummary::COLUMNS, rows)?;
     match format {
         Format::Json => json(&FlangeReport {
             summary: Record::new(FlangeSummary::COLUMNS, summary),
-            places: records(RingPlace::COLUMNS, places),
+            places: Records(RingPlace::COLUMNS, places),
         }),
         _ if arguments.places => columns::rows(format, RingPlace::COLUMNS, places),
         Format::Table(page) => {

@@ -8,7 +8,6 @@ use carom_solver::{ContactState, StepSummary, Subsurface};
 use carom_special::RangeError;
 use carom_special::linspace;
 use carom_table::Column;
-use std::path::Path;
 
 /// Largest depth, over the radius of a circular contact of the same area.
 const RADII: f64 = 3.0;
@@ -23,7 +22,7 @@ pub(super) struct Below {
 
 /// Its columns.
 pub(super) const COLUMNS: &[Column<Below>] = &[
-    Column::new("body", "", "1 or 2", |below| below.body.into()),
+    Column::count("body", "", "1 or 2", |below| below.body.into()),
     Column::new("depth", "m", "below the point of maximum pressure", |below| below.depth.into()),
     Column::new("s_xx", "Pa", "stress, tension positive", |below| below.stress.xx.into()),
     Column::new("s_yy", "Pa", "", |below| below.stress.yy.into()),
@@ -37,13 +36,11 @@ pub(super) const COLUMNS: &[Column<Below>] = &[
 /// The stresses along the normal through the cell of maximum pressure, at `count` depths in each
 /// elastic body; empty if the bodies are separated.
 pub(super) fn along_normal(
-    path: &Path,
     case: &SolveCase,
     state: &ContactState,
     last: &StepSummary,
     count: usize,
 ) -> Result<Vec<Below>, CliError> {
-    let failed = |source| Error::Law { path: path.to_owned(), source };
     let values = state.pressure.values().iter().copied().zip(state.pressure.grid().centres());
     let greatest = values.max_by(|one, other| one.0.total_cmp(&other.0));
     let Some((_, (x, y))) = greatest.filter(|(pressure, _)| *pressure > 0.0) else {
@@ -58,8 +55,8 @@ pub(super) fn along_normal(
     ];
     let mut rows = Vec::new();
     for (body, material, make) in bodies.into_iter().filter(|(_, body, _)| !body.is_rigid()) {
-        let below = make(state, material).map_err(failed)?;
-        let stresses = below.along_normal(x, y, depths.iter().copied()).map_err(failed)?;
+        let below = make(state, material).map_err(Error::from)?;
+        let stresses = below.along_normal(x, y, depths.iter().copied()).map_err(Error::from)?;
         let pairs = depths.iter().zip(stresses);
         rows.extend(pairs.map(|(depth, stress)| Below { body, depth: *depth, stress }));
     }

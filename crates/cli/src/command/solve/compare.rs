@@ -3,10 +3,10 @@
 use std::time::{Duration, Instant};
 
 use super::follow;
-use crate::columns::{self, Record};
+use crate::columns::{self, Records};
 use crate::error::CliError;
 use crate::format::Printing;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
 use crate::progress::Progress;
@@ -33,7 +33,7 @@ const MAX_CELLS_IN_CONTACT: [usize; 3] = [2000, 500, 150];
 pub(in crate::command) struct Arguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
+    pub(in crate::command) case: PathBuf,
     #[command(flatten)]
     printing: Printing,
 }
@@ -50,8 +50,8 @@ struct Row {
 }
 
 const COLUMNS: &[Column<Row>] = &[
-    Column::new("method", "", "its name", |row| row.method.into()),
-    Column::new("iterations", "", "sweeps or linear systems of all steps", |row| {
+    Column::text("method", "", "its name", |row| row.method.into()),
+    Column::count("iterations", "", "sweeps or linear systems of all steps", |row| {
         row.of(|went| Some(Value::Count(went.iterations as u64)))
     }),
     Column::new("products", "", "products with blocks of the influence matrix", |row| {
@@ -66,7 +66,7 @@ const COLUMNS: &[Column<Row>] = &[
         "largest difference of a traction or pressure, over the largest pressure",
         |row| row.difference.map_or(Value::Undefined, Value::Number),
     ),
-    Column::new("note", "", "why there is no result", |row| row.note.clone().into()),
+    Column::text("note", "", "why there is no result", |row| row.note.clone().into()),
 ];
 
 impl Row {
@@ -144,10 +144,10 @@ pub(in crate::command) fn run(
     let outputs = Outputs::of_command(arguments.printing.format())?;
     let file = outputs.read_case(&arguments.case)?;
     // The method that the case requests is one of those compared.
-    let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
-    super::only_half_spaces(&file.path, &case, "the comparison of methods")?;
+    let case = SolveCase { method: SolveMethod::Newton, ..file.parse::<SolveCase>()? };
+    super::only_half_spaces(&case, "the comparison of methods")?;
     let bodies = Bodies::of(&file, &case)?;
-    let run = Run::new(&file.path, &case, &bodies)?;
+    let run = Run::new(&case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());
     let followed = follow(run, Found::default(), None, messages)?;
     let shifts = followed.steps.iter().map(|step| step.shift).collect();
@@ -156,15 +156,13 @@ pub(in crate::command) fn run(
     let rows = rows(&path, &method, *messages);
     let format = arguments.printing.format();
     let text = match format {
-        Format::Json => {
-            json(&rows.iter().map(|row| Record::new(COLUMNS, row)).collect::<Vec<_>>())?
-        }
+        Format::Json => json(&Records(COLUMNS, &rows))?,
         format => columns::rows(format, COLUMNS, &rows)?,
     };
     Ok(Answer { text, ..Answer::default() })
 }
 
-fn rows(path: &Course<'_>, today: &Frictional, messages: Messages) -> Vec<Row> {
+fn rows(path: &Course<'_>, main: &Frictional, messages: Messages) -> Vec<Row> {
     let [sweeps, dense, combined] = MAX_CELLS_IN_CONTACT;
     let (gauss, discs) = (GaussSeidel::default(), DiscGaussSeidel::default());
     let (johnson, kalker) = (Johnson::default(), Panagiotopoulos::default());
@@ -173,7 +171,7 @@ fn rows(path: &Course<'_>, today: &Frictional, messages: Messages) -> Vec<Row> {
     let tasks: [Task<'_>; 6] = [
         (
             "Newton on active sets (present method)",
-            Box::new(|name| path.row(name, usize::MAX, today)),
+            Box::new(|name| path.row(name, usize::MAX, main)),
         ),
         ("Jaeger: Gauss-Seidel", Box::new(|name| path.row(name, sweeps, &gauss))),
         ("Gauss-Seidel on discs", Box::new(|name| path.row(name, sweeps, &discs))),

@@ -3,7 +3,7 @@
 //! A manifest names the case, and a lock shows whether a run uses the folder. A folder with files
 //! but without a manifest is rejected unchanged.
 
-use crate::aside::{self, Aside};
+use crate::atomic_file::{self, AtomicFile};
 use crate::columns;
 use crate::error::CliError;
 use crate::output::Format;
@@ -84,7 +84,7 @@ impl Folder {
         let has = |name: &str| names.iter().any(|own| own == name);
         if !has(MANIFEST) {
             // Another run ended, or is active, before it wrote the manifest.
-            let is_foreign = |name: &&OsString| **name != *LOCK && !aside::is_aside(name);
+            let is_foreign = |name: &&OsString| **name != *LOCK && !atomic_file::is_temporary(name);
             return match names.iter().find(is_foreign) {
                 Some(other) => Err(input_error(&self.path.join(other), FOREIGN)),
                 None => Ok(0),
@@ -164,10 +164,10 @@ impl Folder {
         })?;
         // Another run may have used it in the meantime.
         let steps = self.check()?;
-        aside::clear_in(&self.path, is_own);
+        atomic_file::clear_in(&self.path, is_own);
         if steps == 0 {
             let place = Place::owned(&self.path, MANIFEST);
-            Aside::write(&place, self.manifest().as_bytes())?.put_in_place()?;
+            AtomicFile::write(&place, self.manifest().as_bytes())?.put_in_place()?;
         }
         Ok(Owned { folder: self, steps, _lock: lock })
     }
@@ -197,7 +197,7 @@ impl Owned {
     /// # Errors
     /// [`CliError::Io`].
     pub(super) fn write(&self, name: &str, bytes: &[u8]) -> Result<(), CliError> {
-        Aside::write(&Place::owned(&self.folder.path, name), bytes)?.put_in_place()
+        AtomicFile::write(&Place::owned(&self.folder.path, name), bytes)?.put_in_place()
     }
 
     /// The error of one of its files.
@@ -212,7 +212,7 @@ fn is_own(name: &OsStr) -> bool {
 }
 
 fn input_error(path: &Path, reason: &str) -> CliError {
-    Error::Input { path: path.to_owned(), reason: reason.to_owned() }.into()
+    Error::input(reason).of_file(path).into()
 }
 
 /// FNV-1a, 64 bits, of all inputs with their lengths and of the version of the program.

@@ -8,10 +8,10 @@ pub(super) mod plot;
 mod store;
 mod view;
 
-use crate::columns::{self, Record};
-use crate::command::{self, CaseArguments};
+use crate::columns::{self, Records};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::error::CliError;
-use crate::manner::Messages;
+use crate::global_options::Messages;
 use crate::output::{Answer, Format, json};
 use crate::progress::Progress;
 use carom_cases::Error;
@@ -20,7 +20,7 @@ use carom_cases::solve::{Bodies, Followed, Found, Run};
 use carom_solver::{Accuracy, StepSummary};
 use kept::Folder;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use store::Store;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
@@ -63,27 +63,27 @@ fn help() -> String {
 /// Steps, and stresses below the last one, in JSON.
 #[derive(Serialize)]
 struct Both<'a> {
-    steps: Vec<Record<'a, StepSummary>>,
-    depths: Vec<Record<'a, below::Below>>,
+    steps: Records<'a, StepSummary>,
+    depths: Records<'a, below::Below>,
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
-    let (command::Given { case: file, plot }, keep) = arguments.given.read_beside(|outputs| {
+    let (Given { case: file, plot }, keep) = arguments.given.read_beside(|outputs| {
         arguments.keep.as_ref().map(|path| outputs.folder("keep", path)).transpose()
     })?;
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
     }
-    let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
+    let case = file.parse_by(|source| SolveCase::parse_to(source, arguments.accuracy))?;
     if arguments.depths.is_some() {
-        only_half_spaces(&file.path, &case, "--depths")?;
+        only_half_spaces(&case, "--depths")?;
     }
     let bodies = Bodies::of(&file, &case)?;
     let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
     let inputs = [file.text().as_bytes(), bodies.read(), &accuracy];
     let keep = keep.map(|path| Folder::new(path, &inputs, arguments.resume));
     keep.as_ref().map(Folder::check).transpose()?;
-    let run = Run::new(&file.path, &case, &bodies)?;
+    let run = Run::new(&case, &bodies)?;
     let store = keep.map(Folder::open).transpose()?.map(Store::new);
     let found = match &store {
         Some(store) => store.find(run.window().grid(), run.count())?,
@@ -92,21 +92,19 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     let followed = follow(run, found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format());
     let all = StepSummary::columns();
-    columns::check(&file.path, &all, steps)?;
-    let records = || steps.iter().map(|step| Record::new(&all, step)).collect::<Vec<_>>();
+    columns::check(&all, steps)?;
     let stresses = match (arguments.depths, steps.last()) {
         (Some(count), Some(last)) => {
-            below::along_normal(&file.path, &case, &followed.state, last, count as usize)?
+            below::along_normal(&case, &followed.state, last, count as usize)?
         }
         _ => Vec::new(),
     };
     let depths = || columns::rows(format, below::COLUMNS, &stresses);
     let text = match (format, arguments.depths) {
-        (Format::Json, None) => json(&records())?,
-        (Format::Json, Some(_)) => json(&Both {
-            steps: records(),
-            depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
-        })?,
+        (Format::Json, None) => json(&Records(&all, steps))?,
+        (Format::Json, Some(_)) => {
+            json(&Both { steps: Records(&all, steps), depths: Records(below::COLUMNS, &stresses) })?
+        }
         (Format::Table(page), depth) => {
             let rows =
                 columns::rows(format, view::readable(), steps)? + &page.fold(&view::errors(steps));
@@ -151,10 +149,10 @@ fn follow(
 }
 
 /// An error if a body is a plate, which this request does not support.
-fn only_half_spaces(path: &Path, case: &SolveCase, request: &str) -> Result<(), Error> {
+fn only_half_spaces(case: &SolveCase, request: &str) -> Result<(), Error> {
     if case.plate.is_none() {
         return Ok(());
     }
     let reason = format!("`bodies.plate` excludes {request}: it is for half-spaces");
-    Err(Error::Input { path: path.to_owned(), reason })
+    Err(Error::input(reason))
 }

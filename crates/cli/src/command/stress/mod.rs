@@ -2,13 +2,13 @@
 
 mod field;
 
-use crate::columns::{self, Record};
+use crate::columns::{self, Record, Records};
+use crate::command::case_arguments::{CaseArguments, Given};
 use crate::command::plot::{Course, Value};
-use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::stress::{self, Solved, StressPoint};
-use carom_cases::theory::Heed;
+use carom_cases::theory::ValidityReport;
 use carom_laws::hertz::HertzState;
 use carom_plot::{Field, Marker, Panel, PlotError, Series};
 use carom_table::row;
@@ -43,7 +43,7 @@ struct Report<'a> {
     contact: Record<'a, HertzState>,
     /// Radius of the stick area over that of the contact.
     stick_radius: f64,
-    points: Vec<Record<'a, StressPoint>>,
+    points: Records<'a, StressPoint>,
     /// The point of greatest equivalent stress, searched between the points too.
     greatest: Record<'a, StressPoint>,
     /// The point of greatest shear stress, searched likewise.
@@ -51,19 +51,18 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let (command::Given { case: file, plot }, to) = arguments.given.read_beside(|outputs| {
+    let (Given { case: file, plot }, to) = arguments.given.read_beside(|outputs| {
         arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
     })?;
     let solved = stress::solved(&file)?;
     let Solved { case, state, stick_radius, points, greatest, greatest_shear } = &solved;
-    columns::check(&file.path, StressPoint::COLUMNS, points)?;
+    columns::check(StressPoint::COLUMNS, points)?;
     let format = arguments.given.format();
-    let records = || points.iter().map(|point| Record::new(StressPoint::COLUMNS, point)).collect();
     let text = match format {
         Format::Json => json(&Report {
             contact: Record::new(HertzState::COLUMNS, state),
             stick_radius: *stick_radius,
-            points: records(),
+            points: Records(StressPoint::COLUMNS, points),
             greatest: Record::new(StressPoint::COLUMNS, greatest),
             greatest_shear: Record::new(StressPoint::COLUMNS, greatest_shear),
         })?,
@@ -82,9 +81,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     let file = to.map(|to| to.encoded(case, points)).transpose()?;
-    let mut heed = Heed::default();
-    heed.add(String::new, solved.validity());
-    let (caution, warnings) = heed.told("loads");
+    let mut report = ValidityReport::default();
+    report.add(String::new, solved.validity());
+    let (caution, warnings) = report.told("loads");
     let answer = Answer { text, warnings, picture, file, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }

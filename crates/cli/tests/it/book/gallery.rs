@@ -92,7 +92,7 @@ fn drawn() -> BTreeMap<String, (String, String)> {
 fn computed(example: &Example, picture: Option<&Path>) -> Value {
     let case = root().join(format!("examples/{}.toml", example.name));
     let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
-    command.arg(example.kind.name()).arg(case).args([
+    command.arg(example.kind.name).arg(case).args([
         "--quiet",
         "--threads",
         "1",
@@ -175,7 +175,7 @@ fn the_gallery_shows_every_example() {
     let examples = examples();
     let mut shown = 0;
     for kind in CaseKind::ALL {
-        let _ = write!(page, "\n## {}\n\n{}\n", kind.name(), kind.meaning());
+        let _ = write!(page, "\n## {}\n\n{}\n", kind.name, kind.meaning);
         for example in examples.iter().filter(|example| example.kind == kind) {
             let Example { name, question, seen, check, .. } = example;
             let own = folder.join(format!("{name}.svg"));
@@ -183,8 +183,7 @@ fn the_gallery_shows_every_example() {
             compare(example, &computed(example, (!is_drawn).then_some(own.as_path())));
             let (picture, command) = drawn.get(name).cloned().unwrap_or_else(|| {
                 agrees(&pictures.join(format!("{name}.svg")), &std::fs::read(&own).unwrap());
-                let command =
-                    format!("carom {} examples/{name}.toml --plot {name}.svg", kind.name());
+                let command = format!("carom {} examples/{name}.toml --plot {name}.svg", kind.name);
                 (format!("gallery/{name}.svg"), command)
             });
             let _ = write!(

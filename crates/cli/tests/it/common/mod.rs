@@ -139,7 +139,7 @@ pub(crate) fn examples(kind: CaseKind) -> Vec<(String, String)> {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let of =
-            CaseKind::ALL.into_iter().find(|kind| name.starts_with(&format!("{}_", kind.name())));
+            CaseKind::ALL.into_iter().find(|kind| name.starts_with(&format!("{}_", kind.name)));
         if name.ends_with(".toml") && of.unwrap_or(CaseKind::Impact) == kind {
             found.push((name, std::fs::read_to_string(&path).unwrap()));
         }

@@ -45,9 +45,9 @@ fn examples() -> Vec<(String, String)> {
 fn the_files_of_the_schemas_are_what_the_tables_say() {
     let folder = root().join("docs/schema");
     for kind in CaseKind::ALL {
-        let printed = stdout(&["schema", kind.name(), "--json-schema"]);
+        let printed = stdout(&["schema", kind.name, "--json-schema"]);
         assert_eq!(printed, kind.json_schema());
-        agrees(&folder.join(format!("{}.json", kind.name())), printed.as_bytes());
+        agrees(&folder.join(format!("{}.json", kind.name)), printed.as_bytes());
     }
     assert_eq!(std::fs::read_dir(folder).unwrap().count(), CaseKind::ALL.len());
 }
@@ -61,7 +61,7 @@ fn a_schema_takes_all_cases_that_are_right() {
         assert_eq!(draft_4::faults(&schema(kind), &json(&source)), [""; 0], "{name}");
     }
     for kind in CaseKind::ALL {
-        for source in [kind.begin(), kind.begin_short()] {
+        for source in [kind.template(), kind.short_template()] {
             assert_eq!(draft_4::faults(&schema(kind), &json(&source)), [""; 0], "{source}");
         }
     }
@@ -132,7 +132,7 @@ fn what_replaces_a_field_is_a_field() {
     for kind in CaseKind::ALL {
         let all = kind.entries();
         let known = |path: &str| all.iter().any(|entry| entry.path == path);
-        for entry in entries(kind.fields()) {
+        for entry in entries(kind.fields) {
             let Need::Or(words) = entry.field.need else { continue };
             let names: Vec<&str> = words.split('`').skip(1).step_by(2).collect();
             assert!(!names.is_empty(), "{}: {words}", entry.path);
@@ -158,7 +158,7 @@ fn of_table(place: &Value) -> &Value {
 fn every_field_is_described_in_the_schema() {
     for kind in CaseKind::ALL {
         let schema = schema(kind);
-        for entry in entries(kind.fields()) {
+        for entry in entries(kind.fields) {
             let names = entry.path.replace("[]", "");
             let mut place = &schema;
             for name in names.split('.') {

@@ -1,6 +1,6 @@
 //! `carom new`: a new case file.
 
-use crate::command::kind;
+use crate::command::case_arguments::kind;
 use crate::error::CliError;
 use crate::output::{Answer, Format};
 use crate::outputs::Outputs;
@@ -26,11 +26,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let Arguments { kind, short, schema } = arguments;
-    let text = if *short { kind.begin_short() } else { kind.begin() };
+    let text = if *short { kind.short_template() } else { kind.template() };
     let text =
         width(&console::Term::stdout()).map_or_else(|| text.clone(), |width| fitted(&text, width));
     let Some(given) = schema else { return Ok(Answer { text, ..Answer::default() }) };
-    let path = given.clone().unwrap_or_else(|| format!("{}.schema.json", kind.name()).into());
+    let path = given.clone().unwrap_or_else(|| format!("{}.schema.json", kind.name).into());
     let place = Outputs::of_command(Format::Csv)?.file("schema", &path)?;
     let text = directive(&path) + &text;
     Ok(Answer { text, file: Some((place, kind.json_schema().into_bytes())), ..Answer::default() })

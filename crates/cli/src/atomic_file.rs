@@ -15,16 +15,16 @@ use std::path::{Path, PathBuf};
 /// Ending of temporary names.
 const ENDING: &str = ".carom";
 
-/// A file under a temporary name; removed unless it is [put in place](Aside::put_in_place).
+/// A file under a temporary name; removed unless it is [put in place](AtomicFile::put_in_place).
 #[derive(Debug)]
-pub(crate) struct Aside<'a> {
+pub(crate) struct AtomicFile<'a> {
     place: &'a Path,
-    aside: PathBuf,
+    temporary: PathBuf,
     /// Locked while it is open.
     file: Option<File>,
 }
 
-impl<'a> Aside<'a> {
+impl<'a> AtomicFile<'a> {
     /// Writes `bytes` under a temporary name beside `place`.
     ///
     /// # Errors
@@ -34,11 +34,11 @@ impl<'a> Aside<'a> {
         let mut name = OsString::from(".");
         name.push(place.file_name().unwrap_or_default());
         name.push(format!(".{}{ENDING}", std::process::id()));
-        let aside = folder(place).join(name);
+        let temporary = folder(place).join(name);
         let failed = |error| CliError::io("write", place, error);
         // Follows no link and replaces no file.
-        let file = File::options().write(true).create_new(true).open(&aside).map_err(failed)?;
-        let mut written = Self { place, aside, file: Some(file) };
+        let file = File::options().write(true).create_new(true).open(&temporary).map_err(failed)?;
+        let mut written = Self { place, temporary, file: Some(file) };
         written.fill(bytes).map_err(failed)?;
         Ok(written)
     }
@@ -59,17 +59,17 @@ impl<'a> Aside<'a> {
     /// # Errors
     /// [`CliError::Io`].
     pub(crate) fn put_in_place(mut self) -> Result<(), CliError> {
-        std::fs::rename(&self.aside, self.place)
+        std::fs::rename(&self.temporary, self.place)
             .map_err(|error| CliError::io("write", self.place, error))?;
         self.file = None;
         Ok(())
     }
 }
 
-impl Drop for Aside<'_> {
+impl Drop for AtomicFile<'_> {
     fn drop(&mut self) {
         if self.file.is_some() {
-            let _ = std::fs::remove_file(&self.aside);
+            let _ = std::fs::remove_file(&self.temporary);
         }
     }
 }
@@ -93,7 +93,7 @@ pub(crate) fn clear_in(folder: &Path, is_own: impl Fn(&OsStr) -> bool) {
 }
 
 /// Whether this is the name of a temporary file.
-pub(crate) fn is_aside(name: &OsStr) -> bool {
+pub(crate) fn is_temporary(name: &OsStr) -> bool {
     name.to_str().and_then(parts).is_some()
 }
 

@@ -1,7 +1,7 @@
 //! New cases: a commented file with every field, in which the necessary fields have values.
 
-use super::field::{Field, Form, Need, Word};
-use super::kind::CaseKind;
+use super::field::{Field, Form, Need, Schema, Word};
+use super::shape::SHAPE;
 
 /// Maximum number of characters of a line.
 const WIDTH: usize = 98;
@@ -11,17 +11,17 @@ const VARIED: &str = "Any number may be a sweep, as a list or { start, stop, cou
                       as { normal = { mean, sd } }, log_normal, { uniform = { low, high } } or \
                       { triangular = { low, mode, high } }; `carom schema impact` has them all.";
 
-impl CaseKind {
+impl Schema {
     /// A commented case of this kind with all its fields, ready to run.
     #[must_use]
-    pub fn begin(self) -> String {
+    pub fn template(&self) -> String {
         let mut text = String::new();
-        comment(&mut text, self.meaning());
+        comment(&mut text, self.meaning);
         comment(&mut text, HEAD);
-        if !self.varied().is_empty() {
+        if !self.varied.is_empty() {
             comment(&mut text, VARIED);
         }
-        for field in self.fields() {
+        for field in self.fields {
             add_table(&mut text, field.name, field, begins(field));
         }
         text
@@ -29,12 +29,12 @@ impl CaseKind {
 
     /// A case of this kind with the necessary fields and their units, ready to run.
     #[must_use]
-    pub fn begin_short(self) -> String {
+    pub fn short_template(&self) -> String {
         let mut text = String::new();
-        comment(&mut text, self.meaning());
-        let all = format!("SI units. All fields: `carom schema {}`.", self.name());
+        comment(&mut text, self.meaning);
+        let all = format!("SI units. All fields: `carom schema {}`.", self.name);
         comment(&mut text, &all);
-        for field in self.fields().iter().filter(|field| begins(field)) {
+        for field in self.fields.iter().filter(|field| begins(field)) {
             add_short(&mut text, field.name, field);
         }
         text
@@ -60,7 +60,7 @@ struct Begun<'a> {
 impl<'a> Begun<'a> {
     fn of(table: &'a Field) -> Self {
         let mut begun = Self { table, shape: None };
-        let shape = table.fields().iter().find(|field| field.name == super::body::SHAPE.name);
+        let shape = table.fields().iter().find(|field| field.name == SHAPE.name);
         begun.shape = shape.map(|field| begun.value(field).trim_matches('"').to_owned());
         begun
     }

@@ -8,7 +8,7 @@ use std::io::{IsTerminal as _, Write as _};
 
 /// Options of every command.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
-pub struct Manner {
+pub struct GlobalOptions {
     /// Print errors only: no warnings and no progress on standard error.
     #[arg(long, short, global = true)]
     quiet: bool,
@@ -21,7 +21,7 @@ pub struct Manner {
     threads: Option<u16>,
 }
 
-impl Manner {
+impl GlobalOptions {
     /// The message writer for these options.
     #[must_use]
     pub fn messages(&self) -> Messages {
