@@ -127,7 +127,7 @@ impl LogEntry {
             }
             .into()
         }),
-        Column::new("regime", "", "from then on", |entry| entry.regime.name().into()),
+        Column::text("regime", "", "from then on", |entry| entry.regime.name().into()),
     ];
 }
 
@@ -235,7 +235,7 @@ impl HistoryPoint {
         Column::new("stick_radius", "m", "radius of the stick area of spheres", |p| {
             p.stick_radius.into()
         }),
-        Column::new("regime", "", "sign: traction on body 1 along the first slip", |point| {
+        Column::text("regime", "", "sign: traction on body 1 along the first slip", |point| {
             point.regime.name().into()
         }),
     ];

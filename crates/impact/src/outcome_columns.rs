@@ -51,7 +51,7 @@ pub(crate) struct Columns<E>(PhantomData<E>);
 impl<E: Ended + 'static> Columns<E> {
     /// Columns that exist only after an impact have no value without one.
     pub(crate) const COLUMNS: &'static [Column<E>] = &[
-        Column::new("outcome", "", "rebound, or no_impact", |ended| {
+        Column::text("outcome", "", "rebound, or no_impact", |ended| {
             if ended.rebound().is_some() { "rebound" } else { "no_impact" }.into()
         }),
         Column::new("R_x", "", "tangential restitution", |ended| {
@@ -104,7 +104,7 @@ impl<E: Ended + 'static> Columns<E> {
         Column::new("energy_lost", "J", "in the material of the bodies", |ended| {
             of(ended, |rebound| rebound.energy.lost)
         }),
-        Column::new(
+        Column::text(
             "regimes",
             "",
             "in order; sign: traction on body 1 along the first slip",
@@ -121,14 +121,14 @@ impl<E: Ended + 'static> Columns<E> {
             "coefficient that was used; none if the bodies do not slip",
             |ended| of(ended, |rebound| rebound.friction.coefficient()),
         ),
-        Column::new("method", "", "solution method", |e| of(e, |r| r.method.name())),
-        Column::new("compressions", "", "number of compression phases", |ended| {
+        Column::text("method", "", "solution method", |e| of(e, |r| r.method.name())),
+        Column::count("compressions", "", "number of compression phases", |ended| {
             of(ended, |rebound| u64::from(rebound.compressions))
         }),
         Column::new("error_estimate", "", "of the contact velocity, over that before", |ended| {
             of(ended, |rebound| rebound.error_estimate)
         }),
-        Column::new("warnings", "", "limits of validity that the impact exceeds", |ended| {
+        Column::text("warnings", "", "limits of validity that the impact exceeds", |ended| {
             of(ended, |rebound| -> Vec<String> {
                 rebound.warnings.iter().map(ToString::to_string).collect()
             })

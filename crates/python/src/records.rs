@@ -16,18 +16,9 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// What the values of a column are, told here for columns of the crates below that do not say it themselves.
-fn kind(column: &impl Quantity) -> Kind {
-    match column.name() {
-        "outcome" | "regimes" | "regime" | "method" | "warnings" => Kind::Text,
-        "step" | "compressions" => Kind::Count,
-        _ => column.kind(),
-    }
-}
-
 /// Its name in Python.
 fn kind_name(column: &impl Quantity) -> &'static str {
-    match kind(column) {
+    match column.kind() {
         Kind::Number => "number",
         Kind::Count => "count",
         Kind::Flag => "flag",
@@ -106,7 +97,7 @@ pub(crate) fn add<R>(
     for column in columns {
         let values: Vec<Value> = records.iter().map(|record| column.value(record)).collect();
         let (name, values) = (column.name(), values.into_iter());
-        match kind(column) {
+        match column.kind() {
             Kind::Vector => {
                 let parts = values.flat_map(vector).collect::<Vec<f64>>();
                 let array = PyArray1::from_vec(py, parts).reshape([records.len(), 3])?;

@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 fn a_ball_is_pressed_as_hertz_says() {
     let steps = json(&["solve", &example("solve_hertz.toml")]);
     // E* = 2 G/(1 - nu), F_z = (4/3) E* sqrt(R zeta^3), p_max = 3 F_z/(2 pi R zeta).
-    let (radius, modulus) = (0.01, 4e6);
+    let (radius, modulus) = (0.01, 4e7);
     for (i, force) in [1.0, 2.0, 3.0, 4.0].into_iter().enumerate() {
         let zeta = (0.75 * force / modulus / f64::sqrt(radius)).powf(2.0 / 3.0);
         let pressure = 1.5 * force / (std::f64::consts::PI * radius * zeta);

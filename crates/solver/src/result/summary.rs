@@ -182,7 +182,7 @@ impl StepSummary {
 
     /// Its columns.
     pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("step", "", "number of the step, from 1", |s| (s.step as u64).into()),
+        Column::count("step", "", "number of the step, from 1", |s| (s.step as u64).into()),
         Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
         Column::new("xi", "m", "shift of body 2 against body 1 along x", |s| s.shift.xi.into()),
         Column::new("eta", "m", "the same along y", |step| step.shift.eta.into()),

@@ -46,7 +46,7 @@ impl DissimilarRestitution {
     /// The columns of results.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("R_x", "", "tangential restitution", |found| found.r_x.into()),
-        Column::new("method", "", "how it was found", |found| found.method.name().into()),
+        Column::text("method", "", "how it was found", |found| found.method.name().into()),
         Column::new("error_estimate", "", "how far R_x may be off", |found| {
             found.error_estimate.into()
         }),
