@@ -22,6 +22,7 @@ mod lubricated;
 mod memory;
 mod near_the_limit;
 mod normal;
+mod oracle;
 mod outlines;
 mod periodic;
 mod plate;
