@@ -1,13 +1,13 @@
 //! Impacts under exchanged bodies and turned axes.
 
-#[path = "../../../../testing/images.rs"]
-mod images;
+#[path = "../../../../testing/image.rs"]
+mod image;
 
 use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, Rebound};
 use carom_laws::friction::Friction;
-use images::Image;
+use image::Image;
 
 /// A vector of space: the normal is the third axis. The bodies keep their places when they are exchanged.
 fn space(image: Image, [x, y, z]: [f64; 3]) -> [f64; 3] {

@@ -156,6 +156,19 @@ mod tests {
         Ok(())
     }
 
+    /// The limit of each axis is that of its stiffness: f c_z zeta over c_x along x, over c_y along y.
+    #[test]
+    fn each_axis_slips_at_its_own_limit() -> Result<(), RangeError> {
+        let stiffness = ContactStiffness::new(1.0, 0.5, 1.0)?;
+        for (xi, eta, slips) in [(1.1, 0.0, true), (0.0, 1.9, false), (0.0, 2.1, true)] {
+            let mut turn = SlipTurn::new(stiffness, Friction::new(1.0)?, 1.0)?;
+            turn.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+            turn.advance(Shift { zeta: 1.0, xi, eta, ..Shift::default() })?;
+            assert_eq!(turn.annuli[0].slips, slips, "{xi} {eta}");
+        }
+        Ok(())
+    }
+
     #[test]
     fn a_path_that_returns_on_itself_does_not_turn() -> Result<(), RangeError> {
         let mut turn = turn()?;

@@ -1,7 +1,7 @@
 //! Contact laws under exchanged bodies and turned axes.
 
-#[path = "../../../../testing/images.rs"]
-mod images;
+#[path = "../../../../testing/image.rs"]
+mod image;
 
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::coulomb::Tolerance;
@@ -13,7 +13,7 @@ use carom_laws::rings::{self, RingLaw};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::turning_law::TurningLaw;
-use images::Image;
+use image::Image;
 
 const PATH: [[f64; 4]; 6] = [
     [0.6, 0.1, -0.05, 0.0],

@@ -33,7 +33,7 @@ fn between(low: f64, high: f64, part: f64) -> f64 {
 impl Drawn {
     fn new(impact: usize) -> Self {
         let draw = |number: usize| spread(11 * impact + number + 5);
-        let is_like = impact % 2 == 0;
+        let is_like = impact.is_multiple_of(2);
         let ratio = if is_like { 1.0 } else { between(0.02, 50.0, draw(0)) };
         let nu = [draw(1), if is_like { draw(1) } else { draw(2) }].map(|part| 0.5 * part);
         let large = 0.02 + 0.04 * draw(3);

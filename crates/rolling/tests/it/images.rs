@@ -1,13 +1,13 @@
 //! Rolling under exchanged bodies and turned axes, on oblong cells with steps of another length.
 
-#[path = "../../../../testing/images.rs"]
-mod images;
+#[path = "../../../../testing/image.rs"]
+mod image;
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, SteadyContact, Way};
 use carom_solver::{ContactProblem, Driven, Gap};
-use images::Image;
+use image::Image;
 
 /// F_x, F_y, F_z and M_z of a contact that rolls along the image of x.
 fn forces(image: Image) -> [f64; 4] {

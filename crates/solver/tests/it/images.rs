@@ -1,13 +1,13 @@
 //! Steps on oblong grids of oblong cells under exchanged bodies and turned axes.
 
-#[path = "../../../../testing/images.rs"]
-mod images;
+#[path = "../../../../testing/image.rs"]
+mod image;
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::ContactLoad;
 use carom_solver::{ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method as _};
-use images::Image;
+use image::Image;
 
 fn height([x, y]: [f64; 2]) -> f64 {
     0.5 * x * x + 0.8 * y * y + 0.1 * x * y + 0.05 * x * x * x
