@@ -3,6 +3,7 @@
 import math
 import re
 import struct
+from pathlib import Path
 
 import pytest
 from conftest import Failed, lmp
@@ -156,3 +157,19 @@ def test_one_line_names_the_worst_style(tmp_path):
         three += "neigh_modify delay 0 every 100000 check no\nneighbor 0.3 bin\nfix move all nve/sphere\ntimestep 1e-4\nrun 1000\n"
         for ranks in (1, 2):
             assert said(tmp_path, three, LARGE, ranks=ranks) == [(expected[0], pytest.approx(expected[1], rel=5e-3))]
+
+
+#: What each style of the plugin does about the limits of the theory; the first two are asked by the tests above.
+STYLES = {
+    "carom": "tells",
+    "wall/carom": "tells",
+    "CAROM_KEEP": "keeps contacts that the pair style has made",
+    "CAROM_RESTORE": "keeps contacts that a restart file holds",
+    "carom/energy": "adds up what contacts store",
+    "carom/heat/atom": "adds up what contacts lost",
+}
+
+
+def test_every_style_is_known_to_tell_or_to_load_nothing():
+    text = (Path(__file__).parent.parent / "src/plugin.cpp").read_text(encoding="utf-8")
+    assert sorted(re.findall(r'plugin\.name = "([^"]+)"', text)) == sorted(STYLES)

@@ -1,5 +1,6 @@
 """Walls of triangles."""
 
+import os
 import math
 import pathlib
 
@@ -231,6 +232,12 @@ def test_a_damaged_file_is_named(tmp_path, contents, words):
         lmp(one_ball(RADIUS, 1e7, (0, 0, 1), (0, 0, 0), (0, 0, 0), ["stl bad.stl"], 1e-4), tmp_path)
     for word in ("fix wall1 wall/carom: STL file 'bad.stl'", *words):
         assert word in str(failed.value), str(failed.value)[-500:]
+
+
+def test_a_pipe_is_refused_instead_of_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "pipe.stl")
+    with pytest.raises(Failed, match="'pipe.stl' cannot be read: it must be a regular file"):
+        lmp(one_ball(RADIUS, 1e7, (0, 0, 1), (0, 0, 0), (0, 0, 0), ["stl pipe.stl"], 1e-4), tmp_path)
 
 
 def test_a_damaged_file_ends_all_ranks(tmp_path):

@@ -182,3 +182,79 @@ radii = [0.03, 0.03]
         }
     }
 }
+
+/// What of the facade's prelude loads a contact, and what of it tells how far that is from the limits of the theory.
+const FACADE: [(&str, &str); 31] = [
+    ("Attitude", ""),
+    ("Inertia", ""),
+    ("Surface", ""),
+    ("Force", ""),
+    ("Grid", ""),
+    ("Material", ""),
+    ("MaterialPair", ""),
+    ("Point", ""),
+    ("PointLoad", ""),
+    ("Groups", ""),
+    ("ObliqueImpact", ""),
+    ("Regime", ""),
+    ("Body", ""),
+    ("Collision", "Rebound::warnings"),
+    ("Motion", ""),
+    ("Outcome", "Rebound::warnings"),
+    ("Rebound", "Rebound::warnings"),
+    ("Accounted", "Validity::of_hertz"),
+    ("PrincipalRadii", ""),
+    ("RelativeCurvature", ""),
+    ("ContactEllipse", ""),
+    ("Friction", ""),
+    ("Hertz", "Validity::of_hertz"),
+    ("ContactLaw", "Validity::of_hertz"),
+    ("ContactLoad", ""),
+    ("Energies", ""),
+    ("Shift", ""),
+    ("ShiftLaw", "Validity::of_hertz"),
+    ("ContactStiffness", ""),
+    ("Frictional", "PressureLimits::validity"),
+    ("Method", "PressureLimits::validity"),
+];
+/// Functions, states and errors beside them.
+const BESIDE: [&str; 9] = [
+    "CellState",
+    "ContactProblem",
+    "ContactState",
+    "Drive",
+    "Driven",
+    "Gap",
+    "complete",
+    "AxisRatio",
+    "RangeError",
+];
+
+/// A new name of the prelude is asked here whether it loads a contact; that what tells exists, the compiler says.
+#[test]
+fn every_name_of_the_facade_is_known_to_load_a_contact_or_not() {
+    use carom::laws::validity::{PressureLimits, Validity};
+    let _ = (Validity::of_hertz, PressureLimits::validity, |rebound: &carom::impact::Rebound| {
+        rebound.warnings.len()
+    });
+    let source = include_str!("../../../carom/src/lib.rs");
+    let prelude = source.split("pub mod prelude {").nth(1).unwrap();
+    let names = prelude.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+    let is_name = |name: &&str| name.starts_with(char::is_uppercase) || *name == "complete";
+    let mut found: Vec<&str> = names.filter(is_name).collect();
+    let mut known: Vec<&str> = FACADE.iter().map(|(name, _)| *name).chain(BESIDE).collect();
+    found.sort_unstable();
+    known.sort_unstable();
+    assert_eq!(found, known);
+}
+
+/// A window so small that its numbers vanish is bad input, not a fault of a file.
+#[test]
+fn numbers_too_extreme_to_compute_with_are_bad_input() {
+    let text = std::fs::read_to_string(example("solve_hertz.toml")).unwrap();
+    let text = text.replace("[\"5 mm\", \"5 mm\"]", "[1e-154, 1e-154]");
+    let text = text.replace("F_z = \"4 N\"", "zeta = 1e-5");
+    let output = carom(&["solve", &case("extreme.toml", &text)]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+}
