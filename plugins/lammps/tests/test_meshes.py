@@ -1,7 +1,7 @@
 """Walls of triangles."""
 
-import os
 import math
+import os
 import pathlib
 
 import numpy as np
