@@ -14,13 +14,14 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     if !CARGO_DENY.is_there()? {
         return Ok(Outcome::skipped(Part::Dependencies, CARGO_DENY.advice()));
     }
+    // An allowance for one of them that the others do not need is no fault.
     let quiet = ["check", "--hide-inclusion-graph", "-D", "warnings", "licenses", "sources"];
-    cargo::run(&[&["deny", "--locked"], &quiet[..], &["bans"]].concat())?;
-    // An allowance of the workspace that nothing of theirs needs is no fault of theirs.
-    let unused = ["-A", "license-not-encountered", "-A", "license-exception-not-encountered"];
+    let unused = ["-A", "license-exception-not-encountered"];
+    cargo::run(&[&["deny", "--locked"], &quiet[..], &["bans"], &unused].concat())?;
     for manifest in OTHERS {
         let own = ["deny", "--locked", "--manifest-path", manifest, "--config", "deny.toml"];
-        cargo::run(&[&own[..], &quiet[..], &unused[..]].concat())?;
+        let fewer = ["-A", "license-not-encountered"];
+        cargo::run(&[&own[..], &quiet[..], &unused, &fewer].concat())?;
     }
     // Fetched separately, to distinguish a failure to fetch from an advisory.
     let mut fetch = cargo::command(&["deny", "--locked", "fetch", "db"]);
