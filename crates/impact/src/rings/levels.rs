@@ -51,7 +51,7 @@ pub(super) const LEVELS: [Level; 4] = [
 ];
 
 /// From coarse to fine with a spin about the normal, and the numbers of rings. The factors of the estimates were fitted to
-/// drawn impacts against a grid, and hold for others (`tests/it/spinning.rs`).
+/// drawn impacts against a grid, and hold for others (`tests/it/spinning.rs` of `carom-numerical`).
 pub(super) const SPINNING: [(Level, f64); 4] = [
     (level(run::<8, 8, 5, 3>, 64, 2e-3, 0.0, floor([1e-2, 0.0, 0.0, 0.0], 1e-2)), 8.0),
     (level(run::<12, 8, 5, 3>, 128, 1e-3, 0.3, floor([1e-3, 4.4e-3, 8.6e-3, 1e-4], 1.5e-3)), 12.0),

@@ -17,7 +17,8 @@ const WHOLE: f64 = 1.0 - 1e-12;
 ///
 /// Coulomb's law lets annuli slip independently of each other. That is exact while the direction of slip is
 /// the same everywhere; on paths that turn, the distance of the law from elastic half-spaces grows with this
-/// angle (page `accuracy.turning` of the verification). 48 annuli are followed, each exactly along straight
+/// angle (page `accuracy.turning` of the verification). The angle does not bound it: where annuli stick again, the
+/// error made before stays. 48 annuli are followed, each exactly along straight
 /// steps; units: approach in m, angle in radians, from 0; a step counts as turning by at most half a turn.
 ///
 /// ```
