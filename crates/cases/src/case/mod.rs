@@ -5,6 +5,7 @@ mod body;
 mod contact;
 mod error;
 mod field;
+mod foreign;
 mod hertz;
 mod history;
 mod impact;

@@ -64,7 +64,21 @@ fn what_is_meant_is_told() {
         (Impact, "[0.25, 0, -0.5]", "[0,25, 0, -0,5]", "; decimals have a point"),
         (Impact, "density", "poisson = 0.3\ndensity", "mean `material = { poisson = .. }`?"),
         (Impact, "density", "mu = 0.3\ndensity", "did you mean `contact.friction`?"),
-        (Impact, "= 0.2", "= { mean = 0.2, sd = 0.1 }", "did you mean `normal = { mean = .. }`?"),
+        (Impact, "= 0.2", "= { mean = 0.2, sd = 0.1 }", "mean `normal = { mean = .., sd = .. }`?"),
+        (Impact, "= 0.2", "= { mean = 0.2 }", "did you mean `normal = { mean = .., sd = .. }`?"),
+        (
+            Impact,
+            "= 0.2",
+            "= { low = 0.1, high = 0.3 }",
+            "mean `uniform = { low = .., high = .. }`?",
+        ),
+        (
+            Impact,
+            "= 0.2",
+            "= { high = 0.1, mode = 0.2, low = 0.1 }",
+            "did you mean `triangular = { low = .., mode = .., high = .. }`?",
+        ),
+        (Impact, "radius = 0.01", "radius = \"3 in\"", "; 1 in is 0.0254 m: write 0.0762"),
         (Impact, "= 0.2", "= { uniform = [0.1, 0.2] }", "a table { low = .., high = .. }"),
         (
             Impact,

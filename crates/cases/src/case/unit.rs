@@ -193,8 +193,8 @@ impl Dimension {
 }
 
 impl Dimension {
-    /// What may be meant by a text that is not read: a decimal comma, a plain number, a unit in other letters, or a
-    /// percentage.
+    /// What may be meant by a text that is not read: a decimal comma, a plain number, a unit in other letters, a
+    /// percentage, or a unit that is not of SI.
     pub(super) fn meant(self, text: &str) -> String {
         if text.len() > MOST_LETTERS {
             return String::new();
@@ -212,7 +212,7 @@ impl Dimension {
         let mut alike = self.unit_names().filter(|name| name.eq_ignore_ascii_case(&unit));
         match (alike.next(), alike.next()) {
             (Some(name), None) => format!("; did you mean \"{number} {name}\"?"),
-            _ => String::new(),
+            _ => self.converted(number, &unit),
         }
     }
 }

@@ -23,6 +23,7 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("poisson_ratio", "poisson"),
     ("rho", "density"),
     ("m", "mass"),
+    ("h", "thickness"),
     ("r", "radius"),
     ("R", "radius"),
     ("diameter", "radius"),
@@ -91,14 +92,21 @@ pub fn likely(name: &str, valid: &[&str]) -> String {
     near.map_or_else(String::new, |near| format!(", did you mean `{near}`{}?", different(name)))
 }
 
-/// The field of this name in one of the tables, as it is written there.
-fn inner(name: &str, fields: &[Field]) -> Option<String> {
-    let found = |table: &Field| {
+/// The field of this name in one of the tables, as it is written there, with those that the table needs besides. Of
+/// several tables the one that takes most of the names that are given.
+fn inner(name: &str, given: &[&str], fields: &[Field]) -> Option<String> {
+    let own = |table: &Field, name: &str| {
         let names: Vec<&'static str> = table.fields().iter().map(|field| field.name).collect();
-        let field = names.iter().find(|own| **own == name).copied().or_else(|| meant(name, &names));
-        field.map(|field| format!("{} = {{ {field} = .. }}", table.name))
+        names.iter().find(|own| **own == name).copied().or_else(|| meant(name, &names))
     };
-    fields.iter().filter(|field| matches!(field.form, Form::Table(_))).find_map(found)
+    let taken = |table: &&Field| given.iter().filter(|name| own(table, name).is_some()).count();
+    // The first of those that take as many.
+    let tables = fields.iter().rev().filter(|field| matches!(field.form, Form::Table(_)));
+    let table = tables.filter(|table| own(table, name).is_some()).max_by_key(taken)?;
+    let named = own(table, name)?;
+    let is_told = |field: &&Field| field.name == named || matches!(field.need, Need::Must);
+    let inside = table.fields().iter().filter(is_told).map(|field| format!("{} = ..", field.name));
+    Some(format!("{} = {{ {} }}", table.name, inside.collect::<Vec<_>>().join(", ")))
 }
 
 /// The field of this name in another table, with its path.
@@ -138,6 +146,7 @@ impl Section<'_> {
         let is_absent =
             |name: &&&'static str| !self.table.iter().any(|(key, _)| key.get_ref() == **name);
         let absent: Vec<&'static str> = valid.iter().filter(is_absent).copied().collect();
+        let given: Vec<&str> = self.table.iter().map(|(key, _)| key.get_ref().as_ref()).collect();
         let table = match self.path.as_str() {
             "" => "a case".to_owned(),
             path => format!("`{path}`"),
@@ -149,7 +158,7 @@ impl Section<'_> {
             },
             nearest: meant(name, valid)
                 .map(str::to_owned)
-                .or_else(|| inner(name, self.fields))
+                .or_else(|| inner(name, &given, self.fields))
                 .or_else(|| nearest(name, &absent).map(str::to_owned))
                 .or_else(|| elsewhere(name, self.top))
                 .or_else(|| nearest(name, valid).map(str::to_owned)),
