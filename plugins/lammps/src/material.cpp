@@ -39,6 +39,18 @@ static double number(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   return numeric(lmp, who, arg, 1);
 }
 
+int flag(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  if (narg < 2) lmp->error->all(FLERR, who + ": " + arg[0] + " requires yes or no");
+  const std::string given = arg[1];
+  for (const char *yes : {"yes", "on", "true"})
+    if (given == yes) return 1;
+  for (const char *no : {"no", "off", "false"})
+    if (given == no) return 0;
+  lmp->error->all(FLERR, who + ": " + arg[0] + " takes yes or no, not '" + given + "'");
+  return 0;
+}
+
 // rolling K C F: stiffness, damping and friction.
 int Material::take_rolling(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
@@ -172,8 +184,8 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     else lmp->error->all(FLERR, who + ": law is neither coulomb, fixed-direction nor rings: '" + name + "'");
     return 2;
   }
-  if (word == "torsion" && narg > 1) {
-    torsion = utils::logical(FLERR, arg[1], false, lmp);
+  if (word == "torsion") {
+    torsion = flag(lmp, who, narg, arg);
     return 2;
   }
   if (word == "tolerance") {

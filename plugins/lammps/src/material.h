@@ -16,6 +16,9 @@ namespace carom {
 // The number at a place after the keyword arg[0], or an error that names the keyword.
 double numeric(LAMMPS_NS::LAMMPS *lmp, const std::string &who, char **arg, int place);
 
+// Whether the word after the keyword arg[0] is yes, on or true rather than no, off or false; an error names what it is.
+int flag(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
+
 // young E poisson NU
 // shear G poisson NU
 // rigid, yield Y, friction F, static_friction F, slip_friction A B C, damping A, restitution E, rolling K C F; plain data,

@@ -100,8 +100,8 @@ void PairCarom::settings(int narg, char **arg)
   account = rolls = slips = 0;
   for (int k = 0; k < narg;) {
     int words = law_.take(lmp, "pair_style carom", narg - k, arg + k);
-    if (words == 0 && strcmp(arg[k], "energy") == 0 && k + 1 < narg) {
-      account = utils::logical(FLERR, arg[k + 1], false, lmp);
+    if (words == 0 && strcmp(arg[k], "energy") == 0) {
+      account = carom::flag(lmp, "pair_style carom", narg - k, arg + k);
       words = 2;
     }
     if (words == 0)
