@@ -6,6 +6,7 @@ use carom::impact::{
 };
 use carom::numerical::CollisionLaw;
 use carom::special::WordError;
+use carom_cases::theory::readable;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -76,7 +77,25 @@ impl Way {
     }
 }
 
-/// Computes the collision of two bodies; also gives its warnings.
+/// Why there is no impact, and what to do about it; empty if there is one.
+fn missed(collision: &Collision, outcome: &Outcome) -> String {
+    if outcome.rebound().is_some() {
+        return String::new();
+    }
+    // That of body 2 against body 1, along the normal into body 1.
+    let speed = collision.velocity().z;
+    let how = match speed < 0.0 {
+        true => format!("move apart at {} m/s", readable(-speed)),
+        false => "have no speed".to_owned(),
+    };
+    let [x, y, z] = <[f64; 3]>::from(collision.frame().z()).map(readable);
+    format!(
+        "no impact: the bodies {how} along the normal ({x}, {y}, {z}), which points from body 2 into body 1:\n\
+         exchange the bodies, or change the sign of a velocity"
+    )
+}
+
+/// Computes the collision of two bodies; also gives its warnings, and why there is no impact.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn collide<'py>(
@@ -90,13 +109,18 @@ pub(crate) fn collide<'py>(
     law: &str,
     tolerance: Option<In<Tolerance>>,
     loss: (String, f64),
-) -> PyResult<(Bound<'py, PyDict>, Told)> {
+) -> PyResult<(Bound<'py, PyDict>, Told, String)> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let solve = || -> Result<Outcome, Fault> {
-        Ok(way.law.solve(&way.collision(one, two, checked(friction, beside)?)?)?)
+    let solve = || -> Result<(Outcome, String), Fault> {
+        let collision = way.collision(one, two, checked(friction, beside)?)?;
+        let outcome = way.law.solve(&collision)?;
+        let missed = missed(&collision, &outcome);
+        Ok((outcome, missed))
     };
-    told(py, &[without_python(py, solve)??])
+    let (outcome, missed) = without_python(py, solve)??;
+    let (columns, warnings) = told(py, &[outcome])?;
+    Ok((columns, warnings, missed))
 }
 
 /// Computes the collisions of two bodies for many motions; also gives their warnings. Friction by the slip speed replaces
@@ -138,7 +162,7 @@ fn told<'py>(py: Python<'py>, outcomes: &[Outcome]) -> PyResult<(Bound<'py, PyDi
     Ok((arrays(py, Outcome::COLUMNS, outcomes)?, of_impacts(outcomes)))
 }
 
-/// The history of a collision at equally spaced instants; also gives its warnings.
+/// The history of a collision at equally spaced instants; also gives its warnings, and why there is none.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)] // named ones, in Python
 pub(crate) fn history<'py>(
@@ -151,14 +175,16 @@ pub(crate) fn history<'py>(
     normal: Option<Row<Normal, 3>>,
     law: &str,
     tolerance: Option<In<Tolerance>>,
-) -> PyResult<(Bound<'py, PyDict>, Told)> {
+) -> PyResult<(Bound<'py, PyDict>, Told, String)> {
     let way = Way::new(normal, None, law, tolerance)?;
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let trace = || -> Result<(Vec<HistoryPoint>, Outcome), Fault> {
+    let trace = || -> Result<(Vec<HistoryPoint>, Outcome, String), Fault> {
         let collision = way.collision(one, two, checked(friction, beside)?)?;
-        Ok((way.law.history(&collision, points)?, way.law.solve(&collision)?))
+        let outcome = way.law.solve(&collision)?;
+        let missed = missed(&collision, &outcome);
+        Ok((way.law.history(&collision, points)?, outcome, missed))
     };
-    let (course, outcome) = without_python(py, trace)??;
-    Ok((arrays(py, HistoryPoint::COLUMNS, &course)?, of_impacts(&[outcome])))
+    let (course, outcome, missed) = without_python(py, trace)??;
+    Ok((arrays(py, HistoryPoint::COLUMNS, &course)?, of_impacts(&[outcome]), missed))
 }

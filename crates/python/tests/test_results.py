@@ -79,6 +79,18 @@ def test_an_impact_that_does_not_happen_says_so_and_nothing_else():
     assert away.outcome == "no_impact" and "no_impact" in repr(away) and "nan" not in repr(away)
 
 
+def test_the_text_of_no_impact_says_how_the_bodies_move_and_what_to_do():
+    up = BALL.moving((0.3, 0, 0.5))
+    for away in (carom.collide(up, PLATE, 0.15), carom.history(up, PLATE, 0.15)):
+        for text in (repr(away), repr(pickle.loads(pickle.dumps(away)))):
+            assert "move apart at 0.5 m/s along the normal (0, 0, 1), which points from body 2 into body 1" in text
+            assert "exchange the bodies, or change the sign of a velocity" in text
+    assert "move apart at 0.5 m/s" in carom.collide(up, PLATE, 0.15)._repr_html_()
+    beside = carom.collide(BALL.moving((0.3, 0, 0)), PLATE, 0.15)
+    assert "no impact: the bodies have no speed along the normal (0, 0, 1)" in repr(beside)
+    assert "no impact" not in repr(carom.collide(BALL.moving((0, 0, -1)), PLATE, 0.15))
+
+
 @pytest.mark.parametrize("result", results(), ids=lambda result: type(result).__name__)
 def test_a_text_is_short_and_tells_units(result):
     lines = repr(result).splitlines()

@@ -300,7 +300,7 @@ def collide(
     law: str,
     tolerance: float | None,
     loss: tuple[str, float],
-) -> tuple[_Columns, _Told]: ...
+) -> tuple[_Columns, _Told, str]: ...
 def collide_many(
     body_1: Body,
     body_2: Body,
@@ -322,7 +322,7 @@ def history(
     normal: _Vector | None,
     law: str,
     tolerance: float | None,
-) -> tuple[_Columns, _Told]: ...
+) -> tuple[_Columns, _Told, str]: ...
 
 class Solver:
     def __new__(

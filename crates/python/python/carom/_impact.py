@@ -97,7 +97,8 @@ def collide(
 ) -> Rebound:
     """Computes the impact of two bodies. Body 1 is first placed on body 2 with the given common normal.
 
-    `normal` points from body 2 into body 1. With `normal=None` the bodies touch at their given positions;
+    `normal` points from body 2 into body 1. Of bodies that move apart along it the `outcome` is no_impact, and the text of
+    the result says how fast. With `normal=None` the bodies touch at their given positions;
     if a body has a centre, pass `normal` explicitly. The result says in `method` how it was computed, and
     in `error_estimate` how accurate it is.
 
@@ -135,9 +136,9 @@ def collide(
     along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns, exceeded = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, loss)
+    columns, exceeded, missed = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, loss)
     warn(exceeded)
-    return Rebound._of(columns)
+    return Rebound._of(columns)._noting(missed)
 
 
 def collide_many(
@@ -218,6 +219,6 @@ def history(
     along = _along(body_1, body_2, normal)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns, exceeded = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
+    columns, exceeded, missed = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
     warn(exceeded)
-    return HistoryPoints._shaped(columns, (len(columns["time"]),))
+    return HistoryPoints._shaped(columns, (len(columns["time"]),))._noting(missed)

@@ -32,6 +32,8 @@ class Result:
 
     units: ClassVar[dict[str, str]]
     meanings: ClassVar[dict[str, str]]
+    #: What is to be told beside the quantities.
+    _note: str = ""
 
     def __init__(self, columns: dict[str, Any]) -> None:
         for name in self.units:
@@ -45,6 +47,12 @@ class Result:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+
+    def _noting(self, note: str) -> Self:
+        """The same result, whose text tells this too."""
+        if note:
+            object.__setattr__(self, "_note", note)
+        return self
 
     def to_dict(self) -> dict[str, Any]:
         """The quantities by name."""
@@ -66,10 +74,11 @@ class Result:
         return [(name, _show.short(value), self.units[name], self.meanings[name]) for name, value in told]
 
     def __repr__(self) -> str:
-        return _show.text(self._title(), self._rows())
+        return "\n".join([_show.text(self._title(), self._rows()), *self._note.splitlines()])
 
     def _repr_html_(self) -> str:
-        return _show.html(self._title(), self._rows())
+        title = f"{self._title()}, {' '.join(self._note.splitlines())}" if self._note else self._title()
+        return _show.html(title, self._rows())
 
 
 class Record(Result):
