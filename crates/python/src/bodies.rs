@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 
 use crate::error::Fault;
 use crate::materials::Material;
-use crate::mistakes::refuse;
+use crate::mistakes::needed;
 use crate::quantities::{
     Attitude as Turned, Centre, In, Mass, Moments, Row, Several, Sizes, Spin, Velocity,
 };
@@ -80,7 +80,7 @@ impl Body {
     #[new]
     #[pyo3(
         signature = (
-            shape, sizes, material, mass=None, *, hollow=false, moments=None,
+            shape=None, sizes=None, material=None, mass=None, *, hollow=false, moments=None,
             centre=Row::of(AT_REST), attitude=Row::of(ALONG_SPACE), velocity=Row::of(AT_REST),
             spin=Row::of(AT_REST), **others
         ),
@@ -91,9 +91,9 @@ impl Body {
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         py: Python<'_>,
-        shape: String,
-        sizes: Several<Sizes>,
-        material: Material,
+        shape: Option<String>,
+        sizes: Option<Several<Sizes>>,
+        material: Option<Material>,
         mass: Option<In<Mass>>,
         hollow: bool,
         moments: Option<Row<Moments, 3>>,
@@ -103,7 +103,7 @@ impl Body {
         spin: Row<Spin, 3>,
         others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        refuse::<Self>(py, others)?;
+        needed!(py, "", others; shape, sizes, material);
         let body = Self {
             shape,
             sizes: sizes.0,

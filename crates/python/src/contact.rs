@@ -10,7 +10,7 @@ use pyo3::types::PyDict;
 use crate::arrays::same_length;
 use crate::error::Fault;
 use crate::hertz::Given;
-use crate::mistakes::refuse;
+use crate::mistakes::needed;
 use crate::quantities::{
     Angle, Argument, Eta, Friction, In, Omega, R, StaticFriction, Tolerance, Xi, Zeta, line,
 };
@@ -64,8 +64,8 @@ impl Contact {
     #[new]
     #[pyo3(
         signature = (
-            stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, *,
-            heat=true, **others
+            stiffness=None, friction=None, law="coulomb".to_owned(), tolerance=None,
+            static_friction=None, *, heat=true, **others
         ),
         text_signature =
             "(stiffness, friction, law='coulomb', tolerance=None, static_friction=None, *, heat=True)"
@@ -73,15 +73,15 @@ impl Contact {
     #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
         py: Python<'_>,
-        stiffness: Given,
-        friction: In<Friction>,
+        stiffness: Option<Given>,
+        friction: Option<In<Friction>>,
         law: String,
         tolerance: Option<In<Tolerance>>,
         static_friction: Option<In<StaticFriction>>,
         heat: bool,
         others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        refuse::<Self>(py, others)?;
+        needed!(py, "", others; stiffness, friction);
         let constants =
             Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
         let law = Walked::new(&constants, None, heat.then_some(0.0))?;
@@ -95,17 +95,19 @@ impl Contact {
     /// twist about the normal in radians, for law 'rings' only: u = xi + y omega. A zeta that is not positive
     /// separates the bodies, and the history is lost. A failed step leaves the contact as it was.
     #[pyo3(
-        signature = (zeta, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO),
+        signature = (zeta=None, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO, **others),
         text_signature = "($self, zeta, xi=0.0, eta=0.0, omega=0.0)"
     )]
     fn advance(
         &mut self,
         py: Python<'_>,
-        zeta: In<Zeta>,
+        zeta: Option<In<Zeta>>,
         xi: In<Xi>,
         eta: In<Eta>,
         omega: In<Omega>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<(f64, f64, f64)> {
+        needed!(py, "advance", others; zeta);
         let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
         let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
         Ok(triple(load))
@@ -117,15 +119,20 @@ impl Contact {
     /// xi and eta are arrays as long as zeta, or None for zeros. If a step of the path fails, the contact
     /// stays as it was before the path. With omega, for law 'rings' only, the loads are (F_x, F_y, F_z, M_z),
     /// an array (n, 4).
-    #[pyo3(signature = (zeta, xi=None, eta=None, omega=None))]
+    #[pyo3(
+        signature = (zeta=None, xi=None, eta=None, omega=None, **others),
+        text_signature = "($self, zeta, xi=None, eta=None, omega=None)"
+    )]
     fn follow<'py>(
         &mut self,
         py: Python<'py>,
-        zeta: &Bound<'py, PyAny>,
+        zeta: Option<&Bound<'py, PyAny>>,
         xi: Option<&Bound<'py, PyAny>>,
         eta: Option<&Bound<'py, PyAny>>,
         omega: Option<&Bound<'py, PyAny>>,
+        others: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        needed!(py, "follow", others; zeta);
         let zeta = path::<Zeta>(zeta)?;
         let width = if omega.is_some() { 4 } else { 3 };
         let (xi, eta) = (across::<Xi>(xi, zeta.len())?, across::<Eta>(eta, zeta.len())?);
@@ -213,13 +220,27 @@ impl Contact {
     /// The traction over the friction limit at the centre of the contact, as a function of the elliptical
     /// radius r = sqrt(x^2/a^2 + y^2/b^2); None without friction or with infinite friction. Not for law
     /// 'rings'.
-    fn traction(&self, r: In<R>) -> PyResult<Option<(f64, f64)>> {
+    #[pyo3(signature = (r=None, **others), text_signature = "($self, r)")]
+    fn traction(
+        &self,
+        py: Python<'_>,
+        r: Option<In<R>>,
+        others: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Option<(f64, f64)>> {
+        needed!(py, "traction", others; r);
         Ok(self.law.shift_law()?.traction(r.0 * r.0).map(|[x, y]| (x, y)))
     }
 
     /// Rotates the contact axes by an angle (radians, from x to y); the state is transformed to the new axes.
     /// Not for law 'rings'.
-    fn turn_frame(&mut self, angle: In<Angle>) -> PyResult<()> {
+    #[pyo3(signature = (angle=None, **others), text_signature = "($self, angle)")]
+    fn turn_frame(
+        &mut self,
+        py: Python<'_>,
+        angle: Option<In<Angle>>,
+        others: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<()> {
+        needed!(py, "turn_frame", others; angle);
         RangeError::finite("angle", angle.0).map_err(Fault::from)?;
         self.law.turn_frame(angle.0)
     }

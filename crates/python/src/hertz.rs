@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, map};
 use crate::error::Fault;
 use crate::materials::{MaterialPair, Pair};
+use crate::mistakes::needed;
 use crate::quantities::{
     Angle, CurvatureA, CurvatureB, In, Radii1, Radii2, Row, SmallestRadius, Stiffness,
 };
@@ -46,13 +47,21 @@ impl PartialEq for Hertz {
 impl Hertz {
     /// The contact of two bodies with the gap A x^2 + B y^2; A and B in 1/m.
     #[new]
-    #[pyo3(signature = (materials, curvature_a, curvature_b, smallest_radius=None))]
+    #[pyo3(
+        signature = (
+            materials=None, curvature_a=None, curvature_b=None, smallest_radius=None, **others
+        ),
+        text_signature = "(materials, curvature_a, curvature_b, smallest_radius=None)"
+    )]
     fn new(
-        materials: Pair,
-        curvature_a: In<CurvatureA>,
-        curvature_b: In<CurvatureB>,
+        py: Python<'_>,
+        materials: Option<Pair>,
+        curvature_a: Option<In<CurvatureA>>,
+        curvature_b: Option<In<CurvatureB>>,
         smallest_radius: Option<In<SmallestRadius>>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        needed!(py, "", others; materials, curvature_a, curvature_b);
         let (a, b) = (curvature_a.0, curvature_b.0);
         let gap = RelativeCurvature::from_coefficients(a, b).map_err(Fault::from)?;
         let hertz = Contact::new(gap, materials.0).map_err(Fault::from)?;
@@ -64,12 +73,19 @@ impl Hertz {
     /// The contact of two bodies with given principal radii (infinite: straight, negative: concave) and angle
     /// between their first principal directions.
     #[staticmethod]
+    #[pyo3(
+        signature = (materials=None, radii_1=None, radii_2=None, angle=None, **others),
+        text_signature = "(materials, radii_1, radii_2, angle)"
+    )]
     fn of_radii(
-        materials: Pair,
-        radii_1: Row<Radii1, 2>,
-        radii_2: Row<Radii2, 2>,
-        angle: In<Angle>,
+        py: Python<'_>,
+        materials: Option<Pair>,
+        radii_1: Option<Row<Radii1, 2>>,
+        radii_2: Option<Row<Radii2, 2>>,
+        angle: Option<In<Angle>>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
+        needed!(py, "of_radii", others; materials, radii_1, radii_2, angle);
         let make = || -> Result<Self, Fault> {
             let one = PrincipalRadii::new(radii_1.0[0], radii_1.0[1])?;
             let two = PrincipalRadii::new(radii_2.0[0], radii_2.0[1])?;

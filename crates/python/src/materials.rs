@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::Fault;
-use crate::mistakes::refuse;
+use crate::mistakes::{needed, refuse};
 use crate::quantities::{In, Poisson, ShearModulus, YieldStress, YoungModulus};
 use crate::show::{self, Quantity, repr};
 
@@ -53,7 +53,7 @@ impl Material {
         others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         use carom::halfspace::Material;
-        refuse::<Self>(py, others)?;
+        refuse(&py.get_type::<Self>(), "", others)?;
         let is_rigid =
             [young_modulus.map(|e| e.0), shear_modulus.map(|g| g.0)].contains(&Some(f64::INFINITY));
         let poisson = match poisson {
@@ -178,18 +178,33 @@ impl<'py> FromPyObject<'_, 'py> for Pair {
         }
         let told = |_| not(&given, "materials: must be a MaterialPair or a Material");
         let material = given.extract::<Material>().map_err(told)?;
-        Ok(Self(MaterialPair::new(material, None)?.0))
+        Ok(Self(MaterialPair::of(material, None)?.0))
+    }
+}
+
+impl MaterialPair {
+    fn of(material_1: Material, material_2: Option<Material>) -> PyResult<Self> {
+        let two = material_2.unwrap_or(material_1);
+        let pair = carom::halfspace::MaterialPair::new(material_1.0, two.0);
+        Ok(Self(pair.map_err(Fault::from)?))
     }
 }
 
 #[pymethods]
 impl MaterialPair {
     #[new]
-    #[pyo3(signature = (material_1, material_2=None))]
-    fn new(material_1: Material, material_2: Option<Material>) -> PyResult<Self> {
-        let two = material_2.unwrap_or(material_1);
-        let pair = carom::halfspace::MaterialPair::new(material_1.0, two.0);
-        Ok(Self(pair.map_err(Fault::from)?))
+    #[pyo3(
+        signature = (material_1=None, material_2=None, **others),
+        text_signature = "(material_1, material_2=None)"
+    )]
+    fn new(
+        py: Python<'_>,
+        material_1: Option<Material>,
+        material_2: Option<Material>,
+        others: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        needed!(py, "", others; material_1);
+        Self::of(material_1, material_2)
     }
 
     /// The material of body 1.

@@ -4,8 +4,10 @@ use carom::halfspace::operator::PlateSymbol;
 use carom::special::WordError;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::error::Fault;
+use crate::mistakes::needed;
 use crate::quantities::{In, SideA, SideB, Thickness};
 use crate::show::{self, Quantity, repr};
 
@@ -31,8 +33,19 @@ pub(crate) struct Plate {
 #[pymethods]
 impl Plate {
     #[new]
-    #[pyo3(signature = (a, b, thickness, theory="layer"))]
-    fn new(a: In<SideA>, b: In<SideB>, thickness: In<Thickness>, theory: &str) -> PyResult<Self> {
+    #[pyo3(
+        signature = (a=None, b=None, thickness=None, theory="layer", **others),
+        text_signature = "(a, b, thickness, theory='layer')"
+    )]
+    fn new(
+        py: Python<'_>,
+        a: Option<In<SideA>>,
+        b: Option<In<SideB>>,
+        thickness: Option<In<Thickness>>,
+        theory: &str,
+        others: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        needed!(py, "", others; a, b, thickness);
         let plate = carom::halfspace::operator::Plate::new(a.0, b.0, thickness.0);
         let plate = plate.map_err(Fault::from)?;
         let theory =

@@ -11,10 +11,12 @@ use carom::prelude::Friction;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, of_one};
 use crate::error::Fault;
 use crate::hertz::{Given, Hertz};
+use crate::mistakes::needed;
 use crate::quantities::{self, Eta, In, Omega, Xi, Zeta};
 use crate::show::repr;
 use crate::told::Watch;
@@ -34,7 +36,17 @@ pub(crate) struct Twist {
 #[pymethods]
 impl Twist {
     #[new]
-    fn new(hertz: Hertz, friction: In<quantities::Friction>) -> PyResult<Self> {
+    #[pyo3(
+        signature = (hertz=None, friction=None, **others),
+        text_signature = "(hertz, friction)"
+    )]
+    fn new(
+        py: Python<'_>,
+        hertz: Option<Hertz>,
+        friction: Option<In<quantities::Friction>>,
+        others: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        needed!(py, "", others; hertz, friction);
         let friction = friction.0;
         let law = Accounted::new(torsion(&hertz, friction)?);
         let watch = Watch::new(&Given::Hertz(hertz), None);
@@ -43,13 +55,18 @@ impl Twist {
 
     /// Moves the contact straight to a new approach (m) and twist (radians) and returns (M_z, F_z), N m and
     /// N.
-    #[pyo3(signature = (zeta, omega=In::ZERO), text_signature = "($self, zeta, omega=0.0)")]
+    #[pyo3(
+        signature = (zeta=None, omega=In::ZERO, **others),
+        text_signature = "($self, zeta, omega=0.0)"
+    )]
     fn advance(
         &mut self,
         py: Python<'_>,
-        zeta: In<Zeta>,
+        zeta: Option<In<Zeta>>,
         omega: In<Omega>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<(f64, f64)> {
+        needed!(py, "advance", others; zeta);
         let shift = Shift { zeta: zeta.0, omega: omega.0, ..Shift::default() };
         let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
         Ok((load.m_z, load.f_z))
@@ -147,7 +164,17 @@ fn numbers_of(law: &TorsionLaw) -> Result<Vec<f64>, Fault> {
 #[pymethods]
 impl ShiftTwist {
     #[new]
-    fn new(hertz: Hertz, friction: In<quantities::Friction>) -> PyResult<Self> {
+    #[pyo3(
+        signature = (hertz=None, friction=None, **others),
+        text_signature = "(hertz, friction)"
+    )]
+    fn new(
+        py: Python<'_>,
+        hertz: Option<Hertz>,
+        friction: Option<In<quantities::Friction>>,
+        others: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        needed!(py, "", others; hertz, friction);
         let friction = friction.0;
         let friction_law = Friction::new(friction).map_err(Fault::from)?;
         let law = ShiftTwistLaw::new(&hertz.0, friction_law).map_err(Fault::from)?;
@@ -159,17 +186,19 @@ impl ShiftTwist {
     /// Moves the contact straight to a new shift (m) and twist (radians) and returns (F_x, F_y, F_z, M_z), N
     /// and N m.
     #[pyo3(
-        signature = (zeta, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO),
+        signature = (zeta=None, xi=In::ZERO, eta=In::ZERO, omega=In::ZERO, **others),
         text_signature = "($self, zeta, xi=0.0, eta=0.0, omega=0.0)"
     )]
     fn advance(
         &mut self,
         py: Python<'_>,
-        zeta: In<Zeta>,
+        zeta: Option<In<Zeta>>,
         xi: In<Xi>,
         eta: In<Eta>,
         omega: In<Omega>,
+        others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<(f64, f64, f64, f64)> {
+        needed!(py, "advance", others; zeta);
         let shift = Shift { zeta: zeta.0, xi: xi.0, eta: eta.0, omega: omega.0 };
         let load = self.watch.advance(py, &mut self.law, shift, |law| law.advance(shift))?;
         Ok((load.f_x, load.f_y, load.f_z, load.m_z))

@@ -54,11 +54,26 @@ def told(made: Callable[..., Any], taken: inspect.Signature, count: int, named: 
     if count > len(placed) and by_name:
         by_place = ", ".join(name for name in placed if name != "self")
         return TypeError(f"{made.__qualname__}() takes {by_place} by place, further arguments by name: {', '.join(by_name)}")
-    return None
+    given = {*placed[:count], *named}
+    absent = [name for name, one in taken.parameters.items() if one.default is Parameter.empty and name not in given]
+    return lacking(made, absent) if absent else None
 
 
 def unknown(made: Callable[..., Any], name: str) -> TypeError:
     """The error of an argument that a function or a class does not have."""
-    valid = [own for own in inspect.signature(made).parameters if own != "self"]
+    valid = takes(made)
     hint = meant(name, valid) or "."
     return TypeError(f"{made.__qualname__}() has no argument `{name}`{hint} It takes {', '.join(valid)}")
+
+
+def lacking(made: Callable[..., Any], names: list[str]) -> TypeError:
+    """The error of arguments that a function or a class needs and that are not given."""
+    *others, last = (f"`{name}`" for name in names)
+    listed = f"{', '.join(others)} and {last}" if others else last
+    return TypeError(f"{made.__qualname__}() needs {listed}. It takes {', '.join(takes(made))}")
+
+
+def takes(made: Callable[..., Any]) -> list[str]:
+    """The names of the arguments of a function or a class."""
+    own = inspect.signature(made).parameters.values()
+    return [one.name for one in own if one.name != "self"]
