@@ -48,7 +48,7 @@ LIMITS = """
 ## What limits carom
 
 A solution consists of products with the influence matrix by Fourier transforms of length 2N, and of inverses of length
-N. By their formulas a product of pressures takes $30N^2\\log_2 2N+4N^2$ operations, since zeros are left out, and moves
+N. By their formulas a product of pressures takes $30N^2\\,\\mathrm{log}_2\\,2N+4N^2$ operations, since zeros are left out, and moves
 at least $88N^2$ bytes: fields in and out, the spectra of rows and columns written and read, the kernel. FFTW's plain
 product leaves no zeros out.
 """
