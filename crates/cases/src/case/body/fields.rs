@@ -126,7 +126,7 @@ pub(super) const ANGLES: Field = Field::new(
 .such_as("[0, 0, 0]");
 pub(in crate::case) const VELOCITY: Field =
     Field::vector("velocity", Range::Speed.of(Dimension::Speed), "velocity of the centre of mass")
-        .may("at rest, or as `[approach]` says")
+        .may("at rest, or of body 1 as `[approach]` says")
         .such_as("[0.25, 0, -0.5]");
 pub(super) const SPIN: Field = Field::vector(
     "spin",
@@ -172,7 +172,7 @@ pub(in crate::case) const BALL: Field = Field::new(
         MASS.or("`density`"),
         INERTIA,
         PLACE_OF_BALL,
-        VELOCITY,
+        VELOCITY.may("at rest"),
         SPIN,
     ]),
     "the ball that flies and bounces",

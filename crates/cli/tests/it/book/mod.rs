@@ -164,7 +164,7 @@ fn line(entry: &Entry) -> String {
     };
     let shapes = match cell("shapes") {
         shapes if shapes.is_empty() => shapes,
-        shapes => format!(" (of {shapes})"),
+        shapes => format!(" (of {})", shapes.replace(' ', ", ")),
     };
     let [kind, unit, allowed, meaning] = ["kind", "unit", "allowed", "meaning"].map(cell);
     format!("| `{name}` | {kind} | {unit} | {allowed} | {without} | {meaning}{shapes} |\n")
