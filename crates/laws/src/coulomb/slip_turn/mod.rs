@@ -1,9 +1,11 @@
 //! The angle by which the direction of slip has turned within one annulus.
 
+mod pack;
+
 use super::drag::{Step, cross};
 use crate::friction::Friction;
 use crate::law::Shift;
-use crate::memory::Lateral as _;
+use crate::memory::{Lateral as _, Turn};
 use crate::stiffness::ContactStiffness;
 use carom_special::RangeError;
 
@@ -11,6 +13,8 @@ use carom_special::RangeError;
 const ANNULI: usize = 48;
 /// Slip that takes this share of a step began with the step.
 const WHOLE: f64 = 1.0 - 1e-12;
+/// An annulus with a limit below this many round-off lengths has just touched.
+const JUST_TOUCHED: f64 = 1e4;
 
 /// The largest angle by which the direction of slip has turned within one annulus since that annulus last
 /// stuck.
@@ -19,7 +23,7 @@ const WHOLE: f64 = 1.0 - 1e-12;
 /// the same everywhere; on paths that turn, the distance of the law from elastic half-spaces grows with this
 /// angle (page `accuracy.turning` of the verification). The angle does not bound it: where annuli stick again, the
 /// error made before stays. 48 annuli are followed, each exactly along straight
-/// steps; units: approach in m, angle in radians, from 0; a step counts as turning by at most half a turn.
+/// steps; of a contact that is pressed deeper than expected, 24 to 48; units: approach in m, angle in radians, from 0; a step counts as turning by at most half a turn.
 ///
 /// ```
 /// use carom_laws::coulomb::SlipTurn;
@@ -39,7 +43,10 @@ const WHOLE: f64 = 1.0 - 1e-12;
 pub struct SlipTurn {
     /// The normalised shift of the unit shift; zero without friction, where nothing resists.
     scale: [f64; 2],
+    /// The approach up to which annuli are spread; 0 before it is known.
+    deepest: f64,
     zeta: f64,
+    /// In units of length.
     shift: [f64; 2],
     annuli: Vec<Annulus>,
 }
@@ -56,7 +63,8 @@ struct Annulus {
 }
 
 impl SlipTurn {
-    /// A contact that has not touched yet, for approaches up to `deepest`.
+    /// A contact that has not touched yet, for approaches up to `deepest`. A deeper approach spreads the annuli
+    /// twice as far.
     ///
     /// # Errors
     /// [`RangeError`] unless `deepest` is finite and positive.
@@ -66,17 +74,21 @@ impl SlipTurn {
         deepest: f64,
     ) -> Result<Self, RangeError> {
         RangeError::positive("deepest", deepest)?;
+        Ok(Self::spread(stiffness, friction, deepest))
+    }
+
+    /// The same for approaches that are not known: the first is taken for the deepest.
+    #[must_use]
+    pub fn of_any_depth(stiffness: ContactStiffness, friction: Friction) -> Self {
+        Self::spread(stiffness, friction, 0.0)
+    }
+
+    fn spread(stiffness: ContactStiffness, friction: Friction, deepest: f64) -> Self {
         let limit = friction.get() * stiffness.c_z;
         let turns = limit > 0.0 && limit.is_finite();
         let scale = if turns { [stiffness.c_x / limit, stiffness.c_y / limit] } else { [0.0; 2] };
-        let annulus = |i: usize| Annulus {
-            depth: deepest * i as f64 / ANNULI as f64,
-            anchor: [0.0; 2],
-            turn: 0.0,
-            slips: false,
-        };
-        let annuli = (0..ANNULI).map(annulus).collect();
-        Ok(Self { scale, zeta: 0.0, shift: [0.0; 2], annuli })
+        let annuli = (0..ANNULI).map(|i| Annulus::apart(deepest, i, [0.0; 2])).collect();
+        Self { scale, deepest, zeta: 0.0, shift: [0.0; 2], annuli }
     }
 
     /// Moves to a shift along a straight line; a twist is ignored.
@@ -87,11 +99,43 @@ impl SlipTurn {
         let zeta = RangeError::finite("zeta", to.zeta)?.max(0.0);
         RangeError::finite("xi", to.xi)?;
         RangeError::finite("eta", to.eta)?;
-        let shift = [to.xi * self.scale[0], to.eta * self.scale[1]];
-        let step = Step::new((self.zeta, self.shift), (zeta, shift));
+        self.reach(zeta);
+        let shift = [to.xi, to.eta];
+        let [before, after] = [self.shift, shift].map(|shift| self.normalised(shift));
+        let step = Step::new((self.zeta, before), (zeta, after));
         self.annuli.iter_mut().for_each(|annulus| annulus.advance(&step));
         (self.zeta, self.shift) = (zeta, shift);
         Ok(())
+    }
+
+    /// Spreads the annuli up to this approach, so that those between which they lie stay.
+    fn reach(&mut self, zeta: f64) {
+        let shift = self.normalised(self.shift);
+        while self.deepest < zeta {
+            let kept = if self.deepest > 0.0 { ANNULI / 2 } else { 0 };
+            self.deepest = if kept > 0 { (2.0 * self.deepest).min(f64::MAX) } else { zeta };
+            for i in 0..ANNULI {
+                let new = || Annulus::apart(self.deepest, i, shift);
+                self.annuli[i] = if i < kept { self.annuli[2 * i] } else { new() };
+            }
+        }
+    }
+
+    /// A shift over that at which the annulus of unit limit slips.
+    fn normalised(&self, shift: [f64; 2]) -> [f64; 2] {
+        [shift[0] * self.scale[0], shift[1] * self.scale[1]]
+    }
+
+    /// Rotates the contact axes by an angle (radians, from x to y), as
+    /// [`ShiftLaw::turn_frame`](crate::shift_law::ShiftLaw::turn_frame).
+    pub fn turn_frame(&mut self, angle: f64) {
+        let turn = Turn::by(angle);
+        let before = self.normalised(self.shift);
+        self.shift = turn.of(self.shift);
+        let after = self.normalised(self.shift);
+        for annulus in &mut self.annuli {
+            annulus.anchor = after.minus(turn.of(before.minus(annulus.anchor)));
+        }
     }
 
     /// The angle now, in radians; 0 while nothing slips.
@@ -102,6 +146,12 @@ impl SlipTurn {
 }
 
 impl Annulus {
+    /// The annulus of this number, of those up to an approach, before it touches.
+    fn apart(deepest: f64, number: usize, shift: [f64; 2]) -> Self {
+        let depth = deepest * number as f64 / ANNULI as f64;
+        Self { depth, anchor: shift, turn: 0.0, slips: false }
+    }
+
     fn advance(&mut self, step: &Step<[f64; 2]>) {
         let limit = step.zeta - self.depth;
         if limit <= 0.0 {
@@ -114,6 +164,11 @@ impl Annulus {
             return;
         }
         let anchor = step.drag(self.depth, self.anchor);
+        if limit <= step.dz + JUST_TOUCHED * step.round_off_length {
+            // It slips along the step from its touch on.
+            (self.anchor, self.turn, self.slips) = (anchor, 0.0, true);
+            return;
+        }
         let met = step.met(stretch.dot(step.ahead), cross(step.ahead, stretch), limit);
         let begin = stretch.minus(step.ahead.times(met.rest));
         let turn = angle(begin, step.shift.minus(anchor));
@@ -167,6 +222,67 @@ mod tests {
             turn.advance(Shift { zeta: 1.0, xi, eta, ..Shift::default() })?;
             assert_eq!(turn.annuli[0].slips, slips, "{xi} {eta}");
         }
+        Ok(())
+    }
+
+    /// Pressed deeper than expected, or of no expected depth, along the path of a contact that knew its depth.
+    #[test]
+    fn a_contact_of_unknown_depth_turns_as_one_of_known_depth() -> Result<(), RangeError> {
+        let (stiffness, friction) = (ContactStiffness::new(1.0, 0.8, 1.0)?, Friction::new(1.0)?);
+        let mut known = SlipTurn::new(stiffness, friction, 8.0)?;
+        let mut shallow = SlipTurn::new(stiffness, friction, 2.0)?;
+        let mut unknown = SlipTurn::of_any_depth(stiffness, friction);
+        for step in 0..400 {
+            let t = 0.01 * f64::from(step);
+            let (sin, cos) = libm::sincos(3.0 * t);
+            let shift = Shift { zeta: 1.0 + 1.75 * t, xi: 9.0 * sin, eta: 12.0 * cos, omega: 0.0 };
+            for turn in [&mut known, &mut shallow, &mut unknown] {
+                turn.advance(shift)?;
+            }
+        }
+        assert!(known.angle() > 2.0, "{}", known.angle());
+        for other in [shallow, unknown] {
+            assert_eq!(other.deepest, 8.0);
+            approx::assert_relative_eq!(other.angle(), known.angle(), epsilon = 0.05);
+        }
+        Ok(())
+    }
+
+    /// An annulus that touches as a step begins has no direction yet from which slip could turn.
+    #[test]
+    fn slip_does_not_turn_where_it_begins_with_the_touch() -> Result<(), RangeError> {
+        let parts = (1..40).flat_map(|number| [0.0, 1e-15, 1e-13].map(|off| (number, off)));
+        for (number, off) in parts {
+            let mut turn = turn()?;
+            let zeta = f64::from(number) / 48.0 * (1.0 + off);
+            turn.advance(Shift { zeta, ..Shift::default() })?;
+            for way in [1.0, 2.0, 3.0] {
+                let shift = Shift { zeta: zeta + 1e-3 * way, xi: way, eta: 0.3 * way, omega: 0.0 };
+                turn.advance(shift)?;
+                assert!(turn.angle() < 1e-6, "{number} {way}: {}", turn.angle());
+            }
+        }
+        Ok(())
+    }
+
+    /// The path in turned axes gives the angle that it gives in the old ones.
+    #[test]
+    fn turned_axes_keep_the_angle() -> Result<(), RangeError> {
+        let (mut own, mut other) = (turn()?, turn()?);
+        let (sin, cos) = libm::sincos(0.7);
+        for step in 0..100 {
+            let (y, x) = libm::sincos(0.05 * f64::from(step));
+            let (xi, eta) = (4.0 * x, 7.0 * y);
+            own.advance(Shift { zeta: 1.0, xi, eta, omega: 0.0 })?;
+            let (u, v) =
+                if step < 50 { (xi, eta) } else { (cos * xi + sin * eta, cos * eta - sin * xi) };
+            other.advance(Shift { zeta: 1.0, xi: u, eta: v, omega: 0.0 })?;
+            if step == 49 {
+                other.turn_frame(0.7);
+            }
+        }
+        assert!(own.angle() > 2.0, "{}", own.angle());
+        approx::assert_relative_eq!(other.angle(), own.angle(), epsilon = 1e-12);
         Ok(())
     }
 
