@@ -17,7 +17,7 @@ use crate::quantities::{
 use crate::show::{self, Quantity, repr};
 use crate::threads::without_python;
 use crate::told::Watch;
-use crate::walked::{Arguments, Constants, VERTICES, Walked};
+use crate::walked::{Accounts, Arguments, Constants, VERTICES, Walked};
 
 const QUANTITIES: &[Quantity] = &[
     ("regime", "", "regime of the last step"),
@@ -49,7 +49,7 @@ const TOLERANCE: f64 = 1e-3;
 /// concentric rings, with a mean error of .01 of the friction limit. It needs a Hertz contact.
 ///
 /// Where the path turns, computing the heat of a step costs up to a thousand times as much as the step
-/// itself; `heat=False` skips it, and `dissipated` is None. Contacts can be copied and pickled; a contact
+/// itself; `heat=False` skips it, and `dissipated` and `slip_turn` are None. Contacts can be copied and pickled; a contact
 /// from a pickle agrees to round-off.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
@@ -84,7 +84,7 @@ impl Contact {
         needed!(py, "", others; stiffness, friction);
         let constants =
             Constants::new(stiffness, friction, law, (tolerance, TOLERANCE), static_friction);
-        let law = Walked::new(&constants, None, heat.then_some(0.0))?;
+        let law = Walked::new(&constants, None, heat.then_some((0.0, None)))?;
         let watch = constants.watch()?;
         Ok(Self { constants, law, watch })
     }
@@ -210,6 +210,14 @@ impl Contact {
         self.law.sticking()
     }
 
+    /// The largest angle (radians) by which the direction of slip has turned within an annulus since that last
+    /// stuck: 0 while nothing slips. On paths that turn, the distance of the law from elastic half-spaces grows
+    /// with it, but is not bounded by it. None with `heat=False`; not for law 'rings'.
+    #[getter]
+    fn slip_turn(&self) -> PyResult<Option<f64>> {
+        self.law.slip_turn()
+    }
+
     /// The tangent stiffness: derivatives of (F_x, F_y, F_z), rows, by (xi, eta, zeta), columns, N/m. Not for
     /// law 'rings'.
     #[getter]
@@ -257,15 +265,15 @@ impl Contact {
         self.constants.arguments()
     }
 
-    fn __getstate__(&self) -> PyResult<(Vec<f64>, Option<f64>)> {
+    fn __getstate__(&self) -> PyResult<(Vec<f64>, Option<Accounts>)> {
         let mut numbers = vec![0.0; self.constants.numbers(VERTICES)];
         self.law.pack(&mut numbers)?;
-        Ok((numbers, self.dissipated()))
+        Ok((numbers, self.law.accounts()))
     }
 
-    fn __setstate__(&mut self, state: (Vec<f64>, Option<f64>)) -> PyResult<()> {
-        let (numbers, dissipated) = state;
-        self.law = Walked::new(&self.constants, Some(&numbers), dissipated)?;
+    fn __setstate__(&mut self, state: (Vec<f64>, Option<Accounts>)) -> PyResult<()> {
+        let (numbers, accounts) = state;
+        self.law = Walked::new(&self.constants, Some(&numbers), accounts)?;
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! One interface for the contact laws with memory.
 
 use carom::laws::accounted::Accounted;
-use carom::laws::coulomb::{Tolerance, packed_numbers};
+use carom::laws::coulomb::{SlipTurn, Tolerance, packed_numbers};
 use carom::laws::coupling::coupling_bound;
 use carom::laws::law::{Checked, ContactLaw as _, Dissipative, Energies as _, Shift};
 use carom::laws::memory::{Fixed, Lateral, VertexStack};
@@ -122,6 +122,13 @@ impl Constants {
         Ok(Some(coupling_bound(hertz.0.materials().gamma(), friction)))
     }
 
+    /// What follows the turn of slip, of a law whose annuli slip independently.
+    fn slip_turn(&self) -> PyResult<SlipTurn> {
+        let friction = self.static_friction.unwrap_or(self.friction);
+        let friction = Friction::new(friction).map_err(Fault::from)?;
+        Ok(SlipTurn::of_any_depth(self.given.stiffness(), friction))
+    }
+
     /// What tells where the contact leaves the theory.
     pub(crate) fn watch(&self) -> PyResult<Watch> {
         Ok(Watch::new(&self.given, self.coupling_bound()?))
@@ -172,41 +179,62 @@ impl Member for RingLaw {
     }
 }
 
-/// The law of one contact, with an account of its heat if requested.
+/// A law with an account of its heat and of the turn of its slip.
+#[derive(Debug, Clone)]
+pub(crate) struct Followed {
+    accounted: Accounted<Law>,
+    turn: SlipTurn,
+}
+
+impl Followed {
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        let load = self.accounted.advance(shift)?;
+        self.turn.advance(shift)?;
+        Ok(load)
+    }
+}
+
+/// The accounts of a contact: heat so far, and the numbers of the turn of slip, if it slips by annuli.
+pub(crate) type Accounts = (f64, Option<Vec<f64>>);
+
+/// The law of one contact, with its accounts if requested.
 #[derive(Debug, Clone)]
 pub(crate) enum Walked {
     Bare(Law),
-    Accounted(Accounted<Law>),
+    Accounted(Followed),
     Rings(Box<RingLaw>),
     AccountedRings(Box<Accounted<RingLaw>>),
 }
 
 impl Walked {
-    /// A new law with the given heat so far.
+    /// A new law with these accounts so far.
     pub(crate) fn new(
         constants: &Constants,
         state: Option<&[f64]>,
-        dissipated: Option<f64>,
+        accounts: Option<Accounts>,
     ) -> PyResult<Self> {
         if constants.is_of_rings() {
             let law = restored(constants.rings()?, state)?;
-            return Ok(match dissipated {
-                Some(heat) => Self::AccountedRings(Box::new(Accounted::going_on(law, heat))),
+            return Ok(match accounts {
+                Some((heat, _)) => Self::AccountedRings(Box::new(Accounted::going_on(law, heat))),
                 None => Self::Rings(Box::new(law)),
             });
         }
         let law: Law = restored(constants.law()?, state)?;
-        Ok(match dissipated {
-            Some(dissipated) => Self::Accounted(Accounted::going_on(law, dissipated)),
-            None => Self::Bare(law),
-        })
+        let Some((heat, turned)) = accounts else { return Ok(Self::Bare(law)) };
+        let turn = constants.slip_turn()?;
+        let turn = match turned {
+            Some(numbers) => turn.in_state(&numbers).map_err(Fault::from)?,
+            None => turn,
+        };
+        Ok(Self::Accounted(Followed { accounted: Accounted::going_on(law, heat), turn }))
     }
 
     /// The law of shifts; an error if the contact follows another law.
     pub(crate) fn shift_law(&self) -> PyResult<&Law> {
         match self {
             Self::Bare(law) => Ok(law),
-            Self::Accounted(accounted) => Ok(accounted.law()),
+            Self::Accounted(followed) => Ok(followed.accounted.law()),
             _ => Err(PyValueError::new_err("this quantity is not available for law = 'rings'")),
         }
     }
@@ -223,9 +251,27 @@ impl Walked {
     pub(crate) fn dissipated(&self) -> Option<f64> {
         match self {
             Self::Bare(_) | Self::Rings(_) => None,
-            Self::Accounted(accounted) => Some(accounted.dissipated()),
+            Self::Accounted(followed) => Some(followed.accounted.dissipated()),
             Self::AccountedRings(accounted) => Some(accounted.dissipated()),
         }
+    }
+
+    /// The accounts, if there are any.
+    pub(crate) fn accounts(&self) -> Option<Accounts> {
+        let turned = match self {
+            Self::Accounted(followed) => Some(followed.turn.numbers()),
+            _ => None,
+        };
+        self.dissipated().map(|heat| (heat, turned))
+    }
+
+    /// The turn of slip; None without accounts. An error if the contact follows another law.
+    pub(crate) fn slip_turn(&self) -> PyResult<Option<f64>> {
+        self.shift_law()?;
+        Ok(match self {
+            Self::Accounted(followed) => Some(followed.turn.angle()),
+            _ => None,
+        })
     }
 
     pub(crate) fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
@@ -235,7 +281,7 @@ impl Walked {
         }
         match self {
             Self::Bare(law) => law.advance(shift),
-            Self::Accounted(accounted) => accounted.advance(shift),
+            Self::Accounted(followed) => followed.advance(shift),
             Self::Rings(law) => law.advance(shift),
             Self::AccountedRings(accounted) => accounted.advance(shift),
         }
@@ -244,7 +290,7 @@ impl Walked {
     pub(crate) fn load(&self) -> ContactLoad {
         match self {
             Self::Bare(law) => law.load(),
-            Self::Accounted(accounted) => accounted.load(),
+            Self::Accounted(followed) => followed.accounted.load(),
             Self::Rings(law) => law.load(),
             Self::AccountedRings(accounted) => accounted.load(),
         }
@@ -253,7 +299,7 @@ impl Walked {
     pub(crate) fn shift(&self) -> Shift {
         match self {
             Self::Bare(law) => law.shift(),
-            Self::Accounted(accounted) => accounted.shift(),
+            Self::Accounted(followed) => followed.accounted.shift(),
             Self::Rings(law) => law.shift(),
             Self::AccountedRings(accounted) => accounted.shift(),
         }
@@ -262,7 +308,7 @@ impl Walked {
     pub(crate) fn stored_energy(&self) -> f64 {
         match self {
             Self::Bare(law) => law.stored_energy(),
-            Self::Accounted(accounted) => accounted.law().stored_energy(),
+            Self::Accounted(followed) => followed.accounted.law().stored_energy(),
             Self::Rings(law) => law.stored_energy(),
             Self::AccountedRings(accounted) => accounted.law().stored_energy(),
         }
@@ -292,7 +338,10 @@ impl Walked {
     pub(crate) fn turn_frame(&mut self, angle: f64) -> PyResult<()> {
         match self {
             Self::Bare(law) => law.turn_frame(angle),
-            Self::Accounted(accounted) => accounted.turn_frame(angle),
+            Self::Accounted(Followed { accounted, turn }) => {
+                accounted.turn_frame(angle);
+                turn.turn_frame(angle);
+            }
             _ => return self.shift_law().map(|_| ()),
         }
         Ok(())

@@ -156,10 +156,66 @@ def test_without_heat_a_contact_goes_the_same_way(law):
     np.testing.assert_allclose(bare.follow(zeta, eta), again.follow(zeta, eta), rtol=1e-12)
     assert told.dissipated > 0
     assert bare.dissipated is None and again.dissipated is None
+    assert bare.slip_turn is None and again.slip_turn is None
     told.follow(zeta, eta)
     for contact in (told, bare):
         contact.turn_frame(0.3)
     assert told.advance(2e-6) == bare.advance(2e-6)
+
+
+@pytest.mark.parametrize("law", ["coulomb", "fixed-direction"])
+def test_slip_turns_by_the_corner_of_its_path(law):
+    contact = carom.Contact((1e9, 1e9, 1.2e9), F, law)
+    assert contact.slip_turn == 0
+    contact.follow([1e-6, 1e-6], [0, 2e-6])
+    assert contact.regime == "sliding" and contact.slip_turn == 0
+    contact.advance(1e-6, 2e-6, 9e-6)
+    assert contact.slip_turn == pytest.approx(math.pi / 2, abs=1e-6)
+    # A small way back sticks.
+    contact.advance(1e-6, 2e-6, 8.9e-6)
+    assert contact.slip_turn == 0
+
+
+def test_the_turn_of_slip_goes_on_in_copies_and_turned_axes():
+    t = np.linspace(0, 3, 61)
+    zeta, xi, eta = 1e-6 * (1 + t), 8e-6 * np.sin(2 * t), 5e-6 * np.cos(2 * t)
+    contact = carom.Contact(HERTZ, F)
+    contact.follow(zeta[:30], xi[:30], eta[:30])
+    others = [copy.copy(contact), pickle.loads(pickle.dumps(contact))]
+    turned = copy.deepcopy(contact)
+    turned.turn_frame(0.5)
+    for other in others:
+        other.follow(zeta[30:], xi[30:], eta[30:])
+    contact.follow(zeta[30:], xi[30:], eta[30:])
+    assert contact.slip_turn > 1
+    assert [other.slip_turn for other in others] == [contact.slip_turn] * 2
+    s, c = math.sin(0.5), math.cos(0.5)
+    turned.follow(zeta[30:], c * xi[30:] + s * eta[30:], c * eta[30:] - s * xi[30:])
+    assert turned.slip_turn == pytest.approx(contact.slip_turn)
+    # A path that fails turns nothing.
+    with pytest.raises(ValueError):
+        contact.follow([1e-6, math.nan])
+    assert contact.slip_turn == others[0].slip_turn
+
+
+def test_the_turn_of_slip_is_that_of_the_command(tmp_path):
+    t = np.linspace(0, 4, 41)
+    steps = np.stack([1e-6 * (2 - np.cos(t)), 6e-6 * np.sin(t), 9e-6 * np.cos(t) - 9e-6], axis=1)
+    body = "material = { young_modulus = 208e9, poisson = 0.3 }\n"
+    text = (
+        f"[body_1]\nradii = 0.01\n{body}[body_2]\nradii = 0.02\n{body}"
+        f"[contact]\nfriction = {F}\n[history]\nsteps = {steps.tolist()}\n"
+    )
+    path = tmp_path / "turning.toml"
+    path.write_text(text)
+    told = carom.cases.history(path).slip_turn
+    contact, own = carom.Contact(HERTZ, F), []
+    for step in steps:
+        contact.advance(*step)
+        own.append(contact.slip_turn)
+    assert max(own) > 2
+    # Other annuli are followed, since the command knows the deepest approach.
+    np.testing.assert_allclose(own, told, atol=0.1)
 
 
 def test_turned_axes():
@@ -313,6 +369,8 @@ def test_rings_couple_twist_and_approach_to_the_shift():
     assert (np.hypot(loads[:, 0], loads[:, 1]) <= 0.092 * loads[:, 2] * 1.05).all()
     assert contact.torque == loads[-1, 3] > 0 and contact.load == tuple(loads[-1, :3])
     assert contact.dissipated > 0 and 0.0 <= contact.sticking < 1.0 and contact.regime == "slip"
+    with pytest.raises(ValueError, match="rings"):
+        _ = contact.slip_turn
     alone = carom.Contact(hertz, 0.092, law="rings", heat=False).follow(zeta, xi, eta)
     assert alone.shape == (steps, 3)
     assert np.abs(alone[-1, :2] - loads[-1, :2]).max() > 0.02 * 0.092 * loads[-1, 2]
