@@ -533,4 +533,29 @@ mod tests {
         assert!((of([one, two]) / expected - 1.0).abs() < 1e-12, "{} {expected}", of([one, two]));
         assert_eq!([of([one; 2]), of([two; 2])], [0.0; 2]);
     }
+
+    /// Not before its threshold, and from there on.
+    #[test]
+    fn each_limit_is_exceeded_from_its_threshold_on() {
+        for limit in Limit::ALL {
+            let of = |value: f64| {
+                let mut all = Validity::default();
+                *match limit {
+                    Limit::Coupling => &mut all.coupling,
+                    Limit::LargeContact => &mut all.semi_axis_over_radius,
+                    Limit::LargeApproach => &mut all.approach_over_radius,
+                    Limit::LargePressure => &mut all.pressure_over_modulus,
+                    Limit::Yields => &mut all.pressure_over_yield,
+                    Limit::Waves => &mut all.wave_share,
+                    Limit::Spin => &mut all.spin_share,
+                    Limit::SpinOnShift => &mut all.spin_on_shift,
+                    Limit::TimeStep => &mut all.step_over_duration,
+                } = value;
+                all.exceeded().map(|excess| excess.limit).collect::<Vec<_>>()
+            };
+            let threshold = limit.threshold();
+            assert_eq!(of(threshold * (1.0 - 1e-9)), []);
+            assert_eq!(of(threshold * (1.0 + 1e-9)), [limit]);
+        }
+    }
 }

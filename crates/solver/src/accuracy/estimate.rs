@@ -437,4 +437,38 @@ mod tests {
             assert!((x - expected[0]).abs() < 1e-12 && (y - expected[1]).abs() < 1e-12, "{x} {y}");
         }
     }
+
+    /// Along each axis, where the highest cell lies between two others; the axes may be exchanged.
+    #[test]
+    fn the_highest_cell_exceeds_its_neighbours_along_both_axes() {
+        let excess = |state: ContactState| state.excess_of_the_peak();
+        assert_eq!(excess(pressed(&[[0.0, 1.0, 0.0], [2.0, 5.0, 3.0], [0.0, 2.5, 0.0]])), 11.5);
+        // At the border of the grid one axis is left.
+        let upright = [[1.0, 0.0], [5.0, 3.0], [2.5, 0.0]];
+        let lying = [[1.0, 5.0, 2.5], [0.0, 3.0, 0.0]];
+        assert_eq!([excess(pressed(&upright)), excess(pressed(&lying))], [6.5; 2]);
+    }
+
+    /// The error of each load and shift counts, over the greatest value of its kind.
+    #[test]
+    fn the_worst_error_may_be_that_of_any_value() {
+        type Part = fn(&mut Estimates) -> &mut Estimated;
+        let parts: [Part; 8] = [
+            |all| &mut all.f_x,
+            |all| &mut all.f_y,
+            |all| &mut all.f_z,
+            |all| &mut all.m_z,
+            |all| &mut all.zeta,
+            |all| &mut all.xi,
+            |all| &mut all.eta,
+            |all| &mut all.omega,
+        ];
+        for part in parts {
+            let mut all = [Estimates::default(); 2];
+            *part(&mut all[0]) = Estimated { value: 1.0, error: 0.25 };
+            *part(&mut all[1]) = Estimated { value: -2.0, error: 0.5 };
+            assert_eq!(Estimates::worst(&all), 0.25);
+            assert_eq!(Estimates::worst_of_each(&all).collect::<Vec<_>>(), [0.125, 0.25]);
+        }
+    }
 }

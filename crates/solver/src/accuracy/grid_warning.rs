@@ -141,3 +141,41 @@ impl ContactState {
         warnings
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A contact of these columns and rows in a window of 14 by 20 cells.
+    fn told([x, y]: Extent) -> Vec<GridWarning> {
+        let grid = Grid::new(14, 20, 1.0, 1.0).unwrap();
+        let mut state = ContactState::apart(grid);
+        for j in y[0]..=y[1] {
+            for i in x[0]..=x[1] {
+                state.pressure.values_mut()[grid.index(i, j)] = 1.0;
+            }
+        }
+        state.warnings()
+    }
+
+    #[test]
+    fn a_contact_may_reach_each_side_of_an_oblong_window() {
+        assert_eq!(told([[2, 11], [5, 14]]), []);
+        for (extent, side) in [
+            ([[0, 10], [5, 15]], Side::Left),
+            ([[2, 13], [5, 15]], Side::Right),
+            ([[2, 11], [0, 13]], Side::Bottom),
+            ([[2, 11], [5, 19]], Side::Top),
+        ] {
+            assert_eq!(told(extent), [GridWarning::Border { side }]);
+        }
+    }
+
+    #[test]
+    fn fewer_than_ten_cells_across_are_few_along_either_axis() {
+        let few = [GridWarning::FewCells { across: 9 }];
+        assert_eq!(told([[2, 10], [3, 16]]), few);
+        assert_eq!(told([[2, 11], [3, 11]]), few);
+        assert_eq!(told([[2, 11], [3, 12]]), []);
+    }
+}
