@@ -189,4 +189,18 @@ mod tests {
         assert_eq!(field(Attitude::from_matrix(mirror)), "rotation determinant");
         assert_eq!(field(Attitude::from_matrix(2.0 * mirror)), "rotation matrix residue");
     }
+
+    /// To 1e-6, of quaternions and of matrices.
+    #[test]
+    fn a_rotation_may_be_off_by_its_stated_tolerance() {
+        for (off, holds) in [(0.9e-6, true), (1.1e-6, false)] {
+            for norm in [1.0 - off, 1.0 + off] {
+                let quaternion = [0.5, 0.5, -0.5, 0.5].map(|part| norm * part);
+                assert_eq!(Attitude::from_quaternion(quaternion).is_ok(), holds, "{norm}");
+            }
+            // Of a stretch by s, s^2 - 1 is left.
+            let stretched = Matrix3::identity() * (1.0 + 0.5 * off);
+            assert_eq!(Attitude::from_matrix(stretched).is_ok(), holds, "{off}");
+        }
+    }
 }

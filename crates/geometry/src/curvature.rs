@@ -286,4 +286,16 @@ mod tests {
         assert_eq!(PrincipalRadii::sphere(0.0).unwrap_err().field, "radius");
         assert_eq!(PrincipalRadii::new(1.0, f64::NAN).unwrap_err().field, "radius_across");
     }
+
+    /// Two cylinders that cross at a small angle touch at a point: B/A is half the angle, squared.
+    #[test]
+    fn cylinders_touch_along_a_line_only_within_round_off_of_parallel() {
+        let cylinder = PrincipalRadii::cylinder(1.0).unwrap();
+        let crossed = |omega| RelativeCurvature::new(cylinder, cylinder, omega);
+        for omega in [1e-6, 1e-9, 1e-12, 2.1e-15] {
+            let gap = crossed(omega).unwrap();
+            assert_relative_eq!(gap.b() / gap.a(), 0.25 * omega * omega, max_relative = 1e-10);
+        }
+        assert!(matches!(crossed(1.9e-15), Err(CurvatureError::LineContact { .. })));
+    }
 }

@@ -92,3 +92,21 @@ impl Inertia {
         Vector3::from(self.moments).map(|moment| 1.0 / moment)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a lamina the moment about its normal is the sum of the other two; no body has more but by round-off.
+    #[test]
+    fn no_body_is_flatter_than_a_lamina() {
+        let (a, b) = (0.1, 0.2);
+        for turn in 0..3 {
+            for (excess, holds) in [(0.0, true), (1e-13, true), (1e-10, false), (1e-3, false)] {
+                let mut moments = [a, b, (a + b) * (1.0 + excess)];
+                moments.rotate_right(turn);
+                assert_eq!(Inertia::new(1.0, moments).is_ok(), holds, "{moments:?}");
+            }
+        }
+    }
+}

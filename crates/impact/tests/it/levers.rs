@@ -90,3 +90,17 @@ fn an_outcome_says_that_its_point_is_not_proven() {
     assert!(warned(Surface::torus(2.0, 0.3).unwrap(), 3.1));
     assert!(!warned(Surface::sphere(2.3).unwrap(), 3.1));
 }
+
+/// Reciprocity makes D symmetric: to 1e-9 of its largest entry.
+#[test]
+fn a_mobility_is_symmetric_to_its_stated_tolerance() {
+    let matrix = |skew: f64| {
+        let mut matrix = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0));
+        matrix.m13 = 0.5 + 4.0 * skew;
+        matrix.m31 = 0.5;
+        Mobility::from_matrix(matrix)
+    };
+    let own = matrix(0.9e-9).unwrap();
+    assert_eq!(own.matrix().m13, own.matrix().m31);
+    assert!(matrix(1.1e-9).is_err() && matrix(-1.1e-9).is_err());
+}
