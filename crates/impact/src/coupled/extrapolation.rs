@@ -134,4 +134,17 @@ mod tests {
         // Too few runs give no estimate.
         assert!(!after(1, |h| h * h).smooth && after(0, |h| h * h).error().is_infinite());
     }
+
+    /// The last two limits agree by chance, at .03 from the true one: the change before still counts.
+    #[test]
+    fn limits_that_agree_by_chance_are_no_proof() {
+        let mut table = Extrapolation::new(run(0.4));
+        for error in [0.1, 0.0475, 0.034_375] {
+            table.refine(run(error));
+        }
+        let velocity = table.best().velocity;
+        assert!((velocity - run(0.03).velocity).norm() < 1e-12, "{velocity}");
+        let changed = (run(0.03).velocity - run(0.0).velocity).norm();
+        assert!((table.error() / (changed / 16.0) - 1.0).abs() < 1e-9, "{:e}", table.error());
+    }
 }

@@ -8,6 +8,7 @@ mod columns;
 mod coupled;
 mod coupled_extremes;
 mod encounters;
+mod exchange;
 mod history_known;
 mod images;
 mod known_ends;
