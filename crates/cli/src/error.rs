@@ -100,3 +100,35 @@ impl From<Error> for CliError {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn range() -> RangeError {
+        RangeError::finite("x", f64::NAN).unwrap_err()
+    }
+
+    /// 2 where the user has to write something else, 1 where what was asked for failed.
+    #[test]
+    fn the_exit_code_says_whether_the_input_was_bad() {
+        let lost = || std::io::Error::other("lost");
+        let path = || PathBuf::from("here");
+        let bad = [
+            CliError::Case(Error::input("unknown")),
+            CliError::Rings(RingImpactError::Range(range())),
+            CliError::Messages { path: path() },
+            CliError::Destination { option: "plot", path: path(), reason: "no" },
+            CliError::Option(range()),
+            CliError::Options("these exclude each other"),
+        ];
+        let failed = [
+            CliError::io("write", &path(), lost()),
+            CliError::Impact(ObliqueError::TooManyPhases { phases: 9, w: 0.5 }),
+            CliError::Threads { count: 3, source: lost().into() },
+            CliError::Format(lost().into()),
+        ];
+        assert!(bad.iter().all(|error| error.exit_code() == 2), "{bad:?}");
+        assert!(failed.iter().all(|error| error.exit_code() == 1), "{failed:?}");
+    }
+}

@@ -202,3 +202,57 @@ pub const COLUMNS: &[Column<Row>] = &[
         row.error(|all| &all.stick_area)
     }),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_solver::{Products, Residuals, Stop};
+
+    fn row(f_x: f64, f_y: f64) -> Row {
+        let (products, residuals) = (Products::default(), Residuals::default());
+        Row {
+            distance: None,
+            speed: 1.0,
+            creepage: Creepage { along: 1.6, across: -1.2, spin: 0.0 },
+            approach: 0.0,
+            load: ContactLoad { f_x, f_y, f_z: 9.0, m_z: 0.5 },
+            heat: None,
+            limit: 4.0,
+            greatest_pressure: 0.0,
+            contact_area: 0.0,
+            stick_area: 0.0,
+            slides: false,
+            springs: None,
+            convergence: Convergence { iterations: 0, products, residuals, stop: Stop::Converged },
+            estimates: None,
+        }
+    }
+
+    /// A force through the origin has no torque about it; a quarter turn of everything changes none.
+    #[test]
+    fn the_torque_about_the_origin_is_that_of_a_force_beside_it() {
+        let torque = |[f_x, f_y]: [f64; 2], middle| row(f_x, f_y).about(middle).load.m_z;
+        assert_eq!(torque([2.0, 4.0], [0.25, 0.5]), 0.5);
+        assert_eq!(torque([2.0, 3.0], [0.25, 0.5]), 0.5 + 0.5 * 2.0 - 0.25 * 3.0);
+        assert_eq!(torque([-3.0, 2.0], [-0.5, 0.25]), torque([2.0, 3.0], [0.25, 0.5]));
+    }
+
+    /// Forces over f F_z, creepages over their size of 2, whichever is greatest.
+    #[test]
+    fn the_error_of_a_row_is_the_greatest_of_forces_and_creepages() {
+        let error = |[f_x, f_y, xi, eta]: [f64; 4]| {
+            let of = |error| Estimated { value: 1.0, error };
+            let [f_x, f_y, xi, eta] = [of(f_x), of(f_y), of(xi), of(eta)];
+            let estimates = Some(Estimates { f_x, f_y, xi, eta, ..Estimates::default() });
+            Row { estimates, ..row(1.0, 1.0) }.greatest_error().unwrap()
+        };
+        for (errors, greatest) in [
+            ([0.5, 0.25, 0.125, 0.0], 0.125),
+            ([0.25, 0.5, 0.125, 0.0], 0.125),
+            ([0.25, 0.25, 0.5, 0.25], 0.25),
+            ([0.25, 0.25, 0.25, 0.5], 0.25),
+        ] {
+            assert_eq!(error(errors), greatest, "{errors:?}");
+        }
+    }
+}
