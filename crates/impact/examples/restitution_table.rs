@@ -1,8 +1,10 @@
-//! Recomputes the stored table of R_x; needed if the exact impact changes by more than 1e-9.
+//! Recomputes the stored tables of R_x; needed if the exact impact changes by more than 1e-9, or that with a loss by more than
+//! 1e-6.
 
 use carom_impact::restitution::RestitutionTable;
 
 fn main() -> std::io::Result<()> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/restitution/table/stored.bin");
-    std::fs::write(path, RestitutionTable::build().to_bytes())
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/restitution/table/");
+    std::fs::write(format!("{folder}stored.bin"), RestitutionTable::build().to_bytes())?;
+    std::fs::write(format!("{folder}loss.bin"), RestitutionTable::losses_to_bytes())
 }

@@ -51,6 +51,7 @@ pub mod restitution;
 pub mod scene;
 pub mod torsional;
 pub mod uncertain;
+pub mod viscoelastic;
 
 pub use body::Body;
 pub use collision::{
@@ -59,7 +60,7 @@ pub use collision::{
 pub use impact_friction::ImpactFriction;
 pub use mobility::{Lever, Mobility};
 pub use motion::Motion;
-pub use normal_restitution::NormalRestitution;
+pub use normal_restitution::{LossCause, NormalRestitution};
 pub use normal_spin::NormalSpinError;
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, TorsionMode};
 pub use rings::{RingImpact, RingImpactError};

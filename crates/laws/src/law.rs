@@ -100,8 +100,28 @@ pub trait ContactLaw: Clone {
     /// The error of the law; the state is then unchanged.
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, Self::Error>;
 
+    /// As [`ContactLaw::advance`], with the rates of the shift at the end of the step, on which the load of a viscous
+    /// material depends.
+    ///
+    /// # Errors
+    /// As [`ContactLaw::advance`].
+    fn advance_at(&mut self, shift: Shift, _rates: Shift) -> Result<ContactLoad, Self::Error> {
+        self.advance(shift)
+    }
+
+    /// The depth to which the contact is pressed at this shift and these rates: the approach, or less where a viscous
+    /// material lags. The bodies separate where it is no longer positive.
+    fn depth(&self, shift: Shift, _rates: Shift) -> f64 {
+        shift.zeta
+    }
+
     /// The present shift.
     fn shift(&self) -> Shift;
+
+    /// The shift at which an elastic contact bears the present load: the present shift, ahead of it in a viscous material.
+    fn elastic_shift(&self) -> Shift {
+        self.shift()
+    }
 
     /// The present load.
     fn load(&self) -> ContactLoad;
@@ -117,6 +137,34 @@ pub trait ContactLaw: Clone {
     /// ends.
     fn slides_on(&self, _rates: Shift) -> Option<bool> {
         None
+    }
+}
+
+/// The heat of friction of a path: the work of the loads on the elastic shift, by trapezoids. It counts what is stored in
+/// between; from first contact to separation nothing is.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FrictionWork {
+    shift: Shift,
+    load: ContactLoad,
+    sum: f64,
+}
+
+impl FrictionWork {
+    /// Adds a step to this elastic shift ([`ContactLaw::elastic_shift`]) and load.
+    pub fn see(&mut self, to: Shift, load: ContactLoad) {
+        let (from, before) = (self.shift, self.load);
+        self.sum += 0.5
+            * ((before.f_x + load.f_x) * (to.xi - from.xi)
+                + (before.f_y + load.f_y) * (to.eta - from.eta)
+                + (before.f_z + load.f_z) * (to.zeta - from.zeta)
+                + (before.m_z + load.m_z) * (to.omega - from.omega));
+        (self.shift, self.load) = (to, load);
+    }
+
+    /// The work so far.
+    #[must_use]
+    pub const fn sum(&self) -> f64 {
+        self.sum
     }
 }
 

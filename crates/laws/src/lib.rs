@@ -64,6 +64,7 @@ pub mod stiffness;
 pub mod torsion;
 pub mod turning_law;
 pub mod validity;
+pub mod viscous;
 mod work_by_forces;
 
 pub use carom_geometry::curvature;

@@ -129,15 +129,28 @@ impl<'a> NumericalImpact<'a> {
         let found = self.found(&problem)?;
         let before = problem.impact.velocity();
         let tangential = found.tangential * problem.scale();
+        let by_law = problem.impact.viscous_step_error().map_err(CollisionError::from)?;
+        let velocity = found.velocity - by_law;
+        let impulse = match by_law.norm() > 0.0 {
+            true => problem.restricted(&velocity),
+            false => found.impulse,
+        };
+        let velocity =
+            if by_law.norm() > 0.0 { before - problem.mobility() * impulse } else { velocity };
+        let lost = 0.5 * impulse.dot(&(before + velocity));
+        let loses = problem.impact.loses();
+        let material_heat = if loses { (lost - found.finest.friction_heat).max(0.0) } else { 0.0 };
         let outcome = CoupledOutcome {
-            velocity: found.velocity,
-            impulse: found.impulse,
+            velocity,
+            impulse,
+            material_heat,
             duration: found.finest.duration,
             maximal_approach: found.finest.peak.approach,
             maximal_force: found.finest.peak.force,
             compressions: found.finest.compressions,
             method: ImpactMethod::Numerical,
-            error_estimate: tangential.hypot(found.normal) * before.z / before.norm(),
+            error_estimate: (tangential.hypot(found.normal) * before.z + by_law.norm())
+                / before.norm(),
             warning: None,
         };
         let rebound = self.collision.rebound_of(outcome, Vec::new())?;

@@ -3,6 +3,8 @@
 use carom_impact::Collision;
 use carom_impact::coupled::{CoupledImpact, Point, Sample, Stage, Trajectory};
 use carom_impact::normal::NormalImpact;
+use carom_laws::law::{ContactLaw, ContactLoad, FrictionWork};
+use carom_laws::viscous::ViscousLaw;
 use carom_solver::{CellState, NumericalLaw};
 use nalgebra::{Matrix3, Vector3};
 
@@ -35,6 +37,7 @@ pub(crate) struct Run {
     pub(crate) duration: f64,
     pub(crate) peak: Peak,
     pub(crate) compressions: u32,
+    pub(crate) friction_heat: f64,
     pub(crate) samples: Vec<Sample>,
 }
 
@@ -46,6 +49,12 @@ impl<'a> Problem<'a> {
         let (mobility, c_z) = (collision.mobility().matrix(), collision.hertz().stiffness().c_z);
         let normal = NormalImpact::new(mobility.m33, c_z, impact.velocity().z)?;
         Ok(Some(Self { collision, impact, normal }))
+    }
+
+    /// The impulse to a velocity after, within the limits of friction and energy.
+    pub(crate) fn restricted(&self, after: &Vector3<f64>) -> Vector3<f64> {
+        let impulse = self.collision.mobility().impulse(&self.impact.velocity(), after);
+        self.impact.restricted(&impulse)
     }
 
     pub(crate) fn mobility(&self) -> &Matrix3<f64> {
@@ -68,9 +77,9 @@ impl<'a> Problem<'a> {
     /// A run. Steps of an impact that resembles a free one are placed in time: their errors are then smooth.
     pub(crate) fn run(&self, fineness: Fineness) -> Result<Run, NumericalImpactError> {
         let (hertz, velocity) = (*self.collision.hertz(), self.impact.velocity());
-        let peak = self.normal.maximal_approach();
-        let law = NumericalLaw::new(hertz, self.collision.friction(), peak, fineness.cells)?;
-        let mut law = law.within(TOLERANCE)?.with_slip_ahead();
+        let (friction, peak) = (self.collision.friction(), self.impact.deepest());
+        let law = NumericalLaw::new(hertz, friction, peak, fineness.cells)?;
+        let law = law.within(TOLERANCE)?.with_slip_ahead();
         let trajectory = Trajectory {
             mobility: *self.mobility(),
             velocity,
@@ -78,10 +87,23 @@ impl<'a> Problem<'a> {
             steps: fineness.steps,
             expected: self.impact.is_mild().then(|| self.normal.duration()),
         };
-        let mut samples: Vec<Sample> = Vec::new();
-        let end = trajectory
-            .follow_at_most(PATIENCE, &mut law, |point, law| samples.push(sample(point, law)))?;
+        let mut followed = Followed::default();
+        let end = match self.impact.material_viscosity().map_err(NumericalImpactError::from)? {
+            None => {
+                let mut law = law;
+                let observe = |point: &Point, law: &NumericalLaw| followed.see(point, law, law);
+                trajectory.follow_at_most(PATIENCE, &mut law, observe)?
+            }
+            Some(viscosity) => {
+                let mut law = ViscousLaw::new(law, viscosity, friction.get(), hertz.stiffness());
+                let observe = |point: &Point, law: &ViscousLaw<NumericalLaw>| {
+                    followed.see(point, law, law.elastic());
+                };
+                trajectory.follow_at_most(PATIENCE, &mut law, observe)?
+            }
+        };
         let end = end.ok_or(NumericalImpactError::NoSeparation)?;
+        let Followed { samples, friction } = followed;
         let turns =
             samples.windows(2).filter(|pair| pair[0].velocity.z <= 0.0 && pair[1].velocity.z > 0.0);
         Ok(Run {
@@ -89,8 +111,24 @@ impl<'a> Problem<'a> {
             duration: end.time,
             peak: Peak::of(&samples),
             compressions: 1 + turns.count() as u32,
+            friction_heat: friction.sum(),
             samples,
         })
+    }
+}
+
+/// The instants of a run, and the work of friction.
+#[derive(Default)]
+struct Followed {
+    samples: Vec<Sample>,
+    friction: FrictionWork,
+}
+
+impl Followed {
+    fn see<L: ContactLaw>(&mut self, point: &Point, law: &L, elastic: &NumericalLaw) {
+        let [f_x, f_y, f_z] = point.force.into();
+        self.friction.see(law.elastic_shift(), ContactLoad { f_x, f_y, f_z, m_z: 0.0 });
+        self.samples.push(sample(point, elastic));
     }
 }
 

@@ -14,12 +14,17 @@ use crate::coupled::{CoupledOutcome, is_coupled};
 use crate::motion::Motion;
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
+use crate::oblique::Groups;
 use crate::outcome::{EnergyBudget, LogEntry, Rebound, Torsion, TorsionMode};
+use crate::viscoelastic::{ViscoelasticImpact, ViscousLoss};
 use crate::warning::Warning;
 use crate::wave_share::wave_share;
 
 /// Couplings of the normal motion below this fraction of D_zz are round-off.
 const UNCOUPLED: f64 = 1e-9;
+
+/// Tolerance of R_x without tangential velocity.
+const LIMIT: f64 = 1e-4;
 
 /// Relative differences of chi between directions below this value are round-off.
 const EVEN: f64 = 1e-12;
@@ -58,15 +63,16 @@ impl Collision {
         let (before, elastic, whole) = (self.velocity(), outcome.velocity, outcome.impulse);
         let pulse = self.pulse(before.z)?;
         let share = self.wave_share(&pulse);
-        let damped = self.normal_restitution.damped(share, &pulse, [before.z, elastic.z])?;
+        let damped = self.normal_restitution.damped([before.z, elastic.z]);
         let [impulse, after] = damped.motion(whole, [&before, &elastic]);
         let mut motions = [0, 1].map(|i| {
             let push = if i == 0 { impulse } else { -impulse };
             self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion(), &push)
         });
         // E_A - E_E of the relative motion, without its cancellation.
-        let mut dissipated = damped.part * (0.5 * whole.dot(&(before + elastic)));
-        let mut lost = damped.lost(0.5 * whole.dot(&(before - elastic)));
+        let whole_loss = 0.5 * whole.dot(&(before + elastic));
+        let mut dissipated = damped.part * (whole_loss - outcome.material_heat);
+        let mut lost = damped.lost(0.5 * whole.dot(&(before - elastic))) + outcome.material_heat;
         let mut torsion = match known.torsion {
             None => self.torsion(before.z)?,
             torsion => torsion,
@@ -113,15 +119,16 @@ impl Collision {
         let warnings = self.warnings(validity);
         let warnings = warnings.chain(outcome.warning.or(self.missed_tolerance(error_estimate)));
         let warnings = warnings.collect();
-        Ok(Rebound {
+        self.with_turning_centres(Rebound {
             motions,
             impulse: self.frame().to_space(&impulse),
             contact_velocity_before: self.frame().to_space(&before),
             contact_velocity_after: self.frame().to_space(&after),
-            r_x: known
-                .r_x
-                .or_else(|| self.restitution(&before, &elastic))
-                .map(|elastic| damped.restitution(elastic)),
+            r_x: match known.r_x {
+                Some(elastic) => Some(elastic),
+                None => self.restitution(&before, &elastic)?,
+            }
+            .map(|elastic| damped.restitution(elastic)),
             duration: outcome.duration,
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
@@ -172,30 +179,51 @@ impl Collision {
 
     // If the limit depends on the direction, a tangential velocity within the round-off of the velocities
     // that it is the difference of has no R_x.
-    fn restitution(&self, before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
-        let limit = self.limit();
-        if self.is_tangential() || limit.is_some() { along(before, after).or(limit) } else { None }
+    fn restitution(
+        &self,
+        before: &Vector3<f64>,
+        after: &Vector3<f64>,
+    ) -> Result<Option<f64>, RangeError> {
+        let limit = self.limit(before.z)?;
+        let defined = self.is_tangential() || limit.is_some();
+        Ok(defined.then(|| along(before, after).or(limit)).flatten())
     }
 
     // R_x for vanishing tangential velocities, if it is the same in all directions.
-    fn limit(&self) -> Option<f64> {
+    fn limit(&self, velocity: f64) -> Result<Option<f64>, RangeError> {
         let d = self.mobility.matrix();
         let ContactStiffness { c_x, c_y, c_z } = self.hertz.stiffness();
         if is_coupled(d) {
-            return None;
+            return Ok(None);
         }
         if self.friction.get() == 0.0 && self.static_friction.is_none() {
-            return Some(-1.0);
+            return Ok(Some(-1.0));
         }
         // The matrix of chi; c_x and c_y of a circle may differ by round-off.
         let chi = [d.m11 * c_x, d.m22 * c_y].map(|product| product / (d.m33 * c_z));
         let turning = d.m12 * (c_x * c_y).sqrt() / (d.m33 * c_z);
         let even = (chi[0] - chi[1]).abs().max(2.0 * turning.abs()) <= EVEN * chi[0];
-        even.then(|| restitution_without_slip(chi[0]).clamp(-1.0, 1.0))
+        if !even {
+            return Ok(None);
+        }
+        let limit = match self.viscous_loss(velocity)? {
+            None => restitution_without_slip(chi[0]).clamp(-1.0, 1.0),
+            Some(loss) => {
+                let groups = Groups::new(chi[0], 0.0)?;
+                ViscoelasticImpact::new(groups, loss).solve(LIMIT).restitution
+            }
+        };
+        Ok(Some(limit))
+    }
+
+    /// The loss of a viscous material at this speed of approach.
+    pub(crate) fn viscous_loss(&self, velocity: f64) -> Result<Option<ViscousLoss>, RangeError> {
+        let pulse = self.pulse(velocity)?;
+        self.normal_restitution.viscous(self.wave_share(&pulse), &pulse)
     }
 
     // The largest share of the normal energy that waves carry away.
-    fn wave_share(&self, pulse: &NormalImpact) -> f64 {
+    pub(super) fn wave_share(&self, pulse: &NormalImpact) -> f64 {
         let share = self.bodies.iter().filter_map(|body| {
             let density = body.inertia().mass() / body.placed().surface().volume()?;
             wave_share(body.material(), density, pulse)
@@ -204,7 +232,7 @@ impl Collision {
     }
 
     // The elastic impact without friction.
-    fn pulse(&self, velocity: f64) -> Result<NormalImpact, RangeError> {
+    pub(super) fn pulse(&self, velocity: f64) -> Result<NormalImpact, RangeError> {
         let d_zz = self.mobility.matrix().m33;
         NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)
     }
@@ -232,7 +260,7 @@ impl Collision {
 }
 
 // -(after)/(before) along the tangential velocity before, scaled so that no square underflows.
-fn along(before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
+pub(super) fn along(before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
     let largest = before.x.abs().max(before.y.abs());
     if largest == 0.0 {
         return None;

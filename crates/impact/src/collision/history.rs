@@ -18,7 +18,8 @@ impl Collision {
     pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, CollisionError> {
         RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
         let Some(impact) = self.impact()? else { return Ok(Vec::new()) };
-        let Some(direction) = impact.exact_direction() else {
+        let direction = impact.exact_direction().filter(|_| !impact.loses());
+        let Some(direction) = direction else {
             return self.sampled(&impact.history(self.law)?, count, &impact.velocity());
         };
         let times: Vec<f64> = instants(normal::DURATION, count).collect();

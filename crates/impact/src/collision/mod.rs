@@ -2,6 +2,7 @@
 
 mod aftermath;
 mod columns;
+mod glancing;
 mod history;
 mod needed_law;
 mod solver;
@@ -19,12 +20,14 @@ use crate::body::Body;
 use crate::coupled::{CoupledError, CoupledImpact, TurningLaw, Unsettled};
 use crate::impact_friction::ImpactFriction;
 use crate::mobility::{Lever, Mobility};
+use crate::motion::Motion;
 use crate::normal_restitution::NormalRestitution;
 use crate::normal_spin::NormalSpinError;
 use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
 pub(crate) use aftermath::Known;
+use glancing::Axes;
 pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};
 pub use twist_bound::TwistBound;
@@ -115,6 +118,7 @@ pub struct Collision {
     normal_restitution: NormalRestitution,
     tolerance: Option<f64>,
     unsettled: Unsettled,
+    axes: Axes,
     contact: ContactPoint,
     materials: MaterialPair,
     hertz: Hertz,
@@ -242,6 +246,7 @@ impl Collision {
             normal_restitution: NormalRestitution::ELASTIC,
             tolerance: None,
             unsettled: Unsettled::Refused,
+            axes: Axes::default(),
             contact,
             materials,
             hertz,
@@ -283,9 +288,8 @@ impl Collision {
         self.with_torsion_mode(TorsionMode::Included)
     }
 
-    /// The same collision with dissipation in the material, which reduces the normal and tangential impulse
-    /// alike: an extension of the elastic theory, see [`NormalRestitution`]. Duration, maximum force and
-    /// history are those of the elastic impact.
+    /// The same collision with a loss in the material: an extension of the elastic theory, see [`NormalRestitution`]. With
+    /// a loss by yield, duration, greatest force and history are those of the elastic impact.
     #[must_use]
     pub fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
         Self { normal_restitution, ..self }
@@ -409,6 +413,9 @@ impl Collision {
         if let Some(tolerance) = self.tolerance {
             impact = impact.within(tolerance)?;
         }
+        if let Some(loss) = self.viscous_loss(velocity.z)? {
+            impact = impact.with_loss(loss);
+        }
         Ok(Some(match self.unsettled {
             Unsettled::Refused => impact,
             Unsettled::Accepted => impact.accepting_unsettled(),
@@ -447,6 +454,10 @@ impl Collision {
 
 /// Velocity of body 2 against body 1 at the contact point, in contact axes (8.27).
 fn velocity(bodies: &[Body; 2], levers: &[Lever; 2], frame: &ContactFrame) -> Vector3<f64> {
-    let of = |i: usize| levers[i].point_velocity_in(frame.axes(), &bodies[i].motion());
+    velocity_at(&bodies.each_ref().map(Body::motion), levers, frame)
+}
+
+fn velocity_at(motions: &[Motion; 2], levers: &[Lever; 2], frame: &ContactFrame) -> Vector3<f64> {
+    let of = |i: usize| levers[i].point_velocity_in(frame.axes(), &motions[i]);
     of(1) - of(0)
 }

@@ -34,7 +34,7 @@ impl CoupledImpact {
     }
 
     /// c_t, the stiffness, and D_tt, the mobility along a direction.
-    fn tangential(&self, direction: &Vector3<f64>) -> (f64, f64) {
+    pub(super) fn tangential(&self, direction: &Vector3<f64>) -> (f64, f64) {
         let (ContactStiffness { c_x, c_y, .. }, d) = (self.stiffness, self.mobility.matrix());
         if self.is_symmetric {
             return (c_x, d.m11);
@@ -78,7 +78,7 @@ impl CoupledImpact {
         self.exact(velocity, impulse)
     }
 
-    fn exact(&self, velocity: Vector3<f64>, impulse: Vector3<f64>) -> CoupledOutcome {
+    pub(super) fn exact(&self, velocity: Vector3<f64>, impulse: Vector3<f64>) -> CoupledOutcome {
         CoupledOutcome {
             velocity,
             impulse,
@@ -86,6 +86,7 @@ impl CoupledImpact {
             maximal_approach: self.normal.maximal_approach(),
             maximal_force: self.normal.maximal_force(),
             compressions: 1,
+            material_heat: 0.0,
             method: self.method(),
             error_estimate: 0.0,
             warning: None,

@@ -10,12 +10,16 @@ use super::ImpactMethod;
 use super::direction::length_and_direction;
 use crate::mobility::Mobility;
 use crate::normal::NormalImpact;
+use crate::viscoelastic::ViscousLoss;
 
 /// Default tolerances over |v_A|. In a plane the memory is exact and the runs converge fast; with
 /// turning directions they do not. Of a hundred common impacts with fixed directions, fifteen do
 /// not converge to 1e-8 after 2^24 steps.
 const PLANAR_TOLERANCE: f64 = 1e-8;
 const SPATIAL_TOLERANCE: f64 = 5e-6;
+/// With a loss: the law of steps itself is off by more.
+const LOSSY_TOLERANCE: f64 = 1e-3;
+
 /// An impact given by mobility D, stiffness, friction and approach velocity, in contact axes.
 ///
 /// ```
@@ -44,8 +48,10 @@ pub struct CoupledImpact {
     pub(super) velocity: Vector3<f64>,
     pub(super) normal: NormalImpact,
     pub(super) is_symmetric: bool,
-    tolerance: Option<f64>,
+    pub(super) tolerance: Option<f64>,
     pub(super) unsettled: Unsettled,
+    /// The loss of the material; none of an elastic one.
+    pub(super) loss: Option<ViscousLoss>,
 }
 
 /// What to do with an impact that does not converge.
@@ -80,6 +86,7 @@ impl CoupledImpact {
             is_symmetric: false,
             tolerance: None,
             unsettled: Unsettled::Refused,
+            loss: None,
         })
     }
 
@@ -144,7 +151,12 @@ impl CoupledImpact {
 
     pub(super) fn tolerance(&self) -> f64 {
         let spatial = matches!(self.method(), ImpactMethod::Spatial { .. });
-        self.tolerance.unwrap_or(if spatial { SPATIAL_TOLERANCE } else { PLANAR_TOLERANCE })
+        let default = match (self.loss.is_some(), spatial) {
+            (true, _) => LOSSY_TOLERANCE,
+            (false, true) => SPATIAL_TOLERANCE,
+            (false, false) => PLANAR_TOLERANCE,
+        };
+        self.tolerance.unwrap_or(default)
     }
 
     /// The method by which this impact is solved.

@@ -14,8 +14,8 @@ pub(super) struct Limits {
     mobility: Matrix3<f64>,
     friction: f64,
     before: Vector3<f64>,
-    /// Whether the normal motion is uncoupled, so that its velocity is reversed.
-    is_normal_uncoupled: bool,
+    /// The normal impulse, if the normal motion is uncoupled: its velocity after is then known.
+    normal_impulse: Option<f64>,
 }
 
 impl Limits {
@@ -24,16 +24,16 @@ impl Limits {
         mobility: &Matrix3<f64>,
         friction: Friction,
         before: &Vector3<f64>,
-        is_normal_uncoupled: bool,
+        normal_impulse: Option<f64>,
     ) -> Self {
-        Self { mobility: *mobility, friction: friction.get(), before: *before, is_normal_uncoupled }
+        Self { mobility: *mobility, friction: friction.get(), before: *before, normal_impulse }
     }
 
     /// The impulse reduced along its direction to within both bounds.
     pub(super) fn restrict(&self, impulse: &Vector3<f64>) -> Vector3<f64> {
         let mut impulse = *impulse;
-        if self.is_normal_uncoupled {
-            impulse.z = 2.0 * self.before.z / self.mobility.m33;
+        if let Some(normal_impulse) = self.normal_impulse {
+            impulse.z = normal_impulse;
         }
         self.apply_friction_limit(&mut impulse);
         self.apply_energy_bound(&mut impulse);
@@ -52,7 +52,7 @@ impl Limits {
 
     // Energy: E_E - E_A = J.D.J/2 - J.v_A <= 0. Uncoupled normal motion keeps its energy.
     fn apply_energy_bound(&self, impulse: &mut Vector3<f64>) {
-        let free = if self.is_normal_uncoupled {
+        let free = if self.normal_impulse.is_some() {
             Vector3::new(1.0, 1.0, 0.0)
         } else {
             Vector3::repeat(1.0)
@@ -72,7 +72,7 @@ impl CoupledImpact {
     #[must_use]
     pub fn restricted(&self, impulse: &Vector3<f64>) -> Vector3<f64> {
         let mobility = self.mobility.matrix();
-        Limits::new(mobility, self.friction, &self.velocity, false).restrict(impulse)
+        Limits::new(mobility, self.friction, &self.velocity, None).restrict(impulse)
     }
 }
 
@@ -86,7 +86,8 @@ mod tests {
             d = Matrix3::new(3.0, 0.2, 0.0, 0.2, 2.0, 0.0, 0.0, 0.0, 1.0);
         }
         let friction = Friction::new(friction).unwrap_or(Friction::INFINITE);
-        Limits::new(&d, friction, &Vector3::new(0.4, -0.7, 1.0), is_normal_uncoupled)
+        let normal_impulse = is_normal_uncoupled.then_some(2.0);
+        Limits::new(&d, friction, &Vector3::new(0.4, -0.7, 1.0), normal_impulse)
     }
 
     #[test]

@@ -49,6 +49,7 @@ mod schedule;
 mod solve;
 mod stage;
 mod trajectory;
+mod viscous;
 
 pub use carom_laws::law::ImpactLaw;
 pub use carom_laws::turning_law::TurningLaw;

@@ -22,6 +22,8 @@ pub struct CoupledOutcome {
     pub maximal_force: f64,
     /// Number of compressions: 2 or more if the bodies were compressed again before separation.
     pub compressions: u32,
+    /// The energy that the material lost, without that of friction.
+    pub material_heat: f64,
     /// The method of solution.
     pub method: ImpactMethod,
     /// Estimated error of the velocity over |v_A|: the change by the last refinements; 0 for exact
@@ -54,10 +56,12 @@ impl CoupledImpact {
         outcome.velocity = self.after(&outcome.impulse);
         if outcome.method == (ImpactMethod::Spatial { coupled: false }) {
             // The normal motion is known in closed form.
-            outcome.velocity.z = -self.velocity.z;
-            outcome.duration = self.normal.duration();
-            outcome.maximal_approach = self.normal.maximal_approach();
-            outcome.maximal_force = self.normal.maximal_force();
+            let known =
+                self.loss.map_or_else(|| self.frictionless(), |loss| self.frictionless_with(&loss));
+            outcome.velocity.z = known.velocity.z;
+            outcome.duration = known.duration;
+            outcome.maximal_approach = known.maximal_approach;
+            outcome.maximal_force = known.maximal_force;
         }
         outcome
     }
@@ -71,8 +75,12 @@ impl CoupledImpact {
             impulse,
             duration: run.duration * units.time,
             maximal_approach: peak,
-            maximal_force: 2.0 / 3.0 * self.stiffness.c_z * (peak * peak.sqrt()),
+            maximal_force: match self.loss {
+                None => 2.0 / 3.0 * self.stiffness.c_z * (peak * peak.sqrt()),
+                Some(_) => run.strongest * units.force,
+            },
             compressions: run.compressions,
+            material_heat: 0.0,
             method: self.method(),
             error_estimate: settled.error,
             warning: (!settled.settled).then(|| Warning::NotSettled {

@@ -1,5 +1,6 @@
 //! Refinement of an impact in steps and annuli until its outcome converges.
 
+use carom_laws::law::{ContactLoad, FrictionWork};
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
@@ -184,6 +185,7 @@ impl Problem {
     ) -> Result<Run, Failure<L::Error>> {
         let mut law = make(level);
         let mut peaks = Peaks::default();
+        let mut friction = FrictionWork::default();
         let mut rings = law.rings();
         let mut work: usize = 0;
         let trajectory = Trajectory {
@@ -198,6 +200,8 @@ impl Problem {
         let end = trajectory
             .follow_to((order, MAX_STEPS_OVER_FREE_IMPACT), &mut law, |point, law| {
                 peaks.see(point);
+                let [f_x, f_y, f_z] = point.force.into();
+                friction.see(law.elastic_shift(), ContactLoad { f_x, f_y, f_z, m_z: 0.0 });
                 let moved = law.rings();
                 rings = rings.max(moved);
                 work = work.saturating_add(moved.map_or(1, |count| count.max(1)));
@@ -210,6 +214,8 @@ impl Problem {
             impulse: end.impulse,
             duration: end.time,
             peak: peaks.highest,
+            strongest: peaks.strongest,
+            friction_heat: friction.sum(),
             compressions: peaks.compressions,
             steps: peaks.steps,
             rings,
@@ -229,6 +235,7 @@ impl Level {
 struct Peaks {
     last: Option<Point>,
     highest: f64,
+    strongest: f64,
     compressions: u32,
     steps: usize,
 }
@@ -236,6 +243,7 @@ struct Peaks {
 impl Peaks {
     fn see(&mut self, point: &Point) {
         self.steps += 1;
+        self.strongest = self.strongest.max(point.force.z);
         let before = self.last.replace(*point);
         let Some(last) = before else {
             self.compressions = 1;

@@ -26,16 +26,18 @@ impl CoupledImpact {
     /// # Errors
     /// [`CoupledError`] if the integration fails or does not converge to the tolerance.
     pub fn solve(&self, law: TurningLaw) -> Result<CoupledOutcome, CoupledError> {
-        match self.method() {
-            ImpactMethod::Frictionless => Ok(self.frictionless()),
-            ImpactMethod::Uncoupled { direction } => {
+        match (self.method(), &self.loss) {
+            (ImpactMethod::Frictionless, None) => Ok(self.frictionless()),
+            (ImpactMethod::Frictionless, Some(loss)) => Ok(self.frictionless_with(loss)),
+            (ImpactMethod::Uncoupled { direction }, None) => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
                 Ok(self.uncoupled(&oblique, &direction))
             }
-            _ => {
-                let settled = self.settled(law)?;
-                Ok(self.outcome(&settled))
+            (ImpactMethod::Uncoupled { direction }, Some(loss)) => {
+                self.uncoupled_with(loss, &direction)
             }
+            (_, None) => Ok(self.outcome(&self.settled(law)?)),
+            (_, Some(loss)) => self.corrected(&self.settled(law)?, loss),
         }
     }
 
@@ -96,6 +98,12 @@ impl CoupledImpact {
         &self,
         law: TurningLaw,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError> {
+        if let (Some(_), Some(direction)) = (&self.loss, self.exact_direction()) {
+            let mut log = Log::default();
+            let samples = self.exact_samples_with(&direction)?;
+            samples.iter().for_each(|sample| log.see(sample, &self.velocity));
+            return Ok((self.solve(law)?, log.entries));
+        }
         match self.method() {
             ImpactMethod::Frictionless => {
                 let regime = Regime::SlideForward;
@@ -110,11 +118,12 @@ impl CoupledImpact {
             _ => {
                 let settled = self.settled(law)?;
                 let mut log = Log::default();
-                let make = |level| self.law(law, level);
-                self.replay(&settled, make, self.view(), |sample| {
-                    log.see(&sample, &self.velocity)
-                })?;
-                Ok((self.outcome(&settled), log.entries))
+                self.replayed(&settled, law, |sample| log.see(&sample, &self.velocity))?;
+                let outcome = match &self.loss {
+                    None => self.outcome(&settled),
+                    Some(loss) => self.corrected(&settled, loss)?,
+                };
+                Ok((outcome, log.entries))
             }
         }
     }
@@ -126,6 +135,9 @@ impl CoupledImpact {
     /// As [`CoupledImpact::solve`].
     pub fn history(&self, law: TurningLaw) -> Result<Vec<Sample>, CoupledError> {
         const COUNT: usize = 200;
+        if let (Some(_), Some(direction)) = (&self.loss, self.exact_direction()) {
+            return self.exact_samples_with(&direction);
+        }
         if let Some(direction) = self.exact_direction() {
             let step = normal::DURATION / COUNT as f64;
             let times: Vec<f64> = (0..=COUNT).map(|i| step * i as f64).collect();
@@ -133,21 +145,48 @@ impl CoupledImpact {
             return Ok(traced.into_iter().map(|instant| instant.sample).collect());
         }
         let settled = self.settled(law)?;
-        self.samples(&settled, |level| self.law(law, level), self.view())
+        let mut samples = Vec::new();
+        self.replayed(&settled, law, |sample| samples.push(sample))?;
+        Ok(with_ends_like_their_neighbours(samples))
     }
 }
 
 impl CoupledImpact {
-    fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
+    pub(super) fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
         let is_normal_uncoupled = self.method() == ImpactMethod::Spatial { coupled: false };
+        let e = self.loss.map_or(1.0, |loss| loss.restitution());
+        let normal_impulse = (1.0 + e) * problem.velocity.z / problem.mobility.m33;
+        let normal_impulse = is_normal_uncoupled.then_some(normal_impulse);
         let limits =
-            Limits::new(&problem.mobility, self.friction, &problem.velocity, is_normal_uncoupled);
+            Limits::new(&problem.mobility, self.friction, &problem.velocity, normal_impulse);
+        let restrict = |impulse: &_| limits.restrict(impulse);
         let make = |level| self.law(law, level);
-        let settled = problem
-            .settle(self.tolerance(), make, |impulse| limits.restrict(impulse))
-            .map_err(|failure| self.failed(failure))?;
-        self.checked(settled)
+        let settled = match self.viscosity()? {
+            None => problem.settle(self.tolerance(), make, restrict),
+            Some(viscosity) => {
+                let make = |level| self.viscous_law(make(level), viscosity);
+                problem.settle(self.tolerance(), make, restrict)
+            }
+        };
+        self.checked(settled.map_err(|failure| self.failed(failure))?)
+    }
+
+    // The finest run of `settled` once more.
+    fn replayed(
+        &self,
+        settled: &Settled,
+        law: TurningLaw,
+        observe: impl FnMut(Sample),
+    ) -> Result<(), CoupledError> {
+        let make = |level| self.law(law, level);
+        match self.viscosity()? {
+            None => self.replay(settled, make, self.view(), observe),
+            Some(viscosity) => {
+                let make = |level| self.viscous_law(make(level), viscosity);
+                self.replay(settled, make, self.view(), observe)
+            }
+        }
     }
 
     // Converged solution with a law in the units of the data.
@@ -209,12 +248,7 @@ impl CoupledImpact {
     ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
         let mut samples = Vec::new();
         self.replay(settled, make, view, |sample| samples.push(sample))?;
-        // At first contact and separation no annulus carries a load; the regime is that of the
-        // neighbouring instant.
-        if let [first, second, .., last_but_one, last] = &mut samples[..] {
-            (first.stage, last.stage) = (second.stage, last_but_one.stage);
-        }
-        Ok(samples)
+        Ok(with_ends_like_their_neighbours(samples))
     }
 
     fn law(&self, law: TurningLaw, level: Level) -> AnyLaw {
@@ -237,4 +271,12 @@ impl CoupledImpact {
             Failure::Law(failure) => CoupledError::Law(failure),
         }
     }
+}
+
+// At first contact and separation no annulus carries a load; the regime is that of the neighbouring instant.
+fn with_ends_like_their_neighbours(mut samples: Vec<Sample>) -> Vec<Sample> {
+    if let [first, second, .., last_but_one, last] = &mut samples[..] {
+        (first.stage, last.stage) = (second.stage, last_but_one.stage);
+    }
+    samples
 }

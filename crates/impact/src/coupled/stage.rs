@@ -1,8 +1,10 @@
 //! The stage of a contact: adhesion, slip at the edge, or sliding.
 
+use carom_laws::law::ContactLaw;
 use carom_laws::memory::{Lateral, MemoryRegime, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::sliders::SlipLines;
+use carom_laws::viscous::ViscousLaw;
 
 use crate::oblique::{Event, Regime};
 
@@ -32,6 +34,12 @@ impl Staged for SlipLines {
 impl<V: Lateral, S: VertexStack<V>> Staged for ShiftLaw<V, S> {
     fn stage(&self) -> Stage {
         self.regime().into()
+    }
+}
+
+impl<L: Staged + ContactLaw> Staged for ViscousLaw<L> {
+    fn stage(&self) -> Stage {
+        self.elastic().stage()
     }
 }
 

@@ -145,8 +145,11 @@ impl Trajectory {
             let time = now.time;
             let failed = move |source| LawFailure { step: number, time, source };
             let shift = self.place(&now, &recent, length);
-            if shift.z <= 0.0 {
-                let last = self.separation(&now, &shift, length);
+            let rates = self.rates(&now, length);
+            let depth = law.depth(as_shift(&shift), as_shift(&rates));
+            if depth <= 0.0 {
+                let pressed = law.depth(as_shift(&now.shift), as_shift(&now.velocity));
+                let last = self.separation(&now, &shift, length, [pressed, depth]);
                 let mut separated = last.shift;
                 separated.z = 0.0;
                 law.advance(as_shift(&separated)).map_err(failed)?;
@@ -159,14 +162,16 @@ impl Trajectory {
                 now = self.at_jump(&from, &recent, length, &mut held).map_err(failed)?;
                 observe(&now, &held);
                 steps.cut(length, now.time - from.time);
-                now.force = as_vector(&law.advance(as_shift(&now.shift)).map_err(failed)?);
+                let (to, rates) = (as_shift(&now.shift), as_shift(&now.velocity));
+                now.force = as_vector(&law.advance_at(to, rates).map_err(failed)?);
                 recent.restart(now.force);
                 observe(&now, law);
                 continue;
             }
             let slides = law.slides_on(as_shift(&now.velocity)) == Some(true);
             let held = slides.then(|| law.clone());
-            let force = as_vector(&law.advance(as_shift(&shift)).map_err(failed)?);
+            let load = law.advance_at(as_shift(&shift), as_shift(&rates)).map_err(failed)?;
+            let force = as_vector(&load);
             let next = self.reached(&now, &recent, length, (shift, force));
             let ends = law.slides_on(as_shift(&next.velocity)) != Some(true);
             if let Some(held) = held.filter(|_| ends) {
@@ -187,6 +192,11 @@ impl Trajectory {
     fn place(&self, now: &Point, recent: &Adams, length: f64) -> Vector3<f64> {
         let ahead = self.mobility * recent.ahead(length);
         now.shift + now.velocity * length - ahead
+    }
+
+    // The rates at the end of a step, with the force at its beginning; only a viscous law asks for them.
+    fn rates(&self, now: &Point, length: f64) -> Vector3<f64> {
+        now.velocity - self.mobility * now.force * length
     }
 
     fn reached(
@@ -212,7 +222,8 @@ impl Trajectory {
         let place = |length: f64| self.place(now, recent, length);
         let jump = Jump::find(length, |length| law.jumps(as_shift(&place(length))));
         let [before, after] = [jump.before, jump.after].map(place);
-        let force = as_vector(&law.advance(as_shift(&before))?);
+        let rates = self.rates(now, jump.before);
+        let force = as_vector(&law.advance_at(as_shift(&before), as_shift(&rates))?);
         Ok(self.reached(now, recent, jump.after, (after, force)))
     }
 
@@ -247,7 +258,8 @@ impl Trajectory {
         law: &L,
     ) -> Result<(Point, L), L::Error> {
         let (mut law, shift) = (law.clone(), self.place(now, recent, length));
-        let force = as_vector(&law.advance(as_shift(&shift))?);
+        let rates = self.rates(now, length);
+        let force = as_vector(&law.advance_at(as_shift(&shift), as_shift(&rates))?);
         Ok((self.reached(now, recent, length, (shift, force)), law))
     }
 
@@ -265,11 +277,20 @@ impl Trajectory {
         )
     }
 
-    // The force vanishes as the power 3/2 of the remaining time: its mean is 2/5.
-    fn separation(&self, now: &Point, extrapolated: &Vector3<f64>, length: f64) -> Point {
-        let part = (now.shift.z / (now.shift.z - extrapolated.z)).clamp(0.0, 1.0);
+    // The force vanishes as the power 3/2 of the remaining time: its mean is 2/5. An elastic contact ends where its
+    // approach does, a viscous one before.
+    fn separation(
+        &self,
+        now: &Point,
+        extrapolated: &Vector3<f64>,
+        length: f64,
+        [pressed, depth]: [f64; 2],
+    ) -> Point {
+        let part = (pressed / (pressed - depth)).clamp(0.0, 1.0);
         let mut shift = now.shift + (extrapolated - now.shift) * part;
-        shift.z = 0.0;
+        if depth == extrapolated.z {
+            shift.z = 0.0;
+        }
         let part = part * length;
         let impulse = now.impulse + now.force * (0.4 * part);
         let velocity = self.velocity - self.mobility * impulse;

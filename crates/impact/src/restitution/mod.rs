@@ -3,6 +3,7 @@
 use carom_special::RangeError;
 
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
+use crate::viscoelastic::{ViscoelasticImpact, ViscousLoss};
 
 mod dissimilar;
 mod map;
@@ -51,26 +52,46 @@ pub fn of_groups(chi: f64, psi: f64) -> Result<f64, RestitutionError> {
     Ok(ObliqueImpact::new(Groups::new(chi, psi)?)?.restitution())
 }
 
-/// R_x of an impact whose normal restitution is `normal` (e_n) instead of 1: an engineering
-/// input, not a result of the elastic theory.
-///
-/// Assumption: what removes normal energy shrinks the tangential impulse by the same share
-/// (1 + e_n)/2 as the normal one, so R_x = (1 + e_n)(1 + R_x elastic)/2 - 1. That is exact for
-/// impacts that slide throughout, whose tangential impulse is f times the normal one, and an
-/// interpolation for the others.
+/// R_x of an impact of a viscous material whose normal restitution is `normal` (e): exact for Kelvin-Voigt bodies, by
+/// [`crate::viscoelastic`], within 1e-5.
 ///
 /// ```
 /// use carom_impact::{oblique::Groups, restitution::with_normal_restitution};
-/// // Sliding: 1 + R_x = f (1 + e_n) v_z D_xx/(D_zz v_x) = (1 + e_n) chi/psi.
-/// let inelastic = with_normal_restitution(Groups::new(3.0, 8.0)?, 0.5)?;
-/// assert!((inelastic - (1.5 * 3.0 / 8.0 - 1.0)).abs() < 1e-15);
+/// // Sliding: 1 + R_x = f (1 + e) v_z D_xx/(D_zz v_x) = (1 + e) chi/psi.
+/// let sliding = with_normal_restitution(Groups::new(3.0, 8.0)?, 0.5)?;
+/// assert!((sliding - (1.5 * 3.0 / 8.0 - 1.0)).abs() < 1e-15);
+/// let sticking = with_normal_restitution(Groups::of_spheres(1.2, 2.0)?, 0.5)?;
+/// assert!((sticking - 0.15564).abs() < 2e-5);
 /// # Ok::<(), carom_impact::restitution::RestitutionError>(())
 /// ```
 ///
 /// # Errors
-/// [`RestitutionError::Range`] unless e_n is in [0, 1].
+/// [`RestitutionError::Range`] unless e is in [0, 1].
 pub fn with_normal_restitution(groups: Groups, normal: f64) -> Result<f64, RestitutionError> {
-    RangeError::check("normal restitution", normal, (0.0..=1.0).contains(&normal), "in [0, 1]")?;
+    let loss = ViscousLoss::of_restitution(normal)?;
+    if normal == 1.0 {
+        return Ok(ObliqueImpact::new(groups)?.restitution());
+    }
+    Ok(ViscoelasticImpact::new(groups, loss).solve(TOLERANCE).restitution)
+}
+
+/// Tolerance of R_x with a loss.
+const TOLERANCE: f64 = 1e-5;
+
+/// R_x of an impact of bodies that yield, whose normal restitution is `normal` (e), by
+/// [`crate::NormalRestitution::by_yield`]: `R_x = (1 + e)(1 + R_x elastic)/2 - 1`.
+///
+/// ```
+/// use carom_impact::{oblique::Groups, restitution::with_yield};
+/// let sliding = with_yield(Groups::new(3.0, 8.0)?, 0.5)?;
+/// assert!((sliding - (1.5 * 3.0 / 8.0 - 1.0)).abs() < 1e-15);
+/// # Ok::<(), carom_impact::restitution::RestitutionError>(())
+/// ```
+///
+/// # Errors
+/// [`RestitutionError::Range`] unless e is in [0, 1].
+pub fn with_yield(groups: Groups, normal: f64) -> Result<f64, RestitutionError> {
+    RangeError::check("normal_restitution", normal, (0.0..=1.0).contains(&normal), "from 0 to 1")?;
     let elastic = ObliqueImpact::new(groups)?.restitution();
     Ok(0.5 * (1.0 + normal) * (1.0 + elastic) - 1.0)
 }

@@ -92,27 +92,22 @@ fn run<const N: usize, const M: usize, const H: usize, const Q: usize>(
     tolerance: f64,
     observe: &mut dyn FnMut(Sample),
 ) -> Result<Passage, RingImpactError> {
-    let Problem { motion, constants, friction } = problem;
+    let Problem { motion, constants, friction, .. } = problem;
     let tolerance = Tolerance::new(tolerance)?;
     let turned = motion.direction();
     if motion.before[3] != 0.0 {
         let law = RingLaw::<N, M>::from_constants(*constants, *friction, tolerance)?;
-        return in_two_directions(
-            motion,
-            &law,
-            [turned, turned.ahead_by(PI / M as f64)],
-            steps,
-            observe,
-        );
+        let directions = [turned, turned.ahead_by(PI / M as f64)];
+        return in_two_directions((problem, &law), directions, steps, observe);
     }
     let motion = motion.along_x();
     let observe = &mut |sample: Sample| observe(turned.back(sample));
     let passage = if constants.gamma == 0.0 {
         let law = RingLaw::<N, Q, AlikePlane>::alike_in_plane(*constants, *friction, tolerance)?;
-        ended(motion.follow(law, steps, |at, law| observe(sample(at, law)))?)
+        followed((problem, &motion), law, steps, observe)
     } else {
         let law = RingLaw::<N, H, Plane>::in_plane(*constants, *friction, tolerance)?;
-        ended(motion.follow(law, steps, |at, law| observe(sample(at, law)))?)
+        followed((problem, &motion), law, steps, observe)
     };
     passage.map(|passage| Passage { after: turned.rates_back(passage.after), ..passage })
 }
@@ -120,15 +115,15 @@ fn run<const N: usize, const M: usize, const H: usize, const Q: usize>(
 /// The mean of a run with its axes along the tangential velocity and one with axes half of the distance of two angles
 /// ahead, for which the largest part of the error by too few angles has the other sign.
 fn in_two_directions<const N: usize, const M: usize>(
-    motion: &Motion,
-    law: &RingLaw<N, M>,
+    (problem, law): (&Problem, &RingLaw<N, M>),
     [first, second]: [Turned; 2],
     steps: usize,
     observe: &mut dyn FnMut(Sample),
 ) -> Result<Passage, RingImpactError> {
     let along = |direction: Turned, observe: &mut dyn FnMut(Sample)| {
-        let observe = |at, law: &RingLaw<N, M>| observe(direction.back(sample(at, law)));
-        let passage = ended(motion.along(direction).follow(law.clone(), steps, observe)?)?;
+        let motion = problem.motion.along(direction);
+        let observe = &mut |sample: Sample| observe(direction.back(sample));
+        let passage = followed((problem, &motion), law.clone(), steps, observe)?;
         Ok::<_, RingImpactError>((passage, direction.rates_back(passage.after)))
     };
     let (passage, one) = along(first, observe)?;
@@ -138,6 +133,22 @@ fn in_two_directions<const N: usize, const M: usize>(
         after: std::array::from_fn(|i| 0.5 * (one[i] + other[i])),
         by_direction,
         ..passage
+    })
+}
+
+/// One motion with a law, in the material of the problem.
+fn followed<const N: usize, const H: usize, S: Symmetry<H>>(
+    (problem, motion): (&Problem, &Motion),
+    law: RingLaw<N, H, S>,
+    steps: usize,
+    observe: &mut dyn FnMut(Sample),
+) -> Result<Passage, RingImpactError> {
+    ended(match problem.viscosity()? {
+        None => motion.follow(law, steps, |at, law| observe(sample(at, law)))?,
+        Some(viscosity) => {
+            let law = problem.viscous_law(law, viscosity);
+            motion.follow(law, steps, |at, law| observe(sample(at, law.elastic())))?
+        }
     })
 }
 

@@ -104,25 +104,36 @@ impl<'a> RingImpact<'a> {
         let before = Vector3::new(xi, eta, speed);
         let velocity = Vector3::new(xi_after, eta_after, zeta_after);
         let scale = problem.scale() * speed;
+        let impulse = self.collision.mobility().impulse(&before, &velocity);
+        let about = problem.motion.mobility[2];
+        let turns = omega != 0.0 && about > 0.0;
+        let torque_impulse = if turns { (omega_after - omega) / about } else { 0.0 };
+        let by_twist = -0.5 * torque_impulse * (omega + omega_after);
+        let material_heat = match problem.loss {
+            None => 0.0,
+            Some(_) => {
+                let lost = 0.5 * impulse.dot(&(before + velocity)) + by_twist;
+                (lost - found.passage.friction_heat).max(0.0)
+            }
+        };
         let outcome = CoupledOutcome {
             velocity,
-            impulse: self.collision.mobility().impulse(&before, &velocity),
+            impulse,
             duration: found.passage.duration,
             maximal_approach: found.passage.maximal_approach,
             maximal_force: found.passage.maximal_force,
             compressions: found.passage.compressions,
+            material_heat,
             method: ImpactMethod::Rings,
             error_estimate: (found.estimate * scale).hypot(found.normal * speed) / before.norm(),
             warning: None,
         };
         let mut known = Known { r_x: limit.map(|[r_x, _]| r_x), ..Known::default() };
-        let about = problem.motion.mobility[2];
-        if omega != 0.0 && about > 0.0 {
-            let torque_impulse = (omega_after - omega) / about;
+        if turns {
             known.torsion = Some(Torsion {
                 spin_ratio: omega_after / omega,
                 torque_impulse,
-                dissipated: -0.5 * torque_impulse * (omega + omega_after),
+                dissipated: by_twist,
                 error_estimate: found.spin,
             });
         }
@@ -185,6 +196,7 @@ impl<'a> RingImpact<'a> {
             duration: normal.duration(),
         };
         let friction = collision.friction();
-        Ok(Some(Problem { motion, constants: RingConstants::of(hertz)?, friction }))
+        let loss = collision.viscous_loss(velocity.z)?;
+        Ok(Some(Problem { motion, constants: RingConstants::of(hertz)?, friction, loss }))
     }
 }

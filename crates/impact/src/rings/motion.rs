@@ -1,6 +1,6 @@
 //! Integrates shift, approach and twist through a contact, by leapfrog steps of equal length.
 
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, FrictionWork, Shift};
 use nalgebra::Vector3;
 
 use crate::coupled::Sample;
@@ -28,6 +28,7 @@ pub(super) struct Passage {
     pub(super) duration: f64,
     pub(super) maximal_approach: f64,
     pub(super) maximal_force: f64,
+    pub(super) friction_heat: f64,
     pub(super) compressions: u32,
     /// Half of what the tangential rates after it change if the axes turn by half the distance of two angles; 0
     /// where symmetry fixes the axes.
@@ -117,31 +118,40 @@ impl Motion {
         let mut load = ContactLoad::default();
         let mut passage = Passage { compressions: 1, ..Passage::default() };
         observe(Instant { time: 0.0, shift: at, rates, load }, &law);
+        let mut friction = FrictionWork::default();
         for step in 0..PATIENCE * steps {
             // Rates at the middle of the step.
             let middle = self.pushed(&rates, &load, 0.5 * h);
             let next: Rates = std::array::from_fn(|i| at[i] + h * middle[i]);
-            if next[0] <= 0.0 {
+            let ahead = self.pushed(&middle, &load, 0.5 * h);
+            let depth = law.depth(as_shift(&next), as_shift(&ahead));
+            if depth <= 0.0 {
                 // The force decreases with the power 3/2 of the remaining time: its mean is 2/5.
-                let part = (at[0] / (at[0] - next[0])).clamp(0.0, 1.0);
+                let pressed = law.depth(as_shift(&at), as_shift(&rates));
+                let part = (pressed / (pressed - depth)).clamp(0.0, 1.0);
                 passage.after = self.pushed(&rates, &load, 0.4 * part * h);
                 passage.duration = (step as f64 + part) * h;
                 let mut shift: Rates = std::array::from_fn(|i| at[i] + part * (next[i] - at[i]));
-                shift[0] = 0.0;
+                // An elastic contact ends where its approach does, a viscous one before.
+                if depth == next[0] {
+                    shift[0] = 0.0;
+                }
                 let load = ContactLoad::default();
+                friction.see(law.elastic_shift(), load);
+                passage.friction_heat = friction.sum();
                 observe(
                     Instant { time: passage.duration, shift, rates: passage.after, load },
                     &law,
                 );
                 return Ok(Some(passage));
             }
-            let [zeta, xi, eta, omega] = next;
-            load = law.advance(Shift { zeta, xi, eta, omega })?;
+            load = law.advance_at(as_shift(&next), as_shift(&ahead))?;
+            friction.see(law.elastic_shift(), load);
             let old = rates[0];
             (at, rates) = (next, self.pushed(&middle, &load, 0.5 * h));
             observe(Instant { time: (step + 1) as f64 * h, shift: at, rates, load }, &law);
             passage.compressions += u32::from(old <= 0.0 && rates[0] > 0.0);
-            passage.maximal_approach = passage.maximal_approach.max(zeta);
+            passage.maximal_approach = passage.maximal_approach.max(next[0]);
             passage.maximal_force = passage.maximal_force.max(load.f_z);
         }
         Ok(None)
@@ -153,6 +163,10 @@ impl Motion {
         let pushes = [along * load.f_z, across * load.f_x, across * load.f_y, about * load.m_z];
         std::array::from_fn(|i| rates[i] - time * pushes[i])
     }
+}
+
+fn as_shift([zeta, xi, eta, omega]: &Rates) -> Shift {
+    Shift { zeta: *zeta, xi: *xi, eta: *eta, omega: *omega }
 }
 
 #[cfg(test)]

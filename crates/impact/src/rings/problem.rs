@@ -1,13 +1,18 @@
 //! An impact by rings in contact axes, and the one of similar bodies whose solution is known.
 
 use carom_laws::friction::Friction;
+use carom_laws::law::ContactLaw;
 use carom_laws::rings::RingConstants;
+use carom_laws::stiffness::ContactStiffness;
+use carom_laws::viscous::{Viscosity, ViscousLaw};
+use carom_special::RangeError;
 
 use super::RingImpactError;
 use super::motion::{Motion, Rates};
 use crate::collision::CollisionError;
 use crate::normal::DURATION;
 use crate::oblique::{Groups, ObliqueImpact};
+use crate::viscoelastic::{ViscoelasticImpact, ViscousLoss};
 
 /// D_zz that gives a maximum approach of 1 for unit velocity and c_z = 4.
 const MOBILITY: f64 = 15.0 / 32.0;
@@ -18,7 +23,12 @@ pub(super) struct Problem {
     pub(super) motion: Motion,
     pub(super) constants: RingConstants,
     pub(super) friction: Friction,
+    /// The loss of the material; none of an elastic one.
+    pub(super) loss: Option<ViscousLoss>,
 }
+
+/// Tolerance of R_x of similar bodies with a loss.
+const ALIKE: f64 = 1e-4;
 
 impl Problem {
     /// An impact with unit normal velocity and maximum approach; `lambda` is the tangential velocity over f,
@@ -35,7 +45,7 @@ impl Problem {
             duration: DURATION,
         };
         let constants = RingConstants { c_z: 4.0, radius: 1.0, kappa, gamma };
-        Self { motion, constants, friction }
+        Self { motion, constants, friction, loss: None }
     }
 
     /// The same impact of similar bodies without spin.
@@ -71,6 +81,9 @@ impl Problem {
             Some(f) => slip / (self.constants.kappa * speed * f),
         };
         let groups = Groups::new(chi, psi)?;
+        if let Some(loss) = self.loss {
+            return Ok(ViscoelasticImpact::new(groups, loss).solve(ALIKE).restitution);
+        }
         let impact = ObliqueImpact::new(groups).map_err(CollisionError::from)?;
         Ok(impact.restitution())
     }
@@ -79,6 +92,25 @@ impl Problem {
     pub(super) fn exact(&self) -> Result<Rates, RingImpactError> {
         let [speed, xi, eta, _] = self.motion.before;
         let restitution = self.exact_restitution()?;
-        Ok([-speed, -restitution * xi, -restitution * eta, 0.0])
+        Ok([-self.normal() * speed, -restitution * xi, -restitution * eta, 0.0])
+    }
+
+    /// The normal restitution of similar bodies.
+    pub(super) fn normal(&self) -> f64 {
+        self.loss.map_or(1.0, |loss| loss.restitution())
+    }
+
+    /// The viscosity of the material, if it loses energy.
+    pub(super) fn viscosity(&self) -> Result<Option<Viscosity>, RangeError> {
+        // The duration of the free impact is that of Hertz, in units of zeta_max/v.
+        let unit = self.motion.duration / DURATION * libm::pow(1.25, -0.4);
+        self.loss.map(|loss| Viscosity::new(unit * loss.relaxation())).transpose()
+    }
+
+    /// A law in a material with this viscosity.
+    pub(super) fn viscous_law<L: ContactLaw>(&self, law: L, viscosity: Viscosity) -> ViscousLaw<L> {
+        let RingConstants { c_z, kappa, .. } = self.constants;
+        let stiffness = ContactStiffness { c_x: c_z / kappa, c_y: c_z / kappa, c_z };
+        ViscousLaw::new(law, viscosity, self.friction.get(), stiffness)
     }
 }

@@ -44,8 +44,15 @@ impl Problem {
     /// Refines until the estimates of the tangential velocity over f v_z and of the normal one over v_z are
     /// as allowed.
     pub(super) fn found(&self, [allowed, normal]: [f64; 2]) -> Result<Found, RingImpactError> {
-        if let Some(Slide { passage, estimate, normal }) = self.slide()? {
+        if let Some(Slide { mut passage, estimate, normal }) = self.slide()? {
             let [speed, xi, eta, _] = self.motion.before;
+            // All slides: whatever the material, each part of the impulse is in proportion to that along the normal.
+            let part = 0.5 * (1.0 + self.normal());
+            if part < 1.0 {
+                for (after, before) in passage.after.iter_mut().zip(self.motion.before) {
+                    *after = before + part * (*after - before);
+                }
+            }
             let touch = Sample {
                 time: 0.0,
                 shift: Vector3::zeros(),
@@ -172,6 +179,14 @@ impl Problem {
         LEFT_OUT * strength * strength * self.reached()
     }
 
+    /// By how much the step law of a viscous material is corrected: as much may be left of its error.
+    pub(super) fn taken_from_viscous_law(&self, alike: &Passage, exact: &Rates) -> f64 {
+        if self.loss.is_none() {
+            return 0.0;
+        }
+        libm::hypot(exact[1] - alike.after[1], exact[2] - alike.after[2])
+    }
+
     /// The result of the finer of two runs, corrected by the error for similar bodies.
     fn judged(
         &self,
@@ -191,7 +206,9 @@ impl Problem {
         let change: Rates =
             std::array::from_fn(|i| (passage.after[i] - without(old, old_alike, i)).abs());
         let over = self.scale() * self.motion.before[0];
-        let estimate = level.left * change[1].hypot(change[2]) / over + self.floor(level);
+        let estimate = level.left * change[1].hypot(change[2]) / over
+            + self.floor(level)
+            + self.taken_from_viscous_law(new_alike, &exact) / over;
         let normal = level.left * change[0] / self.motion.before[0];
         let spin = level.left * change[3] / self.motion.before[3].abs() + level.floor.of_spin;
         Found { passage, estimate, normal, spin, level: *level, samples: Vec::new() }

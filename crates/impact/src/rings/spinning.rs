@@ -42,11 +42,15 @@ impl Problem {
         for (level, rings) in SPINNING.into_iter().take(finest) {
             let mut samples = Vec::new();
             let mut passage = level.observed(self, &mut |sample| samples.push(sample))?;
-            passage.after[0] += exact[0] - level.passage(&alike)?.after[0];
+            let alike = level.passage(&alike)?;
+            passage.after[0] += exact[0] - alike.after[0];
+            let by_law = self.taken_from_viscous_law(&alike, &exact)
+                / (self.scale() * self.motion.before[0]);
             let now = Spun::after(last.as_ref(), passage, rings);
             if last.is_some() {
                 let found = self.judged_spinning(&level, &now);
-                let found = Found { samples, estimate: found.estimate + left_out, ..found };
+                let estimate = found.estimate + left_out + by_law;
+                let found = Found { samples, estimate, ..found };
                 let enough =
                     found.estimate <= allowed.max(2.0 * left_out) && found.normal <= normal;
                 best = Some(found);

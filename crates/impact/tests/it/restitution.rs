@@ -1,7 +1,7 @@
 //! The restitution table and map against the exact impact.
 
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
-use carom_impact::restitution::{RestitutionTable, restitution_map};
+use carom_impact::restitution::{RestitutionTable, restitution_map, with_normal_restitution};
 
 /// A fixed sequence of numbers in [0, 1).
 struct Sequence(u64);
@@ -114,4 +114,49 @@ fn map_is_the_exact_impact_with_progress() {
         }
     }
     assert!(restitution_map(&[-1.0], &[1.0], |_| ()).is_err());
+}
+
+/// Drawn solid spheres: against the impact itself.
+#[test]
+fn the_table_with_a_loss_is_as_near_as_it_says() {
+    let table = RestitutionTable::shared();
+    let mut draw = Draw(77);
+    let (mut sum, mut worst, count) = (0.0, 0.0_f64, 400);
+    for _ in 0..count {
+        let (kappa, e) = (0.86 + 0.64 * draw.next(), 0.1 + 0.9 * draw.next());
+        let border = 3.5 * (1.0 + e) - kappa * e;
+        let groups = Groups::of_spheres(kappa, 1.05 * border * draw.next()).unwrap();
+        let error = (table.restitution_with(groups, e).unwrap()
+            - with_normal_restitution(groups, e).unwrap())
+        .abs();
+        sum += error;
+        worst = worst.max(error);
+    }
+    assert!(worst < 3e-3, "{worst}");
+    assert!(sum / f64::from(count) < 2e-4, "{}", sum / f64::from(count));
+}
+
+#[test]
+fn the_table_with_a_loss_goes_over_into_the_elastic_one() {
+    let table = RestitutionTable::shared();
+    for (kappa, lambda) in [(0.9, 0.3), (1.2, 2.0), (1.5, 4.0), (1.2, 8.0)] {
+        let groups = Groups::of_spheres(kappa, lambda).unwrap();
+        let at = |e: f64| table.restitution_with(groups, e).unwrap();
+        assert_eq!(at(1.0).to_bits(), table.restitution(groups).unwrap().to_bits());
+        assert!((at(1.0 - 1e-9) - at(1.0)).abs() < 1e-7);
+        // Below .1 the impact is integrated; at 0 it is a closed form.
+        assert!((at(0.1 - 1e-9) - at(0.1)).abs() < 1e-3);
+        assert!((at(0.0) - (3.5 / lambda - 1.0).min(0.0)).abs() < 1e-12);
+    }
+}
+
+struct Draw(u64);
+
+impl Draw {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
 }

@@ -133,7 +133,7 @@ impl Pair {
     }
 
     fn along_normal(&self) -> Rebound {
-        collided(&self.along(self.normal.into()))
+        collided(&self.along(self.normal.into()).keeping_axes())
     }
 
     /// The greatest velocity of the contact that is about: roundings are measured against it.
@@ -231,7 +231,8 @@ fn what_grazes_is_at_coulombs_limit() {
             let motion = Motion::new([1.0, 0.2, -normal], [0.0; 3]).unwrap();
             let ball = Body::sphere(0.01, steel, 0.03).unwrap().moving(motion);
             let other = Body::sphere(0.02, steel, 0.5).unwrap();
-            let rebound = collided(&Collision::new(ball, other, friction(f)).unwrap());
+            let rebound =
+                collided(&Collision::new(ball, other, friction(f)).unwrap().keeping_axes());
             let impulse = rebound.impulse;
             let (drag, limit) = (impulse.xy().norm(), f * impulse.z);
             assert!((drag / limit - 1.0).abs() < 1e-15, "{normal} {f}: {drag} of {limit}");

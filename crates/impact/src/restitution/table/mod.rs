@@ -15,6 +15,7 @@ use atlas::{Atlas, CHI, ORDER, Region, chebyshev};
 
 mod atlas;
 mod build;
+mod loss;
 mod stored;
 
 /// A table of R_x(chi, psi) for chi in [0.5, 6.5] and any psi.

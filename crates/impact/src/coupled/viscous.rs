@@ -1,0 +1,260 @@
+//! Impacts whose material loses energy like a Kelvin-Voigt body, solved by its row of springs.
+
+use carom_laws::law::ContactLaw;
+use carom_laws::stiffness::ContactStiffness;
+use carom_laws::viscous::{Viscosity, ViscousLaw};
+use carom_special::RangeError;
+use nalgebra::{Matrix3, Vector3};
+
+use super::direction::length_and_direction;
+use super::impact::Unsettled;
+use super::limits::Limits;
+use super::refine::Settled;
+use super::{CoupledError, CoupledImpact, CoupledOutcome, ImpactMethod, Sample, Stage, TurningLaw};
+use crate::mobility::Mobility;
+use crate::viscoelastic::{Instant, NormalRebound, ViscoelasticImpact, ViscousLoss};
+
+/// Default tolerance of R_x.
+const TOLERANCE: f64 = 1e-4;
+/// Shares of the contact radius within which all of it sticks, or slides.
+const WHOLE: f64 = 1e-9;
+
+/// The units of [`crate::viscoelastic`]: m = K = v = 1.
+struct Units {
+    time: f64,
+    length: f64,
+    force: f64,
+}
+
+impl CoupledImpact {
+    /// The same impact of a material with this loss.
+    pub(crate) fn with_loss(self, loss: ViscousLoss) -> Self {
+        Self { loss: (loss.restitution() < 1.0).then_some(loss), ..self }
+    }
+
+    /// The viscosity of the material, if it loses energy.
+    ///
+    /// # Errors
+    /// [`RangeError`] if the relaxation time overflows.
+    pub fn material_viscosity(&self) -> Result<Option<Viscosity>, RangeError> {
+        let unit = self.viscous_units().time;
+        self.loss.map(|loss| Viscosity::new(unit * loss.relaxation())).transpose()
+    }
+
+    /// The approach at which an elastic contact bears the greatest force of this impact without friction.
+    #[must_use]
+    pub fn deepest(&self) -> f64 {
+        let force = |loss: ViscousLoss| libm::cbrt(loss.normal_rebound().maximal_force);
+        let length = self.viscous_units().length;
+        self.loss.map_or(self.normal.maximal_approach(), |loss| length * force(loss).powi(2))
+    }
+
+    /// Whether the material loses energy.
+    #[must_use]
+    pub const fn loses(&self) -> bool {
+        self.loss.is_some()
+    }
+
+    fn viscous_units(&self) -> Units {
+        // zeta_max is (5/4)^(2/5) times the unit of length.
+        let part = libm::pow(1.25, -0.4);
+        let (time, length) =
+            (part * self.normal.time_unit(), part * self.normal.maximal_approach());
+        Units { time, length, force: self.velocity.z / (self.mobility.matrix().m33 * time) }
+    }
+
+    /// The largest error of R_x with which the velocity keeps its tolerance.
+    fn tolerance_of_restitution(&self) -> f64 {
+        let slip = length_and_direction(&self.velocity).0;
+        self.tolerance.map_or(TOLERANCE, |whole| whole * self.velocity.norm() / slip)
+    }
+
+    /// An impact without friction, with a loss.
+    pub(super) fn frictionless_with(&self, loss: &ViscousLoss) -> CoupledOutcome {
+        let impulse = Vector3::z() * self.normal_impulse(loss);
+        let mut velocity = self.after(&impulse);
+        velocity.z = -loss.restitution() * self.velocity.z;
+        let material_heat = 0.5 * impulse.z * (self.velocity.z + velocity.z);
+        self.lossy((velocity, impulse), &loss.normal_rebound(), material_heat)
+    }
+
+    /// An uncoupled impact with a loss.
+    pub(super) fn uncoupled_with(
+        &self,
+        loss: &ViscousLoss,
+        direction: &Vector3<f64>,
+    ) -> Result<CoupledOutcome, CoupledError> {
+        let impact = ViscoelasticImpact::new(self.groups(direction)?, *loss);
+        let rebound = impact.solve(self.tolerance_of_restitution());
+        let (slip, (_, mobility)) =
+            (length_and_direction(&self.velocity).0, self.tangential(direction));
+        let mut velocity = direction * (-rebound.restitution * slip);
+        velocity.z = -loss.restitution() * self.velocity.z;
+        let mut impulse = Vector3::z() * self.normal_impulse(loss);
+        let limit = self.friction.get() * impulse.z;
+        impulse += direction * ((1.0 + rebound.restitution) * slip / mobility).min(limit);
+        let lost = 0.5 * impulse.dot(&(self.velocity + velocity));
+        let friction = self.friction_heat(rebound.friction_heat, impact.psi(), direction);
+        let normal = NormalRebound {
+            duration: rebound.duration,
+            maximal_approach: rebound.maximal_approach,
+            maximal_force: rebound.maximal_force,
+        };
+        let outcome = self.lossy((velocity, impulse), &normal, (lost - friction).max(0.0));
+        let error_estimate = rebound.error_estimate * slip / self.velocity.norm();
+        Ok(CoupledOutcome { error_estimate, ..outcome })
+    }
+
+    // f^2 kappa m v^2 times a number; f by psi, which is finite for all friction.
+    fn friction_heat(&self, heat: f64, psi: f64, direction: &Vector3<f64>) -> f64 {
+        let slip = length_and_direction(&self.velocity).0;
+        let ratio = self.tangential(direction).0 / self.stiffness.c_z;
+        let over = slip / psi;
+        ratio * over * over / self.mobility.matrix().m33 * heat
+    }
+
+    fn normal_impulse(&self, loss: &ViscousLoss) -> f64 {
+        0.5 * (1.0 + loss.restitution()) * self.normal.impulse()
+    }
+
+    fn lossy(
+        &self,
+        (velocity, impulse): (Vector3<f64>, Vector3<f64>),
+        normal: &NormalRebound,
+        material_heat: f64,
+    ) -> CoupledOutcome {
+        let units = self.viscous_units();
+        CoupledOutcome {
+            duration: normal.duration * units.time,
+            maximal_approach: normal.maximal_approach * units.length,
+            maximal_force: normal.maximal_force * units.force,
+            material_heat,
+            ..self.exact(velocity, impulse)
+        }
+    }
+
+    /// The instants of an uncoupled impact with a loss, first contact and separation among them.
+    pub(super) fn exact_samples_with(
+        &self,
+        direction: &Vector3<f64>,
+    ) -> Result<Vec<Sample>, CoupledError> {
+        let loss = &self.loss.unwrap_or(ViscousLoss::NONE);
+        let outcome = match self.friction.get() == 0.0 {
+            true => self.frictionless_with(loss),
+            false => self.uncoupled_with(loss, direction)?,
+        };
+        let impact = ViscoelasticImpact::new(self.groups(direction)?, *loss);
+        let (instants, psi) = impact.instants(self.tolerance_of_restitution());
+        let (units, slip) = (self.viscous_units(), length_and_direction(&self.velocity).0);
+        let ratio = self.tangential(direction).0 / self.stiffness.c_z;
+        let over = slip / psi;
+        let pull = ratio * over / self.velocity.z * units.force;
+        let along = |x: f64, z: f64| direction * x + Vector3::z() * z;
+        let sample = |at: &Instant| Sample {
+            time: units.time * at.time,
+            shift: along(over * units.time * at.shift, units.length * at.approach),
+            velocity: along(over * at.rate, self.velocity.z * at.speed),
+            force: along(pull * at.force, units.force * at.normal_force),
+            stage: stage(at.sticks),
+        };
+        let mut samples: Vec<Sample> = instants.iter().map(sample).collect();
+        let (Some(first), Some(last)) = (samples.first().copied(), samples.last().copied()) else {
+            return Ok(samples);
+        };
+        let none = Vector3::zeros();
+        samples.insert(
+            0,
+            Sample { time: 0.0, shift: none, velocity: self.velocity, force: none, ..first },
+        );
+        let rest = outcome.duration - last.time;
+        let shift = last.shift + 0.5 * rest * (last.velocity + outcome.velocity);
+        let (time, velocity) = (outcome.duration, outcome.velocity);
+        samples.push(Sample { time, shift, velocity, force: none, ..last });
+        Ok(samples)
+    }
+}
+
+impl CoupledImpact {
+    /// The relaxation time in the units of the problem.
+    pub(super) fn viscosity(&self) -> Result<Option<Viscosity>, RangeError> {
+        let unit = libm::pow(1.25, -0.4);
+        self.loss.map(|loss| Viscosity::new(unit * loss.relaxation())).transpose()
+    }
+
+    pub(super) fn viscous_law<L: ContactLaw>(&self, law: L, viscosity: Viscosity) -> ViscousLaw<L> {
+        ViscousLaw::new(law, viscosity, self.friction.get(), self.scaled())
+    }
+
+    /// The outcome of a stepped impact with a loss, less the error of the step law ([`ViscousLaw`]) in the same impact
+    /// without couplings, whose solution is known. As much again is the estimate of what remains.
+    pub(super) fn corrected(
+        &self,
+        settled: &Settled,
+        loss: &ViscousLoss,
+    ) -> Result<CoupledOutcome, CoupledError> {
+        let mut outcome = self.outcome(settled);
+        let units = self.units();
+        let friction = settled.run.friction_heat * units.force * units.length;
+        let error = self.viscous_step_error()?;
+        outcome.velocity -= error;
+        let impulse = self.mobility.impulse(&self.velocity, &outcome.velocity);
+        let normal = (outcome.method == ImpactMethod::Spatial { coupled: false })
+            .then(|| self.normal_impulse(loss));
+        let limits = Limits::new(self.mobility.matrix(), self.friction, &self.velocity, normal);
+        outcome.impulse = limits.restrict(&impulse);
+        outcome.velocity = self.after(&outcome.impulse);
+        if normal.is_some() {
+            outcome.velocity.z = -loss.restitution() * self.velocity.z;
+        }
+        let lost = 0.5 * outcome.impulse.dot(&(self.velocity + outcome.velocity));
+        outcome.material_heat = (lost - friction).max(0.0);
+        outcome.error_estimate += error.norm() / self.velocity.norm();
+        Ok(outcome)
+    }
+
+    /// By how much the step law of a viscous material ([`ViscousLaw`]) errs in the velocity after this impact, if nothing
+    /// coupled or turned: zero for an elastic material.
+    ///
+    /// # Errors
+    /// As [`CoupledImpact::solve`].
+    pub fn viscous_step_error(&self) -> Result<Vector3<f64>, CoupledError> {
+        let Some(loss) = &self.loss else { return Ok(Vector3::zeros()) };
+        let (slip, direction) = length_and_direction(&self.velocity);
+        let Ok(groups) = self.groups(&direction) else { return Ok(Vector3::zeros()) };
+        if slip == 0.0 {
+            return Ok(Vector3::zeros());
+        }
+        let exact = ViscoelasticImpact::new(groups, *loss).solve(TOLERANCE).restitution;
+        let twin = self.twin(&direction)?;
+        let stepped = -twin.settled(TurningLaw::FixedDirection)?.run.velocity.x;
+        let stepped = stepped * self.velocity.z / slip;
+        Ok(direction * ((exact - stepped) * slip))
+    }
+
+    // The same impact along its slip, solved in steps though nothing couples.
+    fn twin(&self, direction: &Vector3<f64>) -> Result<Self, RangeError> {
+        let (stiffness, across) = self.tangential(direction);
+        let along = self.mobility.matrix().m33;
+        let mobility =
+            Mobility::from_matrix(Matrix3::from_diagonal(&Vector3::new(across, across, along)))?;
+        let slip = length_and_direction(&self.velocity).0;
+        let velocity = Vector3::new(slip, 0.0, self.velocity.z);
+        let stiffness = ContactStiffness { c_x: stiffness, c_y: stiffness, ..self.stiffness };
+        Ok(Self {
+            mobility,
+            stiffness,
+            static_friction: None,
+            velocity,
+            unsettled: Unsettled::Accepted,
+            ..*self
+        })
+    }
+}
+
+fn stage(sticks: f64) -> Stage {
+    match sticks {
+        sticks if sticks >= 1.0 - WHOLE => Stage::Adhesion,
+        sticks if sticks <= WHOLE => Stage::Slide,
+        _ => Stage::Slip,
+    }
+}

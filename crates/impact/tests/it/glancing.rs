@@ -1,0 +1,271 @@
+//! Glancing impacts of two balls, whose line of centres turns during the contact.
+
+use carom_halfspace::Material;
+use carom_impact::{
+    AnalyticOrRings, Body, Collision, CollisionSolver, Motion, NormalRestitution, Rebound,
+};
+use carom_laws::friction::Friction;
+use carom_laws::stiffness::ContactStiffness;
+use nalgebra::Vector2;
+
+const PI: f64 = std::f64::consts::PI;
+
+/// Equal balls: radius, mass, material.
+#[derive(Clone, Copy)]
+struct Pair {
+    radius: f64,
+    mass: f64,
+    material: Material,
+}
+
+impl Pair {
+    fn of_density(radius: f64, density: f64, young: f64, poisson: f64) -> Self {
+        let mass = density * 4.0 / 3.0 * PI * radius.powi(3);
+        Self { radius, mass, material: Material::from_young(young, poisson).unwrap() }
+    }
+
+    /// Body 1 comes at this speed, its velocity at this angle from the line of centres; body 2 rests.
+    fn collision(&self, speed: f64, degrees: f64, friction: f64, spins: [f64; 2]) -> Collision {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let ball = |velocity: [f64; 3], spin: f64| {
+            let motion = Motion::new(velocity, [0.0, spin, 0.0]).unwrap();
+            Body::sphere(self.radius, self.material, self.mass).unwrap().moving(motion)
+        };
+        let one = ball([speed * sine, 0.0, -speed * cosine], spins[0]);
+        Collision::new(one, ball([0.0; 3], spins[1]), Friction::new(friction).unwrap()).unwrap()
+    }
+}
+
+fn rebound(collision: &Collision) -> Rebound {
+    AnalyticOrRings.solve(collision).unwrap().rebound().unwrap().clone()
+}
+
+/// The velocity at which the balls part along the first line of centres.
+fn along(rebound: &Rebound) -> f64 {
+    rebound.motions[0].velocity.z - rebound.motions[1].velocity.z
+}
+
+/// Integrated elsewhere with Hertz's force along the line of centres, relative tolerance 1e-11.
+#[test]
+fn balls_without_friction_leave_as_known() {
+    let steel = Pair::of_density(4.5e-3, 2500.0, 2e11, 0.3);
+    let soft = Pair::of_density(4.5e-3, 2500.0, 1e7, 0.3);
+    let pool = Pair {
+        radius: 28.575e-3,
+        mass: 0.17,
+        material: Material::from_young(5.84e9, 0.34).unwrap(),
+    };
+    let rows = [
+        (steel, 5.0, 88.0, 0.1094),
+        (soft, 0.5, 75.0, 0.0944),
+        (soft, 0.5, 85.0, 0.0037),
+        (pool, 3.0, 80.0, 0.4540),
+        (pool, 3.0, 85.0, 0.1849),
+        (pool, 3.0, 88.0, 0.0213),
+    ];
+    for (pair, speed, degrees, known) in rows {
+        let collision = pair.collision(speed, degrees, 0.0, [0.0; 2]);
+        let rebound = rebound(&collision);
+        let got = along(&rebound);
+        assert!((got - known).abs() < 4e-4 * speed, "{speed} {degrees}: {got} {known}");
+        let energy = rebound.energy;
+        assert!((energy.after - energy.before).abs() < 1e-12 * energy.before, "{energy:?}");
+    }
+}
+
+/// What a ball on a plane does, and what balls do that meet head on, is not touched.
+#[test]
+fn planes_and_head_on_impacts_are_unchanged() {
+    let steel = Pair::of_density(4.5e-3, 2500.0, 2e11, 0.3);
+    let head_on = rebound(&steel.collision(1.0, 0.0, 0.3, [0.0; 2]));
+    assert_eq!(head_on.motions[0].velocity.z.abs().max(1e-15), 1e-15);
+    assert_eq!(head_on.error_estimate, 0.0);
+}
+
+/// From kept axes to turning ones the rebound changes within its estimate, and evenly.
+#[test]
+fn nothing_jumps_where_the_turn_begins_to_count() {
+    let steel = Pair::of_density(4.5e-3, 2500.0, 2e11, 0.3);
+    let mut last: Option<(f64, f64)> = None;
+    for k in 0..=80 {
+        // At .3 m/s along the normal the turn passes .007 to .012.
+        let across: f64 = 2.0 + 0.05 * f64::from(k);
+        let (speed, degrees) = (across.hypot(0.3), across.atan2(0.3).to_degrees());
+        let collision = steel.collision(speed, degrees, 0.0, [0.0; 2]);
+        let [turning, kept] = [collision.clone(), collision.keeping_axes()].map(|c| rebound(&c));
+        let change = (along(&turning) - along(&kept)).abs();
+        let whole = across * across * kept.duration / (2.0 * steel.radius);
+        let estimate = turning.error_estimate * speed;
+        assert!((whole - change).abs() < estimate + 0.15 * whole, "{across}: {change} {whole}");
+        if let Some((last_change, last_estimate)) = last {
+            assert!((change - last_change).abs() < 3e-3, "{across}: {change} {last_change}");
+            assert!(
+                (estimate - last_estimate).abs() < 6e-3,
+                "{across}: {estimate} {last_estimate}"
+            );
+        }
+        last = Some((change, estimate));
+    }
+}
+
+/// Two balls in a plane whose contact is a row of springs, in axes that turn with the centres: shares no code with the
+/// library. Returns velocities and spins.
+struct Springs {
+    place: Vec<f64>,
+    bent: Vec<f64>,
+    touched: Vec<bool>,
+}
+
+fn integrated(
+    pair: &Pair,
+    collision: &Collision,
+    friction: f64,
+    steps: usize,
+) -> [(Vector2<f64>, f64); 2] {
+    let ContactStiffness { c_x, c_z, .. } = collision.hertz().stiffness();
+    let (radius, mass) = (pair.radius, pair.mass);
+    let inertia = 0.4 * mass * radius * radius;
+    let bodies = collision.bodies();
+    let plane = |i: usize| {
+        let motion = bodies[i].motion();
+        (Vector2::new(motion.velocity.x, motion.velocity.z), motion.spin.y)
+    };
+    let mut at = [Vector2::new(0.0, 2.0 * radius), Vector2::zeros()];
+    let mut state = [plane(0), plane(1)];
+    // Springs at x = sqrt(depth of touch): F_z = c_z int (zeta - x^2) dx.
+    let count = 400;
+    let duration = rebound(collision).duration;
+    let greatest = 1.3 * rebound(collision).maximal_approach;
+    let dx = greatest.sqrt() / count as f64;
+    let place: Vec<f64> = (0..count).map(|i| ((i as f64 + 0.5) * dx).powi(2)).collect();
+    let mut row = Springs { bent: vec![0.0; count], touched: vec![false; count], place };
+    let dt = duration / steps as f64;
+    for _ in 0..20 * steps {
+        for i in 0..2 {
+            at[i] += dt * state[i].0;
+        }
+        let apart = at[0] - at[1];
+        let normal = apart / apart.norm();
+        let zeta = 2.0 * radius - apart.norm();
+        if zeta <= 0.0 {
+            break;
+        }
+        // x, y, z right-handed with z up: a spin about y moves the lower side of body 1 against x.
+        let tangent = Vector2::new(normal.y, -normal.x);
+        let slip = (state[1].0 - state[0].0).dot(&tangent) + radius * (state[0].1 + state[1].1);
+        let (mut f_x, mut f_z) = (0.0, 0.0);
+        for i in 0..count {
+            let depth = zeta - row.place[i];
+            if depth <= 0.0 {
+                (row.bent[i], row.touched[i]) = (0.0, false);
+                continue;
+            }
+            let share = if row.touched[i] { 1.0 } else { (depth / (dt * 1e-30 + depth)).min(1.0) };
+            row.touched[i] = true;
+            let limit = friction * c_z * depth;
+            let force = (c_x * (row.bent[i] + share * slip * dt)).clamp(-limit, limit);
+            row.bent[i] = force / c_x;
+            f_x += force * dx;
+            f_z += c_z * depth * dx;
+        }
+        let force = normal * f_z + tangent * f_x;
+        let torque = radius * f_x;
+        for (i, sign) in [1.0, -1.0].into_iter().enumerate() {
+            state[i].0 += force * (sign * dt / mass);
+            state[i].1 -= torque * dt / inertia;
+        }
+    }
+    state
+}
+
+struct Draw(u64);
+
+impl Draw {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+#[test]
+fn drawn_pairs_leave_as_an_integration_of_springs_says() {
+    let mut draw = Draw(0x0061_a9c1);
+    let (mut covered, count) = (0, 24);
+    for _ in 0..count {
+        let young = 10.0_f64.powf(7.0 + 4.0 * draw.next());
+        let pair = Pair::of_density(4.5e-3, 2500.0, young, 0.5 * draw.next());
+        let speed = (0.2 + draw.next()) * (young / 1e9).powf(0.4);
+        let (degrees, friction) = (60.0 + 29.5 * draw.next(), 0.5 * draw.next());
+        let spin = |draw: &mut Draw| (2.0 * draw.next() - 1.0) * speed / pair.radius;
+        let spins = [spin(&mut draw), spin(&mut draw)];
+        let collision = pair.collision(speed, degrees, friction, spins);
+        let rebound = rebound(&collision);
+        let known = integrated(&pair, &collision, friction, 4000);
+        let mut worst = 0.0_f64;
+        for (motion, (velocity, spin)) in rebound.motions.iter().zip(known) {
+            let off = Vector2::new(motion.velocity.x, motion.velocity.z) - velocity;
+            worst = worst.max(off.norm()).max(pair.radius * (motion.spin.y - spin).abs());
+        }
+        let before = rebound.contact_velocity_before.norm();
+        assert!(worst < 4e-3 * before, "{degrees} {friction}: {worst} of {before}");
+        covered += usize::from(worst <= rebound.error_estimate * before + 1e-3 * before);
+    }
+    assert!(covered * 100 >= 95 * count, "{covered} of {count}");
+}
+
+/// Exchanged bodies, and axes that are turned in space, give the same rebound.
+#[test]
+fn bodies_may_be_exchanged_and_axes_turned() {
+    let material = Material::from_young(1e9, 0.3).unwrap();
+    let ball = |radius: f64, mass: f64, velocity: [f64; 3], spin: [f64; 3]| {
+        let motion = Motion::new(velocity, spin).unwrap();
+        Body::sphere(radius, material, mass).unwrap().moving(motion)
+    };
+    let solve = |one: Body, two: Body, normal: [f64; 3]| {
+        rebound(&Collision::along(one, two, normal, Friction::new(0.2).unwrap()).unwrap())
+    };
+    let [one, two] = [[[9.0, 1.0, -1.5], [3.0, 50.0, 7.0]], [[-1.0, 0.5, 0.2], [20.0, -4.0, 9.0]]];
+    let of = |turned: fn([f64; 3]) -> [f64; 3]| {
+        let [one, two] = [one, two].map(|motion| motion.map(turned));
+        (
+            ball(0.01, 0.02, one[0], one[1]),
+            ball(0.02, 0.05, two[0], two[1]),
+            turned([0.0, 0.0, 1.0]),
+        )
+    };
+    let (first, second, normal) = of(|v| v);
+    let own = solve(first.clone(), second.clone(), normal);
+    assert!(own.error_estimate > 1e-4);
+    let exchanged = solve(second, first, normal.map(|n| -n));
+    let (first, second, normal) = of(|[x, y, z]| [z, x, y]);
+    let turned = solve(first, second, normal);
+    for i in 0..2 {
+        let off = exchanged.motions[1 - i].velocity - own.motions[i].velocity;
+        assert!(off.norm() < 1e-8, "{off}");
+        let [x, y, z] = own.motions[i].velocity.into();
+        let off = turned.motions[i].velocity - nalgebra::Vector3::new(z, x, y);
+        assert!(off.norm() < 1e-8, "{off}");
+    }
+}
+
+/// A loss turns with the centres, too: the ball without friction leaves slower, and energy is booked.
+#[test]
+fn lossy_balls_lose_energy_and_turn() {
+    let pool = Pair {
+        radius: 28.575e-3,
+        mass: 0.17,
+        material: Material::from_young(5.84e9, 0.34).unwrap(),
+    };
+    let elastic = rebound(&pool.collision(3.0, 80.0, 0.0, [0.0; 2]));
+    for e in [0.95, 0.7] {
+        let collision = pool.collision(3.0, 80.0, 0.0, [0.0; 2]);
+        let collision = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let lossy = rebound(&collision);
+        assert!(along(&lossy) < along(&elastic) && along(&lossy) > 0.0);
+        let energy = lossy.energy;
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        assert!(balance.abs() < 1e-12 * energy.before && energy.lost > 0.0, "{energy:?}");
+    }
+}
