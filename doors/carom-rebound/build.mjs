@@ -6,13 +6,16 @@ import { fileURLToPath } from 'node:url';
 
 const place = path => fileURLToPath(new URL(path, import.meta.url));
 const text = path => readFileSync(place(path), 'utf8');
-const TABLE = '../../crates/impact/src/restitution/table/stored.bin';
-const SOURCES = ['table-data', 'table', 'check', 'vector', 'groups', 'rebound'];
+const FOLDER = '../../crates/impact/src/restitution/table';
+const SOURCES = ['table-data', 'table', 'loss', 'check', 'vector', 'groups', 'rebound'];
 
 const data = () => {
-  const lines = readFileSync(place(TABLE)).toString('base64').match(/.{1,115}/g);
-  return '// Written by build.mjs from the table of R_x that the library stores: little-endian, in base 64.\n'
-    + `export const data = \`\n${lines.join('\n')}\n\`;\n`;
+  const stored = (name, file) => {
+    const lines = readFileSync(place(`${FOLDER}/${file}`)).toString('base64').match(/.{1,115}/g);
+    return `export const ${name} = \`\n${lines.join('\n')}\n\`;\n`;
+  };
+  return '// Written by build.mjs from the tables of R_x that the library stores: little-endian, in base 64.\n'
+    + stored('data', 'stored.bin') + stored('losses', 'loss.bin');
 };
 
 // A module as part of a script: without its imports and exports, in a scope that returns what it exports.

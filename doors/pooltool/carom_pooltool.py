@@ -76,14 +76,13 @@ def impulse(
         return np.zeros(3)
     slip = velocity + approach * normal
     speed = float(np.linalg.norm(slip))
-    press = 2 * approach / mobility
+    press = (1 + restitution) * approach / mobility
     drag = 0.0
     if friction > 0 and speed > 0:
-        r_x = carom.restitution(stiffness_ratio(poisson), speed / (friction * approach))
+        lam = speed / (friction * approach)
+        r_x = carom.restitution(stiffness_ratio(poisson), lam, normal_restitution=restitution)
         drag = min((1 + r_x) * speed / (TURNING * mobility), friction * press)
-    # What the material takes shrinks the normal and the tangential impulse alike.
-    part = 0.5 * (1 + restitution)
-    return part * (press * normal - (drag / speed if speed > 0 else 0.0) * slip)
+    return press * normal - (drag / speed if speed > 0 else 0.0) * slip
 
 
 def _at_contact(ball: Ball, normal: Vector) -> Vector:

@@ -722,16 +722,20 @@ carom_status carom_touch_many(struct carom_encounter *encounters,
 /* No energy is dissipated in the material of the bodies. */
 #define CAROM_LOSS_NONE 0
 
-/* The normal velocity after the impact is `normal_restitution`, in [0, 1], times that of an elastic impact. */
+/* The material is viscous: the normal velocity after the impact is `normal_restitution`, in [0, 1], times that before,
+ * where normal and tangential motion are uncoupled. */
 #define CAROM_LOSS_GIVEN 1
 
 /* The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
  * ignored. */
 #define CAROM_LOSS_BY_WAVES 2
 
-/* The material is viscoelastic: the normal restitution falls as the speed grows, by `relaxation` (Kuwabara and
- * Kono); `normal_restitution` is ignored. */
+/* The material is viscous with a relaxation time, `relaxation`: the normal restitution falls as the speed grows;
+ * `normal_restitution` is ignored. */
 #define CAROM_LOSS_VISCOELASTIC 3
+
+/* The bodies yield: the elastic impulse times (1 + e)/2, e the `normal_restitution`, in [0, 1]. */
+#define CAROM_LOSS_YIELD 4
 
 /* Options of an impact. Zero in any field but `size` selects the default. */
 typedef struct carom_collide_options {
@@ -740,11 +744,11 @@ typedef struct carom_collide_options {
   size_t size;
   /* The contact law, a CAROM_IMPACT constant. */
   uint32_t law;
-  /* The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. Impulse and heat of
-   * friction shrink with the normal impulse; duration, force and approach are those of the elastic impact. */
+  /* The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. With CAROM_LOSS_YIELD duration, force
+   * and approach are those of the elastic impact. */
   uint32_t loss;
-  /* The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
-   * elastic, 0 leaves the bodies together. */
+  /* The normal velocity after the impact over that before, for CAROM_LOSS_GIVEN and CAROM_LOSS_YIELD: 1 is elastic, 0
+   * leaves the bodies together. */
   double normal_restitution;
   /* Largest error of the contact velocity after the impact, over that before; 0 for the default. Rings that do
    * not reach it set CAROM_WARNING_NOT_SETTLED. */

@@ -35,14 +35,17 @@ pub const CAROM_TORSION_LEFT_OUT: u32 = 2;
 
 /// No energy is dissipated in the material of the bodies.
 pub const CAROM_LOSS_NONE: u32 = 0;
-/// The normal velocity after the impact is `normal_restitution`, in [0, 1], times that of an elastic impact.
+/// The material is viscous: the normal velocity after the impact is `normal_restitution`, in [0, 1], times that before,
+/// where normal and tangential motion are uncoupled.
 pub const CAROM_LOSS_GIVEN: u32 = 1;
 /// The energy that elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` is
 /// ignored.
 pub const CAROM_LOSS_BY_WAVES: u32 = 2;
-/// The material is viscoelastic: the normal restitution falls as the speed grows, by `relaxation` (Kuwabara and
-/// Kono); `normal_restitution` is ignored.
+/// The material is viscous with a relaxation time, `relaxation`: the normal restitution falls as the speed grows;
+/// `normal_restitution` is ignored.
 pub const CAROM_LOSS_VISCOELASTIC: u32 = 3;
+/// The bodies yield: the elastic impulse times (1 + e)/2, e the `normal_restitution`, in [0, 1].
+pub const CAROM_LOSS_YIELD: u32 = 4;
 
 /// Options of an impact. Zero in any field but `size` selects the default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -53,11 +56,11 @@ pub struct CaromCollideOptions {
     pub size: usize,
     /// The contact law, a CAROM_IMPACT constant.
     pub law: u32,
-    /// The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. Impulse and heat of
-    /// friction shrink with the normal impulse; duration, force and approach are those of the elastic impact.
+    /// The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. With CAROM_LOSS_YIELD duration, force
+    /// and approach are those of the elastic impact.
     pub loss: u32,
-    /// The normal velocity after the impact over that of an elastic impact, for CAROM_LOSS_GIVEN: 1 is
-    /// elastic, 0 leaves the bodies together.
+    /// The normal velocity after the impact over that before, for CAROM_LOSS_GIVEN and CAROM_LOSS_YIELD: 1 is elastic, 0
+    /// leaves the bodies together.
     pub normal_restitution: f64,
     /// Largest error of the contact velocity after the impact, over that before; 0 for the default. Rings that do
     /// not reach it set CAROM_WARNING_NOT_SETTLED.
@@ -161,7 +164,9 @@ impl CaromCollideOptions {
                 .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
             CAROM_LOSS_BY_WAVES => Ok(NormalRestitution::by_waves()),
             CAROM_LOSS_VISCOELASTIC => Ok(NormalRestitution::viscoelastic(self.relaxation)?),
-            loss => Err(out_of_range("loss", loss, "a CAROM_LOSS, 0 to 3")),
+            CAROM_LOSS_YIELD => NormalRestitution::by_yield(self.normal_restitution)
+                .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
+            loss => Err(out_of_range("loss", loss, "a CAROM_LOSS, 0 to 4")),
         }
     }
 }

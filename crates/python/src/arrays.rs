@@ -122,6 +122,18 @@ pub(crate) fn of_two<'py>(
     numbers(py, x.len(), |i| f(x[i], y[i]))
 }
 
+/// Like `numbers`, for a function of three arrays.
+pub(crate) fn of_three<'py>(
+    py: Python<'py>,
+    [x, y, z]: [&Numbers<'py>; 3],
+    f: impl Fn(f64, f64, f64) -> Result<f64, Fault> + Sync + Send,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let (x, y, z) = (x.as_slice()?, y.as_slice()?, z.as_slice()?);
+    same_length("the second argument", y.len(), x.len())?;
+    same_length("the third argument", z.len(), x.len())?;
+    numbers(py, x.len(), |i| f(x[i], y[i], z[i]))
+}
+
 /// Checks the length of an array.
 pub(crate) fn same_length(name: &str, length: usize, expected: usize) -> PyResult<()> {
     if length == expected {

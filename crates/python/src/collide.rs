@@ -50,11 +50,16 @@ impl Way {
 
     /// Adds the loss in the material: by waves, by a relaxation time, or by a given coefficient of normal
     /// restitution.
-    fn losing(self, (cause, value): (&str, f64)) -> Result<Self, Fault> {
+    fn losing(self, (cause, value): (&str, f64)) -> PyResult<Self> {
         let loss = match cause {
             "waves" => NormalRestitution::by_waves(),
-            "relaxation" => NormalRestitution::viscoelastic(value)?,
-            _ => NormalRestitution::new(value)?,
+            "relaxation" => NormalRestitution::viscoelastic(value).map_err(Fault::from)?,
+            cause => {
+                let cause = cause.parse();
+                let cause =
+                    cause.map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
+                NormalRestitution::by(cause, value).map_err(Fault::from)?
+            }
         };
         Ok(Self { loss, ..self })
     }

@@ -1,17 +1,18 @@
 //! The tangential coefficient of restitution over arrays.
 
 use carom::impact::RingImpact;
-use carom::impact::oblique::{Groups, ObliqueImpact};
+use carom::impact::oblique::Groups;
 use carom::impact::restitution::{
-    DissimilarGroups, DissimilarMethod, DissimilarRestitution, DissimilarTable, RestitutionTable,
-    of_dissimilar,
+    DissimilarGroups, DissimilarMethod, DissimilarRestitution, DissimilarTable, RestitutionError,
+    RestitutionTable, of_dissimilar, with_normal_restitution,
 };
 use carom::laws::friction::Friction;
+use carom::special::RangeError;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::{Numbers, map_by, of_two, same_length};
+use crate::arrays::{Numbers, map_by, of_three, same_length};
 use crate::error::Fault;
 use crate::records::arrays;
 
@@ -26,9 +27,10 @@ pub(crate) fn restitution<'py>(
     py: Python<'py>,
     kappa: Numbers<'py>,
     lambda: Numbers<'py>,
+    normal: Numbers<'py>,
     exact: bool,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    of_two(py, &kappa, &lambda, answer(exact, Groups::of_spheres))
+    of_three(py, [&kappa, &lambda, &normal], answer(exact, Groups::of_spheres))
 }
 
 /// R_x of any bodies whose normal and tangential motions are uncoupled.
@@ -37,20 +39,27 @@ pub(crate) fn restitution_of_groups<'py>(
     py: Python<'py>,
     chi: Numbers<'py>,
     psi: Numbers<'py>,
+    normal: Numbers<'py>,
     exact: bool,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    of_two(py, &chi, &psi, answer(exact, Groups::new))
+    of_three(py, [&chi, &psi, &normal], answer(exact, Groups::new))
 }
 
 type MakeGroups = fn(f64, f64) -> Result<Groups, carom::prelude::RangeError>;
 
-fn answer(exact: bool, groups: MakeGroups) -> impl Fn(f64, f64) -> Result<f64, Fault> {
+/// R_x with a restitution e along the normal.
+fn answer(exact: bool, groups: MakeGroups) -> impl Fn(f64, f64, f64) -> Result<f64, Fault> {
     let table = RestitutionTable::shared();
-    move |x, y| {
+    move |x, y, e| {
         let groups = groups(x, y)?;
+        let allowed = "from 0 to 1";
+        RangeError::check("normal_restitution", e, (0.0..=1.0).contains(&e), allowed)?;
         match exact {
-            true => Ok(ObliqueImpact::new(groups)?.restitution()),
-            false => Ok(table.restitution(groups)?),
+            true => with_normal_restitution(groups, e).map_err(|error| match error {
+                RestitutionError::Range(error) => error.into(),
+                RestitutionError::Oblique(error) => error.into(),
+            }),
+            false => Ok(table.restitution_with(groups, e)?),
         }
     }
 }

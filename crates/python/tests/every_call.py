@@ -86,7 +86,7 @@ COLLIDE = {
     "law": "coulomb",
     "tolerance": none(1e-2),
 }
-LOST = {"normal_restitution": none(0.9), "wave_loss": False, "relaxation": In(0.0, "s")}
+LOST = {"normal_restitution": none(0.9), "loss": "yield", "wave_loss": False, "relaxation": In(0.0, "s")}
 PATH = {"zeta": In([1e-6, 2e-6], "m"), "xi": In([0.0, 1e-7], "m"), "eta": In([0.0, 2e-7], "m"), "omega": In([0.0, 1e-4], "rad")}
 SPEEDS = {
     f"body_{i}_{what}": In(np.array([[0.1, 0.2, sign], [0.3, 0.0, sign]]), unit)
@@ -209,13 +209,13 @@ CALLS = {
         Call(carom.roll, WINDOW | {"friction": none(0.1), "zeta": In(2e-7, "m"), "influence": {"zz": BLOCK, "xx": BLOCK, "yy": BLOCK}}),
     ],
     "restitution": [
-        Call(carom.restitution, LAMBDA | {"exact": True}),
+        Call(carom.restitution, LAMBDA | {"normal_restitution": none(0.9), "exact": True}),
         Call(carom.restitution, LAMBDA | {"gamma": none(0.1), "friction": none(0.2), "mobility_ratio": none(3.0)}),
     ],
     "restitution_of_dissimilar": [
         Call(carom.restitution_of_dissimilar, LAMBDA | {"gamma": none(0.1), "friction": none(0.2), "mobility_ratio": none(3.0), "exact": False}),
     ],
-    "restitution_of_groups": [Call(carom.restitution_of_groups, {"chi": none(3.0), "psi": none([1.0, 2.0]), "exact": False})],
+    "restitution_of_groups": [Call(carom.restitution_of_groups, {"chi": none(3.0), "psi": none([1.0, 2.0]), "normal_restitution": none(0.9), "exact": False})],
     "sphere": [
         Call(carom.sphere, {"radius": In(0.02, "m"), "material": STEEL, "mass": In(0.3, "kg"), "hollow": False, "velocity": In((1.0, 0.0, -2.0), "m/s"),
                             "spin": In((1.0, 2.0, 3.0), "rad/s"), "centre": In((0.0, 0.0, 1.0), "m")}),

@@ -2,7 +2,7 @@
 
 import { InputError, number, object, size, vector } from './check.js';
 import { SOLID, inertiaFactor, kappaOf } from './groups.js';
-import { restitution as ofGroups, slidesThroughout } from './table.js';
+import { border, restitution as ofGroups } from './loss.js';
 import { add, cross, dot, norm, times } from './vector.js';
 
 const REST = [0, 0, 0];
@@ -84,16 +84,14 @@ export const rebound = given => {
   const turning = body => body.inverseMass * (1 + 1 / body.inertia);
   const mobilities = [one.inverseMass + two.inverseMass, turning(one) + turning(two)];
   const groups = groupsOf(impact, mobilities, approach, slip);
-  const elastic = ofGroups(groups.chi, groups.psi);
+  const rx = ofGroups(groups.chi, groups.psi, impact.restitution);
 
-  // What the material takes shrinks the normal and the tangential impulse alike.
-  const part = 0.5 * (1 + impact.restitution);
-  const slides = slidesThroughout(groups.chi, groups.psi);
-  const press = 2 * approach / mobilities[0];
+  const slides = groups.psi >= border(groups.chi, impact.restitution);
+  const press = (1 + impact.restitution) * approach / mobilities[0];
   const limit = friction * press;
-  const drag = slides ? limit : Math.min((1 + elastic) * slip / mobilities[1], limit);
-  const push = slip > 0 ? times(along, part * drag / slip) : REST;
-  const impulse = add(push, normal, part * press);
+  const drag = slides ? limit : Math.min((1 + rx) * slip / mobilities[1], limit);
+  const push = slip > 0 ? times(along, drag / slip) : REST;
+  const impulse = add(push, normal, press);
   const after = [pushed(one, normal, impulse), pushed(two, normal, times(impulse, -1))];
-  return answer(impact, after, { meets: true, impulse, rx: part * (1 + elastic) - 1, slides, groups });
+  return answer(impact, after, { meets: true, impulse, rx, slides, groups });
 };

@@ -13,7 +13,8 @@ const CHI_END = 6.5;
 const [STICK_BACK, STICK_FORTH, SLIDE_BACK, SLIDE_FORTH, SLIDE_FAR, SLIDE_SLIP] = [1, 2, 3, 4, 5, 6];
 const [LEAF, ACROSS_CHI, ACROSS_PSI] = [1, 2, 3];
 
-const decoded = text => {
+/** The bytes of a text in base 64. */
+export const decoded = text => {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; i += 1) bytes[i] = letters.charCodeAt(i);

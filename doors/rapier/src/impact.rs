@@ -32,8 +32,7 @@ impl Impact {
 
     /// The tangential impulse on body 1; none if the bodies do not approach each other or nothing drags them.
     ///
-    /// The impulse of the elastic impact is `(1 + R_x) slip/D_xx`. What the material takes shrinks normal and
-    /// tangential impulse alike, by (1 + e)/2.
+    /// It is `(1 + R_x) slip/D_xx`, R_x that of a viscous material with the restitution of the normal velocity.
     #[must_use]
     pub fn tangential_impulse(&self) -> Option<DVec3> {
         let approach = self.velocity.dot(self.normal);
@@ -43,8 +42,8 @@ impl Impact {
         }
         let chi = self.tangential_mobility / (self.normal_mobility * self.kappa);
         let psi = slip.length() / (self.kappa * self.friction * approach);
-        let r_x = RestitutionTable::shared().restitution(Groups::new(chi, psi).ok()?).ok()?;
-        let part = 0.5 * (1.0 + self.restitution);
-        Some(-part * (1.0 + r_x) / self.tangential_mobility * slip)
+        let groups = Groups::new(chi, psi).ok()?;
+        let r_x = RestitutionTable::shared().restitution_with(groups, self.restitution).ok()?;
+        Some(-(1.0 + r_x) / self.tangential_mobility * slip)
     }
 }

@@ -139,7 +139,7 @@ fn wrong_losses_are_named_and_nothing_is_written() {
         assert_eq!(error.value.to_bits(), e.to_bits());
         assert_eq!(rebound.duration, 7.0);
     }
-    let (status, _, error) = collide(4, 0.5);
+    let (status, _, error) = collide(5, 0.5);
     assert_eq!((status, field(&error).as_str()), (CaromStatus::OutOfRange, "loss"));
     let [ball, _] = bodies();
     // SAFETY: all pointers are null or references.

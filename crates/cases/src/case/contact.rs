@@ -6,7 +6,7 @@ use super::range::Range;
 use super::section::Section;
 use super::unit::Dimension;
 use carom_impact::coupled::TurningLaw;
-use carom_impact::{ImpactFriction, NormalRestitution, TorsionMode};
+use carom_impact::{ImpactFriction, LossCause, NormalRestitution, TorsionMode};
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_laws::static_friction::StaticFriction;
@@ -103,9 +103,19 @@ pub(super) const TORSION: Field =
 pub(super) const NORMAL_RESTITUTION: Field = Field::number(
     "normal_restitution",
     Range::Part.pure(),
-    "normal velocity after the impact over that of an elastic one; below 1 the material dissipates energy",
+    "normal velocity after the impact over that before, where normal and tangential motion are uncoupled; below 1 the \
+     material dissipates energy",
 )
 .default(Default::Number(1.0));
+pub(super) const LOSS: Field = Field::new(
+    "loss",
+    Form::Word(&[
+        (LossCause::Viscous.name(), "the material is viscous, along the normal and across"),
+        (LossCause::Yield.name(), "the bodies yield: the elastic impulse times (1 + e)/2"),
+    ]),
+    "the cause of a loss by `normal_restitution` e",
+)
+.default(Default::Word(LossCause::Viscous.name()));
 pub(super) const WAVE_LOSS: Field = Field::new(
     "wave_loss",
     Form::Switch,
@@ -116,15 +126,14 @@ pub(super) const WAVE_LOSS: Field = Field::new(
 pub(super) const RELAXATION: Field = Field::number(
     "relaxation",
     Range::NonNegative.of(Dimension::Time),
-    "viscous relaxation time of both bodies together: the normal restitution then falls as the speed grows (Kuwabara \
-     and Kono)",
+    "relaxation time of a viscous material, of both bodies together: the normal restitution then falls as the speed grows",
 )
 .default(Default::Number(0.0));
 
 /// Reads the coefficient of normal restitution of an impact or a wall.
 pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitution, CaseError> {
     if section.has(&RELAXATION) {
-        for other in [&NORMAL_RESTITUTION, &WAVE_LOSS] {
+        for other in [&NORMAL_RESTITUTION, &WAVE_LOSS, &LOSS] {
             if section.has(other) {
                 let reason = "the relaxation of the materials determines the loss";
                 return Err(section.conflict(other, &RELAXATION, reason));
@@ -135,11 +144,17 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
     }
     if !section.switch(&WAVE_LOSS)? {
         let coefficient = section.number(&NORMAL_RESTITUTION)?;
-        return NormalRestitution::new(coefficient).map_err(|error| section.refused(error));
+        if section.has(&LOSS) && !section.has(&NORMAL_RESTITUTION) {
+            return Err(section.missing(&NORMAL_RESTITUTION));
+        }
+        let cause = section.word(&LOSS)?.parse().unwrap_or_default();
+        return NormalRestitution::by(cause, coefficient).map_err(|error| section.refused(error));
     }
-    if section.has(&NORMAL_RESTITUTION) {
-        let reason = "the loss by waves determines it";
-        return Err(section.conflict(&NORMAL_RESTITUTION, &WAVE_LOSS, reason));
+    for other in [&NORMAL_RESTITUTION, &LOSS] {
+        if section.has(other) {
+            let reason = "the loss by waves determines it";
+            return Err(section.conflict(other, &WAVE_LOSS, reason));
+        }
     }
     Ok(NormalRestitution::by_waves())
 }

@@ -2,8 +2,8 @@
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
-    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION,
-    TORSION, WAVE_LOSS, impact_friction, normal_restitution, torsion_mode,
+    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, LOSS, NORMAL_RESTITUTION, RELAXATION,
+    STATIC_FRICTION, TORSION, WAVE_LOSS, impact_friction, normal_restitution, torsion_mode,
 };
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Schema};
@@ -58,6 +58,7 @@ const WALL: Field = Field::new(
         FRICTION_BY_SPEED,
         STATIC_FRICTION,
         NORMAL_RESTITUTION,
+        LOSS,
         WAVE_LOSS,
         RELAXATION,
     ]),

@@ -39,9 +39,9 @@ fn a_superball_hops_to_and_fro_and_loses_energy() {
 fn a_golf_ball_comes_to_rest_and_its_energy_is_booked() {
     let golf = std::fs::read_to_string(example("scene_golf_ball.toml")).unwrap();
     // Without coupling the material alone takes a part of the normal velocity. Coupling turns a little of it into
-    // heat of slip: by the default law less is left.
+    // heat of slip, and makes the contact stiffer, so that the viscous material takes more: less is left.
     let neglected = golf.replace("[scene]", "[scene]\nlaw = \"coulomb\"");
-    it_comes_to_rest(&golf, "rings", 5e-4);
+    it_comes_to_rest(&golf, "rings", 2e-3);
     it_comes_to_rest(&neglected, "uncoupled", 1e-12);
 }
 

@@ -51,19 +51,21 @@ def _along(body_1: Body, body_2: Body, normal: Vector | None) -> Vector | None:
     return normal
 
 
-def _loss(normal_restitution: float, wave_loss: bool, relaxation: float) -> tuple[str, float]:
+def _loss(normal_restitution: float, loss: str | None, wave_loss: bool, relaxation: float) -> tuple[str, float]:
     """The cause of the loss in the material, and its coefficient or relaxation time."""
     if normal_restitution is None:
         raise TypeError("normal_restitution: must be a number; for the loss by waves pass wave_loss=True")
     normal_restitution = number("normal_restitution", normal_restitution)
     relaxation = number("relaxation", relaxation, "s")
+    if loss is not None and normal_restitution == 1.0:
+        raise ValueError("loss: is the cause of a normal_restitution below 1, which is missing")
     given = [("normal_restitution", normal_restitution != 1.0), ("wave_loss=True", wave_loss), ("relaxation", relaxation != 0.0)]
     causes = [name for name, is_given in given if is_given]
     if len(causes) > 1:
         raise ValueError(f"{causes[0]} and {causes[1]} are mutually exclusive")
     if wave_loss:
         return "waves", 0.0
-    return ("relaxation", relaxation) if relaxation != 0.0 else ("given", normal_restitution)
+    return ("relaxation", relaxation) if relaxation != 0.0 else (loss or "viscous", normal_restitution)
 
 
 def _beside(
@@ -92,6 +94,7 @@ def collide(
     law: str = "auto",
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
+    loss: str | None = None,
     wave_loss: bool = False,
     relaxation: float = 0.0,
 ) -> Rebound:
@@ -116,10 +119,10 @@ def collide(
     `torsion=None` applies friction to the spin about the normal where it matters, for spheres and planes by
     the laws 'auto' and 'rings'; True always does so, False never.
 
-    A `normal_restitution` below 1 dissipates energy in the material, beyond the elastic theory;
-    `wave_loss=True` dissipates what elastic waves carry away. With a `relaxation` time (s) of both bodies together the
-    material is viscoelastic, and the restitution falls as the speed grows (Kuwabara and Kono). Duration and maximum
-    force are those of the elastic impact.
+    A `normal_restitution` below 1 dissipates energy in the material, beyond the elastic theory: the material is viscous
+    (Kelvin and Voigt), along the normal and across. `loss="yield"` takes bodies that yield: the elastic impulse times
+    (1 + e)/2. A `relaxation` time (s) of both bodies together gives the viscous material, whose restitution falls as the
+    speed grows; `wave_loss=True` dissipates what elastic waves carry away.
 
     A fixed body that moves, like a racket, does work on the other: then the energies do not balance.
 
@@ -133,10 +136,10 @@ def collide(
     >>> bool(abs(lost - rebound.energy_dissipated) < 1e-9 * rebound.energy_before)
     True
     """
-    along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
+    along, lost = _along(body_1, body_2, normal), _loss(normal_restitution, loss, wave_loss, relaxation)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns, exceeded, missed = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, loss)
+    columns, exceeded, missed = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, lost)
     warn(exceeded)
     return Rebound._of(columns)._noting(missed)
 
@@ -156,6 +159,7 @@ def collide_many(
     law: str = "auto",
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
+    loss: str | None = None,
     wave_loss: bool = False,
     relaxation: float = 0.0,
 ) -> Rebounds:
@@ -186,9 +190,9 @@ def collide_many(
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", coefficients, (count,)))
-    along, loss = _along(body_1, body_2, normal), _loss(normal_restitution, wave_loss, relaxation)
+    along, lost = _along(body_1, body_2, normal), _loss(normal_restitution, loss, wave_loss, relaxation)
     columns, exceeded = _carom.collide_many(
-        body_1, body_2, frictions, beside, motions, along, torsion, law, tolerance, loss
+        body_1, body_2, frictions, beside, motions, along, torsion, law, tolerance, lost
     )
     warn(exceeded)
     return Rebounds._shaped(columns, (count,))
