@@ -2,7 +2,7 @@
 
 use carom_halfspace::Material;
 use carom_impact::oblique::Groups;
-use carom_impact::restitution::with_normal_restitution;
+use carom_impact::restitution::with_yield;
 use carom_impact::{Body, Collision, Motion, Rebound};
 use carom_laws::friction::Friction;
 
@@ -62,7 +62,7 @@ fn inelastic(angle: f64) -> Result<After, Failure> {
         crate::spheres::kappa(ALUMINA.poisson),
         tangential / (FRICTION * normal),
     )?;
-    let restitution = with_normal_restitution(groups, MEASURED_RESTITUTION)?;
+    let restitution = with_yield(groups, MEASURED_RESTITUTION)?;
     // The impulse changes the slip velocity by 7/2 of the change of the velocity.
     let change = 2.0 / 7.0 * (1.0 + restitution) * tangential;
     Ok(After {

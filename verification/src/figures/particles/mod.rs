@@ -14,6 +14,7 @@ mod normal;
 mod pinned;
 mod shear;
 mod spin;
+mod viscous;
 
 /// The pages.
 pub(super) const ENTRIES: &[Entry] = &[
@@ -26,6 +27,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("particles.spin", "Particle tests 6 and 7: impacts with spin").by(spin::draw),
     Entry::check("particles.pinned", "What tests of particle codes pin for oblique impacts")
         .by(pinned::draw),
+    Entry::check("particles.viscous", "Impacts that lose energy in a viscous material")
+        .by(viscous::draw),
 ];
 
 /// Says where the published points come from.

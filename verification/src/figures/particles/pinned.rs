@@ -3,7 +3,7 @@
 use carom_halfspace::Material;
 use carom_impact::closed_form::restitution_without_slip;
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
-use carom_impact::restitution::{of_groups, with_normal_restitution};
+use carom_impact::restitution::{of_groups, with_yield};
 use carom_impact::{Body, Collision, Motion, normal};
 use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
@@ -155,7 +155,7 @@ fn curves(panel: &mut Panel, kappa: f64, places: &[f64], by_lambda: bool) -> Res
 
 fn lammps(figure: &mut Figure) -> Result<(), Failure> {
     let (exact, springs) = (exact()?, by_springs());
-    let scaled = After::of_restitution(with_normal_restitution(groups()?, RESTITUTION)?);
+    let scaled = After::of_restitution(with_yield(groups()?, RESTITUTION)?);
     let ((stepped, kept), (damped, lost)) = (by_grains(1.0)?, by_grains(RESTITUTION)?);
     let rows = [
         ("LAMMPS's record, mindlin, e = 0.98", RECORDED),

@@ -2,7 +2,7 @@
 
 use carom_halfspace::Material;
 use carom_impact::oblique::Groups;
-use carom_impact::restitution::with_normal_restitution;
+use carom_impact::restitution::with_yield;
 use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
 use rayon::prelude::*;
@@ -72,7 +72,7 @@ fn stepped_balls(spins: [f64; 2]) -> [Turn; 2] {
 /// The tangential restitution with e_n, at 7/2 f (1 + e_n) V_n/V_t.
 fn restitution(friction_over_slip: f64, normal: f64) -> Result<f64, Failure> {
     let lambda = 3.5 * (1.0 + normal) / friction_over_slip;
-    Ok(with_normal_restitution(Groups::of_spheres(kappa(), lambda)?, normal)?)
+    Ok(with_yield(Groups::of_spheres(kappa(), lambda)?, normal)?)
 }
 
 fn plane_panel(figure: &mut Figure, published: &[[f64; 2]]) -> Result<(), Failure> {
