@@ -26,7 +26,7 @@ test('the package has the module, its types, the page and the licences', () => {
   const files = packed[0].files.map(({ path }) => path).sort();
   assert.deepEqual(files, [
     'LICENSE-APACHE', 'LICENSE-MIT', 'README.md', 'index.html', 'package.json', 'src/check.js', 'src/groups.js',
-    'src/index.d.ts', 'src/index.js', 'src/rebound.js', 'src/table-data.js', 'src/table.js', 'src/vector.js',
+    'src/index.d.ts', 'src/index.js', 'src/loss.js', 'src/rebound.js', 'src/table-data.js', 'src/table.js', 'src/vector.js',
   ].sort());
 });
 
