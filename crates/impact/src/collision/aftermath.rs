@@ -184,36 +184,45 @@ impl Collision {
         before: &Vector3<f64>,
         after: &Vector3<f64>,
     ) -> Result<Option<f64>, RangeError> {
-        let limit = self.limit(before.z)?;
-        let defined = self.is_tangential() || limit.is_some();
-        Ok(defined.then(|| along(before, after).or(limit)).flatten())
+        let chi = self.chi_of_all_directions();
+        if !self.is_tangential() && chi.is_none() {
+            return Ok(None);
+        }
+        match (along(before, after), chi) {
+            (None, Some(chi)) => self.limit(chi, before.z).map(Some),
+            (r_x, _) => Ok(r_x),
+        }
     }
 
-    // R_x for vanishing tangential velocities, if it is the same in all directions.
-    fn limit(&self, velocity: f64) -> Result<Option<f64>, RangeError> {
+    // chi if R_x for vanishing tangential velocities is the same in all directions; 0 without friction.
+    fn chi_of_all_directions(&self) -> Option<f64> {
         let d = self.mobility.matrix();
         let ContactStiffness { c_x, c_y, c_z } = self.hertz.stiffness();
         if is_coupled(d) {
-            return Ok(None);
+            return None;
         }
         if self.friction.get() == 0.0 && self.static_friction.is_none() {
-            return Ok(Some(-1.0));
+            return Some(0.0);
         }
         // The matrix of chi; c_x and c_y of a circle may differ by round-off.
         let chi = [d.m11 * c_x, d.m22 * c_y].map(|product| product / (d.m33 * c_z));
         let turning = d.m12 * (c_x * c_y).sqrt() / (d.m33 * c_z);
         let even = (chi[0] - chi[1]).abs().max(2.0 * turning.abs()) <= EVEN * chi[0];
-        if !even {
-            return Ok(None);
+        even.then_some(chi[0])
+    }
+
+    // R_x for vanishing tangential velocities.
+    fn limit(&self, chi: f64, velocity: f64) -> Result<f64, RangeError> {
+        if chi == 0.0 {
+            return Ok(-1.0);
         }
-        let limit = match self.viscous_loss(velocity)? {
-            None => restitution_without_slip(chi[0]).clamp(-1.0, 1.0),
+        Ok(match self.viscous_loss(velocity)? {
+            None => restitution_without_slip(chi).clamp(-1.0, 1.0),
             Some(loss) => {
-                let groups = Groups::new(chi[0], 0.0)?;
-                ViscoelasticImpact::new(groups, loss).solve(LIMIT).restitution
+                let impact = ViscoelasticImpact::new(Groups::new(chi, 0.0)?, loss);
+                impact.solve(LIMIT).restitution
             }
-        };
-        Ok(Some(limit))
+        })
     }
 
     /// The loss of a viscous material at this speed of approach.

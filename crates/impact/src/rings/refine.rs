@@ -75,9 +75,11 @@ impl Problem {
             let now = [passage, level.passage(&alike)?];
             if let Some(old) = &last {
                 let found = Found { samples, ..self.judged(&level, old, &now, exact) };
-                // Finer rings do not reduce the error of the law itself.
+                let over = self.scale() * self.motion.before[0];
+                let by_law = self.taken_from_viscous_law(&now[1], &exact) / over;
+                // Finer rings do not reduce the errors of the laws themselves.
                 let enough = found.estimate <= allowed.max(left_out) && found.normal <= normal;
-                best = Some(Found { estimate: found.estimate + left_out, ..found });
+                best = Some(Found { estimate: found.estimate + left_out + by_law, ..found });
                 if enough {
                     break;
                 }
@@ -206,9 +208,7 @@ impl Problem {
         let change: Rates =
             std::array::from_fn(|i| (passage.after[i] - without(old, old_alike, i)).abs());
         let over = self.scale() * self.motion.before[0];
-        let estimate = level.left * change[1].hypot(change[2]) / over
-            + self.floor(level)
-            + self.taken_from_viscous_law(new_alike, &exact) / over;
+        let estimate = level.left * change[1].hypot(change[2]) / over + self.floor(level);
         let normal = level.left * change[0] / self.motion.before[0];
         let spin = level.left * change[3] / self.motion.before[3].abs() + level.floor.of_spin;
         Found { passage, estimate, normal, spin, level: *level, samples: Vec::new() }

@@ -51,8 +51,8 @@ impl Problem {
                 let found = self.judged_spinning(&level, &now);
                 let estimate = found.estimate + left_out + by_law;
                 let found = Found { samples, estimate, ..found };
-                let enough =
-                    found.estimate <= allowed.max(2.0 * left_out) && found.normal <= normal;
+                let enough = found.estimate <= allowed.max(2.0 * left_out) + by_law
+                    && found.normal <= normal;
                 best = Some(found);
                 if enough {
                     break;

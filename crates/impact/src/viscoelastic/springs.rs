@@ -7,10 +7,17 @@
 /// The row: places of the springs, growing, and their elongations over f kappa.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Springs {
-    place: Vec<f64>,
-    elongation: Vec<f64>,
+    springs: Vec<Spring>,
     /// The number of springs in contact.
     touching: usize,
+}
+
+/// A spring: its place, the square of it, and its elongation.
+#[derive(Debug, Clone, Copy)]
+struct Spring {
+    place: f64,
+    square: f64,
+    elongation: f64,
 }
 
 /// What the normal motion is in the middle of a step.
@@ -56,7 +63,25 @@ struct End {
     margin: f64,
 }
 
+impl Press {
+    /// What a spring that sticks bears beyond its elongation, over the rate of the shift.
+    fn stiff(&self) -> f64 {
+        0.5 * self.dt + self.tau
+    }
+}
+
+impl Spring {
+    #[inline(always)]
+    fn end(&self, depth: f64, add: f64) -> End {
+        End { place: self.place, borne: self.elongation + add, margin: depth - self.square }
+    }
+}
+
 impl End {
+    fn sticks(&self) -> bool {
+        self.borne.abs() <= self.margin
+    }
+
     /// -1, 0, 1: slips backwards, sticks, slips forwards.
     fn slips(&self) -> i8 {
         i8::from(self.borne > self.margin) - i8::from(self.borne < -self.margin)
@@ -66,26 +91,23 @@ impl End {
 /// Rounds of Newton's method; it takes two or three.
 const ROUNDS: usize = 60;
 /// Relative accuracy of the rate.
-const ENOUGH: f64 = 1e-13;
+const ENOUGH: f64 = 1e-12;
 
 impl Springs {
     pub(super) fn with_capacity(count: usize) -> Self {
-        let new = || Vec::with_capacity(count);
-        Self { place: new(), elongation: new(), touching: 0 }
+        Self { springs: Vec::with_capacity(count), touching: 0 }
     }
 
     /// A spring at the edge touches, free of elongation.
     pub(super) fn touch(&mut self, edge: f64) {
-        self.place.push(edge);
-        self.elongation.push(0.0);
-        self.touching = self.place.len();
+        self.springs.push(Spring { place: edge, square: edge * edge, elongation: 0.0 });
+        self.touching = self.springs.len();
     }
 
     /// Springs beyond the edge have left for good.
     pub(super) fn leave(&mut self, edge: f64) {
-        while self.touching > 0 && self.place[self.touching - 1] >= edge {
-            self.touching -= 1;
-        }
+        let touching = &self.springs[..self.touching];
+        self.touching -= touching.iter().rev().take_while(|spring| spring.place >= edge).count();
     }
 
     /// A step of the shift whose rate is `rate` before, and decreases with the force times `chi`.
@@ -103,20 +125,17 @@ impl Springs {
                 low = low.max(middle);
             }
             let newton = middle - over / (1.0 + pull * sum.sticking);
-            let next = match newton > low && newton < high {
-                true => newton,
-                false if low.is_finite() && high.is_finite() => 0.5 * (low + high),
-                false => newton,
-            };
-            let moved = (next - middle).abs();
-            middle = next;
-            if moved <= ENOUGH * (middle.abs().max(rate.abs())) {
+            if (newton - middle).abs() <= ENOUGH * middle.abs().max(rate.abs()) {
+                middle = newton;
                 break;
             }
+            let is_between = newton > low && newton < high;
+            let halves = low.is_finite() && high.is_finite() && !is_between;
+            middle = if halves { 0.5 * (low + high) } else { newton };
         }
         let heat = press.dt * self.slip(press, middle);
         let sticks = match press.edge > 0.0 {
-            true => sum.sticking / (1.5 * (0.5 * press.dt + press.tau) * press.edge),
+            true => sum.sticking / (1.5 * press.stiff() * press.edge),
             false => 1.0,
         };
         // By the motion itself, so that the impulse is exact.
@@ -124,59 +143,67 @@ impl Springs {
         Middle { rate: middle, force, heat, sticks }
     }
 
-    fn end(&self, i: usize, press: &Press, rate: f64) -> End {
-        let place = self.place[i];
-        let borne = self.elongation[i] + (0.5 * press.dt + press.tau) * rate;
-        End { place, borne, margin: press.depth - place * place }
-    }
-
     // What springs at the edge would bear in rebound if they stuck: between the last one in contact and the one that left
     // before, which is moved on as if it stuck.
     fn edge(&self, press: &Press, rate: f64, last: &End) -> f64 {
-        let Some(&place) = self.place.get(self.touching) else { return last.borne };
-        let left = self.end(self.touching, press, rate);
-        let part = (press.edge - last.place) / (place - last.place);
+        let Some(left) = self.springs.get(self.touching) else { return last.borne };
+        let left = left.end(press.depth, press.stiff() * rate);
+        let part = (press.edge - last.place) / (left.place - last.place);
         last.borne + part * (left.borne - last.borne)
     }
 
     // The force as a function of the rate of the shift: it grows, and is linear as long as no spring begins or ceases to
     // slip. Within a cell the force of springs that stick is taken as linear; that of springs that slip is integrated.
     fn sum(&self, press: &Press, rate: f64) -> Sum {
-        let Some(last) = self.touching.checked_sub(1) else { return Sum::default() };
+        let add = press.stiff() * rate;
+        let Some((first, rest)) = self.springs[..self.touching].split_first() else {
+            return Sum::default();
+        };
         let mut sum = Sum::default();
-        let mut one = self.end(0, press, rate);
-        for i in 1..=last {
-            let two = self.end(i, press, rate);
-            cell(&mut sum, press.depth, &one, &two);
-            one = two;
+        let mut one = first.end(press.depth, add);
+        let mut one_sticks = one.sticks();
+        // Cells that stick as a whole are summed apart, without their factor 1/2.
+        let (mut doubled, mut sticking) = (0.0, 0.0);
+        for spring in rest {
+            let two = spring.end(press.depth, add);
+            let two_sticks = two.sticks();
+            if one_sticks & two_sticks {
+                let length = two.place - one.place;
+                doubled += length * (one.borne + two.borne);
+                sticking += length;
+            } else {
+                cell(&mut sum, press.depth, &one, &two);
+            }
+            (one, one_sticks) = (two, two_sticks);
         }
+        sum.force += 0.5 * doubled;
+        sum.sticking += sticking;
         // To the edge: springs that touched during the step, or those that will leave next.
         let margin = press.depth - press.edge * press.edge;
         let borne =
             if press.fresh > 0.0 { press.fresh * rate } else { self.edge(press, rate, &one) };
         cell(&mut sum, press.depth, &one, &End { place: press.edge, borne, margin });
-        let stiff = 0.5 * press.dt + press.tau;
-        Sum { force: 1.5 * sum.force, sticking: 1.5 * stiff * sum.sticking }
+        Sum { force: 1.5 * sum.force, sticking: 1.5 * press.stiff() * sum.sticking }
     }
 
     // Moves the elongations through the step and returns the power of friction.
     fn slip(&mut self, press: &Press, rate: f64) -> f64 {
-        let stiff = 0.5 * press.dt + press.tau;
+        let stiff = press.stiff();
         let (mut power, mut before) = (0.0, None);
-        for i in 0..self.touching {
-            let End { place, borne, margin } = self.end(i, press, rate);
+        for spring in &mut self.springs[..self.touching] {
+            let End { place, borne, margin } = spring.end(press.depth, stiff * rate);
             let margin = margin.max(0.0);
             let force = borne.clamp(-margin, margin);
-            let own = if force == borne { rate } else { (force - self.elongation[i]) / stiff };
-            self.elongation[i] += press.dt * own;
+            let own = if force == borne { rate } else { (force - spring.elongation) / stiff };
+            spring.elongation += press.dt * own;
             let lost = force * (rate - own);
             if let Some((at, earlier)) = before {
                 power += 0.5 * (place - at) * (lost + earlier);
             }
             before = Some((place, lost));
         }
-        if let Some(left) = self.elongation.get_mut(self.touching) {
-            *left += press.dt * rate;
+        if let Some(left) = self.springs.get_mut(self.touching) {
+            left.elongation += press.dt * rate;
         }
         if let Some((at, earlier)) = before {
             // Springs that touched during the step slip at the speed of the margin at most.
