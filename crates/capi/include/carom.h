@@ -91,7 +91,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 9
+#define CAROM_ABI_VERSION 10
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -421,8 +421,9 @@ typedef struct carom_grain_load {
 /* The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
  * wall of material 2.
  *
- * `relaxation` is the viscous relaxation time A of the pair, s. It adds (2/3) c_z (3/2) A sqrt(zeta)
- * dzeta/dt to the force of Hertz; 0 for none. `law` and `tolerance` are as in `carom_pair_of_spheres`;
+ * `relaxation` is the viscous relaxation time A of the pair, s; 0 for none. Every stress then has a viscous companion, A
+ * times its rate. The normal force is K (zeta^(3/2) + (3/2) A sqrt(zeta) zeta'), K = (2/3) c_z, while the approach zeta
+ * grows, and K (zeta + A zeta')^(3/2), or 0, while it falls; friction is damped alike. `law` and `tolerance` are as in `carom_pair_of_spheres`;
  * friction must be finite. */
 carom_status carom_grains_of(const struct carom_material *material_1,
                              const struct carom_material *material_2,
@@ -435,10 +436,12 @@ carom_status carom_grains_of(const struct carom_material *material_1,
 
 /* Damps contacts such that two grains part with `restitution` times the speed with which they met, at any speed: from
  * 0.01 to 1, which means none. The force is alpha sqrt(m K) zeta^(1/4) dzeta/dt beside that of Hertz, K zeta^(3/2),
- * m the reduced mass; the sum never pulls. Friction, torsion and resistance to rolling leave it as it is.
+ * m the reduced mass; the sum never pulls. Friction is damped as in a viscous material; friction, torsion and resistance
+ * to rolling leave the restitution as it is.
  *
  * With 50 steps in an impact the restitution is met to 2e-4. Masses of grains are read then, and must be > 0; that of
- * one of both bodies must be finite. A relaxation time damps in addition. Contacts that have begun keep theirs. */
+ * one of both bodies must be finite. Constants with a relaxation time are refused: both would count the same loss.
+ * Contacts that have begun keep theirs. */
 carom_status carom_grains_restitution(struct carom_grains *grains,
                                       double restitution,
                                       struct carom_error *error);
@@ -517,17 +520,17 @@ typedef struct carom_heats {
   /* Friction heat, including the energy released at a receding edge, and what a contact loses
    * where it simplifies its memory; a step may lower it a little. */
   double friction;
-  /* Energy dissipated by the viscoelastic material. */
+  /* Energy dissipated by the viscous material: the rest of the work, which a single step may lower a little. */
   double damping;
 } carom_heats;
 
 /* Number of 8-byte words in a `carom_touch`, without its mark. */
-#define CAROM_TOUCH_WORDS 160
+#define CAROM_TOUCH_WORDS 161
 
 /* Number of numbers into which a `carom_touch` packs. */
-#define CAROM_TOUCH_NUMBERS 81
+#define CAROM_TOUCH_NUMBERS 82
 
-/* The state of the contact of two grains, in memory of the caller: 1288 bytes, aligned to 8, that may be
+/* The state of the contact of two grains, in memory of the caller: 1296 bytes, aligned to 8, that may be
  * copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
  * `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
  *
@@ -600,7 +603,7 @@ carom_status carom_touch_surface_load(const struct carom_grains *grains,
                                       struct carom_grain_load *load,
                                       struct carom_error *error);
 
-/* The elastic energy of a contact, compression included, J. */
+/* The elastic energy of a contact, compression included, J: of Hertz at the approach, and of the tangential load. */
 carom_status carom_touch_energy(const struct carom_touch *touch,
                                 double *energy,
                                 struct carom_error *error);
@@ -1288,15 +1291,15 @@ carom_status carom_rings_of(const struct carom_pair *pair,
 void carom_rings_free(struct carom_rings *rings);
 
 /* Number of 8-byte words in a `carom_ring_touch`, without its mark. */
-#define CAROM_RING_TOUCH_WORDS 422
+#define CAROM_RING_TOUCH_WORDS 425
 
 /* Number of numbers into which a `carom_ring_touch` packs. */
-#define CAROM_RING_TOUCH_NUMBERS 311
+#define CAROM_RING_TOUCH_NUMBERS 314
 
 /* The first packed number of grains in contact; it names the format. */
-#define CAROM_RING_TOUCH_MARK 30001.0
+#define CAROM_RING_TOUCH_MARK 30002.0
 
-/* The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3384 bytes, aligned
+/* The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3408 bytes, aligned
  * to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
  * can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
  * can read.

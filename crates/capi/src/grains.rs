@@ -93,7 +93,7 @@ impl CaromGrains {
     /// A new contact of a given relative radius, not yet loaded.
     pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
         let contact = GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?;
-        Ok(contact.with_restitution(HertzDamping::of_ratio(self.restitution_ratio)?))
+        Ok(contact.with_restitution(HertzDamping::of_ratio(self.restitution_ratio)?)?)
     }
 
     /// Whether friction depends on the slip speed at the first touch.
@@ -126,7 +126,7 @@ impl CaromGrains {
     /// A new contact with the law of rings.
     pub(crate) fn ring_contact(&self, rings: &Rings<'_>) -> Result<GrainRings, Failure> {
         let damping = HertzDamping::of_ratio(self.restitution_ratio)?;
-        Ok(GrainRings::new(rings, self.relaxation)?.with_restitution(damping))
+        Ok(GrainRings::new(rings, self.relaxation)?.with_restitution(damping)?)
     }
 
     /// Checks the masses of two bodies if a restitution needs them.
@@ -277,8 +277,9 @@ fn unit_normal(normal: [f64; 3]) -> Result<(), RangeError> {
 /// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
 /// wall of material 2.
 ///
-/// `relaxation` is the viscous relaxation time A of the pair, s. It adds (2/3) c_z (3/2) A sqrt(zeta)
-/// dzeta/dt to the force of Hertz; 0 for none. `law` and `tolerance` are as in `carom_pair_of_spheres`;
+/// `relaxation` is the viscous relaxation time A of the pair, s; 0 for none. Every stress then has a viscous companion, A
+/// times its rate. The normal force is K (zeta^(3/2) + (3/2) A sqrt(zeta) zeta'), K = (2/3) c_z, while the approach zeta
+/// grows, and K (zeta + A zeta')^(3/2), or 0, while it falls; friction is damped alike. `law` and `tolerance` are as in `carom_pair_of_spheres`;
 /// friction must be finite.
 ///
 /// # Safety
@@ -308,10 +309,12 @@ pub unsafe extern "C" fn carom_grains_of(
 
 /// Damps contacts such that two grains part with `restitution` times the speed with which they met, at any speed: from
 /// 0.01 to 1, which means none. The force is alpha sqrt(m K) zeta^(1/4) dzeta/dt beside that of Hertz, K zeta^(3/2),
-/// m the reduced mass; the sum never pulls. Friction, torsion and resistance to rolling leave it as it is.
+/// m the reduced mass; the sum never pulls. Friction is damped as in a viscous material; friction, torsion and resistance
+/// to rolling leave the restitution as it is.
 ///
 /// With 50 steps in an impact the restitution is met to 2e-4. Masses of grains are read then, and must be > 0; that of
-/// one of both bodies must be finite. A relaxation time damps in addition. Contacts that have begun keep theirs.
+/// one of both bodies must be finite. Constants with a relaxation time are refused: both would count the same loss.
+/// Contacts that have begun keep theirs.
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.
@@ -325,7 +328,8 @@ pub unsafe extern "C" fn carom_grains_restitution(
     let call = || unsafe {
         let grains = write(grains, "grains")?;
         grains.unit.check_version()?;
-        grains.restitution_ratio = HertzDamping::of_restitution(restitution)?.ratio();
+        let damping = HertzDamping::of_restitution(restitution)?;
+        grains.restitution_ratio = damping.beside_relaxation(grains.relaxation)?.ratio();
         Ok::<(), Failure>(())
     };
     // SAFETY: the caller's promise.

@@ -16,17 +16,17 @@ use crate::rings::CaromRings;
 use crate::stored::{present, present_mut, store};
 
 /// Number of 8-byte words in a `carom_ring_touch`, without its mark.
-pub const CAROM_RING_TOUCH_WORDS: usize = 422;
+pub const CAROM_RING_TOUCH_WORDS: usize = 425;
 /// Number of numbers into which a `carom_ring_touch` packs.
-pub const CAROM_RING_TOUCH_NUMBERS: usize = 311;
+pub const CAROM_RING_TOUCH_NUMBERS: usize = 314;
 
 /// The first packed number of grains in contact; it names the format.
-pub const CAROM_RING_TOUCH_MARK: f64 = 30001.0;
+pub const CAROM_RING_TOUCH_MARK: f64 = 30002.0;
 
 const _: () = assert!(CAROM_RING_TOUCH_MARK == RING_GRAIN_MARK);
 const _: () = assert!(CAROM_RING_TOUCH_NUMBERS == ring_grain_numbers(6, 8));
 
-/// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3384 bytes, aligned
+/// The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3408 bytes, aligned
 /// to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
 /// can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
 /// can read.
@@ -283,7 +283,7 @@ pub unsafe extern "C" fn carom_ring_touch_energy(
         let (grains, rings) = (read(grains, "grains")?, read(rings, "rings")?);
         let (touch, energy) = (read(touch, "touch")?, write(energy, "energy")?);
         let rings = constants(grains, rings, [radius_1, radius_2])?;
-        let stored = |contact: &GrainRings| contact.memory().stored_energy(&rings);
+        let stored = |contact: &GrainRings| contact.stored_energy(&rings);
         *energy = RangeError::finite("energy", touch.present()?.map_or(0.0, stored))?;
         Ok(())
     };

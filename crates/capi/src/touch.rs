@@ -14,13 +14,13 @@ use crate::pointers::{read, write};
 use crate::stored::{find, present, present_mut, store};
 
 /// Number of 8-byte words in a `carom_touch`, without its mark.
-pub const CAROM_TOUCH_WORDS: usize = 160;
+pub const CAROM_TOUCH_WORDS: usize = 161;
 /// Number of numbers into which a `carom_touch` packs.
-pub const CAROM_TOUCH_NUMBERS: usize = 81;
+pub const CAROM_TOUCH_NUMBERS: usize = 82;
 
 const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
 
-/// The state of the contact of two grains, in memory of the caller: 1288 bytes, aligned to 8, that may be
+/// The state of the contact of two grains, in memory of the caller: 1296 bytes, aligned to 8, that may be
 /// copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
 /// `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
 ///
@@ -325,7 +325,7 @@ pub unsafe extern "C" fn carom_touch_surface_load(
     unsafe { border(error, call) }
 }
 
-/// The elastic energy of a contact, compression included, J.
+/// The elastic energy of a contact, compression included, J: of Hertz at the approach, and of the tangential load.
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.

@@ -4,7 +4,7 @@ use std::ffi::c_char;
 
 /// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
 /// the loaded library.
-pub const CAROM_ABI_VERSION: u32 = 9;
+pub const CAROM_ABI_VERSION: u32 = 10;
 
 /// The version of the library, as "0.1.0"; not to be freed.
 #[unsafe(no_mangle)]
@@ -21,5 +21,5 @@ pub extern "C" fn carom_abi_version() -> u32 {
 /// The version of the numbers in a `carom_state`; files of another version cannot be read.
 #[unsafe(no_mangle)]
 pub extern "C" fn carom_state_version() -> u32 {
-    1
+    2
 }

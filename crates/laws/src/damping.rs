@@ -63,6 +63,16 @@ impl HertzDamping {
         Ok(Self { restitution: libm::exp(-2.0 * exponent), ratio })
     }
 
+    /// This damping for materials with a viscous relaxation time, s: both would count the same loss.
+    ///
+    /// # Errors
+    /// [`RangeError`] of `relaxation` if it is not 0 and the restitution below 1.
+    pub fn beside_relaxation(self, relaxation: f64) -> Result<Self, RangeError> {
+        let holds = relaxation == 0.0 || self.ratio == 0.0;
+        RangeError::check("relaxation", relaxation, holds, "0 beside a restitution below 1")?;
+        Ok(self)
+    }
+
     /// The restitution e.
     #[must_use]
     pub const fn restitution(&self) -> f64 {

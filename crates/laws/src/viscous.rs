@@ -45,6 +45,12 @@ impl Viscosity {
         Ok(Self { relaxation })
     }
 
+    /// Materials with a relaxation time that was checked.
+    #[inline(always)]
+    pub(crate) const fn of(relaxation: f64) -> Self {
+        Self { relaxation }
+    }
+
     /// The relaxation time A, s.
     #[must_use]
     pub const fn relaxation(&self) -> f64 {
@@ -158,25 +164,48 @@ impl<L: ContactLaw> ViscousLaw<L> {
         (Shift { zeta: approach, xi: from.xi + by[0], eta: from.eta + by[1], omega }, lead)
     }
 
-    // Where all slides and the true shift goes on to slide, the effective one does.
     fn keep_sliding(&self, to: Shift, deeper: f64, by: &mut [f64; 2]) {
         let ContactLoad { f_x, f_y, f_z, .. } = self.law.load();
-        let size = libm::hypot(f_x, f_y);
-        let slides = size > 0.0 && size >= (1.0 - WHOLE) * self.friction * f_z;
-        if !slides {
-            return;
+        if let Some(slides) = Slides::of([f_x, f_y], self.friction * f_z, || self.slides_by) {
+            let truly = [to.xi - self.shift.xi, to.eta - self.shift.eta];
+            *by = slides.on(truly, [to.zeta - self.shift.zeta, deeper], *by);
         }
-        let along = [f_x / size, f_y / size];
-        let part = |by: [f64; 2]| along[0] * by[0] + along[1] * by[1];
-        // kappa f along the friction: the compliances c_z/c_x, c_z/c_y weigh with its direction.
-        let least =
-            along[0] * along[0] * self.slides_by[0] + along[1] * along[1] * self.slides_by[1];
-        let truly = part([to.xi - self.shift.xi, to.eta - self.shift.eta]);
-        let missing = least * deeper - part(*by);
-        if truly > least * (to.zeta - self.shift.zeta) && missing > 0.0 {
-            by[0] += missing * along[0];
-            by[1] += missing * along[1];
+    }
+}
+
+/// A contact that slides as a whole.
+pub(crate) struct Slides {
+    /// The direction of friction.
+    along: [f64; 2],
+    /// kappa f along it: the shift over the approach by which all goes on to slide.
+    least: f64,
+}
+
+impl Slides {
+    /// Unless friction is below its limit. `by` is kappa f along both axes, c_z/c_x and c_z/c_y times f.
+    #[inline(always)]
+    pub(crate) fn of([x, y]: [f64; 2], limit: f64, by: impl FnOnce() -> [f64; 2]) -> Option<Self> {
+        let (square, whole) = (x * x + y * y, (1.0 - WHOLE) * limit);
+        if !(square > 0.0 && square >= whole * whole) {
+            return None;
         }
+        let size = square.sqrt();
+        let (along, [by_x, by_y]) = ([x / size, y / size], by());
+        // The compliances c_z/c_x, c_z/c_y weigh with the direction of friction.
+        let least = along[0] * along[0] * by_x + along[1] * along[1] * by_y;
+        Some(Self { along, least })
+    }
+
+    /// The growth of the effective shift: where the true shift goes on to slide, the effective one does. `deeper` are the
+    /// growths of the true approach and of the effective one.
+    pub(crate) fn on(&self, truly: [f64; 2], deeper: [f64; 2], mut by: [f64; 2]) -> [f64; 2] {
+        let part = |by: [f64; 2]| self.along[0] * by[0] + self.along[1] * by[1];
+        let missing = self.least * deeper[1] - part(by);
+        if part(truly) > self.least * deeper[0] && missing > 0.0 {
+            by[0] += missing * self.along[0];
+            by[1] += missing * self.along[1];
+        }
+        by
     }
 }
 

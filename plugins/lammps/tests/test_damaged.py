@@ -10,7 +10,7 @@ from conftest import Failed, lmp
 
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[2]
-NUMBERS, WITH_TWIST = 81, 164
+NUMBERS, WITH_TWIST = 82, 165
 
 START = """plugin load ${plugin}
 units si

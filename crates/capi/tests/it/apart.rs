@@ -16,16 +16,16 @@ const ROLLING: CaromRolling = CaromRolling { stiffness: 3e4, damping: 20.0, fric
 /// Of the contacts that have ended before.
 const OVERLAP: f64 = 1e-6;
 
-/// Constants of steel against glass, damped by a relaxation, a restitution, both or neither.
+/// Constants of steel against glass, damped by a relaxation, a restitution, or not.
 fn constants(law: u32, damping: usize) -> CaromGrains {
     // SAFETY: plain numbers; all pointers are references or null.
     unsafe {
         let mut grains = zeroed();
-        let relaxation = if damping & 1 == 0 { 0.0 } else { 1e-6 };
+        let relaxation = if damping != 1 { 0.0 } else { 1e-6 };
         let to = &raw mut grains;
         let status = carom_grains_of(&STEEL, &GLASS, 0.3, law, 0.0, relaxation, to, null_mut());
         assert_eq!(status, CaromStatus::Ok);
-        if damping & 2 != 0 {
+        if damping == 2 {
             assert_eq!(carom_grains_restitution(to, 0.7, null_mut()), CaromStatus::Ok);
         }
         grains
@@ -186,14 +186,14 @@ fn standing(
 fn bodies_apart_exert_no_force() {
     let mut random = Random::Seed(59);
     let laws = [CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_COULOMB, CAROM_LAW_RINGS];
-    let made = laws.map(|law| [0, 1, 2, 3].map(|damping| constants(law, damping)));
+    let made = laws.map(|law| [0, 1, 2].map(|damping| constants(law, damping)));
     let mut rings = null_mut();
     // SAFETY: all pointers are references or null.
     let status = unsafe { carom_rings_of(&raw const made[2][0].unit, &raw mut rings, null_mut()) };
     assert_eq!(status, CaromStatus::Ok);
     let (mut pressed, mut parted) = (0, 0);
     for draw in 0..10_000 {
-        let (law, damping) = (random.below(2), random.below(4));
+        let (law, damping) = (random.below(2), random.below(3));
         let constants = ([&made[law][damping], &made[2][damping]], rings);
         let gap = 1e-9 * 10_f64.powf(12.0 * random.unit());
         let is_accounted = random.below(2) == 0;
@@ -202,7 +202,10 @@ fn bodies_apart_exert_no_force() {
         if has_touched {
             let pair = Pair { dt: 1e-7, ..Pair::drawn(&mut random, -OVERLAP) };
             let (loads, _) = exerted(constants, &pair, &mut memories, is_accounted);
-            pressed += usize::from(loads.iter().filter(|load| load.force != [0.0; 3]).count() == 6);
+            let is_pressed = loads.iter().all(|load| load.force != [0.0; 3]);
+            // Damped bodies that recede fast bear nothing, and so have no friction, before they part.
+            assert!(is_pressed || damping > 0, "{draw} {loads:?}");
+            pressed += usize::from(is_pressed);
             // The step in which they part may set energy free.
             let pair = Pair::drawn(&mut random, gap);
             let (loads, _) = exerted(constants, &pair, &mut memories, is_accounted);
@@ -224,7 +227,7 @@ fn bodies_apart_exert_no_force() {
             assert_eq!(standing, [CaromGrainLoad::default(); 2], "{draw}");
         }
     }
-    assert!(pressed == parted && parted > 4000, "{pressed} of {parted} were pressed");
+    assert!(pressed > 3000 && parted > 4000, "{pressed} of {parted} were pressed");
     // SAFETY: made by `carom_rings_of`.
     unsafe { carom_rings_free(rings) };
 }

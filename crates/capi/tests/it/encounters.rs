@@ -128,7 +128,7 @@ fn impossible_encounters_fail_as_one_by_one() {
         .iter()
         .flat_map(|law| [0.0, 1e-7].map(|time| made([0.3, 0.2], 0.4, *law, time).unwrap()))
         .collect();
-    for grains in made.clone() {
+    for grains in made.clone().into_iter().filter(|grains| grains.relaxation == 0.0) {
         let mut damped = grains;
         // SAFETY: a pointer to what lives on.
         let status = unsafe { carom_grains_restitution(&raw mut damped, 0.8, null_mut()) };

@@ -145,6 +145,23 @@ fn what_cannot_be_met_is_refused() {
         assert!(said.contains("restitution") && said.contains("from 0.01 to 1"), "{said}");
         assert_eq!(same, good);
     }
+    // A relaxation time counts the same loss, also in constants that are written by hand.
+    let mut viscous = CaromGrains { relaxation: 1e-6, restitution_ratio: 0.0, ..good };
+    let (place, same) = (&raw mut viscous, viscous);
+    // SAFETY: all pointers are those of variables.
+    let said = told(&|error| unsafe { carom_grains_restitution(place, 0.9, error) });
+    assert!(said.contains("relaxation = 0.000001") || said.contains("relaxation = 1e-6"), "{said}");
+    assert_eq!(viscous, same);
+    // SAFETY: all pointers are those of variables or null.
+    assert_eq!(unsafe { carom_grains_restitution(place, 1.0, null_mut()) }, CaromStatus::Ok);
+    let both = CaromGrains { relaxation: 1e-6, ..good };
+    let (mut touch, mut load, bodies) = (apart(), CaromGrainLoad::default(), meeting());
+    let (touch, load, [one, two], none) = (&raw mut touch, &raw mut load, &bodies, null_mut());
+    // SAFETY: all pointers are those of variables or null.
+    let said = told(&|error| unsafe {
+        carom_touch_grains(&both, touch, one, two, 1e-9, load, none, error)
+    });
+    assert!(said.contains("relaxation"), "{said}");
     let cases = [([0.0, 1.0], "mass = 0"), ([f64::INFINITY; 2], "finite for one of both")];
     for (masses, part) in cases {
         let mut bodies = meeting();

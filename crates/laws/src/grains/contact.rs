@@ -5,11 +5,11 @@ use std::mem::offset_of;
 use carom_special::RangeError;
 
 use super::dashpots::Dashpots;
-use super::drag_heat::{DragHeat, check_heat, middle_of};
-use super::load::{GrainLoad, check_beside, elastic, load_in};
+use super::drag_heat::{DragHeat, check_heat};
+use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
-use super::vector::{Vector, dot, times};
+use super::vector::{Vector, times};
 use crate::damping::HertzDamping;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{Fixed, Growing, VertexStack};
@@ -32,11 +32,10 @@ use crate::shift_law::ShiftLaw;
 /// steps, because it then decreases with the power 3/2 of the time. What is left for the step in
 /// which the gap opens acts one step before, because bodies that are apart exert no force.
 ///
-/// Damping is that of a viscoelastic material in the quasi-static limit: it adds `(2/3) c_z (3/2) A
-/// sqrt(zeta) dzeta/dt` to Hertz's force, with a relaxation time A of the material. The sum with
-/// Hertz's force is never tensile. The friction limit depends on Hertz's force only. A contact [with a
-/// restitution](GrainContact::with_restitution) has in addition a damping force by which two grains rebound with this
-/// restitution at any speed ([`HertzDamping`]); it needs their masses.
+/// Damping is that of viscous materials ([`crate::viscous`]), with a relaxation time A or with a [given
+/// restitution](GrainContact::with_restitution) at any speed ([`HertzDamping`]), which needs the masses. The law is then
+/// driven by the effective approach, at which the elastic contact bears the whole normal force, and by a shift that leads
+/// by theta times its rate. The limit of friction is f times the whole normal force, and friction ends with it.
 #[derive(Debug, Clone, PartialEq)]
 #[repr(C)]
 pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
@@ -48,12 +47,14 @@ pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
     pub(super) friction: [f64; 2],
     /// The damping force of the last step.
     pub(super) drag: f64,
-    /// Of the steps that were accounted for.
+    /// Of the last step of a damped contact.
     pub(super) drag_heat: DragHeat,
     /// The velocity of the shift in the last step.
     pub(super) velocity: [f64; 2],
     /// Difference between the shift given to the law and the true shift.
     pub(super) lead: [f64; 2],
+    /// The approach after the last step of a damped contact, whose law has the effective one.
+    pub(super) approach: f64,
     pub(super) dashpots: Dashpots,
 }
 
@@ -64,7 +65,7 @@ pub struct Heats {
     /// Friction heat, including the energy released at a receding edge, and what a contact loses
     /// where it simplifies its memory; a step may lower it a little.
     pub friction: f64,
-    /// Energy dissipated by the viscoelastic material.
+    /// Energy dissipated by the viscous material: the rest of the work, which a single step may lower a little.
     pub damping: f64,
 }
 
@@ -77,9 +78,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// # Errors
     /// [`RangeError`] unless the time is finite and not negative, and the damping force is finite.
     pub fn new(law: ShiftLaw<[f64; 2], S>, relaxation: f64) -> Result<Self, RangeError> {
-        RangeError::non_negative("relaxation", relaxation)?;
-        let viscosity = relaxation * law.stiffness().c_z;
-        RangeError::finite("relaxation", viscosity)?;
+        let dashpots = Dashpots::of_relaxation(relaxation, law.stiffness().c_z)?;
         let (none, drag) = ([0.0; 2], 0.0);
         let (tangent, normal) = ([0.0; 3], [0.0; 3]);
         Ok(Self {
@@ -91,15 +90,18 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             drag_heat: DragHeat::default(),
             velocity: none,
             lead: none,
-            dashpots: Dashpots { viscosity, ratio: 0.0 },
+            approach: 0.0,
+            dashpots,
         })
     }
 
-    /// The same contact with damping of a given restitution beside that of the materials.
-    #[must_use]
-    pub const fn with_restitution(mut self, damping: HertzDamping) -> Self {
-        self.dashpots.ratio = damping.ratio();
-        self
+    /// The same contact with damping of a given restitution.
+    ///
+    /// # Errors
+    /// [`RangeError`] of `relaxation` if it is above 0 and the restitution below 1: both would count the same loss.
+    pub fn with_restitution(mut self, damping: HertzDamping) -> Result<Self, RangeError> {
+        self.dashpots = self.dashpots.with_restitution(damping)?;
+        Ok(self)
     }
 
     /// The shift law, in the axes of the contact.
@@ -114,10 +116,16 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         self.tangent
     }
 
-    /// The elastic energy of the contact, including compression.
+    /// The elastic energy of the contact: of compression by the approach, and of the tangential load.
     #[must_use]
     pub fn stored_energy(&self) -> f64 {
-        self.law.stored_energy()
+        let stored = self.law.stored_energy();
+        if !self.dashpots.resist() {
+            return stored;
+        }
+        let c_z = self.law.stiffness().c_z;
+        let [true_one, its] = [self.approach, self.law.shift().zeta].map(|z| compressed(c_z, z));
+        stored + (true_one - its)
     }
 
     /// Advances by a step of duration `dt`, at the end of which the bodies are as given. The
@@ -163,16 +171,19 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
         // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
+        if self.dashpots.resist() {
+            return self.advance_damped(&{ *meeting }, dt, load);
+        }
         if self.is_new() {
             return self.begin(&{ *meeting }, dt, load);
         }
         if leaves(meeting, dt) {
             return self.leave(&{ *meeting }, dt, load);
         }
-        let step = self.step(meeting, dt);
-        let drag = self.checked_drag(meeting, &step, dt)?;
+        let step = self.before().step(meeting, dt);
+        self.check_beside(meeting, step.to(), 0.0)?;
         let end = self.law.advance(step.to())?;
-        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y], drag);
+        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y]);
         Ok(())
     }
 
@@ -191,27 +202,22 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
-        let is_new = self.is_new();
-        if is_new && meeting.is_apart() {
+        if self.is_new() && meeting.is_apart() {
             return self.advance(meeting, dt);
         }
-        let middle = middle_of(self.normal, meeting.normal, is_new);
-        let friction = if is_new {
+        if self.dashpots.resist() {
+            return self.advance_damped_accounted(meeting, dt, heats);
+        }
+        let friction = if self.is_new() {
             let (mut law, before) = (self.law.clone(), one_step_before(meeting, dt));
             law.advance(before)?;
             law.loss(first_step(meeting, dt).to())
         } else {
-            self.law.loss(self.step(meeting, dt).to())
+            self.law.loss(self.before().step(meeting, dt).to())
         };
-        let drag = if is_new { self.first_drag(meeting, dt) } else { self.drag(meeting, dt) };
-        let mut drag_heat = self.drag_heat;
-        let speed = dot(meeting.velocity, middle);
-        let damping = drag_heat.step([self.drag, drag], speed, dt, is_new);
-        check_heat(friction + damping)?;
+        check_heat(friction)?;
         let load = self.advance(meeting, dt)?;
-        self.drag_heat = drag_heat;
         heats.friction += friction;
-        heats.damping += damping;
         Ok(load)
     }
 
@@ -223,11 +229,12 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         if meeting.is_apart() {
             return GrainLoad::default();
         }
-        let normal_force = self.elastic(meeting.zeta) + self.drag;
         if self.is_new() {
             let force = times(meeting.normal, self.elastic(meeting.zeta));
             return GrainLoad { force, ..GrainLoad::default() };
         }
+        let bearing = if self.dashpots.resist() { self.law.shift().zeta } else { meeting.zeta };
+        let normal_force = self.elastic(bearing);
         load_in([self.tangent, meeting.normal], meeting.arms, normal_force, self.friction)
     }
 
@@ -242,34 +249,15 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         elastic(self.law.stiffness().c_z, zeta)
     }
 
-    /// The constant of Hertz's force, and the force.
+    /// Checks that no part of the load of a step overflows, whose shift is this.
     #[inline(always)]
-    fn forces(&self, meeting: &Meeting) -> [f64; 2] {
-        [self.law.stiffness().c_z, self.elastic(meeting.zeta)]
-    }
-
-    #[inline(always)]
-    fn drag(&self, meeting: &Meeting, dt: f64) -> f64 {
-        self.dashpots.force_of_one(meeting, self.forces(meeting), dt)
-    }
-
-    fn first_drag(&self, meeting: &Meeting, dt: f64) -> f64 {
-        self.dashpots.first_force(meeting, self.forces(meeting), dt)
-    }
-
-    /// The damping force of a step, if no part of its load overflows.
-    #[inline(always)]
-    pub(super) fn checked_drag(
+    pub(super) fn check_beside(
         &self,
         meeting: &Meeting,
-        step: &Step,
-        dt: f64,
-    ) -> Result<f64, RangeError> {
-        let drag = self.drag(meeting, dt);
-        match check_beside(meeting.arms, drag) {
-            Ok(()) => Ok(drag),
-            Err(error) => Err(self.first_error(step.to(), error)),
-        }
+        to: Shift,
+        drag: f64,
+    ) -> Result<(), RangeError> {
+        check_beside(meeting.arms, drag).map_err(|error| self.first_error(to, error))
     }
 
     /// The error of the law if it does not allow the step, which comes first.
@@ -279,11 +267,12 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     }
 
     #[inline(always)]
-    pub(super) fn step(&self, meeting: &Meeting, dt: f64) -> Step {
+    pub(super) fn before(&self) -> Before<f64> {
         let Shift { zeta, xi, eta, .. } = self.law.shift();
+        let zeta = if self.dashpots.resist() { self.approach } else { zeta };
         let (tangent, normal, velocity, lead) =
             (self.tangent, self.normal, self.velocity, self.lead);
-        Before { tangent, normal, velocity, lead, zeta, shift: [xi, eta] }.step(meeting, dt)
+        Before { tangent, normal, velocity, lead, zeta, shift: [xi, eta] }
     }
 
     #[inline(never)]
@@ -296,17 +285,16 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
         before.check_finite()?;
         step.to().check_finite()?;
-        let drag = self.first_drag(meeting, dt);
         let mut law = self.law.clone();
         law.advance(before)?;
         let end = law.advance(step.to())?;
-        check_beside(meeting.arms, drag)?;
+        check_beside(meeting.arms, 0.0)?;
         if meeting.is_apart() {
             *load = GrainLoad::default();
             return Ok(());
         }
         self.law = law;
-        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y], drag);
+        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y]);
         Ok(())
     }
 
@@ -319,10 +307,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
-        let step = self.step(meeting, dt);
+        let step = self.before().step(meeting, dt);
         let (from, to) = (self.law.shift(), step.to());
         let between = |part: f64| on_the_way(from, to, part);
-        let drag = self.checked_drag(meeting, &step, dt)?;
+        self.check_beside(meeting, to, 0.0)?;
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
         let past = past.advance(between(0.5))?;
         let end = law.advance(to)?;
@@ -332,7 +320,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let ending = Ending::of(meeting, dt);
         let friction =
             [ending.mean(past.f_x, end.f_x, ahead.f_x), ending.mean(past.f_y, end.f_y, ahead.f_y)];
-        *load = self.keep(meeting, &step, end, friction, drag);
+        *load = self.keep(meeting, &step, end, friction);
         Ok(())
     }
 
@@ -343,12 +331,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         step: &Step,
         end: ContactLoad,
         friction: [f64; 2],
-        drag: f64,
     ) -> GrainLoad {
-        self.drag = drag;
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
-        load_in([step.tangent, meeting.normal], meeting.arms, end.f_z + self.drag, friction)
+        load_in([step.tangent, meeting.normal], meeting.arms, end.f_z, friction)
     }
 }
 

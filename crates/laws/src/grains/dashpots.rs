@@ -1,83 +1,126 @@
-//! The damping of the normal motion.
+//! The damping of the normal motion: the effective approach of a contact, and by how much its shift leads.
 
-use super::meeting::Meeting;
+use carom_special::RangeError;
+
 use super::number::Number;
-use super::vector::dot;
+use crate::damping::HertzDamping;
+use crate::viscous::Viscosity;
 
-/// What resists the speed of approach beside Hertz's force; zero for none.
+/// What resists the speed of approach; zero for none. At most one of both is above 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub(super) struct Dashpots<T = f64> {
-    /// The damping force of a viscoelastic material divided by `sqrt(zeta) dzeta/dt`.
-    pub(super) viscosity: T,
+    /// The relaxation time A of the materials.
+    pub(super) relaxation: T,
     /// The ratio alpha of [`crate::damping::HertzDamping`], of a given restitution.
     pub(super) ratio: T,
+}
+
+/// The motion along the normal at the end of a step.
+#[derive(Clone, Copy)]
+pub(super) struct Motion<T = f64> {
+    pub(super) zeta: T,
+    /// The rate of the approach in the middle of the step.
+    pub(super) speed: T,
+    /// That of the step before.
+    pub(super) before: T,
+    /// For how many of the last half steps the force acts: two if the bodies touched in this step.
+    pub(super) since: T,
+    pub(super) dt: f64,
+}
+
+/// What a damped contact makes of its approach.
+#[derive(Clone, Copy)]
+pub(super) struct Effective<T = f64> {
+    /// Z: the approach at which the elastic contact bears the whole normal force; 0 where it bears none.
+    pub(super) approach: T,
+    /// theta: the time by which shift and twist lead.
+    pub(super) theta: T,
 }
 
 /// Least half width, over the approach, of the window over which the root is averaged.
 const LEAST: f64 = 1e-3;
 
-impl<T: Number> Dashpots<T> {
-    /// The damping force at the end of a step of duration `dt`; its sum with Hertz's force `elastic`, of the constant
-    /// `c_z`, is never tensile. It is 0 where the bodies are apart. The masses are asked for if there is a restitution.
-    #[inline(always)]
-    pub(super) fn force<M>(
-        &self,
-        meeting: &Meeting<T, M>,
-        masses: impl FnOnce() -> [T; 2],
-        [c_z, elastic]: [T; 2],
-        dt: f64,
-    ) -> T {
-        self.force_since(meeting, masses, [c_z, elastic], [T::of(1.0), T::of(dt)])
+impl Dashpots {
+    /// Those of materials with this relaxation time, of a contact of the stiffness `c_z`.
+    pub(super) fn of_relaxation(relaxation: f64, c_z: f64) -> Result<Self, RangeError> {
+        RangeError::non_negative("relaxation", relaxation)?;
+        RangeError::finite("relaxation", relaxation * c_z)?;
+        Ok(Self { relaxation, ratio: 0.0 })
     }
 
-    /// The force of a viscoelastic material, and that of a given restitution over the last `since` half steps and the
-    /// next one.
-    ///
-    /// The latter is `alpha sqrt(m K) zeta^(1/4) dzeta/dt`, K = (2/3) c_z. Two corrections make it exact to the second
-    /// order of the step, where the restitution would otherwise be off by more than the step's part of the impact.
-    /// First, `zeta^(1/4)`, which begins with a vertical tangent, is averaged over the time for which the force acts.
-    /// Second, the known speed is that of the middle of the step, half a step before; from there to its end the force
-    /// itself slows the approach by F dt/(2 m), so that F (1 + c dt/(2 m)) = elastic + c speed.
+    /// Those of a given restitution, unless the materials are viscous themselves.
+    pub(super) fn with_restitution(self, damping: HertzDamping) -> Result<Self, RangeError> {
+        let ratio = damping.beside_relaxation(self.relaxation)?.ratio();
+        Ok(Self { ratio, ..self })
+    }
+
+    /// Whether the contact is damped.
     #[inline(always)]
-    fn force_since<M>(
-        &self,
-        meeting: &Meeting<T, M>,
-        masses: impl FnOnce() -> [T; 2],
-        [c_z, elastic]: [T; 2],
-        [since, dt]: [T; 2],
-    ) -> T {
-        let speed = dot(meeting.velocity, meeting.normal);
-        // Without damping 0 and never -0, whichever damping the contacts beside have.
-        let mut force =
-            T::of(0.0) + self.viscosity * meeting.zeta.larger(T::of(0.0)).sqrt() * speed;
-        if self.ratio.is_any_positive() {
-            let [one, two] = masses().map(|mass| T::of(1.0) / mass);
-            let mobility = one + two;
-            let root = mean_root(meeting.zeta, T::of(0.5) * dt * speed, since);
-            let c = self.ratio * (T::of(2.0 / 3.0) * c_z / mobility).sqrt() * root;
-            let slowed = T::of(1.0) + c * mobility * (T::of(0.5) * dt);
-            // Masses of contacts without a restitution beside this one may be anything.
-            let by_restitution = (elastic + c * speed) / slowed - elastic;
-            force = force + by_restitution.where_positive(self.ratio);
-        }
-        // Bodies that are apart exert no force on each other, however fast they approach.
-        force.larger(T::of(0.0) - elastic).where_positive(meeting.zeta)
+    pub(super) fn resist(&self) -> bool {
+        (self.relaxation > 0.0) | (self.ratio > 0.0)
     }
 }
 
-impl Dashpots {
-    /// The force of one contact at the end of a step, as [`Dashpots::force`].
+impl<T: Number> Dashpots<T> {
+    /// Effective approach and lead of contacts that are all damped. `c_z` is the constant of Hertz's force. The mobility,
+    /// the sum of one over each mass, is asked for if there is a restitution.
     #[inline(always)]
-    pub(super) fn force_of_one(&self, meeting: &Meeting, forces: [f64; 2], dt: f64) -> f64 {
-        self.force(meeting, || meeting.masses, forces, dt)
+    pub(super) fn effective(
+        &self,
+        motion: Motion<T>,
+        c_z: T,
+        mobility: impl FnOnce() -> T,
+    ) -> Effective<T> {
+        let nothing = T::of(0.0);
+        let mut all = Effective { approach: nothing, theta: nothing };
+        if self.relaxation.is_any_positive() {
+            let by = self.by_relaxation(motion);
+            all.approach = by.approach.where_positive(self.relaxation);
+            all.theta = by.theta.where_positive(self.relaxation);
+        }
+        if self.ratio.is_any_positive() {
+            let by = self.by_restitution(motion, c_z, mobility());
+            all.approach = all.approach + by.approach.where_positive(self.ratio);
+            all.theta = all.theta + by.theta.where_positive(self.ratio);
+        }
+        // Bodies that are apart exert no force on each other, however fast they approach.
+        Effective { approach: all.approach.where_positive(motion.zeta), ..all }
     }
 
-    /// The force at the end of the step in which the bodies touched: it makes up for the time before the last half
-    /// of the step.
-    #[inline]
-    pub(super) fn first_force(&self, meeting: &Meeting, forces: [f64; 2], dt: f64) -> f64 {
-        self.force_since(meeting, || meeting.masses, forces, [2.0, dt])
+    /// That of viscous materials, at the speed of the end of the step: hosts know that of its middle.
+    #[inline(always)]
+    fn by_relaxation(&self, Motion { zeta, speed, before, .. }: Motion<T>) -> Effective<T> {
+        let rate = speed + T::of(0.5) * (speed - before);
+        let [approach, theta] = T::each([self.relaxation, zeta, rate], |[time, zeta, rate]| {
+            let by = Viscosity::of(time).effective(zeta, rate);
+            [by.approach, by.lead]
+        });
+        Effective { approach, theta }
+    }
+
+    /// That of a given restitution: the force beside Hertz's is `D dzeta/dt`, `D = alpha sqrt(m K) zeta^(1/4)`, K = (2/3) c_z.
+    ///
+    /// Two corrections make the force F exact to the second order of the step, where the restitution would otherwise be
+    /// off by more than the step's part of the impact. First, `zeta^(1/4)`, which begins with a vertical tangent, is
+    /// averaged over the last `since` half steps and the next one. Second, the known speed is that of the middle of the
+    /// step, half a step before; from there to its end the force itself slows the approach by F dt/(2 m), so that
+    /// F (1 + D dt/(2 m)) = elastic + D speed.
+    ///
+    /// With p = (F/K)^(1/3) and s = zeta^(1/2) the lead (Z - zeta)/zeta' is (D/K) (p + s)/(p^2 + p s + s^2).
+    #[inline(always)]
+    fn by_restitution(&self, motion: Motion<T>, c_z: T, mobility: T) -> Effective<T> {
+        let Motion { zeta, speed, since, dt, .. } = motion;
+        let half = T::of(0.5 * dt);
+        let root = mean_root(zeta, half * speed, since);
+        let stiffness = T::of(2.0 / 3.0) * c_z;
+        let damping = self.ratio * (stiffness / mobility).sqrt() * root;
+        let s = zeta.larger(T::of(0.0)).sqrt();
+        let slowed = T::of(1.0) + damping * mobility * half;
+        let force = (stiffness * (s * s * s) + damping * speed) / slowed;
+        let [p] = T::each([force.larger(T::of(0.0)) / stiffness], |[cube]| [libm::cbrt(cube)]);
+        let squares = (p * p + p * s + s * s).larger(T::of(f64::MIN_POSITIVE));
+        Effective { approach: p * p, theta: damping / stiffness * ((p + s) / squares) }
     }
 }
 

@@ -2,8 +2,6 @@
 
 use carom_special::RangeError;
 
-use super::vector::{Vector, plus, times};
-
 /// What the heat of damping needs of the steps before.
 ///
 /// A leapfrog knows forces at the ends of steps and speeds in their middle. The product of a speed with the mean of the
@@ -35,12 +33,6 @@ impl DragHeat {
         *self = Self { drag: old, speed };
         twelfths * (dt / 12.0)
     }
-}
-
-/// The normal in the middle of a step, along which a force at either end counts the same; where the grains pass each
-/// other, that at the end alone would be off in the first order of the step.
-pub(super) fn middle_of(old: Vector, new: Vector, is_first: bool) -> Vector {
-    if is_first { new } else { times(plus(old, new), 0.5) }
 }
 
 /// Checks the heat of a step, which overflows at speeds beyond all range.

@@ -22,6 +22,11 @@ pub(super) fn elastic<T: Number>(c_z: T, zeta: T) -> T {
     T::of(2.0 / 3.0) * c_z * (zeta * zeta.sqrt())
 }
 
+/// The energy of compression, the work of Hertz's force.
+pub(super) fn compressed(c_z: f64, zeta: f64) -> f64 {
+    0.4 * zeta.max(0.0) * elastic(c_z, zeta)
+}
+
 /// The force on body 1 and the torques on both bodies, in the axes of tangent and normal.
 #[inline(always)]
 pub(super) fn forces<T: Number>(

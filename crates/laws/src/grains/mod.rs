@@ -8,6 +8,9 @@
 //! of spheres may be advanced four at a time ([`advance_together`]). [`GrainRings`] holds the law of
 //! rings instead, in which shift, twist and the coupling of dissimilar materials act together.
 //!
+//! A contact may be damped, by a relaxation time of its materials or by a restitution that is given. Both damp friction as
+//! they damp the normal force ([`crate::viscous`]).
+//!
 //! ```
 //! use carom_laws::friction::Friction;
 //! use carom_laws::grains::{Grain, GrainContact, Meeting};
@@ -26,6 +29,7 @@
 //! ```
 
 mod contact;
+mod damped;
 mod dashpots;
 mod drag_heat;
 mod load;
@@ -33,6 +37,7 @@ mod meeting;
 mod number;
 mod pack;
 mod rings;
+mod rings_damped;
 mod rings_pack;
 mod step;
 mod together;

@@ -24,6 +24,12 @@ pub(super) trait Number:
     /// Whether it is > 0 in any lane.
     fn is_any_positive(self) -> bool;
 
+    /// Functions of several numbers, computed for each lane by itself.
+    fn each<const N: usize, const M: usize>(
+        numbers: [Self; N],
+        of: impl Fn([f64; N]) -> [f64; M],
+    ) -> [Self; M];
+
     /// Three functions of two numbers. `near` computes them if the numbers of all lanes are at most `up_to` in magnitude,
     /// otherwise `each` does for each lane.
     fn near_or_each(
@@ -58,6 +64,14 @@ impl Number for f64 {
     #[inline(always)]
     fn is_any_positive(self) -> bool {
         self > 0.0
+    }
+
+    #[inline(always)]
+    fn each<const N: usize, const M: usize>(
+        numbers: [Self; N],
+        of: impl Fn([f64; N]) -> [f64; M],
+    ) -> [Self; M] {
+        of(numbers)
     }
 
     #[inline(always)]
@@ -106,6 +120,16 @@ impl Number for Lanes {
     #[inline(always)]
     fn is_any_positive(self) -> bool {
         self.simd_gt(Self::splat(0.0)).to_bitmask() != 0
+    }
+
+    #[inline(always)]
+    fn each<const N: usize, const M: usize>(
+        numbers: [Self; N],
+        of: impl Fn([f64; N]) -> [f64; M],
+    ) -> [Self; M] {
+        let numbers = numbers.map(Self::to_array);
+        let all: [[f64; M]; LANES] = from_fn(|i| of(numbers.map(|lane| lane[i])));
+        from_fn(|k| lanes(|i| all[i][k]))
     }
 
     #[inline(always)]

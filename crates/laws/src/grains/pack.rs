@@ -8,14 +8,14 @@ use super::vector::{Vector, dot};
 use crate::coulomb::packed_numbers;
 use crate::memory::VertexStack;
 
-/// Number of values beside those of the law: tangent, normal, friction, drag, velocity, lead and what the heat
-/// of damping needs.
-pub(super) const BESIDE: usize = 15;
+/// Number of values beside those of the law: tangent, normal, friction, drag, velocity, lead, what the heat
+/// of damping needs, and the approach.
+pub(super) const BESIDE: usize = 16;
 
-/// Number of values of a stored grain contact with this many vertices: 81 for 12.
+/// Number of values of a stored grain contact with this many vertices: 82 for 12.
 ///
 /// ```
-/// assert_eq!(carom_laws::grains::grain_numbers(12), 81);
+/// assert_eq!(carom_laws::grains::grain_numbers(12), 82);
 /// ```
 #[must_use]
 pub const fn grain_numbers(vertices: usize) -> usize {
@@ -38,7 +38,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let (tangent, normal, friction, drag) =
             (self.tangent, self.normal, self.friction, self.drag);
         let (velocity, lead, drag_heat) = (self.velocity, self.lead, self.drag_heat);
-        Beside { tangent, normal, friction, drag, velocity, lead, drag_heat }.write(beside);
+        let approach = self.approach;
+        let its = Beside { tangent, normal, friction, drag, velocity, lead, drag_heat, approach };
+        its.write(beside);
         Ok(())
     }
 
@@ -53,10 +55,11 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let (law, beside) = numbers.split_at(room - BESIDE);
         let beside = Beside::read(beside)?;
         self.law.unpack(law)?;
-        let Beside { tangent, normal, friction, drag, velocity, lead, drag_heat } = beside;
+        let Beside { tangent, normal, friction, drag, velocity, lead, drag_heat, approach } =
+            beside;
         (self.tangent, self.normal, self.friction) = (tangent, normal, friction);
         (self.drag, self.velocity, self.lead) = (drag, velocity, lead);
-        self.drag_heat = drag_heat;
+        (self.drag_heat, self.approach) = (drag_heat, approach);
         Ok(())
     }
 }
@@ -70,6 +73,7 @@ pub(super) struct Beside {
     pub(super) velocity: [f64; 2],
     pub(super) lead: [f64; 2],
     pub(super) drag_heat: DragHeat,
+    pub(super) approach: f64,
 }
 
 impl Beside {
@@ -81,6 +85,7 @@ impl Beside {
         numbers[9..11].copy_from_slice(&self.velocity);
         numbers[11..13].copy_from_slice(&self.lead);
         (numbers[13], numbers[14]) = (self.drag_heat.drag, self.drag_heat.speed);
+        numbers[15] = self.approach;
     }
 
     pub(super) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
@@ -99,6 +104,7 @@ impl Beside {
         let pair = |i: usize| [numbers[i], numbers[i + 1]];
         let (friction, drag, velocity, lead) = (pair(6), numbers[8], pair(9), pair(11));
         let drag_heat = DragHeat { drag: numbers[13], speed: numbers[14] };
-        Ok(Self { tangent, normal, friction, drag, velocity, lead, drag_heat })
+        let approach = numbers[15];
+        Ok(Self { tangent, normal, friction, drag, velocity, lead, drag_heat, approach })
     }
 }

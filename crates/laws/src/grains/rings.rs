@@ -4,8 +4,8 @@ use carom_special::RangeError;
 
 use super::contact::Heats;
 use super::dashpots::Dashpots;
-use super::drag_heat::{DragHeat, check_heat, middle_of};
-use super::load::{GrainLoad, elastic, load_in};
+use super::drag_heat::{DragHeat, check_heat};
+use super::load::{GrainLoad, compressed, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
 use super::vector::{Vector, dot, times};
@@ -18,7 +18,9 @@ use crate::rings::{RingMemory, Rings};
 ///
 /// Approach, shift and twist act together: the coupling of dissimilar materials and the torque about the
 /// normal are included. Numerov's correction, the averaging of friction before the gap opens, and damping are
-/// those of [`super::GrainContact`]. Exchanging the grains gives the same bits.
+/// those of [`super::GrainContact`]; the twist leads as the shift does. Only friction that is f times the normal force
+/// counts as sliding of the whole, so that a contact that spins as it slides does not. Exchanging the grains gives the
+/// same bits.
 ///
 /// The constants ([`Rings`]) are passed to each call and must be those with which the contact began.
 ///
@@ -54,13 +56,19 @@ pub struct GrainRings<const N: usize = 6, const M: usize = 8> {
     pub(super) velocity: [f64; 2],
     /// Difference between the shift given to the law and the true shift.
     pub(super) lead: [f64; 2],
+    /// The approach after the last step of a damped contact, whose law has the effective one.
+    pub(super) approach: f64,
+    /// Of a damped contact, the rate of the twist in the last step.
+    pub(super) twisting: f64,
+    /// Difference between the twist given to the law and the true twist.
+    pub(super) twist_lead: f64,
     pub(super) dashpots: Dashpots,
 }
 
 /// The load that the law gives at the end of a step.
-struct Given {
-    load: ContactLoad,
-    heat: f64,
+pub(super) struct Given {
+    pub(super) load: ContactLoad,
+    pub(super) heat: f64,
 }
 
 impl<const N: usize, const M: usize> GrainRings<N, M> {
@@ -69,9 +77,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
     /// # Errors
     /// [`RangeError`] unless the time is finite and not negative, and the damping force is finite.
     pub fn new(rings: &Rings<'_, N, M>, relaxation: f64) -> Result<Self, RangeError> {
-        RangeError::non_negative("relaxation", relaxation)?;
-        let viscosity = relaxation * rings.c_z();
-        RangeError::finite("relaxation", viscosity)?;
+        let dashpots = Dashpots::of_relaxation(relaxation, rings.c_z())?;
         Ok(Self {
             memory: RingMemory::default(),
             tangent: [0.0; 3],
@@ -82,15 +88,20 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             drag_heat: DragHeat::default(),
             velocity: [0.0; 2],
             lead: [0.0; 2],
-            dashpots: Dashpots { viscosity, ratio: 0.0 },
+            approach: 0.0,
+            twisting: 0.0,
+            twist_lead: 0.0,
+            dashpots,
         })
     }
 
     /// The same contact with damping of a given restitution, as [`super::GrainContact::with_restitution`].
-    #[must_use]
-    pub const fn with_restitution(mut self, damping: HertzDamping) -> Self {
-        self.dashpots.ratio = damping.ratio();
-        self
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with_restitution(mut self, damping: HertzDamping) -> Result<Self, RangeError> {
+        self.dashpots = self.dashpots.with_restitution(damping)?;
+        Ok(self)
     }
 
     /// The load history in the axes of the contact.
@@ -103,6 +114,18 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
     #[must_use]
     pub const fn tangent(&self) -> [f64; 3] {
         self.tangent
+    }
+
+    /// The elastic energy of the contact, as [`super::GrainContact::stored_energy`].
+    #[must_use]
+    pub fn stored_energy(&self, rings: &Rings<'_, N, M>) -> f64 {
+        let stored = self.memory.stored_energy(rings);
+        if !self.dashpots.resist() {
+            return stored;
+        }
+        let approaches = [self.approach, self.memory.shift().zeta];
+        let [true_one, its] = approaches.map(|zeta| compressed(rings.c_z(), zeta));
+        stored + (true_one - its)
     }
 
     /// Advances by a step of duration `dt`, as [`super::GrainContact::advance`].
@@ -152,21 +175,14 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         meeting: &Meeting,
         dt: f64,
     ) -> Result<(GrainLoad, f64, f64), RangeError> {
-        let (is_new, old, normal) = (self.is_new(), self.drag, self.normal);
-        let (step, given) = match is_new {
+        if self.dashpots.resist() {
+            return self.moved_damped(rings, meeting, dt);
+        }
+        let (step, given) = match self.is_new() {
             true => self.begin(rings, meeting, dt)?,
             false => self.go_on(rings, meeting, dt)?,
         };
-        let elastic = given.load.f_z;
-        let c_z = pressed(elastic, meeting.zeta).unwrap_or(rings.c_z());
-        self.drag = match is_new {
-            true => self.dashpots.first_force(meeting, [c_z, elastic], dt),
-            false => self.dashpots.force_of_one(meeting, [c_z, elastic], dt),
-        };
-        let load = self.keep(meeting, &step, given.load);
-        let speed = dot(meeting.velocity, middle_of(normal, meeting.normal, is_new));
-        let damping = self.drag_heat.step([old, self.drag], speed, dt, is_new);
-        Ok((load, given.heat, damping))
+        Ok((self.keep(meeting, &step, given.load), given.heat, 0.0))
     }
 
     /// The load at the end of the last step, for the bodies as given. A contact without a step has
@@ -180,14 +196,21 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
             let force = times(meeting.normal, elastic(rings.c_z(), meeting.zeta));
             return GrainLoad { force, ..GrainLoad::default() };
         }
-        let pressed = self.memory.load(rings).f_z + self.drag;
-        self.exerted(meeting, pressed)
+        self.exerted(meeting, self.memory.load(rings).f_z)
     }
 
     /// Whether the bodies have not touched yet; the contact then has no history.
     #[must_use]
     pub fn is_new(&self) -> bool {
         self.tangent == [0.0; 3]
+    }
+
+    pub(super) fn before(&self) -> Before<f64> {
+        let Shift { zeta, xi, eta, .. } = self.memory.shift();
+        let zeta = if self.dashpots.resist() { self.approach } else { zeta };
+        let (tangent, normal, velocity, lead) =
+            (self.tangent, self.normal, self.velocity, self.lead);
+        Before { tangent, normal, velocity, lead, zeta, shift: [xi, eta] }
     }
 
     fn begin(
@@ -211,11 +234,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         dt: f64,
     ) -> Result<(Step, Given), RangeError> {
         let from = self.memory.shift();
-        let (tangent, normal, velocity, lead) =
-            (self.tangent, self.normal, self.velocity, self.lead);
-        let (zeta, shift) = (from.zeta, [from.xi, from.eta]);
-        let before = Before { tangent, normal, velocity, lead, zeta, shift };
-        let step = before.step(meeting, dt);
+        let step = self.before().step(meeting, dt);
         let to = Shift { omega: from.omega + turned(meeting, dt), ..step.to() };
         if leaves(meeting, dt) {
             return Ok((step, self.leave(rings, to, Ending::of(meeting, dt))?));
@@ -251,13 +270,13 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         Ok(Given { load, heat })
     }
 
-    fn keep(&mut self, meeting: &Meeting, step: &Step, load: ContactLoad) -> GrainLoad {
+    pub(super) fn keep(&mut self, meeting: &Meeting, step: &Step, load: ContactLoad) -> GrainLoad {
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.velocity, self.lead) = (step.velocity, step.lead);
         self.friction = [load.f_x, load.f_y];
         // The law counts twist and torque clockwise.
         self.torque = -load.m_z;
-        self.exerted(meeting, load.f_z + self.drag)
+        self.exerted(meeting, load.f_z)
     }
 
     fn exerted(&self, meeting: &Meeting, normal_force: f64) -> GrainLoad {
@@ -275,13 +294,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
     }
 }
 
-/// The constant c_z of Hertz's law that gives this force; that of coupled materials is stiffer than without friction.
-fn pressed(force: f64, zeta: f64) -> Option<f64> {
-    let c_z = 1.5 * force / (zeta * zeta.sqrt());
-    (zeta > 0.0 && c_z.is_finite()).then_some(c_z)
-}
-
 /// The twist during a step, clockwise as in the law.
-fn turned(meeting: &Meeting, dt: f64) -> f64 {
+pub(super) fn turned(meeting: &Meeting, dt: f64) -> f64 {
     -dot(meeting.twisting(), meeting.normal) * dt
 }

@@ -23,6 +23,8 @@ pub(super) struct Step<T = f64> {
     /// The shift to give to the law.
     pub(super) shift: [T; 2],
     pub(super) velocity: [T; 2],
+    /// The rate of the approach.
+    pub(super) speed: T,
     pub(super) lead: [T; 2],
 }
 
@@ -57,7 +59,24 @@ impl<T: Number> Before<T> {
         };
         let dt = T::of(dt);
         let shift = both(|k| self.shift[k] + (velocity[k] * dt + (lead[k] - self.lead[k])));
-        Step { tangent, zeta: meeting.zeta, shift, velocity, lead }
+        let speed = dot(meeting.velocity, middle);
+        Step { tangent, zeta: meeting.zeta, shift, velocity, speed, lead }
+    }
+
+    /// The lead at the end of a step of a damped contact, and the growth of the shift of its law, of which this part of
+    /// the step is in contact. The shift leads by theta times its rate at the end of the step; to it Numerov's correction
+    /// is added.
+    #[inline(always)]
+    pub(super) fn led(&self, velocity: [T; 2], theta: T, part: T, dt: f64) -> [[T; 2]; 2] {
+        let lead = match dt > 0.0 {
+            true => both(|k| {
+                let change = velocity[k] - self.velocity[k];
+                change * T::of(dt * (1.0 / 12.0)) + theta * (velocity[k] + T::of(0.5) * change)
+            }),
+            false => self.lead,
+        };
+        let by = both(|k| velocity[k] * (T::of(dt) * part) + (lead[k] - self.lead[k]));
+        [lead, by]
     }
 
     /// The tangent, rotated with the normal and by an angle about it, unless the bodies determine it.
@@ -107,7 +126,8 @@ pub(super) fn first_step(meeting: &Meeting, dt: f64) -> Step {
     let slip = slip(meeting, growth, meeting.normal);
     let velocity = [dot(slip, tangent), dot(slip, cross(meeting.normal, tangent))];
     let (zeta, shift, lead) = (meeting.zeta, velocity.map(|v| v * dt), [0.0; 2]);
-    Step { tangent, zeta, shift, velocity, lead }
+    let speed = dot(meeting.velocity, meeting.normal);
+    Step { tangent, zeta, shift, velocity, speed, lead }
 }
 
 /// A unit vector perpendicular to another one; arbitrary but always the same.

@@ -5,14 +5,15 @@ use std::array::from_fn;
 use carom_special::RangeError;
 
 use super::contact::GrainContact;
-use super::dashpots::Dashpots;
+use super::dashpots::{Dashpots, Effective, Motion};
+use super::drag_heat::DragHeat;
 use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, elastic, forces};
 use super::meeting::{Grain, Meeting, Meetings};
-use super::number::{LANES, Lanes, hold, lanes};
+use super::number::{LANES, Lanes, Number as _, hold, lanes};
 use super::step::{Before, Step, parting};
 use super::vector::dot;
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
-use crate::law::{ContactLaw as _, Shift};
+use crate::law::Shift;
 use crate::memory::VertexStack;
 
 /// Number of contacts that are advanced together.
@@ -42,7 +43,7 @@ impl<S: VertexStack<[f64; 2]>> Touching<'_, S> {
 /// results are the same bits as those of [`GrainContact::advance`], in less time.
 ///
 /// `meanwhile` is called between the steps of the laws, with 0 to TOGETHER - 1, unless one of the
-/// contacts begins or ends. It may prefetch the data of the next contacts, which then costs no
+/// contacts begins or ends, or some are damped and others are not. It may prefetch the data of the next contacts, which then costs no
 /// time.
 ///
 /// ```
@@ -77,11 +78,18 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
     let (meeting, before) = (Meetings::of_pairs(bodies, shares)?, before(pairs));
     // A new contact has no tangent.
     let has_begun = dot(before.tangent, before.tangent).simd_gt(Lanes::splat(0.0));
-    let stays = parting(&meeting, dt).simd_ge(Lanes::splat(0.0) - meeting.zeta);
-    if hold(has_begun & stays) {
-        go_on(pairs, &meeting, &before, dt, meanwhile)
-    } else {
-        one_by_one(pairs, dt)
+    let damped = pairs.iter().filter(|pair| pair.contact.dashpots.resist()).count();
+    let stays = match damped {
+        0 => parting(&meeting, dt).simd_ge(Lanes::splat(0.0) - meeting.zeta),
+        // Bodies that touched before and overlap.
+        _ => before.zeta.simd_gt(Lanes::splat(0.0)) & meeting.zeta.simd_gt(Lanes::splat(0.0)),
+    };
+    match damped {
+        0 if hold(has_begun & stays) => go_on(pairs, &meeting, &before, dt, meanwhile),
+        TOGETHER if hold(has_begun & stays) => {
+            go_on_damped(pairs, &meeting, &before, dt, meanwhile)
+        }
+        _ => one_by_one(pairs, dt),
     }
 }
 
@@ -101,64 +109,152 @@ fn go_on<S: VertexStack<[f64; 2]>>(
     meeting: &Meetings,
     before: &Before<Lanes>,
     dt: f64,
-    mut meanwhile: impl FnMut(usize),
+    meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {
     let step = before.step(meeting, dt);
     let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
     let elastic = elastic(c_z, meeting.zeta);
-    let dashpots = Dashpots {
-        viscosity: each(pairs, |pair| pair.contact.dashpots.viscosity),
-        ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
-    };
-    let masses = || from_fn(|k| each(pairs, |pair| pair.bodies[k].mass));
-    let drag = dashpots.force(meeting, masses, [c_z, elastic], dt);
-    let to = normalised(pairs, &step);
-    if !hold(allowed(&step, to) & allowed_beside(meeting.arms, drag)) {
+    let to = normalised(pairs, step.shift);
+    let is_allowed = allowed([step.zeta, step.shift[0], step.shift[1]], to);
+    if !hold(is_allowed & allowed_beside(meeting.arms, Lanes::splat(0.0))) {
         return one_by_one(pairs, dt);
     }
-    let mut frictions = [[0.0; 2]; TOGETHER];
+    let frictions = advanced(pairs, [step.zeta, step.shift[0], step.shift[1]], to, meanwhile);
+    exert(pairs, meeting, &step, elastic, frictions);
     for (i, pair) in pairs.iter_mut().enumerate() {
-        meanwhile(i);
-        let to = to.map(|lane| lane.to_array()[i]);
-        frictions[i] = pair.contact.law.go(lane(&step, i), to);
+        pair.contact.lead = step.lead.map(|lane| lane.to_array()[i]);
     }
-    let friction = from_fn(|k| lanes(|i| frictions[i][k]));
-    let axes = [step.tangent, meeting.normal];
-    let loads = forces(axes, meeting.arms, elastic + drag, friction);
+    Ok(())
+}
+
+/// As [`go_on`] for contacts that are all damped; their laws are driven as in [`super::damped`].
+#[inline(never)]
+fn go_on_damped<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
+    meeting: &Meetings,
+    before: &Before<Lanes>,
+    dt: f64,
+    meanwhile: impl FnMut(usize),
+) -> Result<(), RangeError> {
+    let step = before.step(meeting, dt);
+    let c_z = each(pairs, |pair| pair.contact.law.stiffness().c_z);
+    let Effective { approach, theta } = effective(pairs, &step, c_z, dt);
+    let [lead, by] = before.led(step.velocity, theta, Lanes::splat(1.0), dt);
+    let by = slid_on(pairs, &step, [approach, Lanes::splat(dt)], by);
+    let shift: [_; 2] = from_fn(|k| before.shift[k] + by[k]);
+    let (its, drag) = (elastic(c_z, approach), elastic(c_z, approach) - elastic(c_z, step.zeta));
+    let to = normalised(pairs, shift);
+    let is_allowed = allowed([step.zeta, step.shift[0], step.shift[1]], to)
+        & allowed([approach, shift[0], shift[1]], to);
+    if !hold(is_allowed & allowed_beside(meeting.arms, drag)) {
+        return one_by_one(pairs, dt);
+    }
+    let frictions = advanced(pairs, [approach, shift[0], shift[1]], to, meanwhile);
+    exert(pairs, meeting, &step, its, frictions);
+    let lead = lead.map(|lead| lead.where_positive(approach));
     for (i, pair) in pairs.iter_mut().enumerate() {
         let contact = &mut *pair.contact;
-        contact.tangent = step.tangent.map(|lane| lane.to_array()[i]);
-        contact.normal = meeting.normal.map(|lane| lane.to_array()[i]);
-        contact.friction = frictions[i];
-        contact.drag = drag.to_array()[i];
-        contact.velocity = step.velocity.map(|lane| lane.to_array()[i]);
-        contact.lead = step.lead.map(|lane| lane.to_array()[i]);
-    }
-    for (i, pair) in pairs.iter_mut().enumerate() {
-        let [force, torque_1, torque_2] = loads.map(|v| v.map(|lane| lane.to_array()[i]));
-        *pair.load = GrainLoad { force, torques: [torque_1, torque_2] };
+        let at = |lane: Lanes| lane.to_array()[i];
+        contact.drag_heat = DragHeat { drag: contact.drag, speed: at(step.speed) };
+        (contact.drag, contact.approach) = (at(drag), at(step.zeta));
+        contact.lead = lead.map(at);
     }
     Ok(())
 }
 
 #[inline(always)]
-fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
-    Before {
-        tangent: from_fn(|k| each(pairs, |pair| pair.contact.tangent[k])),
-        normal: from_fn(|k| each(pairs, |pair| pair.contact.normal[k])),
-        velocity: from_fn(|k| each(pairs, |pair| pair.contact.velocity[k])),
-        lead: from_fn(|k| each(pairs, |pair| pair.contact.lead[k])),
-        zeta: each(pairs, |pair| pair.contact.law.shift().zeta),
-        shift: [
-            each(pairs, |pair| pair.contact.law.shift().xi),
-            each(pairs, |pair| pair.contact.law.shift().eta),
-        ],
+fn effective<S: VertexStack<[f64; 2]>>(
+    pairs: &Pairs<'_, S>,
+    step: &Step<Lanes>,
+    c_z: Lanes,
+    dt: f64,
+) -> Effective<Lanes> {
+    let dashpots = Dashpots {
+        relaxation: each(pairs, |pair| pair.contact.dashpots.relaxation),
+        ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
+    };
+    let last = each(pairs, |pair| pair.contact.drag_heat.speed);
+    let since = Lanes::splat(1.0);
+    let motion = Motion { zeta: step.zeta, speed: step.speed, before: last, since, dt };
+    let over = |k: usize| Lanes::splat(1.0) / each(pairs, |pair| pair.bodies[k].mass);
+    dashpots.effective(motion, c_z, || over(0) + over(1))
+}
+
+/// The growths of the shifts of laws, as [`GrainContact::slid_on`].
+#[inline(always)]
+fn slid_on<S: VertexStack<[f64; 2]>>(
+    pairs: &Pairs<'_, S>,
+    step: &Step<Lanes>,
+    [approach, dt]: [Lanes; 2],
+    by: [Lanes; 2],
+) -> [Lanes; 2] {
+    let truly = step.velocity.map(|v| v * dt);
+    let all: [[f64; 2]; TOGETHER] = from_fn(|i| {
+        let at = |lane: Lanes| lane.to_array()[i];
+        let contact = &*pairs[i].contact;
+        contact.slid_on(truly.map(at), [at(step.zeta), at(approach)], by.map(at))
+    });
+    from_fn(|k| lanes(|i| all[i][k]))
+}
+
+/// Advances the laws to approaches and shifts, given as such and as normalised ones, that are allowed.
+#[inline(always)]
+fn advanced<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
+    shift: [Lanes; 3],
+    to: [Lanes; 2],
+    mut meanwhile: impl FnMut(usize),
+) -> [[f64; 2]; TOGETHER] {
+    let mut frictions = [[0.0; 2]; TOGETHER];
+    for (i, pair) in pairs.iter_mut().enumerate() {
+        meanwhile(i);
+        let to = to.map(|lane| lane.to_array()[i]);
+        frictions[i] = pair.contact.law.go(lane(shift, i), to);
+    }
+    frictions
+}
+
+/// Keeps what a step changed beside the law, and writes the loads.
+#[inline(always)]
+fn exert<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
+    meeting: &Meetings,
+    step: &Step<Lanes>,
+    normal_force: Lanes,
+    frictions: [[f64; 2]; TOGETHER],
+) {
+    let friction = from_fn(|k| lanes(|i| frictions[i][k]));
+    let axes = [step.tangent, meeting.normal];
+    let loads = forces(axes, meeting.arms, normal_force, friction);
+    for (i, pair) in pairs.iter_mut().enumerate() {
+        let contact = &mut *pair.contact;
+        contact.tangent = step.tangent.map(|lane| lane.to_array()[i]);
+        contact.normal = meeting.normal.map(|lane| lane.to_array()[i]);
+        contact.friction = frictions[i];
+        contact.velocity = step.velocity.map(|lane| lane.to_array()[i]);
+    }
+    for (i, pair) in pairs.iter_mut().enumerate() {
+        let [force, torque_1, torque_2] = loads.map(|v| v.map(|lane| lane.to_array()[i]));
+        *pair.load = GrainLoad { force, torques: [torque_1, torque_2] };
     }
 }
 
 #[inline(always)]
-fn normalised<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>, step: &Step<Lanes>) -> [Lanes; 2] {
-    from_fn(|k| step.shift[k] * each(pairs, |pair| pair.contact.law.scale_of_shifts()[k]))
+fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
+    let all: [Before<f64>; TOGETHER] = from_fn(|i| pairs[i].contact.before());
+    Before {
+        tangent: from_fn(|k| lanes(|i| all[i].tangent[k])),
+        normal: from_fn(|k| lanes(|i| all[i].normal[k])),
+        velocity: from_fn(|k| lanes(|i| all[i].velocity[k])),
+        lead: from_fn(|k| lanes(|i| all[i].lead[k])),
+        zeta: lanes(|i| all[i].zeta),
+        shift: from_fn(|k| lanes(|i| all[i].shift[k])),
+    }
+}
+
+#[inline(always)]
+fn normalised<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>, shift: [Lanes; 2]) -> [Lanes; 2] {
+    from_fn(|k| shift[k] * each(pairs, |pair| pair.contact.law.scale_of_shifts()[k]))
 }
 
 /// Which lanes are at most this in magnitude.
@@ -167,11 +263,10 @@ fn up_to(lane: Lanes, most: f64) -> Lanes {
     lane.abs().simd_le(Lanes::splat(most))
 }
 
-/// Which steps, with these normalised shifts, the laws allow.
+/// Which approaches and shifts, with these normalised shifts, the laws allow.
 #[inline(always)]
-fn allowed(step: &Step<Lanes>, to: [Lanes; 2]) -> Lanes {
-    let [xi, eta] = step.shift;
-    let told = up_to(step.zeta, LARGEST) & up_to(xi, LARGEST) & up_to(eta, LARGEST);
+fn allowed([zeta, xi, eta]: [Lanes; 3], to: [Lanes; 2]) -> Lanes {
+    let told = up_to(zeta, LARGEST) & up_to(xi, LARGEST) & up_to(eta, LARGEST);
     told & up_to(to[0], LARGEST_IN_MEMORY) & up_to(to[1], LARGEST_IN_MEMORY)
 }
 
@@ -208,7 +303,7 @@ fn one_by_one<S: VertexStack<[f64; 2]>>(
 }
 
 #[inline(always)]
-fn lane(step: &Step<Lanes>, i: usize) -> Shift {
-    let [xi, eta] = step.shift.map(|lane| lane.to_array()[i]);
-    Shift { zeta: step.zeta.to_array()[i], xi, eta, omega: 0.0 }
+fn lane(shift: [Lanes; 3], i: usize) -> Shift {
+    let [zeta, xi, eta] = shift.map(|lane| lane.to_array()[i]);
+    Shift { zeta, xi, eta, omega: 0.0 }
 }

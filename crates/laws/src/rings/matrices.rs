@@ -92,7 +92,8 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingMatrices<N, M, S> {
     #[inline]
     pub(super) const fn rings(&self, units: Units, tolerance: f64) -> Rings<'_, N, M, S> {
         let side = if self.gamma < 0.0 { -1.0 } else { 1.0 };
-        Rings { pair: self.pair.as_ref(), side, units, tolerance }
+        let (kappa, friction) = (self.kappa, self.friction);
+        Rings { pair: self.pair.as_ref(), side, units, tolerance, kappa, friction }
     }
 }
 
@@ -105,6 +106,8 @@ pub struct Rings<'a, const N: usize = 6, const M: usize = 8, S: Symmetry<M> = Wh
     pub(super) side: f64,
     pub(super) units: Units,
     pub(super) tolerance: f64,
+    kappa: f64,
+    friction: Friction,
 }
 
 impl<const N: usize, const M: usize, S: Symmetry<M>> Rings<'_, N, M, S> {
@@ -112,5 +115,17 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> Rings<'_, N, M, S> {
     #[must_use]
     pub const fn c_z(&self) -> f64 {
         self.units.c_z
+    }
+
+    /// Kappa (15.1).
+    #[must_use]
+    pub const fn kappa(&self) -> f64 {
+        self.kappa
+    }
+
+    /// The coefficient of friction.
+    #[must_use]
+    pub const fn friction(&self) -> Friction {
+        self.friction
     }
 }

@@ -237,6 +237,18 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
+    /// The coefficient of kinetic friction: in sliding the force is this share of the normal force.
+    pub(crate) fn kinetic_friction(&self) -> f64 {
+        let friction = self.scale.limit / self.stiffness.c_z;
+        match &self.state {
+            State::Frictionless => 0.0,
+            State::Adhesion(_) => f64::INFINITY,
+            State::FixedDirection(_) | State::Coulomb(_) => friction,
+            State::StaticFixedDirection(memory) => friction * memory.ratio(),
+            State::StaticCoulomb(memory) => friction * memory.ratio(),
+        }
+    }
+
     /// The Coulomb memory in two directions, if friction is neither zero nor infinite, and static
     /// friction is not above kinetic friction.
     #[must_use]

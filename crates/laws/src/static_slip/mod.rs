@@ -78,6 +78,11 @@ impl<M: Slides> StaticMemory<M> {
         Self { memory, ratio }
     }
 
+    /// f_k/f_s.
+    pub(crate) const fn ratio(&self) -> f64 {
+        self.ratio
+    }
+
     pub(crate) fn zeta(&self) -> f64 {
         self.memory.approach()
     }

@@ -19,7 +19,7 @@ fn contact(restitution: f64, friction: f64) -> Contact {
     let stiffness = ContactStiffness::new(2.5, 2.5, C_Z).unwrap();
     let law = ShiftLaw::new(stiffness, Friction::new(friction).unwrap());
     let damping = HertzDamping::of_restitution(restitution).unwrap();
-    GrainContact::new(law, 0.0).unwrap().with_restitution(damping)
+    GrainContact::new(law, 0.0).unwrap().with_restitution(damping).unwrap()
 }
 
 /// Two spheres that approach along z with the speed `speed`, the second below; slip and spin as given.
@@ -147,7 +147,8 @@ fn missed(steps: f64, fresh: &dyn Fn() -> Contact, slip: f64) -> [f64; 2] {
 }
 
 /// Books by the mean of two forces times the speed of the step miss 4e-4 of each impact with 50 steps, always on the
-/// same side.
+/// same side. The force of a viscous material has a jump of its second derivative where the bodies turn back: its books
+/// are of the third order there.
 #[test]
 fn the_heat_of_damping_is_of_the_fourth_order_in_the_mean() {
     let viscous = || {
@@ -156,11 +157,16 @@ fn the_heat_of_damping_is_of_the_fourth_order_in_the_mean() {
         GrainContact::new(law, 0.03 * duration(1e-4)).unwrap()
     };
     let given = |restitution: f64| move || contact(restitution, 0.0);
-    let fresh: [&dyn Fn() -> Contact; 4] = [&given(0.2), &given(0.5), &given(0.8), &viscous];
-    for fresh in fresh {
+    let fresh: [(&dyn Fn() -> Contact, f64, f64); 4] = [
+        (&given(0.2), 5e-6, 0.1),
+        (&given(0.5), 5e-6, 0.1),
+        (&given(0.8), 5e-6, 0.1),
+        (&viscous, 6e-7, 0.125),
+    ];
+    for (fresh, most, share) in fresh {
         let [coarse, fine] = [50.0, 100.0].map(|steps| missed(steps, fresh, 0.0));
         let told = format!("{coarse:?} {fine:?}");
-        assert!(coarse[0].abs() < 5e-6 && fine[0].abs() < 0.1 * coarse[0].abs(), "{told}");
+        assert!(coarse[0].abs() < most && fine[0].abs() < share * coarse[0].abs(), "{told}");
         assert!(coarse[1] < 5e-5 && fine[1] < 1e-5, "{told}");
     }
 }
@@ -215,7 +221,7 @@ fn lanes_rings_and_walls_rebound_alike() {
     let matrices = RingMatrices::<6, 8>::new(1.2, 0.25, Friction::new(0.3).unwrap()).unwrap();
     let rings = matrices.contact(C_Z, 0.7, Tolerance::PARTICLES).unwrap();
     let damping = HertzDamping::of_restitution(restitution).unwrap();
-    let mut contact = GrainRings::new(&rings, 0.0).unwrap().with_restitution(damping);
+    let mut contact = GrainRings::new(&rings, 0.0).unwrap().with_restitution(damping).unwrap();
     let mut grains = meeting_grains(speed, 0.0, 0.0);
     rebound(&mut grains, dt, |grains, dt| {
         let meeting = Meeting::of_spheres(&grains[0], &grains[1], [0.5; 2]).unwrap();

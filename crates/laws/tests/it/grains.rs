@@ -1,5 +1,6 @@
 //! The contact of two grains moves with them.
 
+use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{
     Grain, GrainContact, GrainLoad, Heats, Meeting, TOGETHER, Touching, Wall, advance_together,
@@ -243,7 +244,16 @@ fn swing_without_slip_keeps_its_period_and_gains_nothing() {
 /// begin or end in a step; where one cannot make it, none does.
 #[test]
 fn together_each_goes_as_alone() {
-    let mut alone: [Contact; TOGETHER] = std::array::from_fn(|i| fresh(0.2 * i as f64));
+    let restituting =
+        |e: f64| fresh(0.0).with_restitution(HertzDamping::of_restitution(e).unwrap()).unwrap();
+    go_as_alone([0; TOGETHER].map(|_| fresh(0.0)));
+    go_as_alone(std::array::from_fn(|i| fresh(0.2 * i as f64)));
+    go_as_alone(std::array::from_fn(|i| fresh(0.1 + 0.2 * i as f64)));
+    go_as_alone([0.2, 0.5, 0.7, 0.95].map(restituting));
+    go_as_alone([fresh(0.1), restituting(0.5), fresh(0.3), restituting(0.9)]);
+}
+
+fn go_as_alone(mut alone: [Contact; TOGETHER]) {
     let mut together = alone;
     let (mut sum, mut apart) = (0.0, 0);
     let shares = [0.5, 0.25, 1.0, 0.0].map(|share| [share, 1.0 - share]);
@@ -321,8 +331,8 @@ fn a_contact_begins_where_its_first_step_touched() {
     }
 }
 
-/// A viscoelastic contact pushes as an elastic one that is ahead by what the approach grows in the relaxation
-/// time, to first order; it does so when pulled apart, too.
+/// A viscous contact that is pulled apart pushes as an elastic one that is ahead by what the approach loses in the
+/// relaxation time; one that is pressed, by the same to first order.
 #[test]
 fn damping_is_ahead_by_the_relaxation_time() {
     let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
@@ -333,11 +343,17 @@ fn damping_is_ahead_by_the_relaxation_time() {
         fresh(relaxation).advance(&meeting, 1e-3).unwrap().force[2]
     };
     let (zeta, relaxation) = (1e-2, 0.3);
-    for speed in [1e-5, -1e-5, 1e-4] {
-        let ahead = relaxation * speed;
-        let elastic = 0.5 * (pushed(zeta + ahead, 0.0, 0.0) - pushed(zeta - ahead, 0.0, 0.0));
-        let drag = pushed(zeta, speed, relaxation) - pushed(zeta, speed, 0.0);
-        assert!((drag / elastic - 1.0).abs() < 1e-5, "{speed}: {drag:e} for {elastic:e}");
+    for speed in [-1e-5, -1e-3, -1e-2, -0.03] {
+        let (force, elastic) =
+            (pushed(zeta, speed, relaxation), pushed(zeta + relaxation * speed, 0.0, 0.0));
+        assert!((force / elastic - 1.0).abs() < 1e-12, "{speed}: {force:e} for {elastic:e}");
+    }
+    assert_eq!(pushed(zeta, -0.034, relaxation), 0.0);
+    for speed in [1e-5, 1e-3, 1e-2] {
+        let elastic = pushed(zeta, 0.0, 0.0);
+        let rate = 1.5 * elastic / zeta * relaxation * speed;
+        let drag = pushed(zeta, speed, relaxation) - elastic;
+        assert!((drag / rate - 1.0).abs() < 1e-9, "{speed}: {drag:e} for {rate:e}");
     }
 }
 

@@ -17,6 +17,8 @@ mod field;
 mod field_interior;
 mod field_known;
 mod grain_books;
+mod grain_damping;
+mod grain_damping_rings;
 mod grain_restitution;
 mod grain_rings;
 mod grain_steps;

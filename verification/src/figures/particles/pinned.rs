@@ -104,7 +104,7 @@ fn by_grains(restitution: f64) -> Result<(After, f64), Failure> {
     let law = ShiftLaw::new(ContactStiffness::new(c_x, c_x, c_z)?, Friction::new(FRICTION)?);
     let damping = HertzDamping::of_restitution(restitution)?;
     let mut contact: GrainContact<Growing<[f64; 2]>> =
-        GrainContact::new(law, 0.0)?.with_restitution(damping);
+        GrainContact::new(law, 0.0)?.with_restitution(damping)?;
     let deepest = libm::pow(15.0 * mass * normal * normal / (8.0 * c_z), 0.4);
     let dt = normal::DURATION * deepest / normal / STEPS_OF_GRAINS;
     let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };

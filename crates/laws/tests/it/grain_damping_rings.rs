@@ -1,0 +1,152 @@
+//! Damped contacts with the law of rings: shift and twist lead, impacts are those of the law of shifts, books close.
+
+use carom_laws::damping::HertzDamping;
+use carom_laws::friction::Friction;
+use carom_laws::grains::{Grain, GrainLoad, GrainRings, Heats, Meeting, Wall};
+use carom_laws::rings::{RingMatrices, Rings, Tolerance};
+
+const WALL: Wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+const RADIUS: f64 = 1e4;
+/// The duration of an elastic impact with m = K = v = 1.
+const DURATION: f64 = 2.943_275;
+
+fn matrices(gamma: f64, friction: f64) -> RingMatrices {
+    RingMatrices::new(1.2, gamma, Friction::new(friction).unwrap()).unwrap()
+}
+
+/// A contact with K = 1.
+fn rings(matrices: &RingMatrices) -> Rings<'_> {
+    matrices.contact(1.5, 1.0, Tolerance::GRAINS).unwrap()
+}
+
+fn restituting(rings: &Rings<'_>, e: f64) -> GrainRings {
+    let damping = HertzDamping::of_restitution(e).unwrap();
+    GrainRings::new(rings, 0.0).unwrap().with_restitution(damping).unwrap()
+}
+
+fn kick(ball: &mut Grain, load: &GrainLoad, inertia: f64, dt: f64) {
+    for k in 0..3 {
+        ball.velocity[k] += 0.5 * dt * load.force[k] / ball.mass;
+        ball.spin[k] += 0.5 * dt * load.torques[0][k] / inertia;
+    }
+}
+
+/// An impact of a ball of unit mass and normal velocity in steps of this duration.
+fn rebound(ball: &mut Grain, inertia: f64, dt: f64, mut step: impl FnMut(&Meeting) -> GrainLoad) {
+    let mut load = GrainLoad::default();
+    loop {
+        kick(ball, &load, inertia, dt);
+        for k in 0..3 {
+            ball.place[k] += dt * ball.velocity[k];
+        }
+        let meeting = Meeting::on_wall(ball, &WALL, 0.0);
+        if meeting.is_apart() && ball.velocity[2] > 0.0 {
+            return;
+        }
+        load = if meeting.is_apart() { GrainLoad::default() } else { step(&meeting) };
+        kick(ball, &load, inertia, dt);
+    }
+}
+
+fn thrown(along: f64, spin: f64, before: f64) -> Grain {
+    let (place, velocity) = ([0.0, 0.0, RADIUS + before], [along, 0.0, -1.0]);
+    Grain { place, velocity, spin: [0.0, 0.0, spin], radius: RADIUS, mass: 1.0 }
+}
+
+/// The exact R_x of viscous spheres at kappa = 1.2 (springs, error below 1e-6).
+#[test]
+fn impacts_are_those_of_viscous_spheres() {
+    const FRICTION: f64 = 0.3;
+    let matrices = matrices(0.0, FRICTION);
+    let rings = rings(&matrices);
+    for (e, lambda, exact) in [
+        (0.9, 1.0, 0.03910),
+        (0.9, 3.0, 0.39210),
+        (0.5, 2.0, 0.15564),
+        (0.5, 4.0, 0.18654),
+        (0.5, 6.0, -0.125),
+    ] {
+        let dt = DURATION / 100.0;
+        let (mut contact, mut ball) =
+            (restituting(&rings, e), thrown(lambda * FRICTION, 0.0, 0.4 * dt));
+        let slip = |ball: &Grain| ball.velocity[0] - ball.spin[1] * RADIUS;
+        let before = slip(&ball);
+        rebound(&mut ball, 0.4 * RADIUS * RADIUS, dt, |meeting| {
+            let load = contact.advance(&rings, meeting, dt).unwrap();
+            let [x, y, z] = load.force;
+            assert!(x.hypot(y) <= (1.0 + 1e-9) * FRICTION * z, "{load:?}");
+            load
+        });
+        let (r, left) = (-slip(&ball) / before, ball.velocity[2]);
+        assert!((r - exact).abs() < 0.035, "{e} {lambda}: {r} {exact}");
+        assert!((left - e).abs() < 1e-3, "{e} {lambda}: {left}");
+    }
+}
+
+/// Kinetic energy lost is friction heat and heat of damping, of dissimilar materials and with a spin about the normal.
+#[test]
+fn what_a_spinning_impact_loses_is_booked() {
+    let matrices = matrices(0.25, 0.3);
+    let rings = rings(&matrices);
+    // So small an inertia that the torque about the normal counts.
+    let inertia = 0.1;
+    let energy = |ball: &Grain| {
+        let square = |v: [f64; 3]| v.iter().map(|v| v * v).sum::<f64>();
+        0.5 * square(ball.velocity) + 0.5 * inertia * square(ball.spin)
+    };
+    let viscous = GrainRings::new(&rings, 0.3).unwrap();
+    for fresh in [restituting(&rings, 0.9), restituting(&rings, 0.5), viscous] {
+        let missed = [100.0, 400.0].map(|steps| {
+            let dt = DURATION / steps;
+            // Its surface moves as its centre: the arm is that of a point.
+            let mut ball = Grain { spin: [0.0, 0.0, 1.0], ..thrown(0.3, 0.0, 0.4 * dt) };
+            let (before, mut heats, mut contact) = (energy(&ball), Heats::default(), fresh);
+            rebound(&mut ball, inertia, dt, |meeting| {
+                let mut load = contact.advance_accounted(&rings, meeting, dt, &mut heats).unwrap();
+                load.torques[0] = [0.0, 0.0, load.torques[0][2]];
+                load
+            });
+            let lost = before - energy(&ball);
+            assert!(heats.friction > 0.0 && heats.damping > 0.0 && lost > 0.05 * before);
+            (lost - heats.friction - heats.damping).abs() / before
+        });
+        assert!(missed[0] < 1e-3 && missed[1] < 3e-4, "{missed:?}");
+    }
+}
+
+/// At a constant approach shift and twist lead by the relaxation time: force and torque are those of an elastic contact
+/// that is ahead by A times the rate. Its axes turn meanwhile.
+#[test]
+fn shift_and_twist_lead_by_the_relaxation_time() {
+    let matrices = matrices(0.0, 1e3);
+    let rings = rings(&matrices);
+    let (dt, relaxation, rate) = (0.01, 0.3, [1e-3, -2e-3, 3e-3]);
+    let contacts = [relaxation, 0.0].map(|time| GrainRings::new(&rings, time).unwrap());
+    let loads = [0, 1].map(|i| {
+        let mut contact = contacts[i];
+        let mut step = |zeta: f64, speed: f64, rate: [f64; 3]| {
+            let wall = Wall { velocity: [rate[0], rate[1], 0.0], ..WALL };
+            let ball = Grain {
+                place: [0.0, 0.0, RADIUS - zeta],
+                velocity: [0.0, 0.0, -speed],
+                spin: [0.0, 0.0, rate[2]],
+                radius: RADIUS,
+                mass: 1.0,
+            };
+            contact.advance(&rings, &Meeting::on_wall(&ball, &wall, 0.0), dt).unwrap()
+        };
+        for n in 1..=50 {
+            step(0.02 * f64::from(n), 1.0, [0.0; 3]);
+        }
+        for _ in 0..3 {
+            step(1.0, 0.0, [0.0; 3]);
+        }
+        // The elastic contact goes on for the relaxation time.
+        let steps = if i == 0 { 50 } else { 80 };
+        (0..steps).map(|_| step(1.0, 0.0, rate)).last().unwrap()
+    });
+    let [damped, ahead] = loads.map(|load| [load.force[0], load.force[1], load.torques[0][2]]);
+    for (k, most) in [(0, 1e-3), (1, 1e-3), (2, 1e-12)] {
+        assert!((damped[k] / ahead[k] - 1.0).abs() < most, "{loads:?}");
+    }
+}
