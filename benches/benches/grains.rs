@@ -22,7 +22,7 @@ fn grains(law: u32, restitution: f64) -> CaromGrains {
     unsafe {
         let mut grains = zeroed();
         let to = &raw mut grains;
-        let status = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 1e-7, to, null_mut());
+        let status = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 0.0, to, null_mut());
         assert_eq!(status, CaromStatus::Ok);
         let status = carom_grains_restitution(to, restitution, null_mut());
         assert_eq!(status, CaromStatus::Ok);

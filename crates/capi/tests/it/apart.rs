@@ -202,7 +202,7 @@ fn bodies_apart_exert_no_force() {
         if has_touched {
             let pair = Pair { dt: 1e-7, ..Pair::drawn(&mut random, -OVERLAP) };
             let (loads, _) = exerted(constants, &pair, &mut memories, is_accounted);
-            let is_pressed = loads.iter().all(|load| load.force != [0.0; 3]);
+            let is_pressed = loads.iter().filter(|load| load.force != [0.0; 3]).count() == 6;
             // Damped bodies that recede fast bear nothing, and so have no friction, before they part.
             assert!(is_pressed || damping > 0, "{draw} {loads:?}");
             pressed += usize::from(is_pressed);

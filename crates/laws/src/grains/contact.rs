@@ -170,10 +170,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
-        // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
         if self.dashpots.resist() {
-            return self.advance_damped(&{ *meeting }, dt, load);
+            return self.advance_damped(meeting, dt, load);
         }
+        // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
         if self.is_new() {
             return self.begin(&{ *meeting }, dt, load);
         }
@@ -181,7 +181,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             return self.leave(&{ *meeting }, dt, load);
         }
         let step = self.before().step(meeting, dt);
-        self.check_beside(meeting, step.to(), 0.0)?;
+        self.check_beside(meeting, step.to())?;
         let end = self.law.advance(step.to())?;
         *load = self.keep(meeting, &step, end, [end.f_x, end.f_y]);
         Ok(())
@@ -251,18 +251,13 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     /// Checks that no part of the load of a step overflows, whose shift is this.
     #[inline(always)]
-    pub(super) fn check_beside(
-        &self,
-        meeting: &Meeting,
-        to: Shift,
-        drag: f64,
-    ) -> Result<(), RangeError> {
-        check_beside(meeting.arms, drag).map_err(|error| self.first_error(to, error))
+    fn check_beside(&self, meeting: &Meeting, to: Shift) -> Result<(), RangeError> {
+        check_beside(meeting.arms, 0.0).map_err(|error| self.first_one(to, error))
     }
 
     /// The error of the law if it does not allow the step, which comes first.
     #[cold]
-    fn first_error(&self, to: Shift, error: RangeError) -> RangeError {
+    fn first_one(&self, to: Shift, error: RangeError) -> RangeError {
         self.law.check(to).err().unwrap_or(error)
     }
 
@@ -310,7 +305,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let step = self.before().step(meeting, dt);
         let (from, to) = (self.law.shift(), step.to());
         let between = |part: f64| on_the_way(from, to, part);
-        self.check_beside(meeting, to, 0.0)?;
+        self.check_beside(meeting, to)?;
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
         let past = past.advance(between(0.5))?;
         let end = law.advance(to)?;

@@ -9,12 +9,12 @@ use carom_special::RangeError;
 use super::contact::{GrainContact, Heats};
 use super::dashpots::{Effective, Motion};
 use super::drag_heat::{DragHeat, check_heat};
-use super::load::{GrainLoad, elastic, load_in};
+use super::load::{GrainLoad, check_beside, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Step, first_step, one_step_before};
-use crate::law::{ContactLaw as _, ContactLoad, Dissipative as _, Shift};
+use crate::bounds::LARGEST;
+use crate::law::{Checked as _, ContactLaw as _, ContactLoad, Dissipative as _, Shift};
 use crate::memory::VertexStack;
-use crate::stiffness::ContactStiffness;
 use crate::viscous::Slides;
 
 /// A step of a damped contact.
@@ -48,7 +48,7 @@ pub(super) fn work_beside(forces: [f64; 2], [way, by]: [f64; 2], is_end: bool) -
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// A step as [`GrainContact::advance_into`].
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn advance_damped(
         &mut self,
         meeting: &Meeting,
@@ -56,15 +56,26 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
         if self.is_new() {
-            let mut next = self.started(meeting, dt)?;
-            next.go_on(meeting, &next.damped(meeting, dt), load)?;
-            if !meeting.is_apart() {
-                *self = next;
-            }
-            return Ok(());
+            return self.begin_damped(&{ *meeting }, dt, load);
         }
         let step = self.damped(meeting, dt);
-        self.go_on(meeting, &step, load)
+        self.go_on(meeting, &step, dt, load)
+    }
+
+    #[inline(never)]
+    fn begin_damped(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        load: &mut GrainLoad,
+    ) -> Result<(), RangeError> {
+        let mut next = self.started(meeting, dt)?;
+        let step = next.damped(meeting, dt);
+        next.go_on(meeting, &step, dt, load)?;
+        if !meeting.is_apart() {
+            *self = next;
+        }
+        Ok(())
     }
 
     /// A step as [`GrainContact::advance_accounted`].
@@ -80,12 +91,13 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let friction = next.law.loss(step.to);
         let (mut drag_heat, drag, force) = (next.drag_heat, next.drag, next.friction);
         let mut load = GrainLoad::default();
-        next.go_on(meeting, &step, &mut load)?;
-        let mut damping = drag_heat.step([drag, next.drag], step.step.speed, dt, step.touches);
-        for k in 0..2 {
+        next.go_on(meeting, &step, dt, &mut load)?;
+        let beside = |k: usize| {
             let ways = [step.step.velocity[k] * dt, step.by[k]];
-            damping += work_beside([force[k], next.friction[k]], ways, is_end);
-        }
+            work_beside([force[k], next.friction[k]], ways, is_end)
+        };
+        let damping = drag_heat.step([drag, next.drag], step.step.speed, dt, step.touches)
+            + (beside(0) + beside(1));
         check_heat(friction + damping)?;
         *self = next;
         heats.friction += friction;
@@ -141,11 +153,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         [zeta, approach]: [f64; 2],
         by: [f64; 2],
     ) -> [f64; 2] {
-        let ContactStiffness { c_x, c_y, c_z } = self.law.stiffness();
-        let (friction, its) = (self.law.kinetic_friction(), self.law.shift().zeta);
-        let limit = friction * elastic(c_z, its);
-        let ratios = || [c_x, c_y].map(|c| friction * c_z / c);
-        match Slides::of(self.friction, limit, ratios) {
+        let its = self.law.shift().zeta;
+        match Slides::of(self.friction, self.law.sliding_force(), || self.law.sliding_shift()) {
             Some(slides) => slides.on(truly, [zeta - self.approach, approach - its], by),
             None => by,
         }
@@ -156,14 +165,26 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         &mut self,
         meeting: &Meeting,
         step: &Damped,
+        dt: f64,
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
         // The effective approach of what is no approach is 0.
-        step.step.to().check_finite()?;
-        self.check_beside(meeting, step.step.to(), step.drag)?;
+        let is_in_range = step.step.zeta.abs() <= LARGEST;
+        if !is_in_range | check_beside(meeting.arms, step.drag).is_err() {
+            return Err(self.first_error(&{ *meeting }, dt, step.drag));
+        }
         let end = self.law.advance(step.to)?;
         *load = self.keep_damped(meeting, step, end);
         Ok(())
+    }
+
+    /// Why a step fails: for its shift, or else beside it.
+    #[cold]
+    #[inline(never)]
+    fn first_error(&self, meeting: &Meeting, dt: f64, drag: f64) -> RangeError {
+        let to = self.before().step(meeting, dt).to();
+        let beside = check_beside(meeting.arms, drag);
+        self.law.check(to).and(beside).err().unwrap_or(RangeError::new("zeta", to.zeta, "finite"))
     }
 
     #[inline(always)]

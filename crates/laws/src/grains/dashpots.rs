@@ -58,7 +58,7 @@ impl Dashpots {
     /// Whether the contact is damped.
     #[inline(always)]
     pub(super) fn resist(&self) -> bool {
-        (self.relaxation > 0.0) | (self.ratio > 0.0)
+        self.relaxation + self.ratio > 0.0
     }
 }
 
@@ -118,10 +118,27 @@ impl<T: Number> Dashpots<T> {
         let s = zeta.larger(T::of(0.0)).sqrt();
         let slowed = T::of(1.0) + damping * mobility * half;
         let force = (stiffness * (s * s * s) + damping * speed) / slowed;
-        let [p] = T::each([force.larger(T::of(0.0)) / stiffness], |[cube]| [libm::cbrt(cube)]);
+        let [p] = T::each([force.larger(T::of(0.0)) / stiffness], |[cube]| [cube_root(cube)]);
         let squares = (p * p + p * s + s * s).larger(T::of(f64::MIN_POSITIVE));
         Effective { approach: p * p, theta: damping / stiffness * ((p + s) / squares) }
     }
+}
+
+/// The cube root of a number >= 0, to the last bit or two: half of the instructions of `libm::cbrt`.
+#[inline(always)]
+fn cube_root(cube: f64) -> f64 {
+    /// A third of the exponent of a number and its bias, less what the error of the seed is then spread by: within 1/20.
+    const SEED: u64 = 0x2A9F_7893_0000_0000;
+    if cube < f64::MIN_POSITIVE {
+        return 0.0;
+    }
+    let halley = |root: f64| {
+        let third = root * root * root;
+        root * ((third + 2.0 * cube) / (2.0 * third + cube))
+    };
+    // Its error is that of the last step to the third power: 5e-5, 1e-13.
+    let root = halley(halley(f64::from_bits(cube.to_bits() / 3 + SEED)));
+    root - (root - cube / (root * root)) * (1.0 / 3.0)
 }
 
 /// The mean of `zeta^(1/4)`, 0 for a gap, along a straight path from `since` times `way` before the end of the step
@@ -136,4 +153,22 @@ fn mean_root<T: Number>(zeta: T, way: T, since: T) -> T {
         zeta * zeta.sqrt().sqrt()
     };
     T::of(0.4) * (to(zeta + way) - to(zeta - since * way)) / way
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cube_root;
+
+    #[test]
+    fn the_cube_root_is_that_of_a_cube() {
+        for power in -90..100 {
+            for part in [1.0, 1.1, 1.3, 1.7, 2.1, 2.9, 3.3, 5.0, 7.1, 9.9] {
+                let root = part * 10_f64.powi(power);
+                let got = cube_root(root * root * root);
+                assert!((got / root - 1.0).abs() < 4e-16, "{root:e}: {got:e}");
+            }
+        }
+        assert_eq!([0.0, 1e-310].map(cube_root), [0.0; 2]);
+        assert!(cube_root(f64::NAN).is_nan());
+    }
 }

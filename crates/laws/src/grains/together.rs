@@ -13,7 +13,7 @@ use super::number::{LANES, Lanes, Number as _, hold, lanes};
 use super::step::{Before, Step, parting};
 use super::vector::dot;
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
-use crate::law::Shift;
+use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;
 
 /// Number of contacts that are advanced together.
@@ -73,22 +73,10 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
     dt: f64,
     meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {
-    let shares = from_fn(|k| each(pairs, |pair| pair.shares[k]));
-    let bodies = from_fn(|k| from_fn(|i| pairs[i].bodies[k]));
-    let (meeting, before) = (Meetings::of_pairs(bodies, shares)?, before(pairs));
-    // A new contact has no tangent.
-    let has_begun = dot(before.tangent, before.tangent).simd_gt(Lanes::splat(0.0));
-    let damped = pairs.iter().filter(|pair| pair.contact.dashpots.resist()).count();
-    let stays = match damped {
-        0 => parting(&meeting, dt).simd_ge(Lanes::splat(0.0) - meeting.zeta),
-        // Bodies that touched before and overlap.
-        _ => before.zeta.simd_gt(Lanes::splat(0.0)) & meeting.zeta.simd_gt(Lanes::splat(0.0)),
-    };
-    match damped {
-        0 if hold(has_begun & stays) => go_on(pairs, &meeting, &before, dt, meanwhile),
-        TOGETHER if hold(has_begun & stays) => {
-            go_on_damped(pairs, &meeting, &before, dt, meanwhile)
-        }
+    let resists: [bool; TOGETHER] = from_fn(|i| pairs[i].contact.dashpots.resist());
+    match resists {
+        [false, false, false, false] => undamped(pairs, dt, meanwhile),
+        [true, true, true, true] => damped(pairs, dt, meanwhile),
         _ => one_by_one(pairs, dt),
     }
 }
@@ -101,6 +89,54 @@ fn each<S: VertexStack<[f64; 2]>>(
     of: impl Fn(&Touching<'_, S>) -> f64,
 ) -> Lanes {
     lanes(|i| of(&pairs[i]))
+}
+
+#[inline(always)]
+fn met<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Result<Meetings, RangeError> {
+    let shares = from_fn(|k| each(pairs, |pair| pair.shares[k]));
+    let bodies = from_fn(|k| from_fn(|i| pairs[i].bodies[k]));
+    Meetings::of_pairs(bodies, shares)
+}
+
+/// Of which contacts the bodies have touched: a new contact has no tangent.
+#[inline(always)]
+fn have_begun(before: &Before<Lanes>) -> Lanes {
+    dot(before.tangent, before.tangent).simd_gt(Lanes::splat(0.0))
+}
+
+/// Contacts none of which is damped.
+#[inline(always)]
+fn undamped<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
+    dt: f64,
+    meanwhile: impl FnMut(usize),
+) -> Result<(), RangeError> {
+    let meeting = met(pairs)?;
+    let before = before(pairs, |contact| contact.law.shift().zeta);
+    let stays = parting(&meeting, dt).simd_ge(Lanes::splat(0.0) - meeting.zeta);
+    if hold(have_begun(&before) & stays) {
+        go_on(pairs, &meeting, &before, dt, meanwhile)
+    } else {
+        one_by_one(pairs, dt)
+    }
+}
+
+/// Contacts all of which are damped; their laws are driven as in [`super::damped`].
+#[inline(never)]
+fn damped<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
+    dt: f64,
+    meanwhile: impl FnMut(usize),
+) -> Result<(), RangeError> {
+    let meeting = met(pairs)?;
+    let before = before(pairs, |contact| contact.approach);
+    // Bodies that touched before and overlap.
+    let overlaps = |zeta: Lanes| zeta.simd_gt(Lanes::splat(0.0));
+    if hold(have_begun(&before) & overlaps(before.zeta) & overlaps(meeting.zeta)) {
+        go_on_damped(pairs, &meeting, &before, dt, meanwhile)
+    } else {
+        one_by_one(pairs, dt)
+    }
 }
 
 #[inline(always)]
@@ -127,8 +163,7 @@ fn go_on<S: VertexStack<[f64; 2]>>(
     Ok(())
 }
 
-/// As [`go_on`] for contacts that are all damped; their laws are driven as in [`super::damped`].
-#[inline(never)]
+#[inline(always)]
 fn go_on_damped<S: VertexStack<[f64; 2]>>(
     pairs: &mut Pairs<'_, S>,
     meeting: &Meetings,
@@ -144,8 +179,7 @@ fn go_on_damped<S: VertexStack<[f64; 2]>>(
     let shift: [_; 2] = from_fn(|k| before.shift[k] + by[k]);
     let (its, drag) = (elastic(c_z, approach), elastic(c_z, approach) - elastic(c_z, step.zeta));
     let to = normalised(pairs, shift);
-    let is_allowed = allowed([step.zeta, step.shift[0], step.shift[1]], to)
-        & allowed([approach, shift[0], shift[1]], to);
+    let is_allowed = up_to(step.zeta, LARGEST) & allowed([approach, shift[0], shift[1]], to);
     if !hold(is_allowed & allowed_beside(meeting.arms, drag)) {
         return one_by_one(pairs, dt);
     }
@@ -240,15 +274,20 @@ fn exert<S: VertexStack<[f64; 2]>>(
 }
 
 #[inline(always)]
-fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
-    let all: [Before<f64>; TOGETHER] = from_fn(|i| pairs[i].contact.before());
+fn before<S: VertexStack<[f64; 2]>>(
+    pairs: &Pairs<'_, S>,
+    approach: impl Fn(&GrainContact<S>) -> f64,
+) -> Before<Lanes> {
     Before {
-        tangent: from_fn(|k| lanes(|i| all[i].tangent[k])),
-        normal: from_fn(|k| lanes(|i| all[i].normal[k])),
-        velocity: from_fn(|k| lanes(|i| all[i].velocity[k])),
-        lead: from_fn(|k| lanes(|i| all[i].lead[k])),
-        zeta: lanes(|i| all[i].zeta),
-        shift: from_fn(|k| lanes(|i| all[i].shift[k])),
+        tangent: from_fn(|k| each(pairs, |pair| pair.contact.tangent[k])),
+        normal: from_fn(|k| each(pairs, |pair| pair.contact.normal[k])),
+        velocity: from_fn(|k| each(pairs, |pair| pair.contact.velocity[k])),
+        lead: from_fn(|k| each(pairs, |pair| pair.contact.lead[k])),
+        zeta: each(pairs, |pair| approach(pair.contact)),
+        shift: [
+            each(pairs, |pair| pair.contact.law.shift().xi),
+            each(pairs, |pair| pair.contact.law.shift().eta),
+        ],
     }
 }
 

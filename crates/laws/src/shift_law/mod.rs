@@ -237,15 +237,26 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The coefficient of kinetic friction: in sliding the force is this share of the normal force.
-    pub(crate) fn kinetic_friction(&self) -> f64 {
-        let friction = self.scale.limit / self.stiffness.c_z;
+    /// The friction of a contact that slides as a whole at the present approach.
+    #[inline]
+    pub(crate) fn sliding_force(&self) -> f64 {
+        let zeta = self.shift.zeta.max(0.0);
+        self.kinetic_share() * self.scale.force * (zeta * zeta.sqrt())
+    }
+
+    /// kappa f along both axes: the shift over the approach of a contact of which all has slid.
+    pub(crate) fn sliding_shift(&self) -> [f64; 2] {
+        self.scale.shift.components().map(|scale| self.kinetic_share() / scale)
+    }
+
+    /// Kinetic friction over that of the limit of forces; infinite without a limit.
+    #[inline]
+    fn kinetic_share(&self) -> f64 {
         match &self.state {
-            State::Frictionless => 0.0,
             State::Adhesion(_) => f64::INFINITY,
-            State::FixedDirection(_) | State::Coulomb(_) => friction,
-            State::StaticFixedDirection(memory) => friction * memory.ratio(),
-            State::StaticCoulomb(memory) => friction * memory.ratio(),
+            State::Frictionless | State::FixedDirection(_) | State::Coulomb(_) => 1.0,
+            State::StaticFixedDirection(memory) => memory.ratio(),
+            State::StaticCoulomb(memory) => memory.ratio(),
         }
     }
 

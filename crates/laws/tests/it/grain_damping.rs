@@ -289,9 +289,9 @@ fn work_of_a_period(seed: u64) -> [f64; 2] {
     let e = 0.3 + 0.6 * unit();
     let kappa = 1.0 + 0.5 * unit();
     let omega = 0.2 * 15.0_f64.powf(unit());
-    let mut contact = match unit() < 0.5 {
+    let mut damped = match unit() < 0.5 {
         true => restituting(kappa, e),
-        false => self::contact(kappa, -0.8 * e.ln()),
+        false => contact(kappa, -0.8 * e.ln()),
     };
     let [times, shifts] = [[1.0, 1.0], [2.0, 3.0], [1.0, 2.0], [1.0, 3.0]][(4.0 * unit()) as usize];
     let (depth, phase) = (0.95 * unit(), std::f64::consts::TAU * unit());
@@ -309,7 +309,7 @@ fn work_of_a_period(seed: u64) -> [f64; 2] {
         let (before, now) = (at(n - 1), at(n));
         let way = [0, 1, 2].map(|k| now[k] - before[k]);
         let along = [way[0] / dt, way[1] / dt];
-        let load = contact.advance(&held(now[2], way[2] / dt, along), dt).unwrap().force;
+        let load = damped.advance(&held(now[2], way[2] / dt, along), dt).unwrap().force;
         if n > 2 * steps {
             let work: f64 = (0..3).map(|k| 0.5 * (force[k] + load[k]) * way[k]).sum();
             sums = [sums[0] + work, sums[1] + work.abs()];
@@ -322,10 +322,8 @@ fn work_of_a_period(seed: u64) -> [f64; 2] {
 /// A damped contact never yields work in a period of a motion.
 #[test]
 fn periodic_and_turning_motions_take_work() {
-    let paths = std::env::var("ZZ_PATHS").map_or(200, |n| n.parse().unwrap());
-    for seed in 0..paths {
+    for seed in 0..300 {
         let [work, all] = work_of_a_period(seed);
-        println!("ZZW {}", work / all);
         assert!(work >= -1e-6 * all, "{seed}: {work} of {all}");
     }
 }
