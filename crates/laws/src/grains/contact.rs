@@ -28,7 +28,7 @@ use crate::shift_law::ShiftLaw;
 /// acceleration is taken from the last two velocities; errors of second order then cancel, and
 /// without acceleration no force changes. An oscillation without slip loses `(omega dt)^4/24` of
 /// its amplitude per step and is stable up to `omega dt = sqrt 3`; the limit of the leapfrog is 2.
-/// Second, if the gap opens within four steps, friction is averaged over the neighbouring half
+/// Second, if the gap opens within four steps and nothing is damped, friction is averaged over the neighbouring half
 /// steps, because it then decreases with the power 3/2 of the time. What is left for the step in
 /// which the gap opens acts one step before, because bodies that are apart exert no force.
 ///
