@@ -5,7 +5,7 @@ use std::ptr::null_mut;
 
 use carom_capi::{
     CAROM_LAW_FIXED_DIRECTION, CAROM_TOUCH_WORDS, CaromGrain, CaromGrainLoad, CaromMaterial,
-    CaromStatus, CaromTouch, carom_grains_of, carom_grains_restitution, carom_touch_grains,
+    CaromStatus, CaromTouch, carom_grains_of, carom_touch_grains,
 };
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::friction::Friction;
@@ -24,8 +24,7 @@ pub(crate) const PATHS: &[HotPath] = &[
     ("coulomb_step", coulomb),
     ("ring_step", rings),
     ("twist_step", twist),
-    ("grain_touch", || grain_touch(1.0)),
-    ("grain_touch_damped", || grain_touch(0.8)),
+    ("grain_touch", grain_touch),
 ];
 
 const PATHS_TAKEN: usize = 5;
@@ -136,8 +135,7 @@ fn above(step: usize, pair: usize) -> CaromGrain {
     }
 }
 
-/// Grains with this restitution.
-fn grain_touch(restitution: f64) -> Work {
+fn grain_touch() -> Work {
     let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
     let law = CAROM_LAW_FIXED_DIRECTION;
     // SAFETY: plain numbers; all pointers are references or null.
@@ -145,8 +143,6 @@ fn grain_touch(restitution: f64) -> Work {
         let mut grains = zeroed();
         let to = &raw mut grains;
         let status = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 0.0, to, null_mut());
-        assert_eq!(status, CaromStatus::Ok);
-        let status = carom_grains_restitution(to, restitution, null_mut());
         assert_eq!(status, CaromStatus::Ok);
         grains
     };
