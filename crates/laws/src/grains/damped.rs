@@ -9,7 +9,7 @@ use carom_special::RangeError;
 use super::contact::{GrainContact, Heats};
 use super::dashpots::{Effective, Motion};
 use super::drag_heat::{DragHeat, check_heat};
-use super::load::{GrainLoad, check_beside, elastic, load_in};
+use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Step, first_step, one_step_before};
 use crate::bounds::LARGEST;
@@ -23,8 +23,6 @@ pub(super) struct Damped {
     /// Where the law goes: effective approach and shift.
     to: Shift,
     lead: [f64; 2],
-    /// The growth of the shift of the law.
-    by: [f64; 2],
     drag: f64,
     /// Whether the bodies touched in this step.
     touches: bool,
@@ -39,11 +37,9 @@ pub(super) fn part_in_contact(from: f64, to: f64) -> f64 {
     }
 }
 
-/// The work of a force on the motion less that on the path of the law, `[dt times the rate, growth]`. From nothing and to
-/// nothing a force goes with the power 3/2 of the way on that path: its mean is 2/5 of the greatest.
-pub(super) fn work_beside(forces: [f64; 2], [way, by]: [f64; 2], is_end: bool) -> f64 {
-    let mean = if is_end { 0.4 } else { 0.5 };
-    (forces[0] + forces[1]) * (0.5 * way - mean * by)
+/// The work of a force in a step: its mean times the way. A leapfrog takes it from the motion, to round-off.
+pub(super) fn work([old, new]: [f64; 2], way: f64) -> f64 {
+    0.5 * (old + new) * way
 }
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
@@ -87,22 +83,25 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     ) -> Result<GrainLoad, RangeError> {
         let mut next = if self.is_new() { self.started(meeting, dt)? } else { self.clone() };
         let step = next.damped(meeting, dt);
-        let is_end = next.law.shift().zeta <= 0.0 || step.to.zeta <= 0.0;
         let friction = next.law.loss(step.to);
-        let (mut drag_heat, drag, force) = (next.drag_heat, next.drag, next.friction);
+        let (mut drag_heat, before, stored) = (next.drag_heat, next.clone(), next.bent());
         let mut load = GrainLoad::default();
         next.go_on(meeting, &step, dt, &mut load)?;
-        let beside = |k: usize| {
-            let ways = [step.step.velocity[k] * dt, step.by[k]];
-            work_beside([force[k], next.friction[k]], ways, is_end)
-        };
-        let damping = drag_heat.step([drag, next.drag], step.step.speed, dt, step.touches)
-            + (beside(0) + beside(1));
+        let Damped { step: Step { velocity, speed, .. }, touches, .. } = step;
+        let along = |k: usize| work([before.friction[k], next.friction[k]], velocity[k] * dt);
+        // What is neither stored nor heat of friction.
+        let damping = drag_heat.step([before.drag, next.drag], speed, dt, touches)
+            + (along(0) + along(1) - (next.bent() - stored) - friction);
         check_heat(friction + damping)?;
         *self = next;
         heats.friction += friction;
         heats.damping += damping;
         Ok(load)
+    }
+
+    /// The energy of the tangential load.
+    fn bent(&self) -> f64 {
+        self.law.stored_energy() - compressed(self.law.stiffness().c_z, self.law.shift().zeta)
     }
 
     /// A new contact as it was one step before.
@@ -142,7 +141,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let [xi, eta] = [0, 1].map(|k| before.shift[k] + by[k]);
         let to = Shift { zeta: approach, xi, eta, omega: 0.0 };
         let drag = elastic(c_z, approach) - elastic(c_z, step.zeta);
-        Damped { step, to, lead, by, drag, touches }
+        Damped { step, to, lead, drag, touches }
     }
 
     /// The growth of the shift of the law: as that of all of it that slides, while the bodies slide on.

@@ -2,9 +2,9 @@
 
 use carom_special::RangeError;
 
-use super::damped::{part_in_contact, work_beside};
+use super::damped::{part_in_contact, work};
 use super::dashpots::{Effective, Motion};
-use super::load::{GrainLoad, check_beside, elastic};
+use super::load::{GrainLoad, check_beside, compressed, elastic};
 use super::meeting::Meeting;
 use super::rings::{Given, GrainRings, turned};
 use super::step::{Step, first_step, one_step_before};
@@ -17,8 +17,6 @@ struct Driven {
     to: Shift,
     lead: [f64; 2],
     twist_lead: f64,
-    /// The growths of shift and twist of the law, beside those of the bodies.
-    ways: [[f64; 2]; 3],
     /// Whether the bodies touched in this step.
     touches: bool,
 }
@@ -38,7 +36,7 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         step.to().check_finite()?;
         let driven = self.driven(rings, meeting, &step, dt);
         step.lead = driven.lead;
-        let (old, from) = (*self, self.memory.shift().zeta);
+        let (old, stored) = (*self, self.bent(rings));
         let heat = self.memory.advance(rings, driven.to)?;
         let given = Given { load: self.memory.load(rings), heat };
         self.drag = given.load.f_z - elastic(rings.c_z(), step.zeta);
@@ -47,9 +45,12 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         (self.approach, self.twist_lead) = (step.zeta, driven.twist_lead);
         self.twisting = turning(meeting);
         let drags = [old.drag, self.drag];
-        let mut damping = self.drag_heat.step(drags, step.speed, dt, driven.touches);
-        damping += self.heat_beside(rings, &old, [from, driven.to.zeta], &driven.ways);
-        Ok((load, given.heat, damping))
+        let along = |k: usize| work([old.friction[k], self.friction[k]], step.velocity[k] * dt);
+        // The law counts twist and torque clockwise.
+        let about = work([-old.torque, -self.torque], turned(meeting, dt));
+        let across = along(0) + along(1) + about - (self.bent(rings) - stored) - heat;
+        let damping = self.drag_heat.step(drags, step.speed, dt, driven.touches) + across;
+        Ok((load, heat, damping))
     }
 
     /// A new contact becomes what it was one step before.
@@ -92,10 +93,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         let twisted = turned(meeting, dt) * part + (twist_lead - self.twist_lead);
         let omega = self.memory.shift().omega + twisted;
         let to = Shift { zeta: approach, xi: before.shift[0] + x, eta: before.shift[1] + y, omega };
-        let ways = [[ways[0], x], [ways[1], y], [turned(meeting, dt), twisted]];
         let kept = if approach > 0.0 { 1.0 } else { 0.0 };
         let (lead, twist_lead) = (lead.map(|lead| kept * lead), kept * twist_lead);
-        Driven { to, lead, twist_lead, ways, touches }
+        Driven { to, lead, twist_lead, touches }
     }
 
     /// The constant c_z of Hertz's law that gives the force of the law; coupled materials are stiffer than without
@@ -123,25 +123,9 @@ impl<const N: usize, const M: usize> GrainRings<N, M> {
         }
     }
 
-    /// What shift, twist and the coupled part of the pressure do beside the path of the law, of which Hertz's energy at
-    /// the true approach is stored.
-    fn heat_beside(
-        &self,
-        rings: &Rings<'_, N, M>,
-        old: &Self,
-        [from, to]: [f64; 2],
-        ways: &[[f64; 2]; 3],
-    ) -> f64 {
-        let is_end = from <= 0.0 || to <= 0.0;
-        let tangential: f64 =
-            (0..2).map(|k| work_beside([old.friction[k], self.friction[k]], ways[k], is_end)).sum();
-        // The law counts twist and torque clockwise.
-        let torque = work_beside([-old.torque, -self.torque], ways[2], is_end);
-        let coupled = |memory: &crate::rings::RingMemory<N, M>| {
-            memory.load(rings).f_z - elastic(rings.c_z(), memory.shift().zeta)
-        };
-        let beyond = coupled(&old.memory) + coupled(&self.memory);
-        tangential + torque - 0.5 * beyond * (to - from)
+    /// The energy of the tangential load, and of the pressures that it adds.
+    fn bent(&self, rings: &Rings<'_, N, M>) -> f64 {
+        self.memory.stored_energy(rings) - compressed(rings.c_z(), self.memory.shift().zeta)
     }
 }
 
