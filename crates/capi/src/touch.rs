@@ -3,7 +3,6 @@
 use std::mem::MaybeUninit;
 
 use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Surface, Wall, grain_numbers};
-use carom_laws::law::ContactLaw as _;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -125,7 +124,7 @@ impl CaromTouch {
 }
 
 fn touches(contact: &Contact) -> bool {
-    contact.law().shift().zeta > 0.0
+    contact.overlaps()
 }
 
 #[inline(always)]

@@ -234,7 +234,7 @@ def test_slip_friction_cannot_come_after_the_first_run(tmp_path):
         lmp(BOX + WALLS + "run 1\n" + late, tmp_path)
     lmp(BOX + WALLS + "run 700\nwrite_restart some.bin\n", tmp_path, dt=1e-5)
     again = "newton off\nplugin load ${plugin}\nread_restart some.bin\ncomm_modify vel yes\n"
-    with pytest.raises(Failed, match="83 numbers, those of this run 84"):
+    with pytest.raises(Failed, match="84 numbers, those of this run 85"):
         lmp(again + late, tmp_path)
     lmp(SLIPS + WALLS + "run 1\n" + late, tmp_path)
 

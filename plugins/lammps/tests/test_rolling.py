@@ -168,6 +168,6 @@ def test_rolling_cannot_come_after_the_first_run(tmp_path):
         lmp(BOX + WALLS + "run 1\n" + late, tmp_path)
     lmp(BOX + WALLS + "run 700\nwrite_restart some.bin\n", tmp_path, dt=1e-5)
     again = "newton off\nplugin load ${plugin}\nread_restart some.bin\ncomm_modify vel yes\n"
-    with pytest.raises(Failed, match="83 numbers, those of this run 92"):
+    with pytest.raises(Failed, match="84 numbers, those of this run 93"):
         lmp(again + late, tmp_path)
     lmp(ROLLS + WALLS + "run 1\n" + late, tmp_path)

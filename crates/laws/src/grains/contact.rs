@@ -246,6 +246,14 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         self.tangent == [0.0; 3]
     }
 
+    /// Whether the bodies overlapped at the end of the last step; a damped contact may then bear nothing all the same.
+    #[inline]
+    #[must_use]
+    pub fn overlaps(&self) -> bool {
+        let approach = if self.dashpots.resist() { self.approach } else { self.law.shift().zeta };
+        approach > 0.0
+    }
+
     #[inline]
     fn elastic(&self, zeta: f64) -> f64 {
         elastic(self.law.stiffness().c_z, zeta)
