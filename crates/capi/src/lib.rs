@@ -58,7 +58,8 @@ pub use batch::carom_contact_advance_many;
 pub use collide_options::{
     CAROM_IMPACT_AUTO, CAROM_IMPACT_COULOMB, CAROM_IMPACT_FIXED_DIRECTION, CAROM_IMPACT_RINGS,
     CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CAROM_LOSS_VISCOELASTIC,
-    CAROM_TORSION_AUTO, CAROM_TORSION_INCLUDED, CAROM_TORSION_LEFT_OUT, CaromCollideOptions,
+    CAROM_LOSS_YIELD, CAROM_TORSION_AUTO, CAROM_TORSION_INCLUDED, CAROM_TORSION_LEFT_OUT,
+    CaromCollideOptions,
 };
 pub use contact::{
     CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
