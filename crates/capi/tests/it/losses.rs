@@ -68,6 +68,7 @@ fn losses_are_those_of_the_library_to_the_bit() {
         (CAROM_LOSS_GIVEN, 0.0, NormalRestitution::new(0.0).unwrap()),
         (CAROM_LOSS_BY_WAVES, f64::NAN, NormalRestitution::by_waves()),
         (CAROM_LOSS_VISCOELASTIC, 1e-4, NormalRestitution::viscoelastic(1e-4).unwrap()),
+        (CAROM_LOSS_YIELD, 0.6, NormalRestitution::by_yield(0.6).unwrap()),
     ];
     for (loss, e, restitution) in cases {
         let (status, told, _) = collide(loss, e);
