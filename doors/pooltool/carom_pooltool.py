@@ -1,9 +1,10 @@
 """Impacts of elastic bodies with friction for pooltool: ball and cushion, ball and ball.
 
 A strategy of pooltool gives the state of a ball after a collision. Those here take the tangential restitution R_x from
-carom: the exact impact after Hertz and Mindlin, in which rings of the contact stick and slip and the surface gives back
-the energy that it stored. R_x depends on two numbers, kappa = (2 - nu)/(2 (1 - nu)) with Poisson's ratio nu, and
-lambda = slip speed/(friction times approach speed). Friction and normal restitution are those of pooltool.
+carom: that of the impact after Hertz and Mindlin, in which rings of the contact stick and slip and the surface gives back
+the energy that it stored. R_x depends on kappa = (2 - nu)/(2 (1 - nu)) with Poisson's ratio nu, on lambda = slip
+speed/(friction times approach speed), and on the normal restitution e: a material with e < 1 is viscous, along the normal
+and across. Friction and normal restitution are those of pooltool.
 
 >>> import pooltool as pt
 >>> engine = pt.physics.PhysicsEngine(resolver=resolver())

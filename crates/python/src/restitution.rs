@@ -45,7 +45,7 @@ pub(crate) fn restitution_of_groups<'py>(
     of_three(py, [&chi, &psi, &normal], answer(exact, Groups::new))
 }
 
-type MakeGroups = fn(f64, f64) -> Result<Groups, carom::prelude::RangeError>;
+type MakeGroups = fn(f64, f64) -> Result<Groups, RangeError>;
 
 /// R_x with a restitution e along the normal.
 fn answer(exact: bool, groups: MakeGroups) -> impl Fn(f64, f64, f64) -> Result<f64, Fault> {

@@ -15,7 +15,9 @@ from pooltool.physics.resolve.ball_cushion.stronge_compliant import StrongeCompl
 from pooltool.physics.resolve.resolver import default_resolver
 
 SLIDING = 2
-TABLE = 3e-3  # carom.restitution reads a table that is within 3e-3 with a loss, 1e-8 without
+TABLE = 1e-7  # carom.restitution reads a table that is within 1e-8 where nothing is lost,
+LOSSY = 3e-3  # and one that is within 3e-3 where the material takes something,
+MEAN = 1e-4  # 2e-4 in the mean; of speeds it is less
 ROUND_OFF = 1e-13
 # The cushion at x = 0; the ball comes from the left.
 TO_BALL = np.array([-1.0, 0.0, 0.0])
@@ -32,10 +34,11 @@ def ball(params, position, velocity, spin, name="b"):
     return made
 
 
-def params(random):
+def params(random, least=0.3):
+    """A ball with restitutions from `least` to 1."""
     return BallParams(
         m=random.uniform(0.1, 0.3), R=random.uniform(0.02, 0.04), f_c=10 ** random.uniform(-2, 0),
-        e_c=random.uniform(0.3, 1), u_b=10 ** random.uniform(-2, 0), e_b=random.uniform(0.3, 1),
+        e_c=random.uniform(least, 1), u_b=10 ** random.uniform(-2, 0), e_b=random.uniform(least, 1),
     )
 
 
@@ -58,6 +61,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::carom.CaromWarning")
 
 def of_carom(balls, plane_normal, friction, restitution, poisson):
     """The same impact by carom.collide."""
+    # So stiff that the line of centres of two balls does not turn while they touch, as in pooltool.
     material = carom.Material(1e13, poisson)
     bodies = [
         carom.sphere(b.params.R, material, b.params.m, velocity=b.state.rvw[1], spin=b.state.rvw[2]) for b in balls
@@ -68,25 +72,37 @@ def of_carom(balls, plane_normal, friction, restitution, poisson):
     )
 
 
+def agrees(misses, least):
+    """Checks differences over the speed: where nothing is lost, or where the material takes something."""
+    assert np.max(misses) < (TABLE if least == 1 else LOSSY)
+    assert np.mean(misses) < (TABLE if least == 1 else MEAN)
+
+
+elastic_and_lossy = pytest.mark.parametrize("least", [1.0, 0.3])
+
+
+@elastic_and_lossy
 @pytest.mark.parametrize("poisson", [0.0, 0.34, 0.5])
-def test_a_ball_leaves_the_cushion_as_by_carom(poisson):
-    random = np.random.default_rng(1)
+def test_a_ball_leaves_the_cushion_as_by_carom(poisson, least):
+    random, misses = np.random.default_rng(1), []
     for _ in range(100):
-        before = thrown(random, params(random))
+        before = thrown(random, params(random, least))
         after, _ = door.CaromLinear(poisson).solve(before.copy(), cushion(before.params.R))
         own = before.params
         expected = of_carom([before], TO_BALL, own.f_c, own.e_c, poisson)
         speed = np.linalg.norm(before.vel) + own.R * np.linalg.norm(before.state.rvw[2])
         flat = expected.body_1_velocity * [1, 1, 0]
-        assert np.allclose(after.vel, flat, atol=TABLE * speed, rtol=0)
-        assert np.allclose(after.state.rvw[2] * own.R, expected.body_1_spin * own.R, atol=TABLE * speed, rtol=0)
+        turned = own.R * (after.state.rvw[2] - expected.body_1_spin)
+        misses.append(np.abs([after.vel - flat, turned]).max() / speed)
         assert after.state.s == SLIDING
+    agrees(misses, least)
 
 
-def test_balls_leave_each_other_as_by_carom():
-    random = np.random.default_rng(2)
+@elastic_and_lossy
+def test_balls_leave_each_other_as_by_carom(least):
+    random, misses = np.random.default_rng(2), []
     for _ in range(100):
-        one, other = pair(random)
+        one, other = pair(random, least)
         friction = (one.params.u_b + other.params.u_b) / 2
         restitution = (one.params.e_b + other.params.e_b) / 2
         after = door.CaromBallBall(0.34, AverageBallBallFriction()).solve(one.copy(), other.copy())
@@ -95,16 +111,17 @@ def test_balls_leave_each_other_as_by_carom():
         spins = [expected.body_1_spin, expected.body_2_spin]
         speed = sum(np.linalg.norm(b.vel) + b.params.R * np.linalg.norm(b.state.rvw[2]) for b in (one, other))
         for b, v, w in zip(after, velocities, spins, strict=True):
-            assert np.allclose(b.vel[:2], v[:2], atol=TABLE * speed, rtol=0)
-            assert np.allclose(b.state.rvw[2] * b.params.R, w * b.params.R, atol=TABLE * speed, rtol=0)
+            turned = b.params.R * (b.state.rvw[2] - w)
+            misses.append(max(np.abs(b.vel - v)[:2].max(), np.abs(turned).max()) / speed)
         # What pooltool keeps on the table: momentum along it.
         momentum = [sum(b.params.m * b.vel for b in balls)[:2] for balls in ((one, other), after)]
         assert np.allclose(*momentum, atol=ROUND_OFF * speed, rtol=0)
+    agrees(misses, least)
 
 
-def pair(random):
+def pair(random, least=0.3):
     """Two balls that touch and approach each other, of unlike mass and the same radius."""
-    own, others = params(random), params(random)
+    own, others = params(random, least), params(random, least)
     others = attrs.evolve(others, R=own.R)
     angle = random.uniform(0, 2 * np.pi)
     along = np.array([np.cos(angle), np.sin(angle), 0])

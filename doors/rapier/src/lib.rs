@@ -3,8 +3,9 @@
 //! Rapier takes a coefficient of restitution for the normal velocity. Along the surface it knows friction only: a
 //! contact that sticks ends without tangential velocity. An elastic ball stores energy there while it sticks, and turns
 //! back. [`ElasticImpacts`] is a hook of Rapier that gives each new contact of a ball the tangential velocity after the
-//! exact impact, by R_x of `carom`, a function of two numbers: chi, for inertia and Poisson's ratio, and psi, slip speed
-//! over friction times approach speed. Coefficients of friction and restitution stay those of Rapier's colliders.
+//! impact by R_x of `carom`, a function of three numbers: chi, for inertia and Poisson's ratio, psi, slip speed over
+//! friction times approach speed, and the coefficient of restitution, which below 1 is that of a viscous material.
+//! Coefficients of friction and restitution stay those of Rapier's colliders.
 //!
 //! ```
 //! use carom_rapier::ElasticImpacts;

@@ -74,6 +74,19 @@ impl Trial {
         })
     }
 
+    /// All throws from each of these gaps, with the exact outcome, which no gap changes.
+    pub(crate) fn solved(target: Target, gaps: &[f64]) -> impl Iterator<Item = (Self, After)> {
+        Self::all(target, 0.0).flat_map(move |trial| {
+            let exact = trial.exact();
+            gaps.iter().map(move |gap| (Self { gap: *gap, ..trial }, exact))
+        })
+    }
+
+    /// Whether the material takes nothing.
+    pub(crate) fn is_elastic(&self) -> bool {
+        self.restitution == 1.0
+    }
+
     /// The unit normal from ball 1 into its target, and the direction of its tangential velocity.
     pub(crate) fn axes(&self) -> [DVec3; 2] {
         let normal = match self.target {
@@ -119,7 +132,9 @@ impl Trial {
         let collision =
             Collision::along(ball(0).moving(moving), target, (-normal).into(), friction).unwrap();
         let restitution = NormalRestitution::new(self.restitution).unwrap();
-        let outcome = collision.with_normal_restitution(restitution).solve().unwrap();
+        // Rapier applies an impulse along the line of centres before.
+        let outcome =
+            collision.with_normal_restitution(restitution).keeping_axes().solve().unwrap();
         let motions = outcome.motions();
         let vector = |v: [f64; 3]| DVec3::from(v);
         After {

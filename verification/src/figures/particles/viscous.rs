@@ -48,7 +48,7 @@ fn curves(figure: &mut Figure, known: &[[f64; 4]]) -> Result<(), Failure> {
     panel.add(Series::line("e = 1", curve(&|lambda| Ok(of_spheres(KAPPA, lambda)?))?));
     for e in LOSSES {
         panel.add(Series::line(
-            &format!("e = {e}"),
+            format!("e = {e}"),
             curve(&|lambda| viscous(KAPPA, lambda, e, DRAWN))?,
         ));
     }

@@ -60,7 +60,7 @@ impl RestitutionTable {
         if psi >= border(chi, e) {
             return Ok(slid(chi, psi, e));
         }
-        let covers = chi >= RANGE[0] && chi <= RANGE[1] && e >= LOSSES[LOSSES.len() - 1];
+        let covers = (RANGE[0]..=RANGE[1]).contains(&chi) && e >= LOSSES[LOSSES.len() - 1];
         if !covers {
             return Ok(followed(groups, e, BEYOND));
         }
