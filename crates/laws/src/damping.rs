@@ -5,11 +5,9 @@
 //!
 //! - [`HertzDamping`]: the force `alpha sqrt(m K) zeta^(1/4) dzeta/dt` of Tsuji, Tanaka and Ishida (Powder Technology
 //!   71, 1992). It has no scale of its own, so that e is the same at any speed.
-//! - [`viscoelastic_restitution`]: the force `K (3/2) A sqrt(zeta) dzeta/dt` of a viscoelastic material (Kuwabara and
-//!   Kono, Jpn. J. Appl. Phys. 26, 1987), with which e falls as the speed grows.
+//! - A viscous material has another one, with which e falls as the speed grows: [`crate::viscous`].
 
 use carom_special::RangeError;
-use carom_special::ode::{Stepper, Tolerance};
 use carom_special::roots::{ALL_DIGITS, bisect};
 
 /// The damping with which two bodies in Hertz contact rebound with a given restitution at any speed.
@@ -106,45 +104,6 @@ fn damping_ratio(restitution: f64) -> f64 {
     libm::cosh(chi)
 }
 
-/// The greatest damping number: e is then below 1e-6.
-const GREATEST: f64 = 100.0;
-
-/// The restitution of viscoelastic bodies: `damping` is `b = (3/2) A/tau`, A the viscous relaxation time and
-/// `tau = (m/K)^(2/5) v^(-1/5)` the time of the impact.
-///
-/// Integrated in the root u of the approach: with `du/ds = v` and `dv/ds = -2 u^2 (u^2 + b v)` everything is smooth. For
-/// a small b, `e = 1 - 1.153449 b + 0.798267 b^2 + (4/15) b^(5/2)`, up to b^3. Error below 1e-10.
-///
-/// ```
-/// use carom_laws::damping::viscoelastic_restitution;
-/// assert_eq!(viscoelastic_restitution(0.0)?, 1.0);
-/// assert!((viscoelastic_restitution(0.1)? - 0.8935).abs() < 1e-3);
-/// # Ok::<(), carom_special::RangeError>(())
-/// ```
-///
-/// # Errors
-/// [`RangeError`] unless b is in \[0, 100\].
-pub fn viscoelastic_restitution(damping: f64) -> Result<f64, RangeError> {
-    let holds = (0.0..=GREATEST).contains(&damping);
-    let allowed = "from 0 to 100, (3/2) A over the time of the impact";
-    RangeError::check("damping", damping, holds, allowed)?;
-    if damping == 0.0 {
-        return Ok(1.0);
-    }
-    let force = |y: &[f64; 2]| y[0] * y[0] + damping * y[1];
-    let slope = |_: f64, y: &[f64; 2]| [y[1], -2.0 * y[0] * y[0] * force(y)];
-    let tolerance = Tolerance { absolute: 1e-14, relative: 1e-13 };
-    let fails = |_| RangeError::new("damping", damping, allowed);
-    let mut stepper = Stepper::new(0.0, [0.0, 1.0], 0.1, tolerance, slope).map_err(fails)?;
-    while force(stepper.y()) > 0.0 || stepper.y()[1] > 0.0 {
-        stepper.step(f64::INFINITY).map_err(fails)?;
-    }
-    let dense = stepper.dense();
-    let ends = [dense.start(), dense.end()];
-    let [end, _] = bisect(ends, ALL_DIGITS, |x| force(&dense.at(x)) > 0.0);
-    Ok(-dense.at(end)[1])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -190,9 +149,6 @@ mod tests {
         for restitution in [0.0, 0.009, 1.01, -0.5, f64::NAN, f64::INFINITY] {
             assert_eq!(HertzDamping::of_restitution(restitution).unwrap_err().field, "restitution");
         }
-        for damping in [-1e-9, 100.1, f64::NAN] {
-            assert_eq!(viscoelastic_restitution(damping).unwrap_err().field, "damping");
-        }
     }
 
     #[test]
@@ -225,40 +181,5 @@ mod tests {
             5.0_f64.sqrt() * 1e-6 / std::f64::consts::PI,
             epsilon = 1e-11
         );
-    }
-
-    /// Published coefficients of the series in the damping number (T. Schwager and T. Poeschel, Phys. Rev. E 78,
-    /// 051304 (2008)).
-    #[test]
-    fn viscoelastic_restitution_has_the_published_series() {
-        let series = |b: f64| 1.0 - 1.153_449 * b + 0.798_267 * b * b + 4.0 / 15.0 * b.powf(2.5);
-        for b in [1e-4, 1e-3, 1e-2, 3e-2] {
-            let got = viscoelastic_restitution(b).unwrap();
-            assert!(
-                (got - series(b)).abs() < 1.2 * b.powi(3) + 1e-6 * b,
-                "{b} {got} {}",
-                series(b)
-            );
-        }
-    }
-
-    #[test]
-    fn viscoelastic_restitution_is_that_of_an_integration() {
-        for damping in [0.01, 0.1, 0.5, 1.0, 3.0] {
-            let got = rebound(
-                |x, v| {
-                    let x = x.max(0.0);
-                    (x.powf(1.5) + damping * x.sqrt() * v).max(0.0)
-                },
-                200_000,
-            );
-            assert_abs_diff_eq!(got, viscoelastic_restitution(damping).unwrap(), epsilon = 5e-6);
-        }
-        let mut before = 1.0;
-        for k in 1..=200 {
-            let next = viscoelastic_restitution(0.5 * f64::from(k)).unwrap();
-            assert!(next > 0.0 && next < before, "{k} {next} {before}");
-            before = next;
-        }
     }
 }

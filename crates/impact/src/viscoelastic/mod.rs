@@ -247,7 +247,7 @@ struct Found {
 /// The estimated error over the last change of R_x.
 const SHARE: f64 = 0.6;
 /// Where two runs agree by chance, the error is what it is elsewhere with as many steps: this over their square.
-const USUAL: f64 = 0.55;
+const USUAL: f64 = 0.7;
 
 fn floor(steps: usize) -> f64 {
     USUAL / (steps * steps) as f64
