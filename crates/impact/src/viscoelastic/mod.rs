@@ -8,8 +8,8 @@
 //! W. Willert, S. Kusche, V. L. Popov, Facta Univ. Mech. Eng. 15, 2017). Coulomb's limit is f times the whole normal
 //! pressure, its viscous part included. R_x then depends on chi, psi and the restitution e alone.
 //!
-//! - The normal motion is a set of polynomial equations ([`pulse`]).
-//! - The shift moves the springs by the implicit midpoint rule ([`springs`]); the springs are those that touch in the steps
+//! - The normal motion is a set of polynomial equations (`pulse.rs`).
+//! - The shift moves the springs by the implicit midpoint rule (`springs.rs`); the springs are those that touch in the steps
 //!   of compression, so that no cell is cut there.
 //! - Two runs, the second with twice as many steps, are extrapolated.
 
