@@ -8,6 +8,8 @@ use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::Vector2;
 
+use crate::draw::Draw;
+
 const PI: f64 = std::f64::consts::PI;
 
 /// Equal balls: radius, mass, material.
@@ -176,17 +178,6 @@ fn integrated(
         }
     }
     state
-}
-
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }
 
 #[test]

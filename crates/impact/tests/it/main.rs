@@ -7,6 +7,7 @@ mod collision_solver;
 mod columns;
 mod coupled;
 mod coupled_extremes;
+mod draw;
 mod encounters;
 mod exchange;
 mod glancing;

@@ -3,6 +3,8 @@
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::restitution::{RestitutionTable, restitution_map, with_normal_restitution};
 
+use crate::draw::Draw;
+
 /// A fixed sequence of numbers in [0, 1).
 struct Sequence(u64);
 
@@ -147,16 +149,5 @@ fn the_table_with_a_loss_goes_over_into_the_elastic_one() {
         // Below .1 the impact is integrated; at 0 it is a closed form.
         assert!((at(0.1 - 1e-9) - at(0.1)).abs() < 1e-3);
         assert!((at(0.0) - (3.5 / lambda - 1.0).min(0.0)).abs() < 1e-12);
-    }
-}
-
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 }

@@ -10,6 +10,8 @@ use carom_impact::{
 };
 use carom_laws::friction::Friction;
 
+use crate::draw::Draw;
+
 /// kappa, e, relaxation time; R_x at these lambda. Solid spheres; computed by three programs that share no code with this
 /// one, errors below 1e-5.
 const LAMBDAS: [f64; 6] = [0.2, 1.0, 2.0, 3.0, 4.0, 6.0];
@@ -90,17 +92,6 @@ fn the_estimate_covers_drawn_impacts() {
         covered += usize::from(error <= one.error_estimate);
     }
     assert!(covered * 100 >= 95 * counted, "{covered} of {counted}");
-}
-
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }
 
 /// e(b) of the normal motion, by row of springs and by integration elsewhere; b = (3/2) tau.
