@@ -145,7 +145,7 @@ impl Collision {
         })
     }
 
-    fn missed_tolerance(&self, error_estimate: f64) -> Option<Warning> {
+    pub(super) fn missed_tolerance(&self, error_estimate: f64) -> Option<Warning> {
         let tolerance = self.tolerance.filter(|tolerance| error_estimate > *tolerance)?;
         Some(Warning::NotSettled { error_estimate, tolerance })
     }

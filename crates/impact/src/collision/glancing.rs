@@ -18,6 +18,7 @@ use crate::body::Body;
 use crate::coupled::TurningLaw;
 use crate::motion::Motion;
 use crate::outcome::Rebound;
+use crate::warning::Warning;
 
 /// Angles of the turn from which it counts in part, and as a whole.
 const ANGLES: [f64; 2] = [7e-3, 1.2e-2];
@@ -121,8 +122,18 @@ impl Collision {
         radii.iter().all(|radius| *radius > 0.0).then_some(radii)
     }
 
-    /// A rebound with axes that turn with the centres, from that with axes that are kept.
+    /// A rebound with axes that turn with the centres, from that with axes that are kept; warns if the given tolerance is
+    /// missed by what this leaves out.
     pub(super) fn with_turning_centres(&self, rebound: Rebound) -> Result<Rebound, CollisionError> {
+        let mut turned = self.turned(rebound)?;
+        let is_told = |warning: &Warning| matches!(warning, Warning::NotSettled { .. });
+        if !turned.warnings.iter().any(is_told) {
+            turned.warnings.extend(self.missed_tolerance(turned.error_estimate));
+        }
+        Ok(turned)
+    }
+
+    fn turned(&self, rebound: Rebound) -> Result<Rebound, CollisionError> {
         let angle = self.turn_of_centres(rebound.duration);
         let counts = self.axes == Axes::Turning && angle > 0.0;
         let Some(radii) = self.radii().filter(|_| counts) else { return Ok(rebound) };
@@ -145,7 +156,11 @@ impl Collision {
             Ok(balls.followed(1.0, dt)?.less(&balls.followed(KEPT, dt)?))
         };
         let [coarse, fine] = STEPS.map(change);
-        let (coarse, fine) = (coarse?, fine?);
+        let (Ok(coarse), Ok(fine)) = (coarse, fine) else {
+            // Sizes beyond those of particles: the turn is left out, and counts.
+            rebound.error_estimate += part * angle * across / self.velocity().norm();
+            return Ok(rebound);
+        };
         // With large radii the axes turn by a 64th.
         let limit = coarse.combined(4.0 / 3.0, &fine);
         let spread = self.contact_velocity(&fine.motions) - self.contact_velocity(&coarse.motions);

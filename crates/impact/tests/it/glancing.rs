@@ -241,6 +241,22 @@ fn bodies_may_be_exchanged_and_axes_turned() {
     }
 }
 
+/// A tolerance that the turn of the centres misses is told; sizes beyond those of particles are answered, with an estimate.
+#[test]
+fn what_is_left_out_is_told() {
+    let steel = Pair::of_density(4.5e-3, 2500.0, 2e11, 0.3);
+    let collision = steel.collision(2.0, 80.0, 0.0, [0.0; 2]);
+    let rebound_within = |tolerance: f64| rebound(&collision.clone().within(tolerance).unwrap());
+    let estimate = rebound(&collision).error_estimate;
+    assert!(estimate > 1e-4);
+    assert_eq!(rebound_within(0.5 * estimate).warnings.len(), 1);
+    assert!(rebound_within(2.0 * estimate).warnings.is_empty());
+    let huge =
+        Pair { radius: 1e150, mass: 1.0, material: Material::from_young(1e-20, 0.3).unwrap() };
+    let far = rebound(&huge.collision(1e80, 85.0, 0.0, [0.0; 2]));
+    assert!(far.motions[0].velocity.z.is_finite() && far.error_estimate.is_finite());
+}
+
 /// A loss turns with the centres, too: the ball without friction leaves slower, and energy is booked.
 #[test]
 fn lossy_balls_lose_energy_and_turn() {
