@@ -3,6 +3,7 @@
 use carom_cases::{Error, ErrorKind};
 use carom_impact::RingImpactError;
 use carom_impact::oblique::ObliqueError;
+use carom_impact::restitution::RestitutionError;
 use carom_plot::PlotError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
@@ -55,6 +56,15 @@ pub enum CliError {
     /// The results could not be drawn.
     #[error("cannot draw the results: {0}")]
     Plot(#[from] PlotError),
+}
+
+impl From<RestitutionError> for CliError {
+    fn from(error: RestitutionError) -> Self {
+        match error {
+            RestitutionError::Range(error) => Self::Option(error),
+            RestitutionError::Oblique(error) => Self::Impact(error),
+        }
+    }
 }
 
 impl CliError {

@@ -9,7 +9,7 @@
 //! takes `s Q`, Q the heat of the elastic impact, and the material `s (1 - s) J.D.J/2`, D the mobility.
 
 use crate::normal::NormalImpact;
-use crate::viscoelastic::ViscousLoss;
+use crate::viscoelastic::{Rheology, ViscousLoss};
 use carom_special::{RangeError, WordError};
 use nalgebra::Vector3;
 
@@ -40,7 +40,7 @@ pub struct NormalRestitution(Cause);
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Cause {
     /// The restitution of a viscous material.
-    Viscous(f64),
+    Viscous(ViscousLoss),
     /// That of a viscous material that loses what waves carry away.
     Waves,
     /// The relaxation time of a viscous material, s.
@@ -52,24 +52,72 @@ enum Cause {
 /// What makes bodies lose energy along the normal, where the restitution is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum LossCause {
-    /// The viscosity of the material, with the exact impact of [`crate::viscoelastic`].
+    /// The viscosity of the material, with the exact impact of [`crate::viscoelastic`]: of Kelvin's and Voigt's kind.
     #[default]
     Viscous,
+    /// The same of [`Rheology::Maxwell`], where nothing couples normal and tangential motion.
+    Maxwell,
+    /// The same of [`Rheology::StandardSolid`] that relaxes to a tenth of its modulus.
+    StandardSolid,
+    /// The same of [`Rheology::ConstantLossTangent`].
+    ConstantLossTangent,
     /// Yield: the elastic impulse times (1 + e)/2 ([`NormalRestitution::by_yield`]).
     Yield,
 }
 
+/// E_inf/E_0 of a standard solid that is named without it.
+const RELAXED: f64 = 0.1;
+
 impl LossCause {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Viscous, Self::Yield];
-    const NAMES: [&'static str; 2] = [Self::Viscous.name(), Self::Yield.name()];
+    pub const ALL: [Self; 5] =
+        [Self::Viscous, Self::Maxwell, Self::StandardSolid, Self::ConstantLossTangent, Self::Yield];
+    const NAMES: [&'static str; 5] = [
+        Self::Viscous.name(),
+        Self::Maxwell.name(),
+        Self::StandardSolid.name(),
+        Self::ConstantLossTangent.name(),
+        Self::Yield.name(),
+    ];
 
-    /// `viscous` or `yield`.
+    /// `viscous`, `maxwell`, `standard-solid`, `constant-loss-tangent` or `yield`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Viscous => "viscous",
+            Self::Maxwell => "maxwell",
+            Self::StandardSolid => "standard-solid",
+            Self::ConstantLossTangent => "constant-loss-tangent",
             Self::Yield => "yield",
+        }
+    }
+
+    /// What a material with this loss does, in words.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Viscous => {
+                "the material is viscous (Kelvin and Voigt), along the normal and across"
+            }
+            Self::Maxwell => {
+                "all stress relaxes (Maxwell); like spheres and planes without spin only"
+            }
+            Self::StandardSolid => "stress relaxes to a tenth (standard solid); as maxwell",
+            Self::ConstantLossTangent => {
+                "the loss tangent is the same at any frequency; as maxwell"
+            }
+            Self::Yield => "the bodies yield: the elastic impulse times (1 + e)/2",
+        }
+    }
+
+    /// How the stress relaxes in a viscous material.
+    const fn rheology(self) -> Option<Rheology> {
+        match self {
+            Self::Viscous => Some(Rheology::KelvinVoigt),
+            Self::Maxwell => Some(Rheology::Maxwell),
+            Self::StandardSolid => Some(Rheology::StandardSolid { relaxed: RELAXED }),
+            Self::ConstantLossTangent => Some(Rheology::ConstantLossTangent),
+            Self::Yield => None,
         }
     }
 }
@@ -85,14 +133,14 @@ impl std::str::FromStr for LossCause {
 
 impl NormalRestitution {
     /// No energy is lost in the material.
-    pub const ELASTIC: Self = Self(Cause::Viscous(1.0));
+    pub const ELASTIC: Self = Self(Cause::Viscous(ViscousLoss::NONE));
 
     /// The coefficient e of a viscous material.
     ///
     /// # Errors
     /// [`RangeError`] if it is not in [0, 1].
     pub fn new(coefficient: f64) -> Result<Self, RangeError> {
-        Self::check(coefficient).map(|e| Self(Cause::Viscous(e)))
+        Self::in_material(Rheology::KelvinVoigt, coefficient)
     }
 
     /// The coefficient e of bodies that yield: the elastic impulse times (1 + e)/2, along the normal and across.
@@ -120,10 +168,20 @@ impl NormalRestitution {
     /// # Errors
     /// [`RangeError`] if it is not in [0, 1].
     pub fn by(cause: LossCause, coefficient: f64) -> Result<Self, RangeError> {
-        match cause {
-            LossCause::Viscous => Self::new(coefficient),
-            LossCause::Yield => Self::by_yield(coefficient),
+        match cause.rheology() {
+            None => Self::by_yield(coefficient),
+            Some(rheology) => Self::in_material(rheology, coefficient),
         }
+    }
+
+    /// The coefficient e of a material whose stress relaxes so. Others than Kelvin's and Voigt's are for impacts in which
+    /// nothing couples normal and tangential motion, and e from 0.1.
+    ///
+    /// # Errors
+    /// [`RangeError`] as [`ViscousLoss::of_restitution_in`].
+    pub fn in_material(rheology: Rheology, coefficient: f64) -> Result<Self, RangeError> {
+        let e = Self::check(coefficient)?;
+        Ok(Self(Cause::Viscous(ViscousLoss::of_restitution_in(rheology, e)?)))
     }
 
     fn check(coefficient: f64) -> Result<f64, RangeError> {
@@ -186,7 +244,7 @@ impl NormalRestitution {
     ) -> Result<Option<ViscousLoss>, RangeError> {
         let loss = match self.0 {
             Cause::Yield(_) => return Ok(None),
-            Cause::Viscous(e) => ViscousLoss::of_restitution(e)?,
+            Cause::Viscous(loss) => loss,
             Cause::Waves => ViscousLoss::of_restitution((1.0 - wave_share).max(0.0).sqrt())?,
             Cause::Relaxation(relaxation) => {
                 // zeta_max/v is (5/4)^(2/5) times the unit of time.

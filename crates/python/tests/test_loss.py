@@ -60,6 +60,21 @@ def test_a_loss_by_yield_has_its_own_name():
             carom.collide(*ball_and_floor(), 0.35, loss="yield", **other)
 
 
+def test_other_materials_have_their_own_names():
+    """Solid spheres, kappa 1.2, e .8, R_x at lambda 1 by springs of another program."""
+    material = carom.Material(1e10, 2 / 7)
+    speeds = (0.35, 0, -1)
+    for loss, known in [("viscous", 0.08546), ("maxwell", -0.0138), ("constant-loss-tangent", 0.0125)]:
+        ball = carom.sphere(0.01, material, 0.01, velocity=speeds)
+        rebound = carom.collide(ball, carom.plane(material), 0.35, normal_restitution=0.8, loss=loss)
+        assert rebound.R_x == pytest.approx(known, abs=2e-4), loss
+    solid = carom.collide(*ball_and_floor(), 0.35, normal_restitution=0.8, loss="standard-solid").R_x
+    assert solid == pytest.approx(carom.collide(*ball_and_floor(), 0.35, normal_restitution=0.8).R_x, abs=8e-3)
+    unlike = carom.sphere(0.01, carom.Material(1e9, 0.1), 0.01, velocity=speeds)
+    with pytest.raises(ValueError, match="something couples normal and tangential motion"):
+        carom.collide(unlike, carom.plane(material), 0.35, normal_restitution=0.8, loss="maxwell")
+
+
 def test_glancing_balls_turn_their_line_of_centres():
     resin = carom.Material(5.84e9, 0.34)
     for degrees, known in [(80, 0.4540), (85, 0.1849), (88, 0.0213)]:

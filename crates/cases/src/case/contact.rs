@@ -107,11 +107,18 @@ pub(super) const NORMAL_RESTITUTION: Field = Field::number(
      material dissipates energy",
 )
 .default(Default::Number(1.0));
+const fn word(loss: LossCause) -> (&'static str, &'static str) {
+    (loss.name(), loss.meaning())
+}
+
 pub(super) const LOSS: Field = Field::new(
     "loss",
     Form::Word(&[
-        (LossCause::Viscous.name(), "the material is viscous, along the normal and across"),
-        (LossCause::Yield.name(), "the bodies yield: the elastic impulse times (1 + e)/2"),
+        word(LossCause::Viscous),
+        word(LossCause::Maxwell),
+        word(LossCause::StandardSolid),
+        word(LossCause::ConstantLossTangent),
+        word(LossCause::Yield),
     ]),
     "the cause of a loss by `normal_restitution` e",
 )

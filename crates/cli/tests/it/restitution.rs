@@ -32,6 +32,40 @@ fn frictionless_spheres_slide_unhindered() {
     assert_eq!(rows[0]["lambda"], "inf");
 }
 
+/// Kelvin-Voigt bodies, by springs of an independent program; sliding throughout in closed form.
+#[test]
+fn a_loss_along_the_normal_counts() {
+    let lossy = ["restitution", "--kappa", "1.2", "--lambda", "2,6", "--normal-restitution"];
+    let rows = json(&[&lossy[..], &["0.5"]].concat());
+    close(&rows[0]["R_x"], 0.15564, 2e-5);
+    close(&rows[1]["R_x"], -0.125, 1e-14);
+    close(&rows[1]["normal_restitution"], 0.5, 0.0);
+    let rows = json(&[
+        "restitution",
+        "--chi",
+        "2.9166666666666665",
+        "--psi",
+        "1.6666666666666667",
+        "--normal-restitution",
+        "0.5",
+    ]);
+    close(&rows[0]["R_x"], 0.15564, 2e-5);
+    let [elastic, without] = [&["1"][..], &[]].map(|last| {
+        let arguments = if last.is_empty() { &lossy[..5] } else { &lossy[..] };
+        json(&[arguments, last].concat())[0]["R_x"].clone()
+    });
+    assert_eq!(elastic, without);
+    for (last, expected) in [
+        (&["1.5"][..], "--normal-restitution = 1.5 is out of range: must be from 0 to 1"),
+        (&["0.5", "--gamma", "0.1", "--friction", "0.3"], "cannot be used with"),
+    ] {
+        let output = carom(&[&lossy[..], last].concat());
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains(expected), "{stderr}");
+    }
+}
+
 #[test]
 fn bad_options_name_the_option_and_what_is_allowed() {
     for (arguments, expected) in [

@@ -18,6 +18,7 @@ use crate::body::Body;
 use crate::coupled::TurningLaw;
 use crate::motion::Motion;
 use crate::outcome::Rebound;
+use crate::viscoelastic::ViscousLoss;
 use crate::warning::Warning;
 
 /// Angles of the turn from which it counts in part, and as a whole.
@@ -148,6 +149,8 @@ impl Collision {
         let pulse = self.pulse(self.velocity().z)?;
         let loss = self.normal_restitution.viscous(self.wave_share(&pulse), &pulse)?;
         let unit = pulse.time_unit() * libm::pow(1.25, -0.4);
+        // What the turn changes is taken as in a Kelvin-Voigt material of the same restitution.
+        let loss = loss.map(|loss| ViscousLoss::of_restitution(loss.restitution())).transpose()?;
         let relaxation = loss.map_or(0.0, |loss| unit * loss.relaxation());
         let balls = Balls { collision: self, radii, relaxation };
         let dt = pulse.duration();

@@ -38,7 +38,7 @@ impl CoupledImpact {
     /// [`RangeError`] if the relaxation time overflows.
     pub fn material_viscosity(&self) -> Result<Option<Viscosity>, RangeError> {
         let unit = self.viscous_units().time;
-        self.loss.map(|loss| Viscosity::new(unit * loss.relaxation())).transpose()
+        self.loss.map(|loss| loss.viscosity(unit)).transpose()
     }
 
     /// The approach at which an elastic contact bears the greatest force of this impact without friction.
@@ -178,7 +178,7 @@ impl CoupledImpact {
     /// The relaxation time in the units of the problem.
     pub(super) fn viscosity(&self) -> Result<Option<Viscosity>, RangeError> {
         let unit = libm::pow(1.25, -0.4);
-        self.loss.map(|loss| Viscosity::new(unit * loss.relaxation())).transpose()
+        self.loss.map(|loss| loss.viscosity(unit)).transpose()
     }
 
     pub(super) fn viscous_law<L: ContactLaw>(&self, law: L, viscosity: Viscosity) -> ViscousLaw<L> {

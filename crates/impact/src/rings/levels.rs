@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
+use carom_laws::friction::Friction;
 use carom_laws::rings::{AlikePlane, Plane, RingLaw, Symmetry, Tolerance};
+use carom_laws::shift_law::ShiftLaw;
 use nalgebra::Vector3;
 
 use super::RingImpactError;
@@ -14,11 +16,14 @@ use crate::coupled::{Sample, Stage};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
     run: Run,
+    pub(super) rings: usize,
     steps: usize,
     tolerance: f64,
     /// The error estimate over the change from the coarser level.
     pub(super) left: f64,
     pub(super) floor: Floor,
+    /// Whether impacts with the default tolerance may take it; others take 40 ms and more.
+    pub(super) is_usual: bool,
 }
 
 /// Lower bound of the error of the velocity over f v_z, for cases where that change is accidentally small: a
@@ -37,39 +42,57 @@ pub(super) struct Floor {
     pub(super) of_spin: f64,
 }
 
-const fn floor([always, by_gamma, by_strength, by_spread]: [f64; 4], of_spin: f64) -> Floor {
-    Floor { always, by_gamma, by_strength, by_spread, of_spin }
+/// Rings, angles of a turn, of half and a quarter; steps, tolerance, share of the change that is left, floors.
+macro_rules! level {
+    ($n:literal, $m:literal, $h:literal, $q:literal; $steps:expr, $tolerance:expr, $left:expr, $floor:expr, $spin:expr) => {
+        Level {
+            run: run::<$n, $m, $h, $q>,
+            rings: $n,
+            steps: $steps,
+            tolerance: $tolerance,
+            left: $left,
+            floor: Floor::new($floor, $spin),
+            is_usual: true,
+        }
+    };
 }
 
-/// From coarse to fine. The factors of the error estimates were fitted to 184 random impacts (gamma to 0.48,
-/// f from 0.02 to 1.5, lambda from 0.03 to 8, D_xx/D_zz from 2.5 to 6) against the last level.
+/// From coarse to fine. The factors of the error estimates were fitted to 150 drawn impacts against a grid and hold for
+/// others (`tests/it/rings.rs` of `carom-numerical`).
 pub(super) const LEVELS: [Level; 4] = [
-    level(run::<4, 8, 5, 3>, 32, 1.0 / 300.0, 1.0, floor([1e-2, 0.0, 0.0, 0.0], 1e-2)),
-    level(run::<8, 8, 5, 3>, 64, 2e-3, 0.3, floor([2.5e-4, 9e-3, 1.5e-2, 1.7e-3], 1.3e-3)),
-    level(run::<12, 16, 9, 5>, 96, 5e-4, 0.6, floor([2e-4, 4.4e-3, 8.6e-3, 1.2e-3], 8e-4)),
-    level(run::<24, 16, 9, 5>, 256, 1e-4, 0.3, floor([1e-4, 1.5e-3, 3e-3, 4e-4], 3e-4)),
+    level!(4, 8, 5, 3; 32, 1.0 / 300.0, 1.0, [1e-2, 0.0, 0.0, 0.0], 1e-2),
+    level!(8, 8, 5, 3; 64, 2e-3, 0.3, [1e-3, 1.1e-2, 1.5e-2, 4e-3], 1.3e-3),
+    level!(12, 16, 9, 5; 128, 1e-3, 0.6, [2e-4, 4.4e-3, 8.6e-3, 1.2e-3], 8e-4),
+    level!(24, 16, 9, 5; 256, 1e-4, 0.3, [1e-4, 1.5e-3, 3e-3, 4e-4], 3e-4).fine(),
 ];
 
-/// From coarse to fine with a spin about the normal, and the numbers of rings. The factors of the estimates were fitted to
-/// drawn impacts against a grid, and hold for others (`tests/it/spinning.rs` of `carom-numerical`).
-pub(super) const SPINNING: [(Level, f64); 4] = [
-    (level(run::<8, 8, 5, 3>, 64, 2e-3, 0.0, floor([1e-2, 0.0, 0.0, 0.0], 1e-2)), 8.0),
-    (level(run::<12, 8, 5, 3>, 128, 1e-3, 0.3, floor([1e-3, 4.4e-3, 8.6e-3, 1e-4], 1.5e-3)), 12.0),
-    (level(run::<12, 16, 9, 5>, 192, 5e-4, 0.3, floor([8e-4, 4.4e-3, 8.6e-3, 1e-4], 1.5e-3)), 12.0),
-    (level(run::<24, 16, 9, 5>, 384, 1e-4, 0.3, floor([3e-4, 1.5e-3, 3e-3, 1e-4], 8e-4)), 24.0),
+/// The same with a spin about the normal (`tests/it/rings.rs` of `carom-numerical`).
+pub(super) const SPINNING: [Level; 5] = [
+    level!(6, 8, 5, 3; 48, 2e-3, 0.0, [1e-2, 0.0, 0.0, 0.0], 1e-2),
+    level!(8, 8, 5, 3; 64, 2e-3, 0.3, [3e-3, 4.4e-3, 8.6e-3, 1.5e-3], 3e-3),
+    level!(12, 8, 5, 3; 128, 1e-3, 0.3, [1.2e-3, 4.4e-3, 8.6e-3, 1e-3], 1.5e-3),
+    level!(12, 16, 9, 5; 192, 5e-4, 0.3, [8e-4, 4.4e-3, 8.6e-3, 1e-4], 1.5e-3),
+    level!(24, 16, 9, 5; 384, 1e-4, 0.3, [3e-4, 1.5e-3, 3e-3, 1e-4], 8e-4).fine(),
 ];
 
 /// The level for tables. With twice the steps the tangential velocity changes by 5e-4 f v_z in the mean.
-pub(super) const FILLING: Level = level(run::<16, 16, 9, 5>, 128, 5e-4, 0.0, floor([0.0; 4], 0.0));
-
-const fn level(run: Run, steps: usize, tolerance: f64, left: f64, floor: Floor) -> Level {
-    Level { run, steps, tolerance, left, floor }
-}
+pub(super) const FILLING: Level = level!(16, 16, 9, 5; 128, 5e-4, 0.0, [0.0; 4], 0.0);
 
 /// A run at one resolution, observed at each instant.
 type Run = fn(&Problem, usize, f64, &mut dyn FnMut(Sample)) -> Result<Passage, RingImpactError>;
 
+impl Floor {
+    const fn new([always, by_gamma, by_strength, by_spread]: [f64; 4], of_spin: f64) -> Self {
+        Self { always, by_gamma, by_strength, by_spread, of_spin }
+    }
+}
+
 impl Level {
+    /// For tolerances finer than the default only.
+    const fn fine(self) -> Self {
+        Self { is_usual: false, ..self }
+    }
+
     pub(super) fn passage(&self, problem: &Problem) -> Result<Passage, RingImpactError> {
         self.observed(problem, &mut |_| ())
     }
@@ -80,6 +103,19 @@ impl Level {
         observe: &mut dyn FnMut(Sample),
     ) -> Result<Passage, RingImpactError> {
         (self.run)(problem, self.steps, self.tolerance, observe)
+    }
+
+    /// The normal velocity after the same impact without friction: what steps alone miss.
+    pub(super) fn normal(&self, problem: &Problem) -> Result<f64, RingImpactError> {
+        let law = ShiftLaw::<f64>::with_fixed_direction(problem.stiffness(), Friction::new(0.0)?);
+        let motion = problem.motion.straight();
+        let passage = ended(match problem.viscosity()? {
+            None => motion.follow(law, self.steps, |_, _| ())?,
+            Some(viscosity) => {
+                motion.follow(problem.viscous_law(law, viscosity), self.steps, |_, _| ())?
+            }
+        })?;
+        Ok(passage.after[0])
     }
 }
 

@@ -105,6 +105,11 @@ impl Motion {
         Self { before: [speed, libm::hypot(x, y), 0.0, omega], ..*self }
     }
 
+    /// The normal motion alone.
+    pub(super) fn straight(&self) -> Self {
+        Self { before: [self.before[0], 0.0, 0.0, 0.0], ..*self }
+    }
+
     /// Integrates from first contact to separation; `observe` is called at first contact, after each step and
     /// at separation. None if the bodies do not separate.
     pub(super) fn follow<L: ContactLaw>(

@@ -104,13 +104,16 @@ impl Problem {
     pub(super) fn viscosity(&self) -> Result<Option<Viscosity>, RangeError> {
         // The duration of the free impact is that of Hertz, in units of zeta_max/v.
         let unit = self.motion.duration / DURATION * libm::pow(1.25, -0.4);
-        self.loss.map(|loss| Viscosity::new(unit * loss.relaxation())).transpose()
+        self.loss.map(|loss| loss.viscosity(unit)).transpose()
     }
 
     /// A law in a material with this viscosity.
     pub(super) fn viscous_law<L: ContactLaw>(&self, law: L, viscosity: Viscosity) -> ViscousLaw<L> {
+        ViscousLaw::new(law, viscosity, self.friction.get(), self.stiffness())
+    }
+
+    pub(super) fn stiffness(&self) -> ContactStiffness {
         let RingConstants { c_z, kappa, .. } = self.constants;
-        let stiffness = ContactStiffness { c_x: c_z / kappa, c_y: c_z / kappa, c_z };
-        ViscousLaw::new(law, viscosity, self.friction.get(), stiffness)
+        ContactStiffness { c_x: c_z / kappa, c_y: c_z / kappa, c_z }
     }
 }

@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::RingImpactError;
-use super::levels::{Floor, LEVELS, Level};
+use super::levels::{Floor, LEVELS, Level, SPINNING};
 use super::motion::{Passage, Rates};
 use super::problem::Problem;
 use super::sliding::Slide;
+use super::spinning::Extrapolated;
+use super::{RingImpact, RingImpactError};
 use crate::coupled::{Sample, Stage};
 
 /// The tangential velocity over f v_z at which the limit for vanishing ones is computed.
@@ -43,48 +44,64 @@ pub(super) struct Found {
 impl Problem {
     /// Refines until the estimates of the tangential velocity over f v_z and of the normal one over v_z are
     /// as allowed.
-    pub(super) fn found(&self, [allowed, normal]: [f64; 2]) -> Result<Found, RingImpactError> {
-        if let Some(Slide { mut passage, estimate, normal }) = self.slide()? {
-            let [speed, xi, eta, _] = self.motion.before;
-            // All slides: whatever the material, each part of the impulse is in proportion to that along the normal.
-            let part = 0.5 * (1.0 + self.normal());
-            if part < 1.0 {
-                for (after, before) in passage.after.iter_mut().zip(self.motion.before) {
-                    *after = before + part * (*after - before);
-                }
+    pub(super) fn found(&self, allowed: [f64; 2]) -> Result<Found, RingImpactError> {
+        match (self.slide()?, self.motion.before[3] == 0.0) {
+            (Some(slide), _) => Ok(self.slid(slide)),
+            (None, true) => self.refined(&LEVELS, allowed, Compared::default()),
+            (None, false) => self.refined(&SPINNING, allowed, Extrapolated::default()),
+        }
+    }
+
+    /// A sliding impact in its material: each part of the impulse is in proportion to that along the normal.
+    fn slid(&self, slide: Slide) -> Found {
+        let Slide { mut passage, estimate, normal } = slide;
+        let [speed, xi, eta, _] = self.motion.before;
+        let part = 0.5 * (1.0 + self.normal());
+        if part < 1.0 {
+            for (after, before) in passage.after.iter_mut().zip(self.motion.before) {
+                *after = before + part * (*after - before);
             }
-            let touch = Sample {
-                time: 0.0,
-                shift: Vector3::zeros(),
-                velocity: Vector3::new(xi, eta, speed),
-                force: Vector3::zeros(),
-                stage: Stage::Slide,
-            };
-            let (spin, level, samples) = (estimate, LEVELS[1], vec![touch]);
-            return Ok(Found { passage, estimate, normal, spin, level, samples });
         }
-        if self.motion.before[3] != 0.0 {
-            return self.found_spinning([allowed, normal]);
-        }
-        let (alike, exact, left_out) = (self.alike(), self.exact()?, self.left_out());
-        let mut last: Option<[Passage; 2]> = None;
+        let touch = Sample {
+            time: 0.0,
+            shift: Vector3::zeros(),
+            velocity: Vector3::new(xi, eta, speed),
+            force: Vector3::zeros(),
+            stage: Stage::Slide,
+        };
+        let (level, samples) = (LEVELS[1], vec![touch]);
+        Found { passage, estimate, normal, spin: estimate, level, samples }
+    }
+
+    /// Runs levels from coarse to fine until one is fine enough. With the default tolerance the finest are left out.
+    fn refined(
+        &self,
+        levels: &[Level],
+        [allowed, normal]: [f64; 2],
+        mut correction: impl Correction,
+    ) -> Result<Found, RingImpactError> {
+        let (exact, left_out) = (self.exact()?, self.left_out());
         let mut best = None;
-        for level in LEVELS {
+        let is_usual = allowed >= RingImpact::TOLERANCE;
+        for level in levels.iter().filter(|level| level.is_usual || !is_usual) {
             let mut samples = Vec::new();
             let passage = level.observed(self, &mut |sample| samples.push(sample))?;
-            let now = [passage, level.passage(&alike)?];
-            if let Some(old) = &last {
-                let found = Found { samples, ..self.judged(&level, old, &now, exact) };
-                let over = self.scale() * self.motion.before[0];
-                let by_law = self.taken_from_viscous_law(&now[1], &exact) / over;
-                // Finer rings do not reduce the errors of the laws themselves.
-                let enough = found.estimate <= allowed.max(left_out) && found.normal <= normal;
-                best = Some(Found { estimate: found.estimate + left_out + by_law, ..found });
-                if enough {
-                    break;
-                }
+            let Some(run) = correction.of(self, level, passage, &exact)? else { continue };
+            let [tangential, along, spin] = run.left;
+            let estimate = tangential + self.floor(level);
+            // Finer rings do not reduce the errors of the laws themselves.
+            let enough = estimate <= allowed.max(left_out) && along <= normal;
+            best = Some(Found {
+                passage: run.passage,
+                estimate: estimate + left_out + run.by_law,
+                normal: along,
+                spin: spin + level.floor.of_spin,
+                level: *level,
+                samples,
+            });
+            if enough {
+                break;
             }
-            last = Some(now);
         }
         best.ok_or(RingImpactError::NoSeparation)
     }
@@ -181,36 +198,62 @@ impl Problem {
         LEFT_OUT * strength * strength * self.reached()
     }
 
-    /// By how much the step law of a viscous material is corrected: as much may be left of its error.
+    /// By how much the step law of a viscous material is corrected, over f v_z: as much may be left of its error.
     pub(super) fn taken_from_viscous_law(&self, alike: &Passage, exact: &Rates) -> f64 {
         if self.loss.is_none() {
             return 0.0;
         }
-        libm::hypot(exact[1] - alike.after[1], exact[2] - alike.after[2])
-    }
-
-    /// The result of the finer of two runs, corrected by the error for similar bodies.
-    fn judged(
-        &self,
-        level: &Level,
-        [old, old_alike]: &[Passage; 2],
-        [new, new_alike]: &[Passage; 2],
-        exact: Rates,
-    ) -> Found {
-        let part = self.taken_off();
-        let without = |run: &Passage, alike: &Passage, i: usize| match i {
-            0 => run.after[i] + exact[i] - alike.after[i],
-            3 => run.after[i],
-            _ => run.after[i] + part * (exact[i] - alike.after[i]),
-        };
-        let mut passage = *new;
-        passage.after = std::array::from_fn(|i| without(new, new_alike, i));
-        let change: Rates =
-            std::array::from_fn(|i| (passage.after[i] - without(old, old_alike, i)).abs());
         let over = self.scale() * self.motion.before[0];
-        let estimate = level.left * change[1].hypot(change[2]) / over + self.floor(level);
-        let normal = level.left * change[0] / self.motion.before[0];
-        let spin = level.left * change[3] / self.motion.before[3].abs() + level.floor.of_spin;
-        Found { passage, estimate, normal, spin, level: *level, samples: Vec::new() }
+        libm::hypot(exact[1] - alike.after[1], exact[2] - alike.after[2]) / over
+    }
+}
+
+/// A run corrected by what is known of its errors.
+pub(super) struct Corrected {
+    pub(super) passage: Passage,
+    /// What may be left of them: in the tangential velocity over f v_z, in the normal one over v_z, in the spin over
+    /// that before.
+    pub(super) left: [f64; 3],
+    /// What is left of the error of the law of a viscous material, over f v_z.
+    pub(super) by_law: f64,
+}
+
+/// How a run is corrected, after those of coarser levels.
+pub(super) trait Correction {
+    /// None for the first run, to which there is no other.
+    fn of(
+        &mut self,
+        problem: &Problem,
+        level: &Level,
+        passage: Passage,
+        exact: &Rates,
+    ) -> Result<Option<Corrected>, RingImpactError>;
+}
+
+/// Without spin: by the same run of similar bodies, whose solution is known. What finer levels change is left.
+#[derive(Default)]
+struct Compared {
+    last: Option<Rates>,
+}
+
+impl Correction for Compared {
+    fn of(
+        &mut self,
+        problem: &Problem,
+        level: &Level,
+        mut passage: Passage,
+        exact: &Rates,
+    ) -> Result<Option<Corrected>, RingImpactError> {
+        let (alike, part) = (level.passage(&problem.alike())?, problem.taken_off());
+        for (i, part) in [1.0, part, part, 0.0].into_iter().enumerate() {
+            passage.after[i] += part * (exact[i] - alike.after[i]);
+        }
+        let Some(last) = self.last.replace(passage.after) else { return Ok(None) };
+        let change: Rates =
+            std::array::from_fn(|i| level.left * (passage.after[i] - last[i]).abs());
+        let speed = problem.motion.before[0];
+        let tangential = change[1].hypot(change[2]) / (problem.scale() * speed);
+        let by_law = problem.taken_from_viscous_law(&alike, exact);
+        Ok(Some(Corrected { passage, left: [tangential, change[0] / speed, 0.0], by_law }))
     }
 }

@@ -4,11 +4,11 @@
 //! without spin is another one. The error by too few angles shows in how far two runs differ whose axes are half the
 //! distance of two angles apart; of both the mean is taken. So the axes do not matter.
 
-use super::levels::{Level, SPINNING};
+use super::RingImpactError;
+use super::levels::Level;
 use super::motion::{Passage, Rates};
 use super::problem::Problem;
-use super::refine::Found;
-use super::{RingImpact, RingImpactError};
+use super::refine::{Corrected, Correction};
 
 /// What may be left of the part that is taken off.
 const LEFT_OF_RINGS: f64 = 0.35;
@@ -17,64 +17,51 @@ const LEFT_OF_ANGLES: f64 = 0.6;
 /// What may be left of the change by more angles and steps alone.
 const LEFT_OF_STEPS: f64 = 0.2;
 
+/// With spin: by what more rings would change, and by what steps change the normal velocity.
+#[derive(Default)]
+pub(super) struct Extrapolated {
+    last: Option<Spun>,
+}
+
 /// A run, and what is known of its errors.
+#[derive(Clone, Copy)]
 struct Spun {
-    rings: f64,
-    passage: Passage,
+    rings: usize,
+    after: Rates,
     /// What more rings would change.
     beyond: Rates,
     /// The size of the change by more angles and steps alone.
     by_steps: f64,
 }
 
-impl Problem {
-    /// As [`Problem::found`], with spin.
-    pub(super) fn found_spinning(
-        &self,
-        [allowed, normal]: [f64; 2],
-    ) -> Result<Found, RingImpactError> {
-        let (alike, exact, left_out) = (self.alike(), self.exact()?, self.left_out());
-        let mut last: Option<Spun> = None;
-        let mut best = None;
-        // The finest level takes a tenth of a second.
-        let finest =
-            if allowed < RingImpact::TOLERANCE { SPINNING.len() } else { SPINNING.len() - 1 };
-        for (level, rings) in SPINNING.into_iter().take(finest) {
-            let mut samples = Vec::new();
-            let mut passage = level.observed(self, &mut |sample| samples.push(sample))?;
-            let alike = level.passage(&alike)?;
-            passage.after[0] += exact[0] - alike.after[0];
-            let by_law = self.taken_from_viscous_law(&alike, &exact)
-                / (self.scale() * self.motion.before[0]);
-            let now = Spun::after(last.as_ref(), passage, rings);
-            if last.is_some() {
-                let found = self.judged_spinning(&level, &now);
-                let estimate = found.estimate + left_out + by_law;
-                let found = Found { samples, estimate, ..found };
-                let enough = found.estimate <= allowed.max(2.0 * left_out) + by_law
-                    && found.normal <= normal;
-                best = Some(found);
-                if enough {
-                    break;
-                }
-            }
-            last = Some(now);
+impl Correction for Extrapolated {
+    fn of(
+        &mut self,
+        problem: &Problem,
+        level: &Level,
+        mut passage: Passage,
+        exact: &Rates,
+    ) -> Result<Option<Corrected>, RingImpactError> {
+        passage.after[0] += exact[0] - level.normal(problem)?;
+        let by_law = match problem.loss {
+            None => 0.0,
+            Some(_) => problem.taken_from_viscous_law(&level.passage(&problem.alike())?, exact),
+        };
+        let first = self.last.is_none();
+        let run = Spun::after(self.last.as_ref(), passage.after, level.rings);
+        self.last = Some(run);
+        if first {
+            return Ok(None);
         }
-        best.ok_or(RingImpactError::NoSeparation)
-    }
-
-    fn judged_spinning(&self, level: &Level, run: &Spun) -> Found {
-        let size = |rates: &Rates| libm::hypot(rates[1], rates[2]);
-        let mut passage = run.passage;
-        passage.after = self.possible(&passage.after, &run.beyond);
-        let left = LEFT_OF_RINGS * size(&run.beyond)
+        passage.after = problem.possible(&run.after, &run.beyond);
+        let left = LEFT_OF_RINGS * libm::hypot(run.beyond[1], run.beyond[2])
             + LEFT_OF_ANGLES * passage.by_direction
             + LEFT_OF_STEPS * run.by_steps;
-        let [speed, _, _, omega] = self.motion.before;
-        let estimate = left / (self.scale() * speed) + self.floor(level);
+        let [speed, _, _, omega] = problem.motion.before;
+        let tangential = left / (problem.scale() * speed);
         let normal = level.left * run.beyond[0].abs() / speed;
-        let spin = LEFT_OF_RINGS * run.beyond[3].abs() / omega.abs() + level.floor.of_spin;
-        Found { passage, estimate, normal, spin, level: *level, samples: Vec::new() }
+        let spin = LEFT_OF_RINGS * run.beyond[3].abs() / omega.abs();
+        Ok(Some(Corrected { passage, left: [tangential, normal, spin], by_law }))
     }
 }
 
@@ -104,17 +91,17 @@ impl Problem {
 }
 
 impl Spun {
-    fn after(last: Option<&Self>, passage: Passage, rings: f64) -> Self {
+    fn after(last: Option<&Self>, after: Rates, rings: usize) -> Self {
         let Some(last) = last else {
-            return Self { rings, passage, beyond: [0.0; 4], by_steps: 0.0 };
+            return Self { rings, after, beyond: [0.0; 4], by_steps: 0.0 };
         };
-        let change: Rates = std::array::from_fn(|i| passage.after[i] - last.passage.after[i]);
+        let change: Rates = std::array::from_fn(|i| after[i] - last.after[i]);
         if rings == last.rings {
             let by_steps = libm::hypot(change[1], change[2]);
-            return Self { rings, passage, beyond: last.beyond, by_steps };
+            return Self { rings, after, beyond: last.beyond, by_steps };
         }
-        let ratio = rings / last.rings;
+        let ratio = rings as f64 / last.rings as f64;
         let beyond = change.map(|change| change / (ratio * ratio - 1.0));
-        Self { rings, passage, beyond, by_steps: 0.0 }
+        Self { rings, after, beyond, by_steps: 0.0 }
     }
 }

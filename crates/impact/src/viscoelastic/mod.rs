@@ -14,13 +14,16 @@
 //! - Two runs, the second with twice as many steps, are extrapolated.
 
 mod pulse;
+mod relaxing;
 mod run;
 mod springs;
 
+use carom_laws::viscous::Viscosity;
 use carom_special::RangeError;
 
 use crate::oblique::Groups;
 use pulse::Pulse;
+use relaxing::Relaxation;
 pub(crate) use run::Instant;
 use run::{Ends, Run};
 
@@ -35,18 +38,42 @@ use run::{Ends, Run};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViscousLoss {
+    rheology: Rheology,
     restitution: f64,
-    relaxation: f64,
+    /// The relaxation time, or alpha of a constant loss tangent.
+    parameter: f64,
+}
+
+/// How stress relaxes in a material that loses energy, in shear and in compression alike.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Rheology {
+    /// Kelvin and Voigt: each stress has a viscous companion, tau times the rate of the elastic one.
+    #[default]
+    KelvinVoigt,
+    /// Maxwell: all stress relaxes, E(t) = E exp(-t/tau).
+    Maxwell,
+    /// A standard solid: stress relaxes to a share of it, E(t)/E_inf = 1 + (1/relaxed - 1) exp(-t/tau), on the side of short
+    /// tau, where it is of Kelvin's and Voigt's kind.
+    StandardSolid {
+        /// E_inf/E_0, between 0 and 1.
+        relaxed: f64,
+    },
+    /// A loss tangent that does not depend on frequency, tan(alpha pi/2): E(t) proportional to t^(-alpha). The restitution
+    /// does not depend on speed then.
+    ConstantLossTangent,
 }
 
 /// The least restitution with springs of its own; below, R_x is interpolated to the limit at e = 0.
 const LEAST: f64 = 5e-3;
+/// The least restitution of other materials than Kelvin's and Voigt's.
+const LEAST_OF_OTHERS: f64 = 0.1;
 /// The greatest relaxation time: e is then .005.
 const GREATEST: f64 = 25.0;
 
 impl ViscousLoss {
     /// An elastic material.
-    pub const NONE: Self = Self { restitution: 1.0, relaxation: 0.0 };
+    pub const NONE: Self =
+        Self { rheology: Rheology::KelvinVoigt, restitution: 1.0, parameter: 0.0 };
 
     /// The loss of bodies that rebound with this restitution if nothing couples normal and tangential motion.
     ///
@@ -55,8 +82,60 @@ impl ViscousLoss {
     pub fn of_restitution(restitution: f64) -> Result<Self, RangeError> {
         let holds = (0.0..=1.0).contains(&restitution);
         RangeError::check("normal_restitution", restitution, holds, "from 0 to 1")?;
-        let relaxation = pulse::relaxation_of(restitution.max(LEAST));
-        Ok(Self { restitution, relaxation })
+        let parameter = pulse::relaxation_of(restitution.max(LEAST));
+        Ok(Self { rheology: Rheology::KelvinVoigt, restitution, parameter })
+    }
+
+    /// The same of another material, for impacts in which nothing couples normal and tangential motion.
+    ///
+    /// ```
+    /// use carom_impact::oblique::Groups;
+    /// use carom_impact::viscoelastic::{Rheology, ViscoelasticImpact, ViscousLoss};
+    /// // Solid spheres, kappa = 1.2, lambda = 2, e = .8: by springs of another program .2943 and .2469 (Kelvin-Voigt .2344).
+    /// for (rheology, known) in [(Rheology::Maxwell, 0.2943), (Rheology::ConstantLossTangent, 0.2469)] {
+    ///     let loss = ViscousLoss::of_restitution_in(rheology, 0.8)?;
+    ///     let rebound = ViscoelasticImpact::new(Groups::of_spheres(1.2, 2.0)?, loss).solve(1e-3);
+    ///     assert!((rebound.restitution - known).abs() < rebound.error_estimate);
+    /// }
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] of `normal_restitution` unless it is from 0 to 1, from 0.1 but for Kelvin-Voigt.
+    pub fn of_restitution_in(rheology: Rheology, restitution: f64) -> Result<Self, RangeError> {
+        if rheology == Rheology::KelvinVoigt || restitution == 1.0 {
+            return Self::of_restitution(restitution);
+        }
+        let holds = (LEAST_OF_OTHERS..1.0).contains(&restitution);
+        RangeError::check("normal_restitution", restitution, holds, "from 0.1 to 1")?;
+        if let Rheology::StandardSolid { relaxed } = rheology {
+            let holds = relaxed > 0.0 && relaxed < 1.0;
+            RangeError::check("relaxed", relaxed, holds, "between 0 and 1")?;
+        }
+        let most = RangeError::new(
+            "normal_restitution",
+            restitution,
+            "above that of the largest loss of this standard solid",
+        );
+        let parameter = relaxing::parameter_of(rheology, restitution).ok_or(most)?;
+        Ok(Self { rheology, restitution, parameter })
+    }
+
+    /// How the stress relaxes.
+    #[must_use]
+    pub const fn rheology(&self) -> Rheology {
+        self.rheology
+    }
+
+    /// The viscosity of a Kelvin-Voigt material, `unit` the time of the impact.
+    ///
+    /// # Errors
+    /// [`RangeError`] for another one, which has no law of steps.
+    pub(crate) fn viscosity(&self, unit: f64) -> Result<Viscosity, RangeError> {
+        let holds = self.rheology == Rheology::KelvinVoigt;
+        let allowed = "1, or with the loss \"viscous\" or \"yield\", where something couples normal and tangential motion";
+        RangeError::check("normal_restitution", self.restitution, holds, allowed)?;
+        Viscosity::new(unit * self.parameter)
     }
 
     /// The loss of bodies with this relaxation time over the time of the impact, (m/K)^(2/5) v^(-1/5); m is the reduced
@@ -68,7 +147,8 @@ impl ViscousLoss {
         let holds = (0.0..=GREATEST).contains(&relaxation);
         let allowed = "from 0 to 25 times the time of the impact, (m/K)^(2/5) v^(-1/5)";
         RangeError::check("relaxation", relaxation, holds, allowed)?;
-        Ok(Self { restitution: Pulse { tau: relaxation }.restitution(), relaxation })
+        let restitution = Pulse { tau: relaxation }.restitution();
+        Ok(Self { rheology: Rheology::KelvinVoigt, restitution, parameter: relaxation })
     }
 
     /// The restitution e: the speed of separation over that of approach.
@@ -77,10 +157,10 @@ impl ViscousLoss {
         self.restitution
     }
 
-    /// The relaxation time over the time of the impact.
+    /// The relaxation time over the time of the impact; of a constant loss tangent alpha.
     #[must_use]
     pub const fn relaxation(&self) -> f64 {
-        self.relaxation
+        self.parameter
     }
 }
 
@@ -143,8 +223,21 @@ pub(crate) struct NormalRebound {
 
 impl ViscousLoss {
     pub(crate) fn normal_rebound(&self) -> NormalRebound {
-        let pulse = Pulse { tau: self.relaxation };
-        normal_rebound(&pulse, &pulse.ends())
+        match self.relaxing() {
+            Some(relaxation) => relaxing::normal(&relaxation).into(),
+            None => {
+                let pulse = Pulse { tau: self.parameter };
+                normal_rebound(&pulse, &pulse.ends())
+            }
+        }
+    }
+
+    /// The relaxation of other materials than Kelvin's and Voigt's.
+    fn relaxing(&self) -> Option<Relaxation> {
+        match self.rheology {
+            Rheology::KelvinVoigt => None,
+            rheology => Some(Relaxation::of(rheology, self.parameter)),
+        }
     }
 }
 
@@ -175,15 +268,21 @@ impl ViscoelasticImpact {
         (psi >= 1.0_f64.max(chi * (1.0 + e) - e)).then(|| chi * (1.0 + e) / psi - 1.0)
     }
 
-    /// Solves the impact until the estimated error of R_x is below the tolerance, with at most 1792 steps in each half.
+    /// Solves the impact until the estimated error of R_x is below the tolerance, with at most 1792 steps in each half (800
+    /// in all of other materials than Kelvin's and Voigt's).
     #[must_use]
     pub fn solve(&self, tolerance: f64) -> ViscoelasticRebound {
-        let pulse = Pulse { tau: self.loss.relaxation };
-        let ends = pulse.ends();
-        let normal = normal_rebound(&pulse, &ends);
-        let found = match self.sliding() {
-            Some(restitution) => self.slid(restitution),
-            None => self.toward_rest(refined(&pulse, &ends, self.moving(), tolerance)),
+        let (found, normal) = match self.loss.relaxing() {
+            Some(relaxation) => {
+                let (found, normal) = relaxing::refined(&relaxation, self.moving(), tolerance);
+                let found = self.sliding().map_or(found, |restitution| self.slid(restitution));
+                (found, normal.into())
+            }
+            None => {
+                let pulse = Pulse { tau: self.loss.parameter };
+                let ends = pulse.ends();
+                (self.by_springs(&pulse, &ends, tolerance), normal_rebound(&pulse, &ends))
+            }
         };
         ViscoelasticRebound {
             restitution: found.restitution,
@@ -197,16 +296,29 @@ impl ViscoelasticImpact {
 
     /// The instants of the run by which [`ViscoelasticImpact::solve`] meets the tolerance, and the psi to which they belong.
     pub(crate) fn instants(&self, tolerance: f64) -> (Vec<Instant>, f64) {
-        let pulse = Pulse { tau: self.loss.relaxation };
-        let ends = pulse.ends();
         let groups = self.moving();
+        let mut instants = Vec::new();
+        let mut observe = |instant| instants.push(instant);
+        if let Some(relaxation) = self.loss.relaxing() {
+            let steps = relaxing::refined(&relaxation, groups, tolerance).0.steps;
+            relaxing::follow(&relaxation, groups, steps, &mut observe);
+            return (instants, groups[1]);
+        }
+        let pulse = Pulse { tau: self.loss.parameter };
+        let ends = pulse.ends();
         let steps = match self.sliding() {
             Some(_) => SHOWN,
             None => refined(&pulse, &ends, groups, tolerance).steps.max(SHOWN),
         };
-        let mut instants = Vec::with_capacity(2 * steps);
-        Run::of(&pulse, &ends, groups, steps, |instant| instants.push(instant));
+        Run::of(&pulse, &ends, groups, steps, observe);
         (instants, groups[1])
+    }
+
+    fn by_springs(&self, pulse: &Pulse, ends: &Ends, tolerance: f64) -> Found {
+        match self.sliding() {
+            Some(restitution) => self.slid(restitution),
+            None => self.toward_rest(refined(pulse, ends, self.moving(), tolerance)),
+        }
     }
 
     fn moving(&self) -> [f64; 2] {

@@ -25,6 +25,7 @@ mod reference_tables;
 mod reference_values;
 mod restitution;
 mod restitution_dissimilar;
+mod rheologies;
 mod ring_impacts;
 mod ring_impacts_known;
 mod scene;

@@ -65,7 +65,9 @@ fn ball([along, across]: [f64; 2], spin: f64) -> Collision {
 fn an_impact_turns_with_its_tangential_velocity() {
     for size in [0.003, 0.5] {
         let after = |x: f64, y: f64| {
-            let after = rebound(&ball([size * x, size * y], 600.0)).contact_velocity_after;
+            let collision = ball([size * x, size * y], 600.0);
+            let impact = RingImpact::new(&collision).within(5e-3).unwrap().solve().unwrap();
+            let after = impact.rebound().unwrap().contact_velocity_after;
             Vector3::new(after.x, after.y, after.z) / size
         };
         let along = after(1.0, 0.0);

@@ -5,7 +5,7 @@ mod impacts;
 mod law;
 mod numerical_law;
 mod ring_histories;
-mod spinning;
+mod rings;
 mod systems_of_units;
 #[path = "../../../impact/tests/it/units.rs"]
 mod units;

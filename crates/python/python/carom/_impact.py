@@ -120,8 +120,9 @@ def collide(
     the laws 'auto' and 'rings'; True always does so, False never.
 
     A `normal_restitution` below 1 dissipates energy in the material, beyond the elastic theory: the material is viscous
-    (Kelvin and Voigt), along the normal and across. `loss="yield"` takes bodies that yield: the elastic impulse times
-    (1 + e)/2. A `relaxation` time (s) of both bodies together gives the viscous material, whose restitution falls as the
+    (Kelvin and Voigt), along the normal and across. `loss="maxwell"`, "standard-solid" (which relaxes to a tenth) and
+    "constant-loss-tangent" are other materials, for like spheres and planes without spin and e from 0.1.
+    `loss="yield"` takes bodies that yield: the elastic impulse times (1 + e)/2. A `relaxation` time (s) of both bodies together gives the viscous material, whose restitution falls as the
     speed grows; `wave_loss=True` dissipates what elastic waves carry away.
 
     A fixed body that moves, like a racket, does work on the other: then the energies do not balance.

@@ -2,8 +2,10 @@
 
 use super::Arguments;
 use crate::error::CliError;
-use carom_impact::oblique::Groups;
-use carom_impact::restitution::{DissimilarGroups, DissimilarRestitution, DissimilarTable};
+use carom_impact::oblique::{Groups, ObliqueImpact};
+use carom_impact::restitution::{
+    DissimilarGroups, DissimilarRestitution, DissimilarTable, with_normal_restitution as lossy,
+};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
@@ -11,9 +13,9 @@ use carom_special::RangeError;
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Bodies {
     /// Alike solid spheres, by kappa and lambda.
-    Spheres,
+    Spheres(NormalLoss),
     /// Any whose normal and tangential motions are uncoupled, by chi and psi.
-    Any,
+    Any(NormalLoss),
     /// Spheres of dissimilar materials, by kappa and lambda.
     Dissimilar(Coupling),
 }
@@ -26,6 +28,9 @@ pub(super) struct Coupling {
     /// D_xx/D_zz.
     pub(super) ratio: f64,
 }
+
+/// The restitution e along the normal; none of elastic bodies.
+pub(super) type NormalLoss = Option<f64>;
 
 impl Coupling {
     fn groups(&self, [kappa, lambda]: [f64; 2]) -> Result<DissimilarGroups, RangeError> {
@@ -49,20 +54,41 @@ impl Bodies {
                 let ratio = arguments.mobility_ratio;
                 Ok(Self::Dissimilar(Coupling { gamma, friction, ratio }))
             }
-            (_, _, Some(_)) => Ok(Self::Spheres),
-            _ => Ok(Self::Any),
+            (_, _, Some(_)) => Ok(Self::Spheres(arguments.normal_restitution)),
+            _ => Ok(Self::Any(arguments.normal_restitution)),
         }
     }
 
     /// The groups of alike bodies.
     pub(super) fn groups(&self, [a, b]: [f64; 2]) -> Result<Groups, RangeError> {
         match self {
-            Self::Any => Groups::new(a, b),
-            Self::Spheres | Self::Dissimilar(_) => Groups::of_spheres(a, b),
+            Self::Any(_) => Groups::new(a, b),
+            Self::Spheres(_) | Self::Dissimilar(_) => Groups::of_spheres(a, b),
+        }
+    }
+
+    /// The restitution along the normal.
+    pub(super) const fn normal_loss(&self) -> NormalLoss {
+        match self {
+            Self::Spheres(loss) | Self::Any(loss) => *loss,
+            Self::Dissimilar(_) => None,
+        }
+    }
+
+    /// R_x of a pair.
+    pub(super) fn restitution(&self, pair: [f64; 2]) -> Result<f64, CliError> {
+        match (self, self.normal_loss()) {
+            (Self::Dissimilar(coupling), _) => Ok(coupling.found(pair)?.r_x),
+            (_, Some(e)) => Ok(lossy(self.groups(pair)?, e)?),
+            (_, None) => Ok(ObliqueImpact::new(self.groups(pair)?)?.restitution()),
         }
     }
 
     pub(super) fn check(&self, pair: [f64; 2]) -> Result<(), RangeError> {
+        if let Some(e) = self.normal_loss() {
+            let holds = (0.0..=1.0).contains(&e);
+            RangeError::check("normal-restitution", e, holds, "from 0 to 1")?;
+        }
         match self {
             Self::Dissimilar(coupling) => coupling.groups(pair).map(|_| ()),
             _ => self.groups(pair).map(|_| ()),

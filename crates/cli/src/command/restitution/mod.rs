@@ -66,6 +66,11 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true, requires = "gamma")]
     #[arg(default_value_t = 3.5)]
     mobility_ratio: f64,
+    /// Restitution e along the normal of a material that loses energy, from 0 to 1; alike bodies
+    /// only.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["gamma", "tensor"])]
+    normal_restitution: Option<f64>,
     #[command(flatten)]
     printing: Printing,
     /// Draw lines over the second number into this file, as SVG, PNG or PDF by its ending; - is
@@ -89,9 +94,10 @@ pub(super) struct Arguments {
 fn help() -> String {
     let spheres = columns::help("A row for each pair, with --kappa and --lambda", rows::OF_SPHERES);
     let dissimilar = columns::help("with --gamma", rows::OF_DISSIMILAR);
+    let lossy = columns::help("with --normal-restitution, after the two numbers", rows::OF_LOSSY);
     let any = columns::help("with --chi and --psi", rows::OF_ANY);
     let tensor = columns::help("with --tensor also", rows::OF_TENSOR);
-    format!("{spheres}{dissimilar}{any}{tensor}")
+    format!("{spheres}{dissimilar}{any}{lossy}{tensor}")
 }
 
 pub(super) fn run(
@@ -144,8 +150,8 @@ fn follow(
     if arguments.format() == Format::None && !is_mapped {
         return Ok((String::new(), values));
     }
-    let columns =
-        [plane.columns, if arguments.tensor.is_some() { rows::OF_TENSOR } else { &[] }].concat();
+    let of_tensor = if arguments.tensor.is_some() { rows::OF_TENSOR } else { &[] };
+    let columns = [&plane.columns[..], of_tensor].concat();
     let mut printed = Rows::new(arguments.format());
     let count = plane.count();
     let progress = (count >= MANY).then(|| Progress::new(*messages, count, "impacts"));
@@ -161,7 +167,7 @@ fn follow(
             values.extend(rows.iter().map(|row| row.restitution));
         }
         let cells = |line: &Row| row(&columns, Some(line));
-        let json = |line: &Row, depth| indented(&line.record(plane.columns), depth);
+        let json = |line: &Row, depth| indented(&line.record(&plane.columns), depth);
         printed.put(&rows, cells, json, results)?;
         // Nobody reads, nobody looks.
         if results.is_closed() && !is_mapped {

@@ -1,10 +1,8 @@
 //! The two numbers that span the results, and R_x of a pair of them.
 
-use super::bodies::{Bodies, Coupling};
+use super::bodies::{Bodies, Coupling, NormalLoss};
 use super::{Arguments, rows, rows::Row};
-use crate::error::CliError;
 use crate::range::Values;
-use carom_impact::oblique::ObliqueImpact;
 use carom_special::RangeError;
 use carom_table::Column;
 use carom_table::short;
@@ -12,7 +10,7 @@ use carom_table::short;
 /// The two numbers that span the results: columns, symbols, values and meaning.
 #[derive(Debug)]
 pub(super) struct Plane<'a> {
-    pub(super) columns: &'static [Column<Row>],
+    pub(super) columns: Vec<Column<Row>>,
     pub(super) symbols: [char; 2],
     pub(super) title: String,
     pub(super) values: [&'a [f64]; 2],
@@ -29,13 +27,17 @@ impl Plane<'_> {
         let spheres = [list(&arguments.kappa), list(&arguments.lambda)];
         let any = [list(&arguments.chi), list(&arguments.psi)];
         let (columns, symbols, values) = match bodies {
-            Bodies::Spheres => (rows::OF_SPHERES, ['κ', 'λ'], spheres),
-            Bodies::Any => (rows::OF_ANY, ['χ', 'ψ'], any),
+            Bodies::Spheres(_) => (rows::OF_SPHERES, ['κ', 'λ'], spheres),
+            Bodies::Any(_) => (rows::OF_ANY, ['χ', 'ψ'], any),
             Bodies::Dissimilar(_) => (rows::OF_DISSIMILAR, ['κ', 'λ'], spheres),
         };
+        let columns = match bodies.normal_loss() {
+            None => columns.to_vec(),
+            Some(_) => [&columns[..2], rows::OF_LOSSY].concat(),
+        };
         let title = match bodies {
-            Bodies::Spheres => "Tangential restitution of spheres".to_owned(),
-            Bodies::Any => "Tangential restitution".to_owned(),
+            Bodies::Spheres(loss) => format!("Tangential restitution of spheres{}", with(loss)),
+            Bodies::Any(loss) => format!("Tangential restitution{}", with(loss)),
             Bodies::Dissimilar(Coupling { gamma, friction, .. }) => {
                 let (gamma, f) = (short(gamma), short(friction.get()));
                 format!("Dissimilar spheres, γ = {gamma}, f = {f}")
@@ -60,11 +62,8 @@ impl Plane<'_> {
         first.iter().try_for_each(|a| self.bodies.check([*a, second[0]]))?;
         second.iter().try_for_each(|b| self.bodies.check([first[0], *b]))
     }
+}
 
-    pub(super) fn restitution(&self, pair: [f64; 2]) -> Result<f64, CliError> {
-        match self.bodies {
-            Bodies::Dissimilar(coupling) => Ok(coupling.found(pair)?.r_x),
-            bodies => Ok(ObliqueImpact::new(bodies.groups(pair)?)?.restitution()),
-        }
-    }
+fn with(loss: NormalLoss) -> String {
+    loss.map_or_else(String::new, |e| format!(", e = {}", short(e)))
 }

@@ -48,7 +48,7 @@ fn points(
     numbers: &[f64],
     pair: impl Fn(f64) -> [f64; 2] + Sync,
 ) -> Result<Vec<(f64, f64)>, CliError> {
-    let point = |at: &f64| Ok((*at, plane.restitution(pair(*at))?));
+    let point = |at: &f64| Ok((*at, plane.bodies.restitution(pair(*at))?));
     numbers.par_iter().map(point).collect()
 }
 

@@ -15,6 +15,7 @@ use serde::Serialize;
 pub(super) struct Row {
     numbers: [f64; 2],
     pub(super) restitution: f64,
+    normal_restitution: Option<f64>,
     regimes: Vec<&'static str>,
     tensor: Option<TensorRecord>,
     dissimilar: Option<(Coupling, DissimilarRestitution)>,
@@ -35,6 +36,14 @@ const REGIMES: Column<Row> =
 
 /// The columns of spheres.
 pub(super) const OF_SPHERES: &[Column<Row>] = &[KAPPA, LAMBDA, RESTITUTION, REGIMES];
+
+/// The columns of bodies that lose energy, after their numbers.
+pub(super) const OF_LOSSY: &[Column<Row>] = &[
+    Column::new("normal_restitution", "", "restitution e along the normal", |row| {
+        row.normal_restitution.into()
+    }),
+    RESTITUTION,
+];
 
 /// The columns of dissimilar spheres.
 pub(super) const OF_DISSIMILAR: &[Column<Row>] = &[
@@ -105,22 +114,31 @@ impl Row {
         if let Bodies::Dissimilar(coupling) = bodies {
             return Self::dissimilar(coupling, numbers);
         }
+        if let loss @ Some(_) = bodies.normal_loss() {
+            let restitution = bodies.restitution(numbers)?;
+            return Ok(Self { normal_restitution: loss, ..Self::plain(numbers, restitution) });
+        }
         let groups = bodies.groups(numbers)?;
         let impact = ObliqueImpact::new(groups)?;
         let regimes = impact.regimes().map(Regime::name).collect();
         let restitution = impact.restitution();
         let tensor = tensor.map(|tensor| tensor.record(groups, ratio)).transpose()?;
-        Ok(Self { numbers, restitution, regimes, tensor, dissimilar: None })
+        Ok(Self { regimes, tensor, ..Self::plain(numbers, restitution) })
+    }
+
+    fn plain(numbers: [f64; 2], restitution: f64) -> Self {
+        let (normal_restitution, tensor, dissimilar) = (None, None, None);
+        Self { numbers, restitution, normal_restitution, regimes: Vec::new(), tensor, dissimilar }
     }
 
     fn dissimilar(coupling: Coupling, numbers: [f64; 2]) -> Result<Self, CliError> {
         let found = coupling.found(numbers)?;
         let dissimilar = Some((coupling, found));
-        Ok(Self { numbers, restitution: found.r_x, regimes: Vec::new(), tensor: None, dissimilar })
+        Ok(Self { dissimilar, ..Self::plain(numbers, found.r_x) })
     }
 
     /// As it stands in JSON, with these columns.
-    pub(super) fn record(&self, columns: &'static [Column<Self>]) -> RowRecord<'_> {
+    pub(super) fn record<'a>(&'a self, columns: &'a [Column<Self>]) -> RowRecord<'a> {
         RowRecord { row: Record::new(columns, self), tensor: self.tensor }
     }
 }
