@@ -51,6 +51,7 @@ mod goodman;
 pub mod grains;
 pub mod hertz;
 pub mod law;
+pub mod law_name;
 pub mod memory;
 pub mod profile;
 pub mod rings;

@@ -4,18 +4,22 @@ use std::mem::offset_of;
 
 use carom_special::RangeError;
 
+use super::account::{Account, Accounted, Unaccounted};
 use super::dashpots::Dashpots;
-use super::drag_heat::{DragHeat, check_heat};
+use super::drag_heat::check_heat;
+use super::frame::GrainFrame;
+use super::law::GrainLaw;
 use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
-use super::vector::{Vector, times};
+use super::twisted::{TwistState as _, turned};
+use super::vector::times;
 use crate::damping::HertzDamping;
-use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
-use crate::memory::{Fixed, Growing, VertexStack};
+use crate::law::{ContactLoad, Shift};
+use crate::memory::Fixed;
 use crate::shift_law::ShiftLaw;
 
-/// The contact of two grains with its load history: a shift law in axes that move with the grains.
+/// The contact of two grains with its load history: a law in axes that move with the grains.
 ///
 /// From step to step the axes follow the normal by the smallest rotation, and rotate about the
 /// normal with the mean of the two spins, so that stored vectors keep their components. A step is
@@ -38,24 +42,9 @@ use crate::shift_law::ShiftLaw;
 /// by theta times its rate. The limit of friction is f times the whole normal force, and friction ends with it.
 #[derive(Debug, Clone, PartialEq)]
 #[repr(C)]
-pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
-    pub(super) law: ShiftLaw<[f64; 2], S>,
-    /// The axis x of the contact; zero while the grains are separated.
-    pub(super) tangent: Vector,
-    pub(super) normal: Vector,
-    /// The tangential force of the last step, along x and y.
-    pub(super) friction: [f64; 2],
-    /// The damping force of the last step.
-    pub(super) drag: f64,
-    /// Of the last step of a damped contact.
-    pub(super) drag_heat: DragHeat,
-    /// The velocity of the shift in the last step.
-    pub(super) velocity: [f64; 2],
-    /// Difference between the shift given to the law and the true shift.
-    pub(super) lead: [f64; 2],
-    /// The approach after the last step of a damped contact, whose law has the effective one.
-    pub(super) approach: f64,
-    pub(super) dashpots: Dashpots,
+pub struct GrainContact<L: GrainLaw = ShiftLaw<[f64; 2]>> {
+    pub(super) law: L,
+    pub(super) frame: GrainFrame<L::Twist>,
 }
 
 /// Dissipated energy, by cause, J. Steps add to it.
@@ -69,32 +58,21 @@ pub struct Heats {
     /// ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
     /// the motion has ended it is not.
     pub damping: f64,
+    /// Heat of a resistance to rolling ([`super::GrainRoll`]).
+    pub rolling: f64,
 }
 
-impl<S: VertexStack<[f64; 2]> + Copy> Copy for GrainContact<S> where S::Curve: Copy {}
+impl<L: GrainLaw + Copy> Copy for GrainContact<L> {}
 
-impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
+impl<L: GrainLaw> GrainContact<L> {
     /// A contact without history, from a law in its initial state and a viscous relaxation time A
     /// of the materials, s.
     ///
     /// # Errors
     /// [`RangeError`] unless the time is finite and not negative, and the damping force is finite.
-    pub fn new(law: ShiftLaw<[f64; 2], S>, relaxation: f64) -> Result<Self, RangeError> {
-        let dashpots = Dashpots::of_relaxation(relaxation, law.stiffness().c_z)?;
-        let (none, drag) = ([0.0; 2], 0.0);
-        let (tangent, normal) = ([0.0; 3], [0.0; 3]);
-        Ok(Self {
-            law,
-            tangent,
-            normal,
-            friction: none,
-            drag,
-            drag_heat: DragHeat::default(),
-            velocity: none,
-            lead: none,
-            approach: 0.0,
-            dashpots,
-        })
+    pub fn new(law: L, relaxation: f64) -> Result<Self, RangeError> {
+        let dashpots = Dashpots::of_relaxation(relaxation, law.hertz_stiffness())?;
+        Ok(Self { law, frame: GrainFrame::apart(dashpots) })
     }
 
     /// The same contact with damping of a given restitution.
@@ -102,31 +80,44 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// # Errors
     /// [`RangeError`] of `relaxation` if it is above 0 and the restitution below 1: both would count the same loss.
     pub fn with_restitution(mut self, damping: HertzDamping) -> Result<Self, RangeError> {
-        self.dashpots = self.dashpots.with_restitution(damping)?;
+        self.frame.dashpots = self.frame.dashpots.with_restitution(damping)?;
         Ok(self)
     }
 
-    /// The shift law, in the axes of the contact.
+    /// The contact of a law and the rest of its state, as [`GrainContact::frame`] gave it.
     #[must_use]
-    pub fn law(&self) -> &ShiftLaw<[f64; 2], S> {
+    pub const fn of_parts(law: L, frame: GrainFrame<L::Twist>) -> Self {
+        Self { law, frame }
+    }
+
+    /// The law, in the axes of the contact.
+    #[must_use]
+    pub const fn law(&self) -> &L {
         &self.law
+    }
+
+    /// The state beside the law.
+    #[must_use]
+    pub const fn frame(&self) -> &GrainFrame<L::Twist> {
+        &self.frame
     }
 
     /// The axis x of the contact; zero while the grains are separated.
     #[must_use]
-    pub fn tangent(&self) -> [f64; 3] {
-        self.tangent
+    pub const fn tangent(&self) -> [f64; 3] {
+        self.frame.tangent
     }
 
     /// The elastic energy of the contact: of compression by the approach, and of the tangential load.
     #[must_use]
     pub fn stored_energy(&self) -> f64 {
         let stored = self.law.stored_energy();
-        if !self.dashpots.resist() {
+        if !self.frame.dashpots.resist() {
             return stored;
         }
-        let c_z = self.law.stiffness().c_z;
-        let [true_one, its] = [self.approach, self.law.shift().zeta].map(|z| compressed(c_z, z));
+        let c_z = self.law.hertz_stiffness();
+        let [true_one, its] =
+            [self.frame.approach, self.law.shift().zeta].map(|z| compressed(c_z, z));
         stored + (true_one - its)
     }
 
@@ -154,7 +145,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// use carom_laws::shift_law::ShiftLaw;
     /// use carom_laws::stiffness::ContactStiffness;
     /// let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
-    /// let mut contact = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
+    /// let mut contact = GrainContact::new(law, 0.0)?;
     /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
     /// let above = Grain { place: [0.0, 0.0, 1.99], ..below };
     /// let mut load = GrainLoad::default();
@@ -172,28 +163,21 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
-        if self.dashpots.resist() {
+        if L::Twist::COUNTS {
+            *load = self.advance_accounted(meeting, dt, &mut Heats::default())?;
+            return Ok(());
+        }
+        if self.frame.dashpots.resist() {
             return self.advance_damped(meeting, dt, load);
         }
-        // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
-        if self.is_new() {
-            return self.begin(&{ *meeting }, dt, load);
-        }
-        if leaves(meeting, dt) {
-            return self.leave(&{ *meeting }, dt, load);
-        }
-        let step = self.before().step(meeting, dt);
-        self.check_beside(meeting, step.to())?;
-        let end = self.law.advance(step.to())?;
-        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y]);
-        Ok(())
+        self.go_undamped(meeting, dt, load, &mut Unaccounted)
     }
 
     /// As [`GrainContact::advance`], and adds the dissipated energy to `heats`. The energy of
     /// damping is integrated to the fourth order of the step; in the steps in which contact begins and
     /// ends, to the order 2.5.
     /// Friction gets the work of its force less the increase of the stored energy; in a step in which the force has a
-    /// kink, to 1e-4 of that work.
+    /// kink, to 1e-4 of that work. With rings, whose heat is traction times slip, it costs nothing.
     ///
     /// # Errors
     /// As [`GrainContact::advance`].
@@ -204,22 +188,24 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
-        if self.is_new() && meeting.is_apart() {
-            return self.advance(meeting, dt);
-        }
-        if self.dashpots.resist() {
-            return self.advance_damped_accounted(meeting, dt, heats);
-        }
-        let friction = if self.is_new() {
-            let (mut law, before) = (self.law.clone(), one_step_before(meeting, dt));
-            law.advance(before)?;
-            law.loss(first_step(meeting, dt).to())
+        let mut load = GrainLoad::default();
+        let (mut next, mut account) = (self.clone(), Accounted::default());
+        let mut damping = 0.0;
+        if self.frame.dashpots.resist() {
+            damping = next.go_damped_accounted(meeting, dt, &mut load, &mut account)?;
         } else {
-            self.law.loss(self.before().step(meeting, dt).to())
-        };
-        check_heat(friction)?;
-        let load = self.advance(meeting, dt)?;
-        heats.friction += friction;
+            next.go_undamped(meeting, dt, &mut load, &mut account)?;
+        }
+        if self.is_new() && meeting.is_apart() {
+            return Ok(GrainLoad::default());
+        }
+        check_heat(account.loss + damping)?;
+        for part in load.torques.iter().chain([&load.force]).flatten() {
+            RangeError::finite("load", *part)?;
+        }
+        *self = next;
+        heats.friction += account.loss;
+        heats.damping += damping;
         Ok(load)
     }
 
@@ -232,31 +218,31 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             return GrainLoad::default();
         }
         if self.is_new() {
-            let force = times(meeting.normal, self.elastic(meeting.zeta));
-            return GrainLoad { force, ..GrainLoad::default() };
+            let force = elastic(self.law.hertz_stiffness(), meeting.zeta);
+            return GrainLoad { force: times(meeting.normal, force), ..GrainLoad::default() };
         }
-        let bearing = if self.dashpots.resist() { self.law.shift().zeta } else { meeting.zeta };
-        let normal_force = self.elastic(bearing);
-        load_in([self.tangent, meeting.normal], meeting.arms, normal_force, self.friction)
+        let is_damped = self.frame.dashpots.resist();
+        let bearing = if is_damped { self.law.shift().zeta } else { meeting.zeta };
+        self.exerted(meeting, self.law.bears(bearing))
     }
 
     /// Whether the bodies have not touched yet; the contact then has no history.
     #[must_use]
     pub fn is_new(&self) -> bool {
-        self.tangent == [0.0; 3]
+        self.frame.tangent == [0.0; 3]
     }
 
     /// Whether the bodies overlapped at the end of the last step; a damped contact may then bear nothing all the same.
     #[inline]
     #[must_use]
     pub fn overlaps(&self) -> bool {
-        let approach = if self.dashpots.resist() { self.approach } else { self.law.shift().zeta };
-        approach > 0.0
+        self.approach() > 0.0
     }
 
-    #[inline]
-    fn elastic(&self, zeta: f64) -> f64 {
-        elastic(self.law.stiffness().c_z, zeta)
+    /// The approach at the end of the last step.
+    #[inline(always)]
+    fn approach(&self) -> f64 {
+        if self.frame.dashpots.resist() { self.frame.approach } else { self.law.shift().zeta }
     }
 
     /// Checks that no part of the load of a step overflows, whose shift is this.
@@ -273,11 +259,42 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     #[inline(always)]
     pub(super) fn before(&self) -> Before<f64> {
-        let Shift { zeta, xi, eta, .. } = self.law.shift();
-        let zeta = if self.dashpots.resist() { self.approach } else { zeta };
-        let (tangent, normal, velocity, lead) =
-            (self.tangent, self.normal, self.velocity, self.lead);
-        Before { tangent, normal, velocity, lead, zeta, shift: [xi, eta] }
+        let Shift { xi, eta, .. } = self.law.shift();
+        let GrainFrame { tangent, normal, velocity, lead, .. } = self.frame;
+        Before { tangent, normal, velocity, lead, zeta: self.approach(), shift: [xi, eta] }
+    }
+
+    /// Where the law of an undamped contact goes in a step.
+    #[inline(always)]
+    fn end_of(law: &L, step: &Step, meeting: &Meeting, dt: f64) -> Shift {
+        let to = step.to();
+        match L::Twist::COUNTS {
+            true => Shift { omega: law.shift().omega + turned(meeting, dt), ..to },
+            false => to,
+        }
+    }
+
+    #[inline(always)]
+    fn go_undamped(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        load: &mut GrainLoad,
+        account: &mut impl Account,
+    ) -> Result<(), RangeError> {
+        // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
+        if self.is_new() {
+            return self.begin(&{ *meeting }, dt, load, account);
+        }
+        if leaves(meeting, dt) {
+            return self.leave(&{ *meeting }, dt, load, account);
+        }
+        let step = self.before().step(meeting, dt);
+        let to = Self::end_of(&self.law, &step, meeting, dt);
+        self.check_beside(meeting, to)?;
+        let end = account.advance(&mut self.law, to)?;
+        *load = self.keep(meeting, &step, end);
+        Ok(())
     }
 
     #[inline(never)]
@@ -286,20 +303,22 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         meeting: &Meeting,
         dt: f64,
         load: &mut GrainLoad,
+        account: &mut impl Account,
     ) -> Result<(), RangeError> {
         let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
         before.check_finite()?;
         step.to().check_finite()?;
         let mut law = self.law.clone();
         law.advance(before)?;
-        let end = law.advance(step.to())?;
+        let to = Self::end_of(&law, &step, meeting, dt);
+        let end = account.advance(&mut law, to)?;
         check_beside(meeting.arms, 0.0)?;
         if meeting.is_apart() {
             *load = GrainLoad::default();
             return Ok(());
         }
         self.law = law;
-        *load = self.keep(meeting, &step, end, [end.f_x, end.f_y]);
+        *load = self.keep(meeting, &step, end);
         Ok(())
     }
 
@@ -311,39 +330,48 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         meeting: &Meeting,
         dt: f64,
         load: &mut GrainLoad,
+        account: &mut impl Account,
     ) -> Result<(), RangeError> {
         let step = self.before().step(meeting, dt);
-        let (from, to) = (self.law.shift(), step.to());
+        let (from, to) = (self.law.shift(), Self::end_of(&self.law, &step, meeting, dt));
         let between = |part: f64| on_the_way(from, to, part);
         self.check_beside(meeting, to)?;
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
         let past = past.advance(between(0.5))?;
-        let end = law.advance(to)?;
+        let end = account.advance(&mut law, to)?;
         let mut ahead = law.clone();
         let ahead = ahead.advance(between(1.5))?;
         self.law = law;
         let ending = Ending::of(meeting, dt);
-        let friction =
-            [ending.mean(past.f_x, end.f_x, ahead.f_x), ending.mean(past.f_y, end.f_y, ahead.f_y)];
-        *load = self.keep(meeting, &step, end, friction);
+        let mean = |of: fn(&ContactLoad) -> f64| ending.mean(of(&past), of(&end), of(&ahead));
+        let [f_x, f_y, m_z] = [mean(|load| load.f_x), mean(|load| load.f_y), mean(|load| load.m_z)];
+        *load = self.keep(meeting, &step, ContactLoad { f_x, f_y, m_z, ..end });
         Ok(())
     }
 
     #[inline(always)]
-    fn keep(
-        &mut self,
-        meeting: &Meeting,
-        step: &Step,
-        end: ContactLoad,
-        friction: [f64; 2],
-    ) -> GrainLoad {
-        (self.tangent, self.normal) = (step.tangent, meeting.normal);
-        (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
-        load_in([step.tangent, meeting.normal], meeting.arms, end.f_z, friction)
+    pub(super) fn keep(&mut self, meeting: &Meeting, step: &Step, end: ContactLoad) -> GrainLoad {
+        let frame = &mut self.frame;
+        (frame.tangent, frame.normal) = (step.tangent, meeting.normal);
+        (frame.velocity, frame.lead) = (step.velocity, step.lead);
+        frame.friction = [end.f_x, end.f_y];
+        // The law counts twist and torque clockwise.
+        frame.twist = frame.twist.with_torque(-end.m_z);
+        self.exerted(meeting, end.f_z)
+    }
+
+    #[inline(always)]
+    fn exerted(&self, meeting: &Meeting, normal_force: f64) -> GrainLoad {
+        let axes = [self.frame.tangent, meeting.normal];
+        let mut load = load_in(axes, meeting.arms, normal_force, self.frame.friction);
+        if L::Twist::COUNTS {
+            load.twist(meeting, self.frame.twist.torque());
+        }
+        load
     }
 }
 
-impl<const N: usize> GrainContact<Fixed<[f64; 2], N>> {
+impl<const N: usize> GrainContact<ShiftLaw<[f64; 2], Fixed<[f64; 2], N>>> {
     /// Whether bytes that may have been changed elsewhere are a valid contact, as
     /// [`ShiftLaw::is_in`].
     #[inline(always)]

@@ -6,23 +6,26 @@
 
 use carom_special::RangeError;
 
-use super::contact::{GrainContact, Heats};
+use super::account::{Account, Accounted, Unaccounted};
+use super::contact::GrainContact;
 use super::dashpots::{Effective, Motion};
-use super::drag_heat::{DragHeat, check_heat};
-use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
+use super::drag_heat::DragHeat;
+use super::law::GrainLaw;
+use super::load::{GrainLoad, check_beside, compressed, elastic};
 use super::meeting::Meeting;
 use super::step::{Step, first_step, one_step_before};
+use super::twisted::{TwistState as _, turned};
 use crate::bounds::LARGEST;
-use crate::law::{Checked as _, ContactLaw as _, ContactLoad, Dissipative as _, Shift};
-use crate::memory::VertexStack;
+use crate::law::{ContactLoad, Shift};
 use crate::viscous::Slides;
 
 /// A step of a damped contact.
 pub(super) struct Damped {
     step: Step,
-    /// Where the law goes: effective approach and shift.
+    /// Where the law goes: effective approach, shift and twist.
     to: Shift,
     lead: [f64; 2],
+    twist_lead: f64,
     drag: f64,
     /// Whether the bodies touched in this step.
     touches: bool,
@@ -42,7 +45,7 @@ pub(super) fn work([old, new]: [f64; 2], way: f64) -> f64 {
     0.5 * (old + new) * way
 }
 
-impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
+impl<L: GrainLaw> GrainContact<L> {
     /// A step as [`GrainContact::advance_into`].
     #[inline(always)]
     pub(super) fn advance_damped(
@@ -55,7 +58,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             return self.begin_damped(&{ *meeting }, dt, load);
         }
         let step = self.damped(meeting, dt);
-        self.go_on(meeting, &step, dt, load)
+        self.go_on(meeting, &step, dt, load, &mut Unaccounted)
     }
 
     #[inline(never)]
@@ -65,59 +68,65 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         dt: f64,
         load: &mut GrainLoad,
     ) -> Result<(), RangeError> {
-        let mut next = self.started(meeting, dt)?;
+        let mut next = self.clone();
+        next.start(meeting, dt)?;
         let step = next.damped(meeting, dt);
-        next.go_on(meeting, &step, dt, load)?;
+        next.go_on(meeting, &step, dt, load, &mut Unaccounted)?;
         if !meeting.is_apart() {
             *self = next;
         }
         Ok(())
     }
 
-    /// A step as [`GrainContact::advance_accounted`].
-    pub(super) fn advance_damped_accounted(
+    /// A step as [`GrainContact::advance_accounted`] of a copy, with the heat of damping.
+    pub(super) fn go_damped_accounted(
         &mut self,
         meeting: &Meeting,
         dt: f64,
-        heats: &mut Heats,
-    ) -> Result<GrainLoad, RangeError> {
-        let mut next = if self.is_new() { self.started(meeting, dt)? } else { self.clone() };
-        let step = next.damped(meeting, dt);
-        let friction = next.law.loss(step.to);
-        let (mut drag_heat, before, stored) = (next.drag_heat, next.clone(), next.bent());
-        let mut load = GrainLoad::default();
-        next.go_on(meeting, &step, dt, &mut load)?;
+        load: &mut GrainLoad,
+        account: &mut Accounted,
+    ) -> Result<f64, RangeError> {
+        if self.is_new() {
+            self.start(meeting, dt)?;
+        }
+        let step = self.damped(meeting, dt);
+        let (before, stored) = (self.frame, self.bent());
+        self.go_on(meeting, &step, dt, load, account)?;
         let Damped { step: Step { velocity, speed, .. }, touches, .. } = step;
-        let along = |k: usize| work([before.friction[k], next.friction[k]], velocity[k] * dt);
+        let frame = &self.frame;
+        let along = |k: usize| work([before.friction[k], frame.friction[k]], velocity[k] * dt);
+        let mut ways = along(0) + along(1);
+        if L::Twist::COUNTS {
+            // The law counts twist and torque clockwise.
+            let torques = [-before.twist.torque(), -frame.twist.torque()];
+            ways += work(torques, turned(meeting, dt));
+        }
         // What is neither stored nor heat of friction.
-        let damping = drag_heat.step([before.drag, next.drag], speed, dt, touches)
-            + (along(0) + along(1) - (next.bent() - stored) - friction);
-        check_heat(friction + damping)?;
-        *self = next;
-        heats.friction += friction;
-        heats.damping += damping;
-        Ok(load)
+        let across = ways - (self.bent() - stored) - account.loss;
+        let mut drag_heat = before.drag_heat;
+        Ok(drag_heat.step([before.drag, frame.drag], speed, dt, touches) + across)
     }
 
-    /// The energy of the tangential load.
+    /// The energy of the tangential load, and of the pressures that it adds.
     fn bent(&self) -> f64 {
-        self.law.stored_energy() - compressed(self.law.stiffness().c_z, self.law.shift().zeta)
+        self.law.stored_energy() - compressed(self.law.hertz_stiffness(), self.law.shift().zeta)
     }
 
-    /// A new contact as it was one step before.
+    /// A new contact becomes what it was one step before.
     #[cold]
-    fn started(&self, meeting: &Meeting, dt: f64) -> Result<Self, RangeError> {
+    fn start(&mut self, meeting: &Meeting, dt: f64) -> Result<(), RangeError> {
         let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
         before.check_finite()?;
-        let mut start = self.clone();
         if before.zeta > 0.0 {
-            start.law.advance(before)?;
+            self.law.advance(before)?;
         }
-        (start.tangent, start.normal) = (step.tangent, meeting.normal);
+        let frame = &mut self.frame;
+        (frame.tangent, frame.normal) = (step.tangent, meeting.normal);
         // Bodies that overlapped before touch in this step all the same.
-        (start.velocity, start.approach) = (step.velocity, before.zeta.min(0.0));
-        start.drag_heat.speed = step.speed;
-        Ok(start)
+        (frame.velocity, frame.approach) = (step.velocity, before.zeta.min(0.0));
+        frame.drag_heat.speed = step.speed;
+        frame.twist = frame.twist.with_motion(turning(meeting), frame.twist.lead());
+        Ok(())
     }
 
     /// The step, whose law is still to advance.
@@ -127,21 +136,44 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let step = before.step(meeting, dt);
         let touches = before.zeta <= 0.0;
         // Before the bodies touched, the motion was the same.
-        let (last, since) = if touches { (step.speed, 2.0) } else { (self.drag_heat.speed, 1.0) };
+        let last = if touches { step.speed } else { self.frame.drag_heat.speed };
+        let since = if touches { 2.0 } else { 1.0 };
         if touches {
             before.velocity = step.velocity;
         }
-        let c_z = self.law.stiffness().c_z;
         let motion = Motion { zeta: step.zeta, speed: step.speed, before: last, since, dt };
         let mobility = || 1.0 / meeting.masses[0] + 1.0 / meeting.masses[1];
-        let Effective { approach, theta } = self.dashpots.effective(motion, c_z, mobility);
+        let Effective { approach, theta } =
+            self.frame.dashpots.effective(motion, self.law.pressed_stiffness(), mobility);
         let part = part_in_contact(before.zeta, step.zeta);
         let [lead, by] = before.led(step.velocity, theta, part, dt);
         let by = self.slid_on(step.velocity.map(|v| v * dt), [step.zeta, approach], by);
         let [xi, eta] = [0, 1].map(|k| before.shift[k] + by[k]);
-        let to = Shift { zeta: approach, xi, eta, omega: 0.0 };
+        let (twist_lead, omega) = self.twisted_on(meeting, touches, [theta, part], dt);
+        let to = Shift { zeta: approach, xi, eta, omega };
+        let c_z = self.law.hertz_stiffness();
         let drag = elastic(c_z, approach) - elastic(c_z, step.zeta);
-        Damped { step, to, lead, drag, touches }
+        Damped { step, to, lead, twist_lead, drag, touches }
+    }
+
+    /// The lead of the twist at the end of a step, and the twist of the law.
+    #[inline(always)]
+    fn twisted_on(
+        &self,
+        meeting: &Meeting,
+        touches: bool,
+        [theta, part]: [f64; 2],
+        dt: f64,
+    ) -> (f64, f64) {
+        if !L::Twist::COUNTS {
+            return (0.0, 0.0);
+        }
+        let (turn, twist) = (turning(meeting), self.frame.twist);
+        let last = if touches { turn } else { twist.rate() };
+        let ahead = theta * (turn + 0.5 * (turn - last));
+        let lead = if dt > 0.0 { ahead } else { twist.lead() };
+        let by = turned(meeting, dt) * part + (lead - twist.lead());
+        (lead, self.law.shift().omega + by)
     }
 
     /// The growth of the shift of the law: as that of all of it that slides, while the bodies slide on.
@@ -152,9 +184,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         [zeta, approach]: [f64; 2],
         by: [f64; 2],
     ) -> [f64; 2] {
-        let its = self.law.shift().zeta;
-        match Slides::of(self.friction, self.law.sliding_force(), || self.law.sliding_shift()) {
-            Some(slides) => slides.on(truly, [zeta - self.approach, approach - its], by),
+        let (its, frame) = (self.law.shift().zeta, &self.frame);
+        match Slides::of(frame.friction, self.law.sliding_force(), || self.law.sliding_shift()) {
+            Some(slides) => slides.on(truly, [zeta - frame.approach, approach - its], by),
             None => by,
         }
     }
@@ -166,13 +198,14 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         step: &Damped,
         dt: f64,
         load: &mut GrainLoad,
+        account: &mut impl Account,
     ) -> Result<(), RangeError> {
         // The effective approach of what is no approach is 0.
         let is_in_range = step.step.zeta.abs() <= LARGEST;
         if !is_in_range | check_beside(meeting.arms, step.drag).is_err() {
             return Err(self.first_error(&{ *meeting }, dt, step.drag));
         }
-        let end = self.law.advance(step.to)?;
+        let end = account.advance(&mut self.law, step.to)?;
         *load = self.keep_damped(meeting, step, end);
         Ok(())
     }
@@ -188,12 +221,26 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     #[inline(always)]
     fn keep_damped(&mut self, meeting: &Meeting, step: &Damped, end: ContactLoad) -> GrainLoad {
-        let Damped { step, to, lead, drag, .. } = step;
-        self.drag_heat = DragHeat { drag: self.drag, speed: step.speed };
-        (self.drag, self.approach) = (*drag, step.zeta);
-        (self.tangent, self.normal) = (step.tangent, meeting.normal);
-        (self.friction, self.velocity) = ([end.f_x, end.f_y], step.velocity);
-        self.lead = if to.zeta > 0.0 { *lead } else { [0.0; 2] };
-        load_in([step.tangent, meeting.normal], meeting.arms, end.f_z, self.friction)
+        let &Damped { ref step, to, lead, twist_lead, drag, .. } = step;
+        let load = self.keep(meeting, step, end);
+        let frame = &mut self.frame;
+        frame.drag_heat = DragHeat { drag: frame.drag, speed: step.speed };
+        // Coupling may change the normal force.
+        frame.drag = match L::Twist::COUNTS {
+            true => end.f_z - elastic(self.law.hertz_stiffness(), step.zeta),
+            false => drag,
+        };
+        frame.approach = step.zeta;
+        let is_pressed = to.zeta > 0.0;
+        frame.lead = if is_pressed { lead } else { [0.0; 2] };
+        let twist_lead = if is_pressed { twist_lead } else { 0.0 };
+        frame.twist = frame.twist.with_motion(turning(meeting), twist_lead);
+        load
     }
+}
+
+/// The rate of the twist, clockwise as in the law.
+#[inline(always)]
+fn turning(meeting: &Meeting) -> f64 {
+    turned(meeting, 1.0)
 }

@@ -2,6 +2,7 @@
 
 use carom_special::RangeError;
 
+use super::meeting::Meeting;
 use super::number::Number;
 use super::vector::{Vector, cross, minus, plus, times};
 
@@ -13,6 +14,19 @@ pub struct GrainLoad {
     pub force: [f64; 3],
     /// The torque on each body about its centre, `-arm normal x force`, N m; zero for a wall.
     pub torques: [[f64; 3]; 2],
+}
+
+impl GrainLoad {
+    /// Adds a torque about the normal, on body 1; body 2 gets the opposite unless it is a wall, which has no arm.
+    pub(super) fn twist(&mut self, meeting: &Meeting, torque: f64) {
+        for ((to, arm), sign) in self.torques.iter_mut().zip(meeting.arms).zip([1.0, -1.0]) {
+            if arm != 0.0 {
+                for (to, normal) in to.iter_mut().zip(meeting.normal) {
+                    *to += sign * torque * normal;
+                }
+            }
+        }
+    }
 }
 
 /// Hertz's force (5.27).

@@ -3,10 +3,10 @@
 //! A code that integrates positions, velocities and angular velocities of spheres forms a
 //! [`Meeting`] of two of them (or of one and a flat wall) in each step. A [`GrainContact`] computes
 //! force and torques from it. It rotates the axes of the contact with the two bodies and holds a
-//! [`crate::shift_law::ShiftLaw`] in these axes, so that a pair that rotates as a whole does not
+//! [`crate::shift_law::ShiftLaw`] or any other [`GrainLaw`] in these axes, so that a pair that rotates as a whole does not
 //! slip. A [`GrainTwist`] is used in addition where the torque about the normal matters. Contacts
-//! of spheres may be advanced four at a time ([`advance_together`]). [`GrainRings`] holds the law of
-//! rings instead, in which shift, twist and the coupling of dissimilar materials act together.
+//! of spheres may be advanced four at a time ([`advance_together`]). With [`crate::rings::RingLaw`] instead, shift, twist
+//! and the coupling of dissimilar materials act together. A [`GrainRoll`] resists rolling.
 //!
 //! A contact may be damped, by a relaxation time of its materials or by a restitution that is given. Both damp friction as
 //! they damp the normal force ([`crate::viscous`]).
@@ -14,11 +14,10 @@
 //! ```
 //! use carom_laws::friction::Friction;
 //! use carom_laws::grains::{Grain, GrainContact, Meeting};
-//! use carom_laws::memory::Fixed;
 //! use carom_laws::shift_law::ShiftLaw;
 //! use carom_laws::stiffness::ContactStiffness;
-//! let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
-//! let mut contact = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
+//! let law = ShiftLaw::<[f64; 2]>::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
+//! let mut contact = GrainContact::new(law, 0.0)?;
 //! let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
 //! let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
 //! let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
@@ -28,27 +27,31 @@
 //! # Ok::<(), carom_special::RangeError>(())
 //! ```
 
+mod account;
 mod contact;
 mod damped;
 mod dashpots;
 mod drag_heat;
+mod frame;
+mod law;
 mod load;
 mod meeting;
 mod number;
 mod pack;
-mod rings;
-mod rings_damped;
-mod rings_pack;
+mod rolling;
 mod step;
 mod together;
 mod twist;
+mod twisted;
 mod vector;
 
 pub use contact::{GrainContact, Heats};
+pub use frame::GrainFrame;
+pub use law::GrainLaw;
 pub use load::GrainLoad;
 pub use meeting::{Apart, Grain, Meeting, Surface, Wall, compliance_shares};
-pub use pack::grain_numbers;
-pub use rings::GrainRings;
-pub use rings_pack::{RING_GRAIN_MARK, ring_grain_numbers};
+pub use pack::{grain_numbers, ring_grain_numbers};
+pub use rolling::{GrainRoll, RollingResistance};
 pub use together::{TOGETHER, Touching, advance_together};
 pub use twist::GrainTwist;
+pub use twisted::{NoTwist, TwistState, Twisted};

@@ -4,13 +4,16 @@ use carom_special::RangeError;
 
 use super::contact::GrainContact;
 use super::drag_heat::DragHeat;
+use super::frame::GrainFrame;
+use super::law::GrainLaw;
+use super::twisted::{self, TwistState as _, Twisted};
 use super::vector::{Vector, dot};
 use crate::coulomb::packed_numbers;
-use crate::memory::VertexStack;
+use crate::rings;
 
 /// Number of values beside those of the law: tangent, normal, friction, drag, velocity, lead, what the heat
 /// of damping needs, and the approach.
-pub(super) const BESIDE: usize = 16;
+const BESIDE: usize = 16;
 
 /// Number of values of a stored grain contact with this many vertices: 82 for 12.
 ///
@@ -22,25 +25,33 @@ pub const fn grain_numbers(vertices: usize) -> usize {
     packed_numbers(vertices) + BESIDE
 }
 
-impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
-    /// Writes the state of the contact as numbers: those of the law
-    /// ([`crate::shift_law::ShiftLaw::pack`]), the first of which is not zero, then tangent,
-    /// normal, the forces of the last step and its velocity. All zeros represent two separated
-    /// grains. The constants of the contact are not stored.
+/// Number of values of a stored contact with this many rings and angles: 314 for 6 x 8.
+///
+/// ```
+/// assert_eq!(carom_laws::grains::ring_grain_numbers(6, 8), 314);
+/// ```
+#[must_use]
+pub const fn ring_grain_numbers(rings: usize, angles: usize) -> usize {
+    1 + rings::packed_numbers(rings, angles) + BESIDE + Twisted::NUMBERS
+}
+
+impl<L: GrainLaw> GrainContact<L> {
+    const AROUND: usize = BESIDE + L::Twist::NUMBERS;
+
+    /// Writes the state of the contact as numbers: those of the law ([`GrainLaw::write`]), the first of which is not
+    /// zero, then tangent, normal, the forces of the last step and its velocity, and torque and twist of a law that
+    /// counts it. All zeros represent two separated grains. The constants of the contact are not stored.
     ///
     /// # Errors
     /// [`RangeError`] if `numbers` is too short; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
-        let (law, beside) = numbers.split_at_mut(room - BESIDE);
-        self.law.pack(law)?;
-        let (tangent, normal, friction, drag) =
-            (self.tangent, self.normal, self.friction, self.drag);
-        let (velocity, lead, drag_heat) = (self.velocity, self.lead, self.drag_heat);
-        let approach = self.approach;
-        let its = Beside { tangent, normal, friction, drag, velocity, lead, drag_heat, approach };
-        its.write(beside);
+        RangeError::check("numbers", room as f64, room >= Self::AROUND, "enough for the contact")?;
+        let (law, around) = numbers.split_at_mut(room - Self::AROUND);
+        self.law.write(law)?;
+        let (beside, twist) = around.split_at_mut(BESIDE);
+        write_beside(&self.frame, beside);
+        twisted::write(self.frame.twist, twist);
         Ok(())
     }
 
@@ -51,60 +62,48 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// [`RangeError`] for numbers that are not a stored contact; the contact is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
-        let (law, beside) = numbers.split_at(room - BESIDE);
-        let beside = Beside::read(beside)?;
-        self.law.unpack(law)?;
-        let Beside { tangent, normal, friction, drag, velocity, lead, drag_heat, approach } =
-            beside;
-        (self.tangent, self.normal, self.friction) = (tangent, normal, friction);
-        (self.drag, self.velocity, self.lead) = (drag, velocity, lead);
-        (self.drag_heat, self.approach) = (drag_heat, approach);
+        RangeError::check("numbers", room as f64, room >= Self::AROUND, "enough for the contact")?;
+        let (law, around) = numbers.split_at(room - Self::AROUND);
+        let (beside, twist) = around.split_at(BESIDE);
+        let mut frame = self.frame;
+        read_beside(&mut frame, beside)?;
+        frame.twist = twisted::read(twist)?;
+        self.law.read(law)?;
+        self.frame = frame;
         Ok(())
     }
 }
 
-/// The stored values of a contact beside those of its law.
-pub(super) struct Beside {
-    pub(super) tangent: Vector,
-    pub(super) normal: Vector,
-    pub(super) friction: [f64; 2],
-    pub(super) drag: f64,
-    pub(super) velocity: [f64; 2],
-    pub(super) lead: [f64; 2],
-    pub(super) drag_heat: DragHeat,
-    pub(super) approach: f64,
+/// Writes the stored values of a contact beside those of its law.
+fn write_beside<T>(frame: &GrainFrame<T>, numbers: &mut [f64]) {
+    numbers[..3].copy_from_slice(&frame.tangent);
+    numbers[3..6].copy_from_slice(&frame.normal);
+    numbers[6..8].copy_from_slice(&frame.friction);
+    numbers[8] = frame.drag;
+    numbers[9..11].copy_from_slice(&frame.velocity);
+    numbers[11..13].copy_from_slice(&frame.lead);
+    (numbers[13], numbers[14]) = (frame.drag_heat.drag, frame.drag_heat.speed);
+    numbers[15] = frame.approach;
 }
 
-impl Beside {
-    pub(super) fn write(&self, numbers: &mut [f64]) {
-        numbers[..3].copy_from_slice(&self.tangent);
-        numbers[3..6].copy_from_slice(&self.normal);
-        numbers[6..8].copy_from_slice(&self.friction);
-        numbers[8] = self.drag;
-        numbers[9..11].copy_from_slice(&self.velocity);
-        numbers[11..13].copy_from_slice(&self.lead);
-        (numbers[13], numbers[14]) = (self.drag_heat.drag, self.drag_heat.speed);
-        numbers[15] = self.approach;
+fn read_beside<T>(frame: &mut GrainFrame<T>, numbers: &[f64]) -> Result<(), RangeError> {
+    let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
+    let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));
+    for (field, vector) in [("tangent", tangent), ("normal", normal)] {
+        let square = dot(vector, vector);
+        let holds = square == 0.0 || (square - 1.0).abs() < 1e-9;
+        RangeError::check(field, square.sqrt(), holds, "of length 0 or 1")?;
     }
-
-    pub(super) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
-        let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
-        let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));
-        for (field, vector) in [("tangent", tangent), ("normal", normal)] {
-            let square = dot(vector, vector);
-            let holds = square == 0.0 || (square - 1.0).abs() < 1e-9;
-            RangeError::check(field, square.sqrt(), holds, "of length 0 or 1")?;
+    for (field, values) in [("force", &numbers[6..9]), ("velocity", &numbers[9..])] {
+        for value in values {
+            RangeError::finite(field, *value)?;
         }
-        for (field, values) in [("force", &numbers[6..9]), ("velocity", &numbers[9..])] {
-            for value in values {
-                RangeError::finite(field, *value)?;
-            }
-        }
-        let pair = |i: usize| [numbers[i], numbers[i + 1]];
-        let (friction, drag, velocity, lead) = (pair(6), numbers[8], pair(9), pair(11));
-        let drag_heat = DragHeat { drag: numbers[13], speed: numbers[14] };
-        let approach = numbers[15];
-        Ok(Self { tangent, normal, friction, drag, velocity, lead, drag_heat, approach })
     }
+    let pair = |i: usize| [numbers[i], numbers[i + 1]];
+    (frame.tangent, frame.normal) = (tangent, normal);
+    (frame.friction, frame.drag) = (pair(6), numbers[8]);
+    (frame.velocity, frame.lead) = (pair(9), pair(11));
+    frame.drag_heat = DragHeat { drag: numbers[13], speed: numbers[14] };
+    frame.approach = numbers[15];
+    Ok(())
 }

@@ -15,6 +15,7 @@ use super::vector::dot;
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
 use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;
+use crate::shift_law::ShiftLaw;
 
 /// Number of contacts that are advanced together.
 pub const TOGETHER: usize = LANES;
@@ -23,7 +24,7 @@ pub const TOGETHER: usize = LANES;
 #[derive(Debug)]
 pub struct Touching<'a, S: VertexStack<[f64; 2]>> {
     /// Their contact, with its load history.
-    pub contact: &'a mut GrainContact<S>,
+    pub contact: &'a mut GrainContact<ShiftLaw<[f64; 2], S>>,
     /// Body 1 and body 2.
     pub bodies: [&'a Grain; 2],
     /// The fractions of the approach, as in [`Meeting::of_spheres`].
@@ -53,7 +54,7 @@ impl<S: VertexStack<[f64; 2]>> Touching<'_, S> {
 /// use carom_laws::shift_law::ShiftLaw;
 /// use carom_laws::stiffness::ContactStiffness;
 /// let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
-/// let new = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
+/// let new = GrainContact::<ShiftLaw<_, Fixed<_, 12>>>::new(law, 0.0)?;
 /// let mut four = [(new, GrainLoad::default()); 4];
 /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
@@ -73,7 +74,7 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
     dt: f64,
     meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {
-    let resists: [bool; TOGETHER] = from_fn(|i| pairs[i].contact.dashpots.resist());
+    let resists: [bool; TOGETHER] = from_fn(|i| pairs[i].contact.frame.dashpots.resist());
     match resists {
         [false, false, false, false] => undamped(pairs, dt, meanwhile),
         [true, true, true, true] => damped(pairs, dt, meanwhile),
@@ -129,7 +130,7 @@ fn damped<S: VertexStack<[f64; 2]>>(
     meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {
     let meeting = met(pairs)?;
-    let before = before(pairs, |contact| contact.approach);
+    let before = before(pairs, |contact| contact.frame.approach);
     // Bodies that touched before and overlap.
     let overlaps = |zeta: Lanes| zeta.simd_gt(Lanes::splat(0.0));
     if hold(have_begun(&before) & overlaps(before.zeta) & overlaps(meeting.zeta)) {
@@ -158,7 +159,7 @@ fn go_on<S: VertexStack<[f64; 2]>>(
     let frictions = advanced(pairs, [step.zeta, step.shift[0], step.shift[1]], to, meanwhile);
     exert(pairs, meeting, &step, elastic, frictions);
     for (i, pair) in pairs.iter_mut().enumerate() {
-        pair.contact.lead = step.lead.map(|lane| lane.to_array()[i]);
+        pair.contact.frame.lead = step.lead.map(|lane| lane.to_array()[i]);
     }
     Ok(())
 }
@@ -189,9 +190,9 @@ fn go_on_damped<S: VertexStack<[f64; 2]>>(
     for (i, pair) in pairs.iter_mut().enumerate() {
         let contact = &mut *pair.contact;
         let at = |lane: Lanes| lane.to_array()[i];
-        contact.drag_heat = DragHeat { drag: contact.drag, speed: at(step.speed) };
-        (contact.drag, contact.approach) = (at(drag), at(step.zeta));
-        contact.lead = lead.map(at);
+        contact.frame.drag_heat = DragHeat { drag: contact.frame.drag, speed: at(step.speed) };
+        (contact.frame.drag, contact.frame.approach) = (at(drag), at(step.zeta));
+        contact.frame.lead = lead.map(at);
     }
     Ok(())
 }
@@ -204,10 +205,10 @@ fn effective<S: VertexStack<[f64; 2]>>(
     dt: f64,
 ) -> Effective<Lanes> {
     let dashpots = Dashpots {
-        relaxation: each(pairs, |pair| pair.contact.dashpots.relaxation),
-        ratio: each(pairs, |pair| pair.contact.dashpots.ratio),
+        relaxation: each(pairs, |pair| pair.contact.frame.dashpots.relaxation),
+        ratio: each(pairs, |pair| pair.contact.frame.dashpots.ratio),
     };
-    let last = each(pairs, |pair| pair.contact.drag_heat.speed);
+    let last = each(pairs, |pair| pair.contact.frame.drag_heat.speed);
     let since = Lanes::splat(1.0);
     let motion = Motion { zeta: step.zeta, speed: step.speed, before: last, since, dt };
     let over = |k: usize| Lanes::splat(1.0) / each(pairs, |pair| pair.bodies[k].mass);
@@ -262,10 +263,10 @@ fn exert<S: VertexStack<[f64; 2]>>(
     let loads = forces(axes, meeting.arms, normal_force, friction);
     for (i, pair) in pairs.iter_mut().enumerate() {
         let contact = &mut *pair.contact;
-        contact.tangent = step.tangent.map(|lane| lane.to_array()[i]);
-        contact.normal = meeting.normal.map(|lane| lane.to_array()[i]);
-        contact.friction = frictions[i];
-        contact.velocity = step.velocity.map(|lane| lane.to_array()[i]);
+        contact.frame.tangent = step.tangent.map(|lane| lane.to_array()[i]);
+        contact.frame.normal = meeting.normal.map(|lane| lane.to_array()[i]);
+        contact.frame.friction = frictions[i];
+        contact.frame.velocity = step.velocity.map(|lane| lane.to_array()[i]);
     }
     for (i, pair) in pairs.iter_mut().enumerate() {
         let [force, torque_1, torque_2] = loads.map(|v| v.map(|lane| lane.to_array()[i]));
@@ -276,13 +277,13 @@ fn exert<S: VertexStack<[f64; 2]>>(
 #[inline(always)]
 fn before<S: VertexStack<[f64; 2]>>(
     pairs: &Pairs<'_, S>,
-    approach: impl Fn(&GrainContact<S>) -> f64,
+    approach: impl Fn(&GrainContact<ShiftLaw<[f64; 2], S>>) -> f64,
 ) -> Before<Lanes> {
     Before {
-        tangent: from_fn(|k| each(pairs, |pair| pair.contact.tangent[k])),
-        normal: from_fn(|k| each(pairs, |pair| pair.contact.normal[k])),
-        velocity: from_fn(|k| each(pairs, |pair| pair.contact.velocity[k])),
-        lead: from_fn(|k| each(pairs, |pair| pair.contact.lead[k])),
+        tangent: from_fn(|k| each(pairs, |pair| pair.contact.frame.tangent[k])),
+        normal: from_fn(|k| each(pairs, |pair| pair.contact.frame.normal[k])),
+        velocity: from_fn(|k| each(pairs, |pair| pair.contact.frame.velocity[k])),
+        lead: from_fn(|k| each(pairs, |pair| pair.contact.frame.lead[k])),
         zeta: each(pairs, |pair| approach(pair.contact)),
         shift: [
             each(pairs, |pair| pair.contact.law.shift().xi),

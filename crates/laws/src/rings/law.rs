@@ -142,8 +142,49 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
         })
     }
 
-    fn rings(&self) -> Rings<'_, N, M, S> {
+    /// The law of a contact of known materials, with this history: `F_z = (2/3) c_z zeta^(3/2)`, of the radius
+    /// `radius zeta^(1/2)`. It takes no time, since the matrices are shared.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless both are from 1e-60 to 1e60.
+    #[inline]
+    pub fn of(
+        matrices: Arc<RingMatrices<N, M, S>>,
+        [c_z, radius]: [f64; 2],
+        tolerance: Tolerance,
+        memory: RingMemory<N, M>,
+    ) -> Result<Self, RangeError> {
+        let units = matrices.contact(c_z, radius, tolerance)?.units;
+        Ok(Self { matrices, units, tolerance: tolerance.get(), memory, iterations: 0 })
+    }
+
+    /// The history.
+    #[must_use]
+    pub const fn memory(&self) -> &RingMemory<N, M> {
+        &self.memory
+    }
+
+    /// The constants of the contact.
+    #[must_use]
+    #[inline]
+    pub fn constants(&self) -> Rings<'_, N, M, S> {
         self.matrices.rings(self.units, self.tolerance)
+    }
+
+    fn rings(&self) -> Rings<'_, N, M, S> {
+        self.constants()
+    }
+
+    /// Advances, and returns the heat of the step, J, at no further cost ([`Dissipative::dissipation`]).
+    ///
+    /// # Errors
+    /// As [`ContactLaw::advance`].
+    pub fn advance_with_heat(&mut self, to: Shift) -> Result<f64, RangeError> {
+        self.check(to)?;
+        let rings = self.matrices.rings(self.units, self.tolerance);
+        let done = self.memory.go(&rings, to);
+        self.iterations = done.iterations;
+        Ok(rings.units.energy * done.heat)
     }
 
     /// Number of iterations of the last step; 0 if there was nothing to solve.
@@ -212,9 +253,7 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> ContactLaw for RingLaw<N, M
     type Error = RangeError;
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        self.check(shift)?;
-        let rings = self.matrices.rings(self.units, self.tolerance);
-        self.iterations = self.memory.go(&rings, shift).iterations;
+        self.advance_with_heat(shift)?;
         Ok(self.load())
     }
 

@@ -21,7 +21,7 @@ fn missed(law: TurningLaw, steps_in_impact: f64, compressed: f64) -> f64 {
     let stiffness = ContactStiffness::new(0.85 * C_Z, 0.85 * C_Z, C_Z).unwrap();
     let friction = Friction::new(0.3).unwrap();
     let law = ShiftLaw::chosen(law, stiffness, friction, Tolerance::PARTICLES);
-    let fresh = GrainContact::<Fixed<[f64; 2], 12>>::new(law, 0.0).unwrap();
+    let fresh = GrainContact::<ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>>::new(law, 0.0).unwrap();
     let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
     let (place, velocity, spin) =
         ([0.0, 0.0, 1.002 * RADIUS], [0.3, -0.2, -0.5], [60.0, -90.0, 130.0]);

@@ -7,7 +7,7 @@ use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 
-type Contact = GrainContact<Fixed<[f64; 2], 12>>;
+type Contact = GrainContact<ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>>;
 
 const WALL: Wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
 const FRICTION: f64 = 0.3;

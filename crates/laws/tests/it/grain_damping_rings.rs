@@ -2,26 +2,24 @@
 
 use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
-use carom_laws::grains::{Grain, GrainLoad, GrainRings, Heats, Meeting, Wall};
-use carom_laws::rings::{RingMatrices, Rings, Tolerance};
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall};
+use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
 
 const WALL: Wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
 const RADIUS: f64 = 1e4;
 /// The duration of an elastic impact with m = K = v = 1.
 const DURATION: f64 = 2.943_275;
 
-fn matrices(gamma: f64, friction: f64) -> RingMatrices {
-    RingMatrices::new(1.2, gamma, Friction::new(friction).unwrap()).unwrap()
-}
-
 /// A contact with K = 1.
-fn rings(matrices: &RingMatrices) -> Rings<'_> {
-    matrices.contact(1.5, 1.0, Tolerance::GRAINS).unwrap()
+fn law(gamma: f64, friction: f64) -> RingLaw {
+    let constants = RingConstants { c_z: 1.5, radius: 1.0, kappa: 1.2, gamma };
+    let friction = Friction::new(friction).unwrap();
+    RingLaw::from_constants(constants, friction, Tolerance::GRAINS).unwrap()
 }
 
-fn restituting(rings: &Rings<'_>, e: f64) -> GrainRings {
+fn restituting(law: &RingLaw, e: f64) -> GrainContact<RingLaw> {
     let damping = HertzDamping::of_restitution(e).unwrap();
-    GrainRings::new(rings, 0.0).unwrap().with_restitution(damping).unwrap()
+    GrainContact::new(law.clone(), 0.0).unwrap().with_restitution(damping).unwrap()
 }
 
 fn kick(ball: &mut Grain, load: &GrainLoad, inertia: f64, dt: f64) {
@@ -57,8 +55,7 @@ fn thrown(along: f64, spin: f64, before: f64) -> Grain {
 #[test]
 fn impacts_are_those_of_viscous_spheres() {
     const FRICTION: f64 = 0.3;
-    let matrices = matrices(0.0, FRICTION);
-    let rings = rings(&matrices);
+    let law = law(0.0, FRICTION);
     for (e, lambda, exact) in [
         (0.9, 1.0, 0.03910),
         (0.9, 3.0, 0.39210),
@@ -68,11 +65,11 @@ fn impacts_are_those_of_viscous_spheres() {
     ] {
         let dt = DURATION / 100.0;
         let (mut contact, mut ball) =
-            (restituting(&rings, e), thrown(lambda * FRICTION, 0.0, 0.4 * dt));
+            (restituting(&law, e), thrown(lambda * FRICTION, 0.0, 0.4 * dt));
         let slip = |ball: &Grain| ball.velocity[0] - ball.spin[1] * RADIUS;
         let before = slip(&ball);
         rebound(&mut ball, 0.4 * RADIUS * RADIUS, dt, |meeting| {
-            let load = contact.advance(&rings, meeting, dt).unwrap();
+            let load = contact.advance(meeting, dt).unwrap();
             let [x, y, z] = load.force;
             assert!(x.hypot(y) <= (1.0 + 1e-9) * FRICTION * z, "{load:?}");
             load
@@ -86,23 +83,22 @@ fn impacts_are_those_of_viscous_spheres() {
 /// Kinetic energy lost is friction heat and heat of damping, of dissimilar materials and with a spin about the normal.
 #[test]
 fn what_a_spinning_impact_loses_is_booked() {
-    let matrices = matrices(0.25, 0.3);
-    let rings = rings(&matrices);
+    let law = law(0.25, 0.3);
     // So small an inertia that the torque about the normal counts.
     let inertia = 0.1;
     let energy = |ball: &Grain| {
         let square = |v: [f64; 3]| v.iter().map(|v| v * v).sum::<f64>();
         0.5 * square(ball.velocity) + 0.5 * inertia * square(ball.spin)
     };
-    let viscous = GrainRings::new(&rings, 0.3).unwrap();
-    for fresh in [restituting(&rings, 0.9), restituting(&rings, 0.5), viscous] {
+    let viscous = GrainContact::new(law.clone(), 0.3).unwrap();
+    for fresh in [restituting(&law, 0.9), restituting(&law, 0.5), viscous] {
         let missed = [100.0, 400.0].map(|steps| {
             let dt = DURATION / steps;
             // Its surface moves as its centre: the arm is that of a point.
             let mut ball = Grain { spin: [0.0, 0.0, 1.0], ..thrown(0.3, 0.0, 0.4 * dt) };
-            let (before, mut heats, mut contact) = (energy(&ball), Heats::default(), fresh);
+            let (before, mut heats, mut contact) = (energy(&ball), Heats::default(), fresh.clone());
             rebound(&mut ball, inertia, dt, |meeting| {
-                let mut load = contact.advance_accounted(&rings, meeting, dt, &mut heats).unwrap();
+                let mut load = contact.advance_accounted(meeting, dt, &mut heats).unwrap();
                 load.torques[0] = [0.0, 0.0, load.torques[0][2]];
                 load
             });
@@ -118,12 +114,11 @@ fn what_a_spinning_impact_loses_is_booked() {
 /// that is ahead by A times the rate. Its axes turn meanwhile.
 #[test]
 fn shift_and_twist_lead_by_the_relaxation_time() {
-    let matrices = matrices(0.0, 1e3);
-    let rings = rings(&matrices);
+    let law = law(0.0, 1e3);
     let (dt, relaxation, rate) = (0.01, 0.3, [1e-3, -2e-3, 3e-3]);
-    let contacts = [relaxation, 0.0].map(|time| GrainRings::new(&rings, time).unwrap());
+    let contacts = [relaxation, 0.0].map(|time| GrainContact::new(law.clone(), time).unwrap());
     let loads = [0, 1].map(|i| {
-        let mut contact = contacts[i];
+        let mut contact = contacts[i].clone();
         let mut step = |zeta: f64, speed: f64, rate: [f64; 3]| {
             let wall = Wall { velocity: [rate[0], rate[1], 0.0], ..WALL };
             let ball = Grain {
@@ -133,7 +128,7 @@ fn shift_and_twist_lead_by_the_relaxation_time() {
                 radius: RADIUS,
                 mass: 1.0,
             };
-            contact.advance(&rings, &Meeting::on_wall(&ball, &wall, 0.0), dt).unwrap()
+            contact.advance(&Meeting::on_wall(&ball, &wall, 0.0), dt).unwrap()
         };
         for n in 1..=50 {
             step(0.02 * f64::from(n), 1.0, [0.0; 3]);

@@ -3,14 +3,14 @@
 use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{
-    Grain, GrainContact, GrainLoad, GrainRings, Heats, Meeting, Touching, Wall, advance_together,
+    Grain, GrainContact, GrainLoad, Heats, Meeting, Touching, Wall, advance_together,
 };
 use carom_laws::memory::Fixed;
-use carom_laws::rings::{RingMatrices, Tolerance};
+use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 
-type Contact = GrainContact<Fixed<[f64; 2], 12>>;
+type Contact = GrainContact<ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>>;
 
 const C_Z: f64 = 3.0;
 const MASSES: [f64; 2] = [0.7, 1.9];
@@ -218,14 +218,15 @@ fn lanes_rings_and_walls_rebound_alike() {
     });
     assert_eq!(alone, many);
 
-    let matrices = RingMatrices::<6, 8>::new(1.2, 0.25, Friction::new(0.3).unwrap()).unwrap();
-    let rings = matrices.contact(C_Z, 0.7, Tolerance::PARTICLES).unwrap();
+    let constants = RingConstants { c_z: C_Z, radius: 0.7, kappa: 1.2, gamma: 0.25 };
+    let friction = Friction::new(0.3).unwrap();
+    let law = RingLaw::<6, 8>::from_constants(constants, friction, Tolerance::PARTICLES).unwrap();
     let damping = HertzDamping::of_restitution(restitution).unwrap();
-    let mut contact = GrainRings::new(&rings, 0.0).unwrap().with_restitution(damping).unwrap();
+    let mut contact = GrainContact::new(law, 0.0).unwrap().with_restitution(damping).unwrap();
     let mut grains = meeting_grains(speed, 0.0, 0.0);
     rebound(&mut grains, dt, |grains, dt| {
         let meeting = Meeting::of_spheres(&grains[0], &grains[1], [0.5; 2]).unwrap();
-        contact.advance(&rings, &meeting, dt).unwrap()
+        contact.advance(&meeting, dt).unwrap()
     });
     let got = -closing(&grains) / speed;
     // Friction between the dissimilar materials takes a little more.

@@ -4,13 +4,13 @@ use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{
-    Grain, GrainContact, GrainLoad, GrainRings, GrainTwist, Heats, Meeting, Surface, Touching,
-    Wall, advance_together,
+    Grain, GrainContact, GrainLoad, GrainTwist, Heats, Meeting, Surface, Touching, Wall,
+    advance_together,
 };
 use carom_laws::hertz::Hertz;
 use carom_laws::law::ContactLaw as _;
 use carom_laws::memory::Fixed;
-use carom_laws::rings::{RingMatrices, Tolerance};
+use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::TorsionLaw;
@@ -19,7 +19,10 @@ const FRICTION: f64 = 0.4;
 const C_Z: f64 = 2.3;
 const RADIUS: f64 = 1.0;
 
-fn contact(friction: f64, relaxation: f64) -> GrainContact<Fixed<[f64; 2], 12>> {
+fn contact(
+    friction: f64,
+    relaxation: f64,
+) -> GrainContact<ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>> {
     let stiffness = ContactStiffness::new(1.9, 1.9, C_Z).unwrap();
     let law = ShiftLaw::new(stiffness, Friction::new(friction).unwrap());
     GrainContact::new(law, relaxation).unwrap()
@@ -79,12 +82,13 @@ fn friction_of_parting_grains_is_the_mean_over_a_step() {
 #[test]
 fn a_scene_turned_about_the_normal_has_its_loads_turned() {
     let turned = |[x, y, z]: [f64; 3]| [-y, x, z];
-    let matrices = RingMatrices::<6, 8>::new(1.2, 0.25, Friction::new(FRICTION).unwrap()).unwrap();
-    let rings = matrices.contact(C_Z, RADIUS, Tolerance::PARTICLES).unwrap();
-    let ring = GrainRings::new(&rings, 0.1).unwrap();
+    let constants = RingConstants { c_z: C_Z, radius: RADIUS, kappa: 1.2, gamma: 0.25 };
+    let friction = Friction::new(FRICTION).unwrap();
+    let law = RingLaw::<6, 8>::from_constants(constants, friction, Tolerance::PARTICLES).unwrap();
+    let ring = GrainContact::new(law, 0.1).unwrap();
     let [mut sticks, mut slips] =
         [f64::INFINITY, FRICTION].map(|f| [(); 2].map(|()| contact(f, 0.1)));
-    let mut by_rings = [ring; 2];
+    let mut by_rings = [ring.clone(), ring];
     let (dt, mut zeta, mut friction) = (0.01, 0.0, 0.0_f64);
     for step in 0..40 {
         let speed = if step < 12 { 0.2 } else { -0.1 };
@@ -99,7 +103,7 @@ fn a_scene_turned_about_the_normal_has_its_loads_turned() {
         for contacts in [&mut sticks, &mut slips] {
             loads.push([0, 1].map(|i| contacts[i].advance(&meetings[i], dt).unwrap()));
         }
-        loads.push([0, 1].map(|i| by_rings[i].advance(&rings, &meetings[i], dt).unwrap()));
+        loads.push([0, 1].map(|i| by_rings[i].advance(&meetings[i], dt).unwrap()));
         for [load, other] in loads {
             let pairs = [(load.force, other.force), (load.torques[0], other.torques[0])];
             for (own, other) in pairs {

@@ -12,7 +12,7 @@ use carom_laws::stiffness::ContactStiffness;
 use proptest::prelude::*;
 
 type V = [f64; 3];
-type Contact = GrainContact<Fixed<[f64; 2], 12>>;
+type Contact = GrainContact<ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>>;
 
 fn fresh(relaxation: f64) -> Contact {
     let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).unwrap();

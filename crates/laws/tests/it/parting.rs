@@ -4,10 +4,10 @@ use carom_halfspace::{Material, MaterialPair};
 use carom_laws::coulomb::{self, CoulombMemory};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
-use carom_laws::grains::{Grain, GrainRings, Heats, Meeting, Wall};
+use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall};
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
-use carom_laws::rings::{RingLaw, RingMatrices, Tolerance};
+use carom_laws::rings::{RingLaw, Tolerance};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const WALL: Wall = Wall { place: [0.0; 3], normal: UP, velocity: [0.0; 3] };
@@ -33,9 +33,8 @@ fn hertz() -> Hertz {
     Hertz::new(RelativeCurvature::from_coefficients(0.5, 0.5).unwrap(), pair).unwrap()
 }
 
-fn matrices(hertz: &Hertz) -> RingMatrices {
-    let pair = hertz.materials();
-    RingMatrices::new(pair.kappa(), pair.gamma(), friction()).unwrap()
+fn rings(hertz: &Hertz) -> RingLaw {
+    RingLaw::new(hertz, friction(), Tolerance::PARTICLES).unwrap()
 }
 
 /// Where the gap opens within four steps the torque, as friction, is the mean over half a step before the end
@@ -43,24 +42,21 @@ fn matrices(hertz: &Hertz) -> RingMatrices {
 #[test]
 fn the_torque_of_a_grain_that_leaves_is_a_mean_about_the_end() {
     let (hertz, zeta, dt, spin) = (hertz(), 1e-4, 0.1, 2e-3);
-    let matrices = matrices(&hertz);
-    let rings = matrices.contact(hertz.stiffness().c_z, 1.0, Tolerance::PARTICLES).unwrap();
-    let mut contact = GrainRings::new(&rings, 0.0).unwrap();
-    let mut law = RingLaw::<6, 8>::new(&hertz, friction(), Tolerance::PARTICLES).unwrap();
+    let mut contact = GrainContact::new(rings(&hertz), 0.0).unwrap();
+    let mut law = rings(&hertz);
     let at = |zeta: f64, t: f64| Shift { zeta, omega: spin * t, ..Shift::default() };
     law.advance(at(zeta, 0.0)).unwrap();
     for k in 1..=10 {
         let meeting = Meeting::on_wall(&grain(1.0 - zeta, 0.0, UP.map(|n| spin * n)), &WALL, 0.5);
-        let torque = contact.advance(&rings, &meeting, dt).unwrap().torques[0][2];
+        let torque = contact.advance(&meeting, dt).unwrap().torques[0][2];
         let want = -law.advance(at(zeta, dt * f64::from(k))).unwrap().m_z;
         assert!((torque / want - 1.0).abs() < 1e-9, "{k}: {torque} {want}");
     }
     // Up by a part of the approach: gone in two steps, or in one, which then has what is left of the mean.
     for (rise, left) in [(0.4, 0.25), (0.6, 0.5)] {
-        let (mut contact, mut law) = (contact, law.clone());
+        let (mut contact, mut law) = (contact.clone(), law.clone());
         let up = grain(1.0 - (1.0 - rise) * zeta, rise * zeta / dt, UP.map(|n| spin * n));
-        let got =
-            contact.advance(&rings, &Meeting::on_wall(&up, &WALL, 0.5), dt).unwrap().torques[0][2];
+        let got = contact.advance(&Meeting::on_wall(&up, &WALL, 0.5), dt).unwrap().torques[0][2];
         let mut past = law.clone();
         let past = past.advance(at((1.0 - 0.5 * rise) * zeta, 10.5 * dt)).unwrap().m_z;
         let now = law.advance(at((1.0 - rise) * zeta, 11.0 * dt)).unwrap().m_z;
@@ -75,21 +71,19 @@ fn the_torque_of_a_grain_that_leaves_is_a_mean_about_the_end() {
 #[test]
 fn the_heat_of_damping_by_rings_is_the_kinetic_energy_lost() {
     let hertz = hertz();
-    let matrices = matrices(&hertz);
     let c_z = hertz.stiffness().c_z;
-    let rings = matrices.contact(c_z, 1.0, Tolerance::PARTICLES).unwrap();
     // Unit mass, approach up to 1e-4: v^2/2 = (4/15) c_z zeta^2.5.
     let deepest = 1e-4_f64;
     let speed = (8.0 / 15.0 * c_z * deepest.powf(2.5)).sqrt();
     let time = 2.943 * deepest / speed;
     let lost = |steps: usize| {
-        let mut contact = GrainRings::new(&rings, 0.04 * time).unwrap();
+        let mut contact = GrainContact::new(rings(&hertz), 0.04 * time).unwrap();
         let dt = time / steps as f64;
         let (mut height, mut velocity, mut heats) = (1.0, -speed, Heats::default());
         for _ in 0..2 * steps {
             height += dt * velocity;
             let meeting = Meeting::on_wall(&grain(height, velocity, [0.0; 3]), &WALL, 0.5);
-            let load = contact.advance_accounted(&rings, &meeting, dt, &mut heats).unwrap();
+            let load = contact.advance_accounted(&meeting, dt, &mut heats).unwrap();
             velocity += dt * load.force[2];
         }
         assert!(velocity > 0.0 && height > 1.0);
@@ -156,23 +150,21 @@ fn after_separation_a_step_takes_no_work_and_makes_no_heat() {
 #[test]
 fn the_torque_is_a_mean_from_four_steps_before_the_gap_opens() {
     let (hertz, zeta, dt, spin) = (hertz(), 1e-4, 0.1, 2e-3);
-    let matrices = matrices(&hertz);
-    let rings = matrices.contact(hertz.stiffness().c_z, 1.0, Tolerance::PARTICLES).unwrap();
     for (steps, is_mean) in [(1.5, true), (3.0, true), (3.9, true), (4.1, false), (8.0, false)] {
-        let mut contact = GrainRings::new(&rings, 0.0).unwrap();
-        let mut law = RingLaw::<6, 8>::new(&hertz, friction(), Tolerance::PARTICLES).unwrap();
+        let mut contact = GrainContact::new(rings(&hertz), 0.0).unwrap();
+        let mut law = rings(&hertz);
         let at = |zeta: f64, t: f64| Shift { zeta, omega: spin * t, ..Shift::default() };
         law.advance(at(zeta, 0.0)).unwrap();
         let still = Meeting::on_wall(&grain(1.0 - zeta, 0.0, UP.map(|n| spin * n)), &WALL, 0.5);
         for k in 1..=10 {
-            contact.advance(&rings, &still, dt).unwrap();
+            contact.advance(&still, dt).unwrap();
             law.advance(at(zeta, dt * f64::from(k))).unwrap();
         }
         // It rises evenly: gone `steps` after this one.
         let rise = zeta / (steps + 1.0);
         let up = grain(1.0 - zeta + rise, rise / dt, UP.map(|n| spin * n));
         let meeting = Meeting::on_wall(&up, &WALL, 0.5);
-        let got = contact.advance(&rings, &meeting, dt).unwrap().torques[0][2];
+        let got = contact.advance(&meeting, dt).unwrap().torques[0][2];
         let mut past = law.clone();
         let past = past.advance(at(zeta - 0.5 * rise, 10.5 * dt)).unwrap().m_z;
         let now = law.advance(at(zeta - rise, 11.0 * dt)).unwrap().m_z;

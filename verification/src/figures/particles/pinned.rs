@@ -8,7 +8,6 @@ use carom_impact::{Body, Collision, Motion, normal};
 use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall};
-use carom_laws::memory::Growing;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 
@@ -103,7 +102,7 @@ fn by_grains(restitution: f64) -> Result<(After, f64), Failure> {
     let c_x = c_z / kappa(ALUMINIUM.poisson);
     let law = ShiftLaw::new(ContactStiffness::new(c_x, c_x, c_z)?, Friction::new(FRICTION)?);
     let damping = HertzDamping::of_restitution(restitution)?;
-    let mut contact: GrainContact<Growing<[f64; 2]>> =
+    let mut contact: GrainContact<ShiftLaw<[f64; 2]>> =
         GrainContact::new(law, 0.0)?.with_restitution(damping)?;
     let deepest = libm::pow(15.0 * mass * normal * normal / (8.0 * c_z), 0.4);
     let dt = normal::DURATION * deepest / normal / STEPS_OF_GRAINS;

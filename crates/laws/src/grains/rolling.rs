@@ -1,0 +1,236 @@
+//! The resistance of two grains to rolling on each other.
+
+use carom_special::RangeError;
+
+use super::contact::Heats;
+use super::meeting::Meeting;
+use super::vector::{Vector, cross, dot, plus, times};
+
+/// The constants of a resistance to rolling: a spring and a dashpot side by side, in series with a slider.
+///
+/// With the relative radius R (1/R = 1/R_1 + 1/R_2) and the normal n into body 1 two bodies roll on each other with
+/// the velocity `v = R (spin_1 - spin_2) x n`. Spring and dashpot exert the force
+///
+/// `F = - stiffness s - damping ds/dt`, up to `friction` times the normal force,
+///
+/// beyond which they slip: `ds/dt = v` without slip. The force acts on no body; the torque on body 1 is `R n x F`,
+/// that on body 2 the opposite.
+///
+/// ```
+/// use carom_laws::grains::{Grain, GrainRoll, Meeting, RollingResistance};
+/// let resistance = RollingResistance::new(3e4, 20.0, 0.02)?;
+/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 0.03, mass: 1.0 };
+/// let above = Grain { place: [0.0, 0.0, 0.049999], spin: [0.0, 5.0, 0.0], radius: 0.02, ..below };
+/// let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
+/// let (mut roll, relative_radius, pressed) = (GrainRoll::default(), 0.012, 50.0);
+/// let torque = roll.advance(&resistance, relative_radius, &meeting, 1e-3, pressed)?;
+/// // It acts against the spin, and has come to its limit.
+/// assert!((torque[1] + relative_radius * 0.02 * pressed).abs() < 1e-15);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollingResistance {
+    stiffness: f64,
+    damping: f64,
+    friction: f64,
+}
+
+impl RollingResistance {
+    /// From the spring, force over the displacement of rolling, N/m; the dashpot, force over the velocity of rolling,
+    /// N s/m; and the slider, the greatest force over the normal force.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless all are finite and not negative.
+    pub fn new(stiffness: f64, damping: f64, friction: f64) -> Result<Self, RangeError> {
+        RangeError::non_negative("stiffness", stiffness)?;
+        RangeError::non_negative("damping", damping)?;
+        RangeError::non_negative("friction", friction)?;
+        Ok(Self { stiffness, damping, friction })
+    }
+
+    fn energy(&self, shift: Vector) -> f64 {
+        0.5 * self.stiffness * dot(shift, shift)
+    }
+
+    /// Shift and force at the end of a step, of which the bodies roll by `way`.
+    fn step(&self, shift: Vector, way: Vector, dt: f64, normal_force: f64) -> [Vector; 2] {
+        let by_dashpot = self.damping / dt;
+        let stuck = plus(shift, way);
+        let force = sum(times(stuck, -self.stiffness), -by_dashpot, way);
+        let (size, limit) = (dot(force, force).sqrt(), self.friction * normal_force);
+        if size <= limit {
+            return [stuck, force];
+        }
+        let force = times(force, limit / size);
+        let by = 1.0 / (self.stiffness + by_dashpot);
+        [sum(times(force, -by), by * by_dashpot, shift), force]
+    }
+}
+
+/// The state of a resistance to rolling; by default that of two bodies that are apart.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct GrainRoll {
+    /// The displacement of the spring, m.
+    shift: Vector,
+    /// The normal of the last step; zero while the bodies are apart.
+    normal: Vector,
+    /// The force of the last step, N.
+    force: Vector,
+}
+
+impl GrainRoll {
+    /// Number of numbers of a stored state.
+    pub const NUMBERS: usize = 9;
+
+    /// Advances by a step of duration `dt`, at the end of which the bodies are as given and pressed together by
+    /// `normal_force`, and returns the torque on body 1, N m. The step of s is that of the implicit Euler method.
+    /// Bodies that are apart lose the history; a step of duration zero changes nothing else.
+    ///
+    /// # Errors
+    /// [`RangeError`] if the displacement, the force, the torque or the heat is not finite; the state is then
+    /// unchanged.
+    pub fn advance(
+        &mut self,
+        resistance: &RollingResistance,
+        relative_radius: f64,
+        meeting: &Meeting,
+        dt: f64,
+        normal_force: f64,
+    ) -> Result<[f64; 3], RangeError> {
+        let mut unasked = Heats::default();
+        self.advance_accounted(
+            (resistance, relative_radius),
+            meeting,
+            dt,
+            normal_force,
+            &mut unasked,
+        )
+    }
+
+    /// As [`GrainRoll::advance`], and adds what becomes heat: of the dashpot, of the slider, and of the spring where the
+    /// bodies part.
+    ///
+    /// # Errors
+    /// As [`GrainRoll::advance`].
+    pub fn advance_accounted(
+        &mut self,
+        (resistance, relative_radius): (&RollingResistance, f64),
+        meeting: &Meeting,
+        dt: f64,
+        normal_force: f64,
+        heats: &mut Heats,
+    ) -> Result<[f64; 3], RangeError> {
+        let (mut next, mut made) = (*self, 0.0);
+        if dt > 0.0 || meeting.is_apart() {
+            made = next.turn((resistance, relative_radius), meeting, dt, normal_force.max(0.0));
+        }
+        let torque = next.torque(relative_radius, meeting);
+        for part in [next.shift, next.force, torque].into_iter().flatten() {
+            RangeError::finite("rolling resistance", part)?;
+        }
+        RangeError::finite("heat", made)?;
+        *self = next;
+        heats.rolling += made;
+        Ok(torque)
+    }
+
+    /// The torque on body 1 after the last step, N m.
+    #[must_use]
+    pub fn torque(&self, relative_radius: f64, meeting: &Meeting) -> [f64; 3] {
+        times(cross(meeting.normal, self.force), relative_radius)
+    }
+
+    /// The energy of the spring, J.
+    #[must_use]
+    pub fn stored_energy(&self, resistance: &RollingResistance) -> f64 {
+        resistance.energy(self.shift)
+    }
+
+    /// The state as numbers, all of which are zero while the bodies are apart.
+    #[must_use]
+    pub fn packed(&self) -> [f64; Self::NUMBERS] {
+        let mut numbers = [0.0; Self::NUMBERS];
+        let parts = [self.shift, self.normal, self.force];
+        numbers.copy_from_slice(parts.as_flattened());
+        numbers
+    }
+
+    /// The state that numbers are.
+    ///
+    /// # Errors
+    /// [`RangeError`] of `roll` for numbers that are no state.
+    pub fn unpacked(numbers: &[f64; Self::NUMBERS]) -> Result<Self, RangeError> {
+        let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
+        let state = Self { shift: vector(0), normal: vector(3), force: vector(6) };
+        state.check()?;
+        Ok(state)
+    }
+
+    /// Checks a state whose bytes may have been changed elsewhere.
+    ///
+    /// # Errors
+    /// [`RangeError`] of `roll`, whose value is the sum of the numbers.
+    #[inline]
+    pub fn check(&self) -> Result<(), RangeError> {
+        let square = dot(self.normal, self.normal);
+        let numbers = self.shift.iter().chain(&self.force);
+        let size = numbers.fold(0.0, |sum: f64, number| sum + number.abs());
+        let holds = size.is_finite() && (square == 0.0 || (square - 1.0).abs() < 1e-9);
+        RangeError::check("roll", size, holds, "of finite numbers and a normal of length 0 or 1")?;
+        Ok(())
+    }
+
+    /// The step of the state, with its heat.
+    fn turn(
+        &mut self,
+        (resistance, relative_radius): (&RollingResistance, f64),
+        meeting: &Meeting,
+        dt: f64,
+        normal_force: f64,
+    ) -> f64 {
+        let normal = meeting.normal;
+        let from = if self.normal == [0.0; 3] { normal } else { self.normal };
+        let middle = unit(plus(from, normal));
+        let angle = dot(meeting.turning(), middle) * dt;
+        let [shift, force] =
+            [self.shift, self.force].map(|v| turned(carried(v, from, normal), normal, angle));
+        let rate = cross(meeting.twisting(), middle);
+        let way = times(carried(rate, middle, normal), -relative_radius * dt);
+        let before = resistance.energy(shift);
+        *self = Self::default();
+        if meeting.zeta > 0.0 {
+            let [shift, force] = resistance.step(shift, way, dt, normal_force);
+            *self = Self { shift, normal, force };
+        }
+        let work = -0.5 * dot(plus(force, self.force), way);
+        work + before - resistance.energy(self.shift)
+    }
+}
+
+/// A vector across `from`, carried to `to` by the smallest rotation.
+fn carried(vector: Vector, from: Vector, to: Vector) -> Vector {
+    let lean = 1.0 + dot(from, to);
+    if lean < 1e-9 {
+        return [0.0; 3];
+    }
+    sum(vector, -dot(vector, to) / lean, plus(from, to))
+}
+
+/// A vector across the normal, rotated about it, to second order in the angle and without a change of length.
+fn turned(vector: Vector, normal: Vector, angle: f64) -> Vector {
+    let tangent = 0.5 * angle;
+    let by = 1.0 / (1.0 + tangent * tangent);
+    let along = times(vector, (1.0 - tangent * tangent) * by);
+    sum(along, 2.0 * tangent * by, cross(normal, vector))
+}
+
+fn unit(vector: Vector) -> Vector {
+    let length = dot(vector, vector).sqrt();
+    if length > 0.0 { times(vector, 1.0 / length) } else { vector }
+}
+
+/// a + by b.
+fn sum(a: Vector, by: f64, b: Vector) -> Vector {
+    plus(a, times(b, by))
+}
