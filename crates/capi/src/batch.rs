@@ -2,9 +2,9 @@
 
 use crate::contact::CaromContact;
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::law::{CaromLoad, CaromShift, Law};
 use crate::pair::CaromPair;
 use crate::pointers::{Strided, read};
+use crate::shift::{CaromLoad, CaromShift, Law};
 
 use carom_laws::law::{Checked as _, Shift};
 

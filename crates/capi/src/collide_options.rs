@@ -11,7 +11,8 @@ use carom_laws::static_friction::StaticFriction;
 use carom_special::RangeError;
 
 use crate::error::{CaromStatus, Failure};
-use crate::pointers::read;
+use crate::law::friction::of_option;
+use crate::sized::SizedOptions;
 
 /// Chooses the cheapest law that accounts for the coupling of dissimilar materials. For spheres and planes
 /// that is CAROM_IMPACT_RINGS where coupling matters. For other shapes coupling is neglected, and
@@ -80,30 +81,10 @@ pub struct CaromCollideOptions {
     pub slip_friction_c: f64,
 }
 
-impl CaromCollideOptions {
-    /// Copies as many bytes as the caller's struct has; null gives the defaults.
-    ///
-    /// # Safety
-    /// `options` is null, or may be read for the number of bytes in its first field.
-    pub(crate) unsafe fn of(options: *const Self) -> Result<Self, Failure> {
-        let mut known = Self::default();
-        if options.is_null() {
-            return Ok(known);
-        }
-        // SAFETY: the caller's promise.
-        let size = unsafe { *read(options.cast::<usize>(), "options")? };
-        let (least, most) = (size_of::<usize>(), size_of::<Self>());
-        if !(least..=most).contains(&size) {
-            let text =
-                format_args!("size = {size} is out of range: must be from {least} to {most}");
-            return Err(Failure::new(CaromStatus::OutOfRange, "size", text));
-        }
-        let to = (&raw mut known).cast::<u8>();
-        // SAFETY: `size` bytes may be read and fit; every bit pattern is a valid value.
-        unsafe { options.cast::<u8>().copy_to_nonoverlapping(to, size) };
-        Ok(known)
-    }
+// SAFETY: it consists of numbers, the first of which is its size.
+unsafe impl SizedOptions for CaromCollideOptions {}
 
+impl CaromCollideOptions {
     /// The friction of the impact, from the coefficient in the call.
     pub(crate) fn friction(&self, coefficient: f64) -> Result<ImpactFriction, RangeError> {
         let (b, at_rest) = (self.slip_friction_b, self.static_friction);
@@ -114,13 +95,8 @@ impl CaromCollideOptions {
                 at_rest == 0.0,
                 "0 beside slip_friction_b",
             )?;
-            let named = |error: RangeError| match error.field {
-                "a" => RangeError { field: "friction", ..error },
-                "b" => RangeError { field: "slip_friction_b", ..error },
-                _ => RangeError { field: "slip_friction_c", ..error },
-            };
             let friction = SlipSpeedFriction::new(coefficient, b, self.slip_friction_c);
-            return friction.map(Into::into).map_err(named);
+            return friction.map(Into::into).map_err(of_option);
         }
         let kinetic = Friction::new(coefficient)?;
         if at_rest == 0.0 {

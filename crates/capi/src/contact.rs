@@ -2,15 +2,15 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::law::{ContactLaw, Dissipative, Shift};
+use carom_laws::law::{ContactLaw, Dissipative};
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::law::{CaromLoad, CaromReport, CaromShift, Law};
 use crate::pair::CaromPair;
 use crate::pointers::{read, write};
+use crate::shift::{CaromLoad, CaromShift, Law};
 use crate::state::CaromState;
-use crate::stored::{present, present_mut, store};
+use crate::stored::{Stored, present};
 
 /// Number of 8-byte words in a `carom_contact`, without its mark.
 pub const CAROM_CONTACT_WORDS: usize = 144;
@@ -34,12 +34,16 @@ pub struct CaromContact {
 impl CaromContact {
     #[inline(always)]
     fn present(&self) -> Result<Option<&Law>, Failure> {
-        present(self.mark, &self.words)
+        // SAFETY: the words are those that were stored with the mark; none is written.
+        unsafe {
+            Ok(present::<Law>(self.mark, self.words.as_ptr().cast_mut().cast())?.map(|law| &*law))
+        }
     }
 
     #[inline(always)]
     fn present_mut(&mut self) -> Result<Option<&mut Law>, Failure> {
-        present_mut(self.mark, &mut self.words)
+        // SAFETY: the words are those that were stored with the mark, and borrowed exclusively.
+        unsafe { present(self.mark, self.words.as_mut_ptr().cast()) }
     }
 
     /// Makes the first step of a contact.
@@ -60,7 +64,10 @@ impl CaromContact {
     }
 
     fn keep(&mut self, law: &Law) {
-        self.mark = store(law, &mut self.words);
+        const { assert!(size_of::<Law>() <= 8 * CAROM_CONTACT_WORDS) };
+        // SAFETY: size and alignment match; the old bytes need no drop.
+        unsafe { self.words.as_mut_ptr().cast::<Law>().write(*law) };
+        self.mark = Law::MARK;
     }
 
     #[inline]
@@ -134,70 +141,6 @@ pub unsafe extern "C" fn carom_contact_energy(
     let stored = |law: &Law| Ok(RangeError::finite("energy", law.stored_energy())?);
     // SAFETY: the caller's promise.
     unsafe { ask(pair, contact, energy, "energy", error, stored) }
-}
-
-/// The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
-/// contact is not advanced.
-///
-/// # Safety
-/// Pointers and memories are as [the crate](crate#pointers) asks.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_contact_heat(
-    pair: *const CaromPair,
-    contact: *const CaromContact,
-    shift: CaromShift,
-    heat: *mut f64,
-    error: *mut CaromError,
-) -> CaromStatus {
-    let made = |law: &Law| {
-        let shift = Shift::from(shift);
-        shift.check_finite()?;
-        Ok(RangeError::finite("heat", law.dissipation(shift))?)
-    };
-    // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, heat, "heat", error, made) }
-}
-
-/// The regime of the last step, and the share of the contact that sticks.
-///
-/// # Safety
-/// Pointers and memories are as [the crate](crate#pointers) asks.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_contact_report(
-    pair: *const CaromPair,
-    contact: *const CaromContact,
-    report: *mut CaromReport,
-    error: *mut CaromError,
-) -> CaromStatus {
-    let told =
-        |law: &Law| Ok(CaromReport { sticking: law.stick_depth(), regime: law.regime().into() });
-    // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, report, "report", error, told) }
-}
-
-/// Rotates the contact axes by an angle (radians, from x to y). The state is transformed to the new axes and
-/// stays the same in space.
-///
-/// # Safety
-/// Pointers and memories are as [the crate](crate#pointers) asks.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_contact_turn_frame(
-    pair: *const CaromPair,
-    contact: *mut CaromContact,
-    angle: f64,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let (pair, contact) = (read(pair, "pair")?, write(contact, "contact")?);
-        RangeError::finite("angle", angle)?;
-        let mut law = contact.law(pair)?;
-        law.turn_frame(angle);
-        contact.keep(&law);
-        Ok(())
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
 }
 
 /// Writes the state of a contact as plain numbers, for a file or another process.

@@ -85,6 +85,12 @@ impl Failure {
         Self(Box::new(Details { status, index: None, field, value: 0.0, text }))
     }
 
+    /// An error of the library itself.
+    #[cold]
+    pub(crate) fn internal() -> Self {
+        Self::new(CaromStatus::Internal, "", "an internal error of the library: please report it")
+    }
+
     /// The same error with the value of the field.
     #[cold]
     pub(crate) fn with_value(mut self, value: f64) -> Self {
@@ -144,11 +150,7 @@ pub(crate) unsafe fn border(
     let failure = match catch_unwind(AssertUnwindSafe(call)) {
         Ok(Ok(())) => return CaromStatus::Ok,
         Ok(Err(failure)) => failure,
-        Err(_) => Failure::new(
-            CaromStatus::Internal,
-            "",
-            "an internal error of the library: please report it",
-        ),
+        Err(_) => Failure::internal(),
     };
     if !error.is_null() && error.is_aligned() {
         // SAFETY: the caller's promise.

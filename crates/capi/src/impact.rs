@@ -5,8 +5,9 @@ use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, Ri
 
 use crate::collide_options::CaromCollideOptions;
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::pair::CaromMaterial;
+use crate::material::CaromMaterial;
 use crate::pointers::{read, write};
+use crate::sized::SizedOptions as _;
 use crate::validity::bits;
 
 /// A sphere: `sizes[0]` is its radius.

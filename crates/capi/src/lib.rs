@@ -1,17 +1,15 @@
 //! The interface for C, C++ and Fortran: contact laws with memory, impact and restitution as plain data and
 //! functions.
 //!
-//! - A [`CaromPair`] holds the constants of a contact. It is made once for two materials, their curvatures
-//!   and a coefficient of friction.
-//! - The state of a contact lies in memory of the caller. [`CaromContact`] is the form that is advanced; only
-//!   the build that wrote it can read it, and zero bytes stand for two bodies that just touch. It packs into
-//!   a [`CaromState`] of 66 numbers, which any build of this format version can read, for files and other
-//!   processes. [`CaromTwist`] is the state of a twist, 83 numbers.
-//! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, for particle codes: positions,
-//!   velocities and spins in, force and torques out. [`CaromRingTouch`] is the same with the law of rings,
-//!   for dissimilar materials and spin about the normal. Its matrices, [`CaromRings`], are the only memory
-//!   that the library allocates for a caller.
-//! - Every function returns a [`CaromStatus`] and describes an error in the caller's [`CaromError`], which
+//! - A [`CaromLaw`] is what the contacts of particles of two materials have in common, made once: materials, law,
+//!   friction, damping, torsion, resistance to rolling. It is the only memory that the library allocates for a caller.
+//! - A [`CaromTouch`] is one contact of a grain with another one or with a wall: positions, velocities and spins in,
+//!   force and torques out. It lies in memory of the caller, whose size the law tells, and only the build that wrote it
+//!   can read it; zero bytes stand for two separated bodies. It packs into numbers that any build of this format
+//!   version can read, for files and other processes.
+//! - A [`CaromPair`] and a [`CaromContact`] are the same where the caller knows approach and shift; the contact packs
+//!   into a [`CaromState`] of 66 numbers.
+//! - Every function that can fail returns a [`CaromStatus`] and describes an error in the caller's [`CaromError`], which
 //!   may be null. The library keeps nothing between calls, no panic crosses the border, and a failed call
 //!   leaves the caller's data as they were.
 //!
@@ -22,37 +20,30 @@
 //! the first of so many. The objects that a call writes must overlap no other. A null pointer where none is
 //! allowed gives [`CaromStatus::NullPointer`], one that is not aligned [`CaromStatus::Misaligned`].
 //!
-//! A memory ([`CaromContact`], [`CaromTouch`], [`CaromRingTouch`]) must be zero bytes or written by this build
-//! of the library; other bytes give an error status or meaningless numbers. [`CaromRings`] must be made by
-//! [`carom_rings_of`] and not yet freed.
+//! A memory ([`CaromContact`], [`CaromTouch`]) must be zero bytes or written by this build of the library; other bytes
+//! give an error status or meaningless numbers. A touch has `carom_touch_size` bytes of the law that it is used with.
+//! A [`CaromLaw`] must be made by this library and not yet freed.
 
 mod batch;
 mod collide_options;
 mod contact;
 mod creep;
-mod encounters;
 mod error;
-mod grain_friction;
-mod grains;
 mod impact;
 mod law;
+mod material;
 mod pair;
 mod pointers;
 mod restitution;
-mod ring_touch;
-mod rings;
+mod shift;
+mod sized;
 mod state;
 mod stored;
 mod touch;
-mod touch_roll;
-mod touch_twist;
-mod twist;
 mod validity;
 mod version;
 
-pub use carom_laws::grains::{
-    Grain as CaromGrain, Heats as CaromHeats, Surface as CaromSurface, Wall as CaromWall,
-};
+pub use carom_laws::grains::{Grain as CaromGrain, Heats as CaromHeats, Surface as CaromSurface};
 
 pub use batch::carom_contact_advance_many;
 pub use collide_options::{
@@ -63,66 +54,40 @@ pub use collide_options::{
 };
 pub use contact::{
     CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
-    carom_contact_heat, carom_contact_load, carom_contact_pack, carom_contact_report,
-    carom_contact_turn_frame, carom_contact_unpack,
+    carom_contact_load, carom_contact_pack, carom_contact_unpack,
 };
 pub use creep::{CaromCreep, carom_creep_coefficients};
-pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
-pub use grain_friction::{
-    carom_grains_slip_friction, carom_grains_static_friction, carom_touch_friction,
-    carom_touch_unpack_with_friction,
-};
-pub use grains::{
-    CaromGrainLoad, CaromGrains, carom_grains_impact_time, carom_grains_of,
-    carom_grains_on_curved_wall, carom_grains_restitution,
-};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
     CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CaromBody, CaromRebound,
     carom_collide,
 };
-pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
-pub use pair::{
-    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, CaromPair,
-    carom_pair_of_curvatures, carom_pair_of_spheres, carom_pair_of_stiffness,
-    carom_pair_static_friction,
+pub use law::limits::{
+    carom_encounters_validity, carom_law_impact_time, carom_law_impact_validity, carom_law_validity,
 };
+pub use law::options::{CaromLawOptions, CaromRolling};
+pub use law::{CaromLaw, carom_law_free, carom_law_make, carom_law_on_curved_wall};
+pub use material::{
+    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, carom_law_name,
+    carom_law_of_name,
+};
+pub use pair::{CaromPair, carom_pair_of_curvatures, carom_pair_of_spheres};
 pub use restitution::{
     CAROM_BY_RINGS, CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_dissimilar,
     carom_restitution_many,
 };
-pub use ring_touch::{
-    CAROM_RING_TOUCH_MARK, CAROM_RING_TOUCH_NUMBERS, CAROM_RING_TOUCH_WORDS, CaromRingTouch,
-    carom_ring_touch_energy, carom_ring_touch_grains, carom_ring_touch_grains_load,
-    carom_ring_touch_pack, carom_ring_touch_report, carom_ring_touch_surface,
-    carom_ring_touch_surface_load, carom_ring_touch_unpack, carom_ring_touch_wall,
-    carom_ring_touch_wall_load,
-};
-pub use rings::{CaromRings, carom_rings_free, carom_rings_of};
+pub use shift::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use state::{CAROM_STATE_NUMBERS, CaromState};
-pub use touch::{
-    CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_grains,
-    carom_touch_grains_load, carom_touch_pack, carom_touch_report, carom_touch_surface,
-    carom_touch_surface_load, carom_touch_unpack, carom_touch_wall, carom_touch_wall_load,
-};
-pub use touch_roll::{
-    CAROM_ROLL_NUMBERS, CaromRoll, CaromRolling, carom_touch_roll_energy, carom_touch_roll_grains,
-    carom_touch_roll_surface,
-};
-pub use touch_twist::{
-    carom_touch_twist_energy, carom_touch_twist_grains, carom_touch_twist_surface,
-    carom_touch_twist_wall,
-};
-pub use twist::{
-    CAROM_TWIST_NUMBERS, CaromTwist, carom_twist_advance, carom_twist_energy, carom_twist_heat,
-    carom_twist_torque,
-};
+pub use touch::many::{CaromEncounter, carom_touch_step_many};
+pub use touch::packed::{carom_touch_pack, carom_touch_pack_size, carom_touch_unpack};
+pub use touch::step::{CaromGrainLoad, carom_touch_step};
+pub use touch::told::{carom_touch_energy, carom_touch_load, carom_touch_report};
+pub use touch::{CaromTouch, carom_touch_size};
 pub use validity::{
     CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_APPROACH, CAROM_WARNING_LARGE_CONTACT,
     CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
     CAROM_WARNING_SPIN_ON_SHIFT, CAROM_WARNING_TIME_STEP, CAROM_WARNING_WAVE_LOSS,
-    CAROM_WARNING_YIELDS, CaromValidity, carom_encounters_validity, carom_grains_impact_validity,
-    carom_grains_validity, carom_pair_validity, carom_validity_text, carom_warning_text,
+    CAROM_WARNING_YIELDS, CaromValidity, carom_validity_text, carom_warning_text,
 };
 pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

@@ -2,9 +2,7 @@
 
 use carom_laws::coulomb::packed_numbers;
 
-use crate::error::Failure;
-use crate::law::VERTICES;
-use crate::pair::CaromPair;
+use crate::shift::VERTICES;
 
 /// Number of numbers in a `carom_state`.
 pub const CAROM_STATE_NUMBERS: usize = 66;
@@ -20,17 +18,4 @@ const _: () = assert!(CAROM_STATE_NUMBERS == packed_numbers(VERTICES));
 pub struct CaromState {
     /// Written by this library only.
     pub numbers: [f64; CAROM_STATE_NUMBERS],
-}
-
-/// Checks that friction is finite: a state cannot store infinite friction.
-pub(crate) fn finite(pair: &CaromPair) -> Result<(), Failure> {
-    let friction = pair.friction;
-    let holds = friction != f64::INFINITY;
-    carom_special::RangeError::check(
-        "friction",
-        friction,
-        holds,
-        "finite for a state that is stored",
-    )?;
-    Ok(())
 }

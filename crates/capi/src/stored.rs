@@ -1,12 +1,9 @@
 //! Values of this library in bytes of the caller. A mark names the build that wrote them; tags and counts are
 //! checked before the bytes are used.
 
-use std::mem::MaybeUninit;
-
-use carom_laws::grains::{GrainContact, GrainRings};
-
 use crate::error::{CaromStatus, Failure};
-use crate::law::{Law, Stack};
+use crate::shift::Law;
+use crate::touch::{RingTouch, ShiftTouch};
 
 /// A type that may be stored in bytes of the caller: numbers and tags, without pointers.
 ///
@@ -46,7 +43,7 @@ unsafe impl Stored for Law {
 }
 
 // SAFETY: as above.
-unsafe impl Stored for GrainContact<Stack> {
+unsafe impl Stored for ShiftTouch {
     const NAME: &'static str = "touch";
 
     #[inline(always)]
@@ -61,8 +58,8 @@ unsafe impl Stored for GrainContact<Stack> {
 }
 
 // SAFETY: it consists of numbers.
-unsafe impl Stored for GrainRings {
-    const NAME: &'static str = "ring touch";
+unsafe impl Stored for RingTouch {
+    const NAME: &'static str = "touch";
 
     #[inline(always)]
     fn is_in(_byte: impl Fn(usize) -> u8) -> bool {
@@ -71,62 +68,41 @@ unsafe impl Stored for GrainRings {
 
     #[inline(always)]
     fn fits(&self) -> bool {
-        self.memory().fits()
+        self.memory.fits()
     }
 }
 
-/// The stored value; none if the mark is zero.
+/// The stored value, if mark, tags and counts are valid.
+///
+/// # Safety
+/// `place` is aligned, and its bytes belong to the caller during `'a`; if the mark matches, they are initialised.
 #[inline(always)]
-pub(crate) fn present<T: Stored, const WORDS: usize>(
+pub(crate) unsafe fn find<'a, T: Stored>(mark: u64, place: *mut T) -> Option<&'a mut T> {
+    let bytes = place.cast::<u8>();
+    // SAFETY: the tags lie within the size.
+    if mark != T::MARK || !T::is_in(|at| unsafe { bytes.add(at).read() }) {
+        return None;
+    }
+    // SAFETY: the caller's promise, and the bytes are a valid value.
+    let value = unsafe { &mut *place };
+    value.fits().then_some(value)
+}
+
+/// The stored value; none if the mark is zero.
+///
+/// # Safety
+/// As [`find`].
+#[inline(always)]
+pub(crate) unsafe fn present<'a, T: Stored>(
     mark: u64,
-    words: &[MaybeUninit<u64>; WORDS],
-) -> Result<Option<&T>, Failure> {
-    match find(mark, words) {
+    place: *mut T,
+) -> Result<Option<&'a mut T>, Failure> {
+    // SAFETY: the caller's promise.
+    match unsafe { find(mark, place) } {
         None if mark == 0 => Ok(None),
         None => Err(strange::<T>()),
         some => Ok(some),
     }
-}
-
-/// The stored value, mutable; none if the mark is zero.
-#[inline(always)]
-pub(crate) fn present_mut<T: Stored, const WORDS: usize>(
-    mark: u64,
-    words: &mut [MaybeUninit<u64>; WORDS],
-) -> Result<Option<&mut T>, Failure> {
-    if find::<T, WORDS>(mark, words).is_some() {
-        // SAFETY: checked above; the words are borrowed exclusively.
-        return Ok(Some(unsafe { &mut *words.as_mut_ptr().cast() }));
-    }
-    if mark == 0 { Ok(None) } else { Err(strange::<T>()) }
-}
-
-/// The stored value, if mark, tags and counts are valid.
-#[inline(always)]
-pub(crate) fn find<T: Stored, const WORDS: usize>(
-    mark: u64,
-    words: &[MaybeUninit<u64>; WORDS],
-) -> Option<&T> {
-    const { assert!(size_of::<T>() <= 8 * WORDS) };
-    let bytes = words.as_ptr().cast::<u8>();
-    // SAFETY: the tags lie within the size, and are initialised if the mark matches.
-    if mark != T::MARK || !T::is_in(|at| unsafe { bytes.add(at).read() }) {
-        return None;
-    }
-    // SAFETY: size and alignment match, and the bytes are a valid value.
-    let value = unsafe { &*words.as_ptr().cast::<T>() };
-    value.fits().then_some(value)
-}
-
-/// Writes a value and returns its mark, which the caller stores beside it.
-pub(crate) fn store<T: Stored, const WORDS: usize>(
-    value: &T,
-    words: &mut [MaybeUninit<u64>; WORDS],
-) -> u64 {
-    const { assert!(size_of::<T>() <= 8 * WORDS) };
-    // SAFETY: size and alignment match; the old bytes need no drop.
-    unsafe { words.as_mut_ptr().cast::<T>().write(*value) };
-    T::MARK
 }
 
 #[cold]

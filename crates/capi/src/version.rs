@@ -4,7 +4,7 @@ use std::ffi::c_char;
 
 /// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
 /// the loaded library.
-pub const CAROM_ABI_VERSION: u32 = 10;
+pub const CAROM_ABI_VERSION: u32 = 11;
 
 /// The version of the library, as "0.1.0"; not to be freed.
 #[unsafe(no_mangle)]
@@ -18,7 +18,7 @@ pub extern "C" fn carom_abi_version() -> u32 {
     CAROM_ABI_VERSION
 }
 
-/// The version of the numbers in a `carom_state`; files of another version cannot be read.
+/// The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read.
 #[unsafe(no_mangle)]
 pub extern "C" fn carom_state_version() -> u32 {
     2

@@ -45,4 +45,10 @@ impl<T: TwistState> GrainFrame<T> {
             twist: T::default(),
         }
     }
+
+    /// Whether the bodies have not touched yet.
+    #[must_use]
+    pub fn is_new(&self) -> bool {
+        self.tangent == [0.0; 3]
+    }
 }

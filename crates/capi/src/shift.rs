@@ -1,4 +1,4 @@
-//! Input and output of a contact law: shift, load, report.
+//! Input and output of a contact: shift, load, report.
 
 use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::{Fixed, MemoryRegime};

@@ -1,0 +1,97 @@
+//! What a contact may have beside its law: torsion and a resistance to rolling, by the same meeting.
+
+use carom_laws::grains::{GrainLoad, GrainRoll, GrainTwist, Heats, Meeting};
+use carom_laws::law::ContactLaw as _;
+use carom_laws::torsion::law::{TorsionLaw, packed_numbers};
+use carom_special::RangeError;
+
+use crate::error::Failure;
+use crate::law::CaromLaw;
+
+/// Pieces of the history of a twist that are kept exactly, one or two for each reversal; beyond that those that matter
+/// least are joined. Over random histories the error of the torque was then below 3e-4 of the sliding torque in the
+/// mean, and .02 at most.
+const PIECES: usize = 12;
+pub(super) const TWIST_NUMBERS: usize = packed_numbers(PIECES);
+
+/// The state of a twist; zeros stand for two separated bodies.
+pub(super) type Twist = [f64; TWIST_NUMBERS];
+/// The state of a rolling resistance.
+pub(super) type Roll = GrainRoll;
+
+/// Two bodies, and what they have in common.
+#[derive(Clone, Copy)]
+pub(super) struct Pressed<'a> {
+    pub(super) law: &'a CaromLaw,
+    pub(super) relative_radius: f64,
+    pub(super) meeting: &'a Meeting,
+}
+
+impl Pressed<'_> {
+    /// A step of the twist: its torque on body 1.
+    pub(super) fn twist(
+        &self,
+        twist: &mut Twist,
+        dt: f64,
+        heats: Option<&mut Heats>,
+    ) -> Result<[f64; 3], Failure> {
+        let mut turned = GrainTwist::new(torsion(self.law, self.relative_radius, twist)?);
+        let is_new = turned.law().shift().zeta <= 0.0;
+        if dt == 0.0 && !is_new && !self.meeting.is_apart() {
+            return Ok(turned.torque(self.meeting));
+        }
+        let torque = match heats {
+            None => turned.advance(self.meeting, dt)?,
+            Some(heats) => turned.advance_accounted(self.meeting, dt, heats)?,
+        };
+        match self.meeting.zeta > 0.0 {
+            true => turned.law().pack(twist).map(|_| ())?,
+            false => twist.fill(0.0),
+        }
+        Ok(torque)
+    }
+
+    /// A step of the resistance to rolling, under this load: its torque on body 1.
+    pub(super) fn roll(
+        &self,
+        roll: &mut Roll,
+        dt: f64,
+        load: &GrainLoad,
+        heats: Option<&mut Heats>,
+    ) -> Result<[f64; 3], Failure> {
+        let Some(resistance) = self.law.rolling() else { return Ok([0.0; 3]) };
+        let ([a, b, c], [x, y, z]) = (load.force, self.meeting.normal);
+        let (normal_force, mut unasked) = (a * x + b * y + c * z, Heats::default());
+        let heats = heats.unwrap_or(&mut unasked);
+        let of = (resistance, self.relative_radius);
+        Ok(roll.advance_accounted(of, self.meeting, dt, normal_force, heats)?)
+    }
+
+    /// Adds a torque on body 1 to a load; body 2 gets the opposite, unless it is a wall.
+    pub(super) fn add(&self, load: &mut GrainLoad, torque: [f64; 3]) {
+        let [one, two] = &mut load.torques;
+        let has_torque = self.meeting.arms[1] != 0.0;
+        for k in 0..3 {
+            one[k] += torque[k];
+            if has_torque {
+                two[k] -= torque[k];
+            }
+        }
+    }
+}
+
+/// The law of a twist with this history.
+pub(super) fn torsion(
+    law: &CaromLaw,
+    relative_radius: f64,
+    twist: &Twist,
+) -> Result<TorsionLaw, Failure> {
+    let mut its = law.torsion_law(relative_radius)?;
+    its.unpack(twist).map_err(|error| Failure::from(error).in_state())?;
+    Ok(its)
+}
+
+/// The state of a rolling resistance that these numbers are.
+pub(super) fn roll_of(numbers: &[f64; GrainRoll::NUMBERS]) -> Result<Roll, Failure> {
+    GrainRoll::unpacked(numbers).map_err(|error: RangeError| Failure::from(error).in_state())
+}
