@@ -7,10 +7,10 @@
  * were; a call on many contacts keeps those before the one that failed. The library keeps nothing between
  * calls, so that different threads may work on different data.
  *
- * Data. All structures are plain data that may be copied as bytes. Constants (carom_pair, carom_grains) are
- * made once. Memories (carom_contact, carom_touch, carom_ring_touch) belong to the caller. A memory must be
- * zero bytes at first; afterwards only this build of the library may write it. Other bytes give an error
- * status or meaningless numbers. Units are SI, or any consistent set.
+ * Data. Structures are plain data that may be copied as bytes. A carom_law is made once and freed at the end; it is the
+ * only memory that the library allocates. Memories (carom_touch, carom_contact) belong to the caller: zero bytes at
+ * first, afterwards written by this build of the library only. Other bytes give an error status or meaningless numbers.
+ * The size of a touch is told by its law. Units are SI, or any consistent set.
  *
  * Pointers. A pointer must be null or point to an object of its type; where the function names a number of
  * entries, to the first of so many. The objects that a call writes must overlap no other. A null pointer
@@ -19,16 +19,13 @@
  * Contents
  *
  *   1. Errors and versions
- *   2. Constants of a pair
- *   3. One contact with memory
- *   4. Contacts of particles: grains and walls
+ *   2. Materials and the names of laws
+ *   3. Contacts of particles: grains and walls
+ *   4. Contacts with given shifts
  *   5. Impacts
  *   6. R_x of spheres
  *   7. Creep coefficients of a rolling contact
- *   8. Limits of the theory
- *   9. Twist about the normal
- *   10. Rolling resistance of particles
- *   11. Rings: particles of dissimilar materials */
+ *   8. Limits of the theory */
 
 #ifndef CAROM_H
 #define CAROM_H
@@ -91,7 +88,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 10
+#define CAROM_ABI_VERSION 11
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -99,13 +96,12 @@ const char *carom_version(void);
 /* The version of the structures and functions of this library. */
 uint32_t carom_abi_version(void);
 
-/* The version of the numbers in a `carom_state`; files of another version cannot be read. */
+/* The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read. */
 uint32_t carom_state_version(void);
 
-/* ---- 2. Constants of a pair ---------------------------------------------------
+/* ---- 2. Materials and the names of laws ---------------------------------------
  *
- * carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the
- * materials and the shape, carom_pair_of_stiffness from stiffnesses. */
+ * carom_law_of_name reads the name of a law in an input file. */
 
 /* `coulomb`: exact return mapping at each depth of the contact, to a tolerance, for paths that turn. */
 #define CAROM_LAW_COULOMB 0
@@ -115,48 +111,10 @@ uint32_t carom_state_version(void);
 #define CAROM_LAW_FIXED_DIRECTION 1
 
 /* `rings`: approach, shift, twist and the coupling of dissimilar materials act together; the contact, a
- * circle, is divided into concentric rings. For grains (`carom_ring_touch_grains`) only. With 100 steps in
- * an impact the error of R_x is at most .01, unless the tangential velocity is below f/2 times the normal
- * one. */
+ * circle, is divided into concentric rings. For particles (`carom_law_make`) only. A step takes 2 to 5
+ * microseconds. With 100 steps in an impact the error of R_x is at most .01, unless the tangential velocity is
+ * below f/2 times the normal one. */
 #define CAROM_LAW_RINGS 2
-
-/* The constants of a contact: plain data, made by the functions `carom_pair_of_...` and not to be changed
- * otherwise. Units are SI, or any consistent set. */
-typedef struct carom_pair {
-  /* Tangential stiffness along x, N/m^1.5: in full adhesion dF_x = c_x sqrt(zeta) dxi. */
-  double c_x;
-  /* Tangential stiffness along y, N/m^1.5. */
-  double c_y;
-  /* Normal stiffness, N/m^1.5: F_z = (2/3) c_z zeta^1.5. */
-  double c_z;
-  /* The coefficient of friction, from 0 to infinity (no slip). */
-  double friction;
-  /* The coefficient of static friction (`carom_pair_static_friction`); 0 if it is that of `friction`. */
-  double static_friction;
-  /* Tolerance. CAROM_LAW_COULOMB: error of the friction force over its limit. CAROM_LAW_RINGS: relative
-   * accuracy with which tractions satisfy the friction limit. */
-  double tolerance;
-  /* a^2/zeta of the contact ellipse, m; 0 if unknown. */
-  double a_squared;
-  /* b^2/zeta of the contact ellipse, m; 0 if unknown. */
-  double b_squared;
-  /* Torsional stiffness: torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if unknown. */
-  double torsion_stiffness;
-  /* Arm of the sliding torque: torque over f F_z, over zeta^0.5, m^0.5; 0 if unknown. */
-  double torsion_arm;
-  /* Gamma, the coupling of normal and tangential displacements (15.2); 0 for like materials, or if
-   * unknown. */
-  double gamma;
-  /* Upper bound of the change of R_x by coupling in an impact of spheres. All laws but CAROM_LAW_RINGS
-   * neglect coupling. */
-  double coupling_bound;
-  /* The smaller yield stress of the two bodies; infinite if none is known. */
-  double yield_stress;
-  /* CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION or CAROM_LAW_RINGS. */
-  uint32_t law;
-  /* CAROM_ABI_VERSION of the library that made the pair. */
-  uint32_t version;
-} carom_pair;
 
 /* An elastic material, or a rigid one. */
 typedef struct carom_material {
@@ -169,51 +127,149 @@ typedef struct carom_material {
   double yield_stress;
 } carom_material;
 
-/* The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
- * radius negative). A `tolerance` of 0 selects the default for particles: 1e-2, for CAROM_LAW_RINGS 3e-3. */
-carom_status carom_pair_of_spheres(const struct carom_material *material_1,
-                                   const struct carom_material *material_2,
-                                   double radius_1,
-                                   double radius_2,
-                                   double friction,
-                                   uint32_t law,
-                                   double tolerance,
-                                   struct carom_pair *pair,
-                                   struct carom_error *error);
+/* The CAROM_LAW constant of a name: "coulomb", "fixed-direction" or "rings".
+ *
+ * `name` must end with a zero. */
+carom_status carom_law_of_name(const char *name, uint32_t *law, struct carom_error *error);
 
-/* The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m. */
-carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
-                                      const struct carom_material *material_2,
-                                      double curvature_a,
-                                      double curvature_b,
-                                      double friction,
-                                      uint32_t law,
-                                      double tolerance,
-                                      struct carom_pair *pair,
+/* The name of a CAROM_LAW constant; empty for another number. Never null, and not to be freed. */
+const char *carom_law_name(uint32_t law);
+
+/* ---- 3. Contacts of particles: grains and walls -------------------------------
+ *
+ * carom_law_make makes the law of the contacts of two materials: friction, damping, torsion, resistance
+ * to rolling; carom_law_on_curved_wall that of a grain at a curved wall. carom_touch_step makes one step
+ * of a contact, whose memory has carom_touch_size bytes: positions, velocities and spins in, force and
+ * torques out; carom_touch_step_many makes those of many. carom_touch_pack writes a contact as numbers. */
+
+/* The constants of a rolling resistance: a spring and a dashpot side by side, in series with a slider.
+ *
+ * With the relative radius R (1/R = 1/radius_1 + 1/radius_2) and the normal n from body 2 into body 1 the bodies
+ * roll with the velocity v = R (spin_1 - spin_2) x n. Spring and dashpot exert the force F = - stiffness s -
+ * damping ds/dt, up to friction times the normal force, beyond which they slip: ds/dt = v without slip. The force
+ * acts on no body; the torque on body 1 is R n x F, that on body 2 the opposite. The step of s is that of the
+ * implicit Euler method. Where the bodies part, the energy of the spring becomes heat. */
+typedef struct carom_rolling {
+  /* The spring: force over the displacement of rolling, N/m. */
+  double stiffness;
+  /* The dashpot: force over the velocity of rolling, N s/m. */
+  double damping;
+  /* The slider: the greatest force over the normal force; 0 for no resistance. */
+  double friction;
+} carom_rolling;
+
+/* Options of a law of particles. Zero in any field but `size` selects the default. */
+typedef struct carom_law_options {
+  /* `sizeof(carom_law_options)`. Later versions add fields at the end; a smaller `size` leaves these at zero. */
+  size_t size;
+  /* A CAROM_LAW constant; by default CAROM_LAW_COULOMB. */
+  uint32_t law;
+  /* 1: friction resists the spin about the normal, by a law with memory that neglects the shift, and costs about ten
+   * times as much as a step without it. CAROM_LAW_RINGS always counts the spin. 0: it is left alone. */
+  uint32_t torsion;
+  /* CAROM_LAW_COULOMB: error of the friction force over its limit, by default 1e-2. CAROM_LAW_RINGS: relative
+   * accuracy with which tractions satisfy the friction limit, by default 3e-3. */
+  double tolerance;
+  /* The coefficient of static friction, finite and at least `friction`; 0 if it is that of `friction`. Until all of a
+   * contact slides, it sticks or slips in part with `static_friction`; then the force drops, and it slides with
+   * `friction`. Where a part of it sticks, static friction counts again. Not with CAROM_LAW_RINGS or `torsion`. */
+  double static_friction;
+  /* Of friction that depends on the slip speed v of the first touch, f = a + b exp(-c v), a the argument `friction`:
+   * b; 0 for a constant coefficient. a, a + b and c must be finite and at least 0. A contact keeps its coefficient
+   * while it lasts. Not with static friction, CAROM_LAW_RINGS or `torsion`. */
+  double slip_friction_b;
+  /* Of friction by the slip speed: c, s/m. */
+  double slip_friction_c;
+  /* The viscous relaxation time A of the two bodies together, s. Every stress then has a viscous companion, A times
+   * its rate. The normal force is K (zeta^(3/2) + (3/2) A sqrt(zeta) zeta'), K = (2/3) c_z, while the approach zeta
+   * grows, and K (zeta + A zeta')^(3/2), or 0, while it falls; friction is damped alike. */
+  double relaxation;
+  /* Grains part with `restitution` times the speed with which they met, at any speed: from 0.01 to 1, which means no
+   * damping, as 0. The force is alpha sqrt(m K) zeta^(1/4) dzeta/dt beside that of Hertz, K zeta^(3/2), m the reduced
+   * mass; the sum never pulls. Friction is damped as in a viscous material, and leaves the restitution as it is. With
+   * 50 steps in an impact the restitution is met to 2e-4. Not beside a relaxation time: both would count the same
+   * loss. Masses of grains are read then, and must be > 0; that of one of both bodies must be finite. */
+  double restitution;
+  /* The resistance to rolling. */
+  struct carom_rolling rolling;
+} carom_law_options;
+
+/* The law of all contacts of grains of two materials, of any radii, or of grains of material 1 and a wall of material
+ * 2. It does not change, and may be used by several threads at once. It takes less than a kilobyte; with
+ * CAROM_LAW_RINGS 60 more. */
+typedef struct carom_law carom_law;
+
+/* Makes the law of the contacts of grains of two materials, or of grains of material 1 and a wall of material 2.
+ * `friction` is the coefficient of friction, finite; null `options` select the defaults: CAROM_LAW_COULOMB, without
+ * damping, torsion or resistance to rolling. `carom_law_free` releases it.
+ *
+ * With CAROM_LAW_RINGS it takes a fraction of a millisecond, the first one 10 ms. */
+carom_status carom_law_make(const struct carom_material *material_1,
+                            const struct carom_material *material_2,
+                            double friction,
+                            const struct carom_law_options *options,
+                            struct carom_law **law,
+                            struct carom_error *error);
+
+/* Makes the law of the contacts of grains of one radius R with a curved wall, from that with a flat one. The wall,
+ * where it is nearest, has the curvature `curvature_x` along the axis x of the contact, `curvature_y` across it, 1/m;
+ * above 0 where it is convex, as a shaft, below 0 where it is hollow, as a drum: then above -1/R. In calls that ask
+ * for the radius of the wall it is infinite, as that of a flat one. CAROM_LAW_RINGS needs two equal curvatures; its
+ * matrices are shared. `carom_law_free` releases the law; the flat one may be released before. */
+carom_status carom_law_on_curved_wall(const struct carom_law *flat,
+                                      double radius,
+                                      double curvature_x,
+                                      double curvature_y,
+                                      struct carom_law **law,
                                       struct carom_error *error);
 
-/* The constants of a contact of known stiffnesses: dF_x = c_x sqrt(zeta) dxi, F_z = (2/3) c_z zeta^1.5. */
-carom_status carom_pair_of_stiffness(double c_x,
-                                     double c_y,
-                                     double c_z,
-                                     double friction,
-                                     uint32_t law,
-                                     double tolerance,
-                                     struct carom_pair *pair,
-                                     struct carom_error *error);
-
-/* Gives a pair static friction above kinetic friction, `friction` of the pair: until all of a contact slides, it
- * sticks or slips in part with `static_friction`, finite and at least `friction`; then the force drops, and it
- * slides with `friction`. Where a part of it sticks, static friction counts again. Not for CAROM_LAW_RINGS, and a
- * twist has none. Contacts that have begun keep theirs. */
-carom_status carom_pair_static_friction(struct carom_pair *pair,
-                                        double static_friction,
-                                        struct carom_error *error);
-
-/* ---- 3. One contact with memory -----------------------------------------------
+/* Releases a law; null is allowed.
  *
- * carom_contact_advance moves a contact of a carom_pair to a new approach and shift and returns the
- * load; carom_contact_advance_many does so for an array. */
+ * `law` must be null or made by this library, and is not to be used again. */
+void carom_law_free(struct carom_law *law);
+
+/* The place where a wall of any shape, at rest or moving, is nearest to a grain: its tangent plane there and its
+ * motion. */
+typedef struct carom_surface {
+  /* The nearest point of the wall, m. */
+  double place[3];
+  /* Unit normal at that point, pointing towards the grain. */
+  double normal[3];
+  /* The velocity of the wall at that point, m/s. */
+  double velocity[3];
+  /* The angular velocity of the wall, rad/s. */
+  double spin[3];
+  /* The direction of the axis x of the contact, a unit vector across the normal, for an ellipse whose axes are
+   * given by the wall. Zero for a circle, whose axes turn with the mean of the two spins. */
+  double axis[3];
+} carom_surface;
+
+/* A sphere with its motion, as a particle code stores it. */
+typedef struct carom_grain {
+  /* Position of its centre, m. */
+  double place[3];
+  /* The velocity of its centre, m/s. */
+  double velocity[3];
+  /* Angular velocity, rad/s. */
+  double spin[3];
+  /* Its radius, m. */
+  double radius;
+  /* Its mass, kg; infinite for one that does not move. It counts for damping by a restitution only. */
+  double mass;
+} carom_grain;
+
+/* Dissipated energy, by cause, J. Steps add to it. */
+typedef struct carom_heats {
+  /* Friction heat, including the energy released at a receding edge, and what a contact loses
+   * where it simplifies its memory; a step may lower it a little. */
+  double friction;
+  /* Energy dissipated by the viscous material: the rest of the work. While a contact slides, the heat of friction is
+   * ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
+   * the motion has ended it is not. */
+  double damping;
+  /* Heat of a resistance to rolling ([`super::GrainRoll`]). */
+  double rolling;
+} carom_heats;
 
 /* The regime of the last step of a contact. */
 enum carom_regime
@@ -272,6 +328,180 @@ typedef struct carom_report {
   carom_regime regime;
 } carom_report;
 
+/* The state of the contact of two grains, or of a grain and a wall, in memory of the caller: `carom_touch_size(law)`
+ * bytes, aligned to 8, that may be copied as bytes. Zero bytes stand for two separated bodies. Only the build that
+ * wrote it can read it, and only with a law of the same kind; `carom_touch_pack` converts it to numbers that any build
+ * of this `carom_state_version()` can read.
+ *
+ * The constants are those of the step in which contact began. To change them, set the touch to zero. */
+typedef struct carom_touch carom_touch;
+
+/* The number of bytes of a touch of this law: 1296 of a law of shifts, 3408 of CAROM_LAW_RINGS; 664 more with torsion,
+ * 72 more with a resistance to rolling. 0 for null. */
+size_t carom_touch_size(const struct carom_law *law);
+
+/* The load that body 2 exerts on body 1. */
+typedef struct carom_grain_load {
+  /* The force on body 1, N; the force on body 2 is opposite. */
+  double force[3];
+  /* The torque on body 1 about its centre, N m. */
+  double torque_1[3];
+  /* The torque on body 2 about its centre, N m; zero for a wall. */
+  double torque_2[3];
+} carom_grain_load;
+
+/* One step of duration `dt` of the contact of a grain, body 1, with another grain, `two`, or with a wall of any shape,
+ * `wall`, which may turn; the other one of both is null. Positions are those at the end of the step. Velocities are
+ * those that led there; in a leapfrog scheme, those of the half step between. The heat of the step is added to
+ * `heats`, which may be null; computing it costs several times the force, but nothing with CAROM_LAW_RINGS.
+ *
+ * Where the bodies separate, the history is lost; if heat is computed, it contains the energy released then. Bodies
+ * that are separated and stay so need no call. */
+carom_status carom_touch_step(const struct carom_law *law,
+                              struct carom_touch *touch,
+                              const struct carom_grain *one,
+                              const struct carom_grain *two,
+                              const struct carom_surface *wall,
+                              double dt,
+                              struct carom_grain_load *load,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
+/* A grain, what it touches and their contact, for a call that advances many. */
+typedef struct carom_encounter {
+  /* The law of the contact. */
+  const struct carom_law *law;
+  /* The state of their contact; no two encounters may share one. */
+  struct carom_touch *touch;
+  /* The wall that body 1 touches; null for body 2. */
+  const struct carom_surface *wall;
+  /* Body 1. */
+  struct carom_grain one;
+  /* Body 2, unless there is a wall. */
+  struct carom_grain two;
+  /* Output: the load on body 1 at the end of the step. */
+  struct carom_grain_load load;
+} carom_encounter;
+
+/* One step of duration `dt` for many contacts. Gives the same bits as `carom_touch_step` for each, in less time, since
+ * several pairs of grains with laws of shifts share vector instructions.
+ *
+ * An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
+ * The heat of all is added to `heats`, which may be null; computing it costs several times the force.
+ *
+ * `encounters` must have `count` entries, of which no two have the same touch. */
+carom_status carom_touch_step_many(struct carom_encounter *encounters,
+                                   size_t count,
+                                   double dt,
+                                   struct carom_heats *heats,
+                                   struct carom_error *error);
+
+/* The load of two bodies after the last step, without a new one: the same bits if the positions are the same. A touch
+ * that is zero carries only the force of Hertz. Body 2 is `two` or `wall`, as in `carom_touch_step`. */
+carom_status carom_touch_load(const struct carom_law *law,
+                              const struct carom_touch *touch,
+                              const struct carom_grain *one,
+                              const struct carom_grain *two,
+                              const struct carom_surface *wall,
+                              struct carom_grain_load *load,
+                              struct carom_error *error);
+
+/* The elastic energy of a contact, J: of compression, of the tangential load, of twist and of rolling. The radius of a
+ * wall is infinite. */
+carom_status carom_touch_energy(const struct carom_law *law,
+                                const struct carom_touch *touch,
+                                double radius_1,
+                                double radius_2,
+                                double *energy,
+                                struct carom_error *error);
+
+/* The share of the contact that sticks, and the regime of the last step; with CAROM_LAW_RINGS separated, adhesion, slip
+ * or sliding. */
+carom_status carom_touch_report(const struct carom_law *law,
+                                const struct carom_touch *touch,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+/* The number of numbers into which a touch of this law packs: 82 of a law of shifts, 314 of CAROM_LAW_RINGS; 83 more
+ * with torsion, 9 with a resistance to rolling, 1 with friction by the slip speed. 0 for null. */
+size_t carom_touch_pack_size(const struct carom_law *law);
+
+/* Writes a touch as `carom_touch_pack_size(law)` numbers. All are zero for separated bodies; otherwise the first is
+ * positive.
+ *
+ * `numbers` must have room for all of them. */
+carom_status carom_touch_pack(const struct carom_law *law,
+                              const struct carom_touch *touch,
+                              double *numbers,
+                              struct carom_error *error);
+
+/* Makes a touch from the numbers of `carom_touch_pack`. The options of the law and the radii must be the same as then;
+ * the radius of a wall is infinite. The contact continues with the same bits as the packed one.
+ *
+ * `numbers` must have `carom_touch_pack_size(law)` entries. */
+carom_status carom_touch_unpack(const struct carom_law *law,
+                                double radius_1,
+                                double radius_2,
+                                const double *numbers,
+                                struct carom_touch *touch,
+                                struct carom_error *error);
+
+/* ---- 4. Contacts with given shifts --------------------------------------------
+ *
+ * carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the
+ * materials and the shape. carom_contact_advance moves a contact to a new approach and shift and returns
+ * the load; carom_contact_advance_many does so for an array. */
+
+/* The constants of a contact: plain data, made by the functions `carom_pair_of_...` and not to be changed
+ * otherwise. Units are SI, or any consistent set. */
+typedef struct carom_pair {
+  /* Tangential stiffness along x, N/m^1.5: in full adhesion dF_x = c_x sqrt(zeta) dxi. */
+  double c_x;
+  /* Tangential stiffness along y, N/m^1.5. */
+  double c_y;
+  /* Normal stiffness, N/m^1.5: F_z = (2/3) c_z zeta^1.5. */
+  double c_z;
+  /* The coefficient of friction, from 0 to infinity (no slip). */
+  double friction;
+  /* CAROM_LAW_COULOMB: error of the friction force over its limit. */
+  double tolerance;
+  /* a^2/zeta of the contact ellipse, m. */
+  double a_squared;
+  /* b^2/zeta of the contact ellipse, m. */
+  double b_squared;
+  /* Gamma, the coupling of normal and tangential displacements (15.2); 0 for like materials. */
+  double gamma;
+  /* Upper bound of the change of R_x by coupling in an impact of spheres, which the law neglects. */
+  double coupling_bound;
+  /* CAROM_LAW_COULOMB or CAROM_LAW_FIXED_DIRECTION. */
+  uint32_t law;
+  /* CAROM_ABI_VERSION of the library that made the pair. */
+  uint32_t version;
+} carom_pair;
+
+/* The constants of two spheres, of a sphere on a plane (one radius infinite) or in a spherical cavity (one
+ * radius negative). A `tolerance` of 0 selects the default for particles: 1e-2. */
+carom_status carom_pair_of_spheres(const struct carom_material *material_1,
+                                   const struct carom_material *material_2,
+                                   double radius_1,
+                                   double radius_2,
+                                   double friction,
+                                   uint32_t law,
+                                   double tolerance,
+                                   struct carom_pair *pair,
+                                   struct carom_error *error);
+
+/* The constants of two bodies with the gap A x^2 + B y^2; A and B in 1/m. */
+carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
+                                      const struct carom_material *material_2,
+                                      double curvature_a,
+                                      double curvature_b,
+                                      double friction,
+                                      uint32_t law,
+                                      double tolerance,
+                                      struct carom_pair *pair,
+                                      struct carom_error *error);
+
 /* Number of numbers in a `carom_state`. */
 #define CAROM_STATE_NUMBERS 66
 
@@ -323,27 +553,6 @@ carom_status carom_contact_energy(const struct carom_pair *pair,
                                   double *energy,
                                   struct carom_error *error);
 
-/* The energy that a straight step to `shift` would turn into heat, or release at a receding edge, J. The
- * contact is not advanced. */
-carom_status carom_contact_heat(const struct carom_pair *pair,
-                                const struct carom_contact *contact,
-                                struct carom_shift shift,
-                                double *heat,
-                                struct carom_error *error);
-
-/* The regime of the last step, and the share of the contact that sticks. */
-carom_status carom_contact_report(const struct carom_pair *pair,
-                                  const struct carom_contact *contact,
-                                  struct carom_report *report,
-                                  struct carom_error *error);
-
-/* Rotates the contact axes by an angle (radians, from x to y). The state is transformed to the new axes and
- * stays the same in space. */
-carom_status carom_contact_turn_frame(const struct carom_pair *pair,
-                                      struct carom_contact *contact,
-                                      double angle,
-                                      struct carom_error *error);
-
 /* Writes the state of a contact as plain numbers, for a file or another process. */
 carom_status carom_contact_pack(const struct carom_pair *pair,
                                 const struct carom_contact *contact,
@@ -374,326 +583,6 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
                                         struct carom_load *loads,
                                         size_t load_stride,
                                         struct carom_error *error);
-
-/* ---- 4. Contacts of particles: grains and walls -------------------------------
- *
- * carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make
- * one step of a contact: positions, velocities and spins in, force and torques out;
- * carom_touch_surface does so at walls that are curved or turn, with the constants of
- * carom_grains_on_curved_wall.
- * carom_grains_impact_time tells how long an impact lasts, for the choice of the time step. */
-
-/* The constants of all contacts of two materials: plain data, made by `carom_grains_of` and not to be
- * changed otherwise. */
-typedef struct carom_grains {
-  /* The constants of a contact of relative radius 1. */
-  struct carom_pair unit;
-  /* The viscous relaxation time of the materials, s. */
-  double relaxation;
-  /* The ratio alpha of the damping of a given restitution (`carom_grains_restitution`); 0 for none. */
-  double restitution_ratio;
-  /* Of friction by the slip speed v (`carom_grains_slip_friction`), f = a + b exp(-c v) with a in
-   * `unit.friction`: b; 0 for a constant coefficient. */
-  double slip_friction_b;
-  /* Of friction by the slip speed: c, s/m. */
-  double slip_friction_c;
-  /* The displacement of body 1 at the contact over the approach. */
-  double share_1;
-  /* The displacement of body 2 at the contact over the approach. */
-  double share_2;
-  /* How strongly material 1 radiates elastic waves: the energy of a pulse over the root of the density,
-   * the square of the greatest force and one over the time, (m^2/N)^1.5; 0 for a rigid body. */
-  double radiation_1;
-  /* The same of material 2. */
-  double radiation_2;
-} carom_grains;
-
-/* The load that body 2 exerts on body 1. */
-typedef struct carom_grain_load {
-  /* The force on body 1, N; the force on body 2 is opposite. */
-  double force[3];
-  /* The torque on body 1 about its centre, N m. */
-  double torque_1[3];
-  /* The torque on body 2 about its centre, N m; zero for a wall. */
-  double torque_2[3];
-} carom_grain_load;
-
-/* The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and a
- * wall of material 2.
- *
- * `relaxation` is the viscous relaxation time A of the pair, s; 0 for none. Every stress then has a viscous companion, A
- * times its rate. The normal force is K (zeta^(3/2) + (3/2) A sqrt(zeta) zeta'), K = (2/3) c_z, while the approach zeta
- * grows, and K (zeta + A zeta')^(3/2), or 0, while it falls; friction is damped alike. `law` and `tolerance` are as in `carom_pair_of_spheres`;
- * friction must be finite. */
-carom_status carom_grains_of(const struct carom_material *material_1,
-                             const struct carom_material *material_2,
-                             double friction,
-                             uint32_t law,
-                             double tolerance,
-                             double relaxation,
-                             struct carom_grains *grains,
-                             struct carom_error *error);
-
-/* Damps contacts such that two grains part with `restitution` times the speed with which they met, at any speed: from
- * 0.01 to 1, which means none. The force is alpha sqrt(m K) zeta^(1/4) dzeta/dt beside that of Hertz, K zeta^(3/2),
- * m the reduced mass; the sum never pulls. Friction is damped as in a viscous material; friction, torsion and resistance
- * to rolling leave the restitution as it is.
- *
- * With 50 steps in an impact the restitution is met to 2e-4. Masses of grains are read then, and must be > 0; that of
- * one of both bodies must be finite. Constants with a relaxation time are refused: both would count the same loss.
- * Contacts that have begun keep theirs. */
-carom_status carom_grains_restitution(struct carom_grains *grains,
-                                      double restitution,
-                                      struct carom_error *error);
-
-/* The constants of the contacts of grains of material 1 with a curved wall of material 2, as `carom_grains_of`
- * makes those with a flat one: for grains of one radius R. The wall, where it is nearest, has the curvature
- * `curvature_x` along the axis x of the contact, `curvature_y` across it, 1/m; above 0 where it is convex, as a
- * shaft, below 0 where it is hollow, as a drum: then above -1/R. In calls that ask for the radius of the wall it
- * is infinite, as that of a flat one. CAROM_LAW_RINGS needs two equal curvatures. */
-carom_status carom_grains_on_curved_wall(const struct carom_material *material_1,
-                                         const struct carom_material *material_2,
-                                         double radius,
-                                         double curvature_x,
-                                         double curvature_y,
-                                         double friction,
-                                         uint32_t law,
-                                         double tolerance,
-                                         double relaxation,
-                                         struct carom_grains *grains,
-                                         struct carom_error *error);
-
-/* The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
- * from this. The second is a wall if its radius is infinite; a mass may be infinite, not both. `velocity` is
- * that of approach, above 0. */
-carom_status carom_grains_impact_time(const struct carom_grains *grains,
-                                      double radius_1,
-                                      double radius_2,
-                                      double mass_1,
-                                      double mass_2,
-                                      double velocity,
-                                      double *time,
-                                      struct carom_error *error);
-
-/* A sphere with its motion, as a particle code stores it. */
-typedef struct carom_grain {
-  /* Position of its centre, m. */
-  double place[3];
-  /* The velocity of its centre, m/s. */
-  double velocity[3];
-  /* Angular velocity, rad/s. */
-  double spin[3];
-  /* Its radius, m. */
-  double radius;
-  /* Its mass, kg; infinite for one that does not move. It counts for damping by a restitution only. */
-  double mass;
-} carom_grain;
-
-/* A flat wall, which may move. */
-typedef struct carom_wall {
-  /* Position of any of its points, m. */
-  double place[3];
-  /* Unit normal, pointing towards the grains. */
-  double normal[3];
-  /* Its velocity, m/s. */
-  double velocity[3];
-} carom_wall;
-
-/* The place where a wall of any shape, at rest or moving, is nearest to a grain: its tangent plane there and its
- * motion. */
-typedef struct carom_surface {
-  /* The nearest point of the wall, m. */
-  double place[3];
-  /* Unit normal at that point, pointing towards the grain. */
-  double normal[3];
-  /* The velocity of the wall at that point, m/s. */
-  double velocity[3];
-  /* The angular velocity of the wall, rad/s. */
-  double spin[3];
-  /* The direction of the axis x of the contact, a unit vector across the normal, for an ellipse whose axes are
-   * given by the wall. Zero for a circle, whose axes turn with the mean of the two spins. */
-  double axis[3];
-} carom_surface;
-
-/* Dissipated energy, by cause, J. Steps add to it. */
-typedef struct carom_heats {
-  /* Friction heat, including the energy released at a receding edge, and what a contact loses
-   * where it simplifies its memory; a step may lower it a little. */
-  double friction;
-  /* Energy dissipated by the viscous material: the rest of the work. While a contact slides, the heat of friction is
-   * ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
-   * the motion has ended it is not. */
-  double damping;
-} carom_heats;
-
-/* Number of 8-byte words in a `carom_touch`, without its mark. */
-#define CAROM_TOUCH_WORDS 161
-
-/* Number of numbers into which a `carom_touch` packs. */
-#define CAROM_TOUCH_NUMBERS 82
-
-/* The state of the contact of two grains, in memory of the caller: 1296 bytes, aligned to 8, that may be
- * copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it can read it;
- * `carom_touch_pack` converts it to numbers that any build of this `carom_state_version()` can read.
- *
- * The constants are those of the step in which contact began. To change them, set the touch to zero. */
-typedef struct carom_touch {
-  /* Identifies the build that wrote the contact. Written by this library only. */
-  uint64_t mark;
-  /* The bytes of the contact. */
-  uint64_t words[CAROM_TOUCH_WORDS];
-} carom_touch;
-
-/* One step of duration `dt` of the contact of two grains. Positions are those at the end of the step.
- * Velocities are those that led there; in a leapfrog scheme, those of the half step between. The heat of the
- * step is added to `heats`, which may be null; computing it costs several times the force.
- *
- * Where the grains separate, the history is lost; if heat is computed, it contains the energy released then.
- * Grains that are separated and stay so need no call. */
-carom_status carom_touch_grains(const struct carom_grains *grains,
-                                struct carom_touch *touch,
-                                const struct carom_grain *one,
-                                const struct carom_grain *two,
-                                double dt,
-                                struct carom_grain_load *load,
-                                struct carom_heats *heats,
-                                struct carom_error *error);
-
-/* One step of the contact of a grain, body 1, and a wall, as `carom_touch_grains`. */
-carom_status carom_touch_wall(const struct carom_grains *grains,
-                              struct carom_touch *touch,
-                              const struct carom_grain *one,
-                              const struct carom_wall *wall,
-                              double dt,
-                              struct carom_grain_load *load,
-                              struct carom_heats *heats,
-                              struct carom_error *error);
-
-/* One step of the contact of a grain, body 1, and a wall of any shape, which may turn, as `carom_touch_grains`.
- * With a curved wall `grains` are those of `carom_grains_on_curved_wall`. */
-carom_status carom_touch_surface(const struct carom_grains *grains,
-                                 struct carom_touch *touch,
-                                 const struct carom_grain *one,
-                                 const struct carom_surface *surface,
-                                 double dt,
-                                 struct carom_grain_load *load,
-                                 struct carom_heats *heats,
-                                 struct carom_error *error);
-
-/* The load of two grains after the last step, without a new one: the same bits if the positions are the
- * same. A touch that is zero carries only the force of Hertz. */
-carom_status carom_touch_grains_load(const struct carom_grains *grains,
-                                     const struct carom_touch *touch,
-                                     const struct carom_grain *one,
-                                     const struct carom_grain *two,
-                                     struct carom_grain_load *load,
-                                     struct carom_error *error);
-
-/* The load of a grain, body 1, and a wall after the last step, as `carom_touch_grains_load`. */
-carom_status carom_touch_wall_load(const struct carom_grains *grains,
-                                   const struct carom_touch *touch,
-                                   const struct carom_grain *one,
-                                   const struct carom_wall *wall,
-                                   struct carom_grain_load *load,
-                                   struct carom_error *error);
-
-/* The load of a grain, body 1, and a wall of any shape after the last step, as `carom_touch_grains_load`. */
-carom_status carom_touch_surface_load(const struct carom_grains *grains,
-                                      const struct carom_touch *touch,
-                                      const struct carom_grain *one,
-                                      const struct carom_surface *surface,
-                                      struct carom_grain_load *load,
-                                      struct carom_error *error);
-
-/* The elastic energy of a contact, compression included, J: of Hertz at the approach, and of the tangential load. */
-carom_status carom_touch_energy(const struct carom_touch *touch,
-                                double *energy,
-                                struct carom_error *error);
-
-/* The regime of the last step, and the share of the contact that sticks. */
-carom_status carom_touch_report(const struct carom_touch *touch,
-                                struct carom_report *report,
-                                struct carom_error *error);
-
-/* Writes a contact as CAROM_TOUCH_NUMBERS numbers, for a file or another process. All are zero for separated
- * grains; otherwise the first is positive.
- *
- * `numbers` must have room for CAROM_TOUCH_NUMBERS entries. */
-carom_status carom_touch_pack(const struct carom_touch *touch,
-                              double *numbers,
-                              struct carom_error *error);
-
-/* Makes a contact from the numbers of `carom_touch_pack`. Constants and radii must be the same as then; the
- * radius of a wall is infinite. The contact continues with the same bits as the packed one.
- *
- * `numbers` must have CAROM_TOUCH_NUMBERS entries. */
-carom_status carom_touch_unpack(const struct carom_grains *grains,
-                                double radius_1,
-                                double radius_2,
-                                const double *numbers,
-                                struct carom_touch *touch,
-                                struct carom_error *error);
-
-/* Gives contacts static friction above kinetic friction, `unit.friction`, as `carom_pair_static_friction`. Not for
- * CAROM_LAW_RINGS, and not beside friction by the slip speed; a twist has none. */
-carom_status carom_grains_static_friction(struct carom_grains *grains,
-                                          double static_friction,
-                                          struct carom_error *error);
-
-/* Gives each contact the coefficient of friction f = a + b exp(-c v), v the slip speed of its first touch, which it
- * keeps while it lasts; instead of the one of `carom_grains_of`. a, a + b and c must be finite and at least 0.
- * Bodies that part and touch again in the same `carom_touch` have another first touch. Not for CAROM_LAW_RINGS, and
- * not beside static friction; a twist has none. Contacts that have begun keep theirs. To store a contact,
- * `carom_touch_friction` tells its coefficient, which `carom_touch_unpack_with_friction` needs. */
-carom_status carom_grains_slip_friction(struct carom_grains *grains,
-                                        double a,
-                                        double b,
-                                        double c,
-                                        struct carom_error *error);
-
-/* The coefficient of friction of a contact: that of its first touch, or of static friction if there is one; 0 for
- * separated grains. */
-carom_status carom_touch_friction(const struct carom_touch *touch,
-                                  double *friction,
-                                  struct carom_error *error);
-
-/* As `carom_touch_unpack`, for a contact whose coefficient `carom_touch_friction` told.
- *
- * `numbers` must have CAROM_TOUCH_NUMBERS entries. */
-carom_status carom_touch_unpack_with_friction(const struct carom_grains *grains,
-                                              double radius_1,
-                                              double radius_2,
-                                              double friction,
-                                              const double *numbers,
-                                              struct carom_touch *touch,
-                                              struct carom_error *error);
-
-/* Two grains and their contact, for a call that advances many. */
-typedef struct carom_encounter {
-  /* The constants of the two materials. */
-  const struct carom_grains *grains;
-  /* The state of their contact; no two encounters may share one. */
-  struct carom_touch *touch;
-  /* Body 1. */
-  struct carom_grain one;
-  /* Body 2. */
-  struct carom_grain two;
-  /* Output: the load that body 2 exerts on body 1 at the end of the step. */
-  struct carom_grain_load load;
-} carom_encounter;
-
-/* One step of duration `dt` for many pairs of grains. Gives the same bits as `carom_touch_grains` for each,
- * in less time, since several pairs share vector instructions.
- *
- * An encounter that fails ends the call, and `error->index` names it; those before it have been advanced.
- * The heat of all is added to `heats`, which may be null; computing it costs several times the force.
- *
- * `encounters` must have `count` entries, of which no two have the same touch. */
-carom_status carom_touch_many(struct carom_encounter *encounters,
-                              size_t count,
-                              double dt,
-                              struct carom_heats *heats,
-                              struct carom_error *error);
 
 /* ---- 5. Impacts ---------------------------------------------------------------
  *
@@ -991,9 +880,9 @@ carom_status carom_creep_coefficients(double axis_ratio,
 /* ---- 8. Limits of the theory --------------------------------------------------
  *
  * Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.
- * carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's
- * theory, carom_grains_impact_validity whether an impact is slow enough and its time step short
- * enough; carom_validity_text says it in a sentence. */
+ * carom_law_validity tells whether a contact is small enough for Hertz's theory,
+ * carom_law_impact_validity whether an impact is slow enough and its time step short enough;
+ * carom_validity_text says it in a sentence. carom_law_impact_time tells how long an impact lasts. */
 
 /* Normal and tangential displacements are coupled by the materials; the result neglects this. */
 #define CAROM_WARNING_COUPLING 1
@@ -1050,50 +939,6 @@ typedef struct carom_validity {
   uint32_t warnings;
 } carom_validity;
 
-/* Whether a contact at the approach `zeta` (m, at least 0) lies within Hertz's theory. `radius` is the
- * smallest radius of curvature of the two bodies at the contact, m: of two spheres the smaller one. For grains
- * see `carom_grains_validity`. The pair must know its contact ellipse: one of `carom_pair_of_stiffness` does
- * not. */
-carom_status carom_pair_validity(const struct carom_pair *pair,
-                                 double zeta,
-                                 double radius,
-                                 struct carom_validity *validity,
-                                 struct carom_error *error);
-
-/* Whether the contact of two grains at the approach `zeta` (m, at least 0) lies within Hertz's theory. The
- * second is a wall if its radius is infinite. */
-carom_status carom_grains_validity(const struct carom_grains *grains,
-                                   double radius_1,
-                                   double radius_2,
-                                   double zeta,
-                                   struct carom_validity *validity,
-                                   struct carom_error *error);
-
-/* How far an impact of two grains, which approach with `velocity` (above 0), lies within the theory, and
- * whether a time step of this duration, s, resolves it; 0 for no steps. Radii and masses are as in
- * `carom_grains_impact_time`.
- *
- * The largest contact and the share of elastic waves are those without damping: they are 0 if the grains
- * have a relaxation time, which stands for all losses. The density of the grains follows from mass and
- * radius; waves in a wall are left out. */
-carom_status carom_grains_impact_validity(const struct carom_grains *grains,
-                                          double radius_1,
-                                          double radius_2,
-                                          double mass_1,
-                                          double mass_2,
-                                          double velocity,
-                                          double step,
-                                          struct carom_validity *validity,
-                                          struct carom_error *error);
-
-/* The worst of many contacts of grains, in each ratio, by their present places. Their touches are not read.
- *
- * `encounters` must have `count` entries. */
-carom_status carom_encounters_validity(const struct carom_encounter *encounters,
-                                       size_t count,
-                                       struct carom_validity *validity,
-                                       struct carom_error *error);
-
 /* A sentence for one CAROM_WARNING bit. Never null, and not to be freed. */
 const char *carom_warning_text(uint32_t warning);
 
@@ -1107,314 +952,50 @@ carom_status carom_validity_text(const struct carom_validity *validity,
                                  size_t size,
                                  struct carom_error *error);
 
-/* ---- 9. Twist about the normal ------------------------------------------------
- *
- * The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains
- * and carom_touch_twist_wall for particles. */
+/* The duration of an elastic impact of two grains without damping, s: whoever steps it chooses the time step
+ * from this. The second is a wall if its radius is infinite; a mass may be infinite, not both. `velocity` is
+ * that of approach, above 0. */
+carom_status carom_law_impact_time(const struct carom_law *law,
+                                   double radius_1,
+                                   double radius_2,
+                                   double mass_1,
+                                   double mass_2,
+                                   double velocity,
+                                   double *time,
+                                   struct carom_error *error);
 
-/* Number of numbers in a `carom_twist`. */
-#define CAROM_TWIST_NUMBERS 83
-
-/* The state of a contact that twists about its normal, as 83 numbers in memory of the caller; zeros stand
- * for two bodies that just touch, without twist. Twist and shift are independent: each law neglects the
- * other. As with a `carom_state`, the numbers may be stored in files and sent to other processes.
- *
- * The law stores up to 12 pieces of the history exactly, one or two for each reversal of the twist. Beyond
- * that it joins the pieces that matter least. Over random histories the error of the torque was then below
- * 3e-4 of the sliding torque in the mean, and .02 at most. */
-typedef struct carom_twist {
-  /* Written by this library only. */
-  double numbers[CAROM_TWIST_NUMBERS];
-} carom_twist;
-
-/* Moves the contact straight to a new approach (m) and twist of body 2 against body 1 about the normal
- * (radians). `torque`, the torque on body 1 in N m, may be null.
- *
- * A `zeta` that is not positive separates the bodies, and the history is lost. */
-carom_status carom_twist_advance(const struct carom_pair *pair,
-                                 struct carom_twist *twist,
-                                 double zeta,
-                                 double omega,
-                                 double *torque,
-                                 struct carom_error *error);
-
-/* The present torque on body 1, N m. */
-carom_status carom_twist_torque(const struct carom_pair *pair,
-                                const struct carom_twist *twist,
-                                double *torque,
+/* Whether the contact of two grains at the approach `zeta` (m, at least 0) lies within Hertz's theory. The
+ * second is a wall if its radius is infinite. */
+carom_status carom_law_validity(const struct carom_law *law,
+                                double radius_1,
+                                double radius_2,
+                                double zeta,
+                                struct carom_validity *validity,
                                 struct carom_error *error);
 
-/* The elastic energy of the twist, without that of compression, J. */
-carom_status carom_twist_energy(const struct carom_pair *pair,
-                                const struct carom_twist *twist,
-                                double *energy,
-                                struct carom_error *error);
-
-/* The energy that a straight step to an approach and a twist would turn into heat, J. The contact is not
- * advanced. */
-carom_status carom_twist_heat(const struct carom_pair *pair,
-                              const struct carom_twist *twist,
-                              double zeta,
-                              double omega,
-                              double *heat,
-                              struct carom_error *error);
-
-/* One step of the twist of two grains about their normal, for use after `carom_touch_grains` in the same
- * step. It neglects the shift of the contact. Its torque is added to those of `load`, its heat to `heats`,
- * which may be null.
+/* How far an impact of two grains, which approach with `velocity` (above 0), lies within the theory, and
+ * whether a time step of this duration, s, resolves it; 0 for no steps. Radii and masses are as in
+ * `carom_law_impact_time`.
  *
- * The twist is zero for separated grains. A step of duration zero returns the torque after the last step,
- * except for a new contact. Where the grains separate, the history is lost. It costs about ten times as much
- * as a touch. */
-carom_status carom_touch_twist_grains(const struct carom_grains *grains,
-                                      struct carom_twist *twist,
-                                      const struct carom_grain *one,
-                                      const struct carom_grain *two,
-                                      double dt,
-                                      struct carom_grain_load *load,
-                                      struct carom_heats *heats,
-                                      struct carom_error *error);
-
-/* One step of the twist of a grain, body 1, and a wall, whose torque is zero, as `carom_touch_twist_grains`. */
-carom_status carom_touch_twist_wall(const struct carom_grains *grains,
-                                    struct carom_twist *twist,
-                                    const struct carom_grain *one,
-                                    const struct carom_wall *wall,
-                                    double dt,
-                                    struct carom_grain_load *load,
-                                    struct carom_heats *heats,
-                                    struct carom_error *error);
-
-/* One step of the twist of a grain, body 1, and a wall of any shape, as `carom_touch_twist_wall`. */
-carom_status carom_touch_twist_surface(const struct carom_grains *grains,
-                                       struct carom_twist *twist,
-                                       const struct carom_grain *one,
-                                       const struct carom_surface *surface,
-                                       double dt,
-                                       struct carom_grain_load *load,
-                                       struct carom_heats *heats,
+ * The largest contact and the share of elastic waves are those without damping: they are 0 if the law is damped, which
+ * stands for all losses. The density of the grains follows from mass and radius; waves in a wall are left out. */
+carom_status carom_law_impact_validity(const struct carom_law *law,
+                                       double radius_1,
+                                       double radius_2,
+                                       double mass_1,
+                                       double mass_2,
+                                       double velocity,
+                                       double step,
+                                       struct carom_validity *validity,
                                        struct carom_error *error);
 
-/* The elastic energy of the twist of two grains, J. The radius of a wall is infinite. */
-carom_status carom_touch_twist_energy(const struct carom_grains *grains,
-                                      const struct carom_twist *twist,
-                                      double radius_1,
-                                      double radius_2,
-                                      double *energy,
-                                      struct carom_error *error);
-
-/* ---- 10. Rolling resistance of particles --------------------------------------
+/* The worst of many contacts, in each ratio, by their present places. Their touches are not read.
  *
- * carom_touch_roll_grains and carom_touch_roll_surface add the torque of a spring, a dashpot and a
- * slider to the load of a touch. */
-
-/* Number of numbers in a `carom_roll`. */
-#define CAROM_ROLL_NUMBERS 9
-
-/* The constants of a rolling resistance: a spring and a dashpot side by side, in series with a slider. The force
- * of spring and dashpot acts on no body; times the relative radius it is a torque. */
-typedef struct carom_rolling {
-  /* The spring: force over the displacement of rolling, N/m. */
-  double stiffness;
-  /* The dashpot: force over the velocity of rolling, N s/m. */
-  double damping;
-  /* The slider: the greatest force over the normal force. */
-  double friction;
-} carom_rolling;
-
-/* The state of a rolling resistance, as 9 numbers in memory of the caller, in any build; zeros stand for two
- * separated grains. */
-typedef struct carom_roll {
-  /* The displacement of the spring, m. */
-  double shift[3];
-  /* The normal of the last step; zero for separated grains. */
-  double normal[3];
-  /* The force of the last step, N. */
-  double force[3];
-} carom_roll;
-
-/* One step of the rolling resistance of two grains, for use after `carom_touch_grains` in the same step: the
- * normal force is that of `load`, to whose torques it adds its own. The heat is added to `heat`, which may be
- * null.
- *
- * With the relative radius R (1/R = 1/radius_1 + 1/radius_2) and the normal n from body 2 into body 1 the grains
- * roll with the velocity v = R (spin_1 - spin_2) x n. Spring and dashpot exert the force F = - stiffness s -
- * damping ds/dt, up to friction times the normal force, beyond which they slip: ds/dt = v without slip. The
- * torque on body 1 is R n x F, that on body 2 the opposite. The step of s is that of the implicit Euler method.
- *
- * A step of duration zero returns the torque after the last step. Where the grains separate, the history is lost,
- * and the energy of the spring becomes heat. */
-carom_status carom_touch_roll_grains(const struct carom_grains *grains,
-                                     const struct carom_rolling *rolling,
-                                     struct carom_roll *roll,
-                                     const struct carom_grain *one,
-                                     const struct carom_grain *two,
-                                     double dt,
-                                     struct carom_grain_load *load,
-                                     double *heat,
-                                     struct carom_error *error);
-
-/* One step of the rolling resistance of a grain, body 1, and a wall of any shape, whose torque is zero, as
- * `carom_touch_roll_grains`. The relative radius is the radius of the grain. */
-carom_status carom_touch_roll_surface(const struct carom_grains *grains,
-                                      const struct carom_rolling *rolling,
-                                      struct carom_roll *roll,
-                                      const struct carom_grain *one,
-                                      const struct carom_surface *surface,
-                                      double dt,
-                                      struct carom_grain_load *load,
-                                      double *heat,
-                                      struct carom_error *error);
-
-/* The elastic energy of a rolling resistance, J. */
-carom_status carom_touch_roll_energy(const struct carom_rolling *rolling,
-                                     const struct carom_roll *roll,
-                                     double *energy,
-                                     struct carom_error *error);
-
-/* ---- 11. Rings: particles of dissimilar materials -----------------------------
- *
- * Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the
- * matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step. */
-
-/* The matrices of CAROM_LAW_RINGS for two materials and a coefficient of friction, some 60 kilobytes. They
- * serve contacts of any radius, do not change, and may be used by several threads at once. */
-typedef struct carom_rings carom_rings;
-
-/* Computes the matrices of a pair of CAROM_LAW_RINGS, in a fraction of a millisecond (10 ms for the first).
- * `carom_rings_free` releases them. The matrices of `grains->unit` serve all contacts of the two materials. */
-carom_status carom_rings_of(const struct carom_pair *pair,
-                            struct carom_rings **rings,
-                            struct carom_error *error);
-
-/* Releases the matrices that `carom_rings_of` made; null is allowed.
- *
- * `rings` must be null or made by `carom_rings_of`, and is not to be used again. */
-void carom_rings_free(struct carom_rings *rings);
-
-/* Number of 8-byte words in a `carom_ring_touch`, without its mark. */
-#define CAROM_RING_TOUCH_WORDS 425
-
-/* Number of numbers into which a `carom_ring_touch` packs. */
-#define CAROM_RING_TOUCH_NUMBERS 314
-
-/* The first packed number of grains in contact; it names the format. */
-#define CAROM_RING_TOUCH_MARK 30002.0
-
-/* The state of the contact of two grains with CAROM_LAW_RINGS, in memory of the caller: 3408 bytes, aligned
- * to 8, that may be copied as bytes. Zero bytes stand for two separated grains. Only the build that wrote it
- * can read it; `carom_ring_touch_pack` converts it to numbers that any build of this `carom_state_version()`
- * can read.
- *
- * Shift, twist and the coupling of dissimilar materials act together, so that no `carom_twist` is needed. */
-typedef struct carom_ring_touch {
-  /* Identifies the build that wrote the contact. Written by this library only. */
-  uint64_t mark;
-  /* The bytes of the contact. */
-  uint64_t words[CAROM_RING_TOUCH_WORDS];
-} carom_ring_touch;
-
-/* One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques include
- * the torque about the normal. `rings` are those of `grains->unit`. The heat of the step is added to `heats`,
- * which may be null; here it costs nothing.
- *
- * A step takes 2 to 5 microseconds. */
-carom_status carom_ring_touch_grains(const struct carom_grains *grains,
-                                     const struct carom_rings *rings,
-                                     struct carom_ring_touch *touch,
-                                     const struct carom_grain *one,
-                                     const struct carom_grain *two,
-                                     double dt,
-                                     struct carom_grain_load *load,
-                                     struct carom_heats *heats,
-                                     struct carom_error *error);
-
-/* One step of the contact of a grain, body 1, and a wall, whose torque is zero, as
- * `carom_ring_touch_grains`. */
-carom_status carom_ring_touch_wall(const struct carom_grains *grains,
-                                   const struct carom_rings *rings,
-                                   struct carom_ring_touch *touch,
-                                   const struct carom_grain *one,
-                                   const struct carom_wall *wall,
-                                   double dt,
-                                   struct carom_grain_load *load,
-                                   struct carom_heats *heats,
-                                   struct carom_error *error);
-
-/* One step of the contact of a grain, body 1, and a wall of any shape, as `carom_ring_touch_grains`. With a curved
- * wall `grains` are those of `carom_grains_on_curved_wall`. */
-carom_status carom_ring_touch_surface(const struct carom_grains *grains,
-                                      const struct carom_rings *rings,
-                                      struct carom_ring_touch *touch,
-                                      const struct carom_grain *one,
-                                      const struct carom_surface *surface,
-                                      double dt,
-                                      struct carom_grain_load *load,
-                                      struct carom_heats *heats,
-                                      struct carom_error *error);
-
-/* The load of two grains after the last step, without a new one, as `carom_touch_grains_load`. */
-carom_status carom_ring_touch_grains_load(const struct carom_grains *grains,
-                                          const struct carom_rings *rings,
-                                          const struct carom_ring_touch *touch,
-                                          const struct carom_grain *one,
-                                          const struct carom_grain *two,
-                                          struct carom_grain_load *load,
-                                          struct carom_error *error);
-
-/* The load of a grain, body 1, and a wall after the last step, as `carom_ring_touch_grains_load`. */
-carom_status carom_ring_touch_wall_load(const struct carom_grains *grains,
-                                        const struct carom_rings *rings,
-                                        const struct carom_ring_touch *touch,
-                                        const struct carom_grain *one,
-                                        const struct carom_wall *wall,
-                                        struct carom_grain_load *load,
-                                        struct carom_error *error);
-
-/* The load of a grain, body 1, and a wall of any shape after the last step, as `carom_ring_touch_grains_load`. */
-carom_status carom_ring_touch_surface_load(const struct carom_grains *grains,
-                                           const struct carom_rings *rings,
-                                           const struct carom_ring_touch *touch,
-                                           const struct carom_grain *one,
-                                           const struct carom_surface *surface,
-                                           struct carom_grain_load *load,
-                                           struct carom_error *error);
-
-/* The elastic energy of a contact, compression and twist included, J. The radius of a wall is infinite. */
-carom_status carom_ring_touch_energy(const struct carom_grains *grains,
-                                     const struct carom_rings *rings,
-                                     const struct carom_ring_touch *touch,
-                                     double radius_1,
-                                     double radius_2,
-                                     double *energy,
-                                     struct carom_error *error);
-
-/* The share of the contact that sticks, and the regime of the last step: separated, adhesion, slip or
- * sliding. */
-carom_status carom_ring_touch_report(const struct carom_rings *rings,
-                                     const struct carom_ring_touch *touch,
-                                     struct carom_report *report,
-                                     struct carom_error *error);
-
-/* Writes a contact as CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process. All are zero for
- * separated grains; otherwise the first is positive.
- *
- * `numbers` must have room for CAROM_RING_TOUCH_NUMBERS entries. */
-carom_status carom_ring_touch_pack(const struct carom_ring_touch *touch,
-                                   double *numbers,
-                                   struct carom_error *error);
-
-/* Makes a contact from the numbers of `carom_ring_touch_pack`. Constants and radii must be the same as then;
- * the radius of a wall is infinite. The contact continues with the same bits as the packed one.
- *
- * `numbers` must have CAROM_RING_TOUCH_NUMBERS entries. */
-carom_status carom_ring_touch_unpack(const struct carom_grains *grains,
-                                     const struct carom_rings *rings,
-                                     double radius_1,
-                                     double radius_2,
-                                     const double *numbers,
-                                     struct carom_ring_touch *touch,
-                                     struct carom_error *error);
+ * `encounters` must have `count` entries. */
+carom_status carom_encounters_validity(const struct carom_encounter *encounters,
+                                       size_t count,
+                                       struct carom_validity *validity,
+                                       struct carom_error *error);
 
 #ifdef __cplusplus
 }

@@ -95,59 +95,53 @@ void FixWallCarom::init()
   account = false;
   flat.assign(atom->ntypes + 1, {});
   curved.clear();
-  known.assign(atom->ntypes + 1, 0);
   pair = pairs.front();
-  twists = law_with(pair->law()).torsion;
   limits.start();
   for (const PairCarom *style : pairs) {
     account = account || style->keeps_account();
     for (int type = 1; type <= atom->ntypes; type++) {
-      if (known[type] || !style->material(type).has_body) continue;
-      known[type] = 1;
+      if (flat[type] || !style->material(type).has_body) continue;
       const carom::Law its = law_with(style->law());
       if (its.by_rings() && !wall.is_round())
         error->all(FLERR, who() + ": law rings needs a plane, a sphere or an STL file without edges; other walls need law coulomb or fixed-direction");
-      flat[type] = carom::constants_of(lmp, who(), style->material(type).body(), material.body(), material, its);
+      flat[type] = carom::make_law(lmp, who(), style->material(type).body(), material.body(), material, its);
       if (!has_told) carom::tell_of_coupling(lmp, who() + ": grains of type " + std::to_string(type), flat[type]);
     }
   }
   has_told = true;
 }
 
-// The constants of a contact of a grain: those of the curvature where it began.
-const carom::Constants &FixWallCarom::constants_of(int i, double *slot)
+// The law of a contact of a grain: that of the curvature where it began.
+const carom::MadeLaw &FixWallCarom::law_of(int i, const Contact &contact)
 {
   const int type = atom->type[i];
-  const double *curvature = began_of(slot).curvature;
+  const double *curvature = contact.began.curvature;
   if (!wall.is_curved() || (curvature[0] == 0.0 && curvature[1] == 0.0)) return flat[type];
   const double radius = atom->radius[i];
   const auto found = curved.find({static_cast<double>(type), radius, curvature[0], curvature[1]});
   return found != curved.end() ? found->second : make_curved(type, radius, curvature);
 }
 
-const carom::Constants &FixWallCarom::make_curved(int type, double radius, const double *curvature)
+const carom::MadeLaw &FixWallCarom::make_curved(int type, double radius, const double *curvature)
 {
   if (std::isnan(curvature[0] + curvature[1])) damaged("a curvature is not a number");
-  const PairCarom *of_type = nullptr;
-  for (const PairCarom *style : carom::find_pairs(force))
-    if (!of_type && style->material(type).has_body) of_type = style;
-  return curved[{static_cast<double>(type), radius, curvature[0], curvature[1]}] = carom::constants_at_curved_wall(
-             lmp, who(), of_type->material(type).body(), material.body(), flat[type], radius, curvature);
+  return curved[{static_cast<double>(type), radius, curvature[0], curvature[1]}] =
+             carom::law_at_curved_wall(lmp, who(), flat[type], radius, curvature);
 }
 
-carom::Touch FixWallCarom::touch_of(int i, double *slot)
+carom_touch *FixWallCarom::touch_of(int i, Contact &contact)
 {
   carom_error why;
-  const carom::Touch touch = touches.at(slot, constants_of(i, slot), atom->radius[i], INFINITY, &why, friction_of(slot));
+  carom_touch *touch = contact.touch(law_of(i, contact), atom->radius[i], &why);
   if (!touch) carom::fail(lmp, who(), why);
   return touch;
 }
 
 // A new contact keeps how the wall is there; one that goes on at a mesh comes from where it was a step ago.
-void FixWallCarom::begin_or_carry(double *slot, carom::WallShape::Near &near) const
+void FixWallCarom::begin_or_carry(Contact &contact, carom::WallShape::Near &near) const
 {
-  Touches::Began &began = began_of(slot);
-  if (slot[0] == 0.0) {
+  Contact::Began &began = contact.began;
+  if (!contact.is_in_use()) {
     std::copy_n(near.curvature, 2, began.curvature);
     if (wall.is_mesh()) std::copy_n(near.own_axis, 3, began.axis);
   } else if (wall.is_mesh()) {
@@ -158,61 +152,40 @@ void FixWallCarom::begin_or_carry(double *slot, carom::WallShape::Near &near) co
 
 // One step of a grain on the wall, with its heat. A step of duration zero only reads, except for a new
 // contact.
-carom_grain_load FixWallCarom::step(int i, double *slot, carom::WallShape::Near &near, double duration)
+carom_grain_load FixWallCarom::step(int i, Contact &contact, carom::WallShape::Near &near, double duration)
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
   const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i],
                              pair->mass_of(i)};
-  const bool is_new = slot[0] == 0.0;
-  begin_or_carry(slot, near);
+  const bool is_new = !contact.is_in_use();
+  begin_or_carry(contact, near);
   carom_surface surface;
   memcpy(surface.place, near.place, sizeof surface.place);
   memcpy(surface.normal, near.normal, sizeof surface.normal);
   memcpy(surface.axis, near.axis, sizeof surface.axis);
   memcpy(surface.spin, wall.omega(), sizeof surface.spin);
   wall.velocity_at(near.place, v, duration, surface.velocity);
-  const carom::Constants &its = constants_of(i, slot);
-  if (is_new && update->whichflag == 1) limits.begins(its.grains, grain, grain.mass, surface, update->dt);
-  const carom::Touch touch = touch_of(i, slot);
+  carom_touch *touch = touch_of(i, contact);
+  const carom_law *law = law_of(i, contact).get();
+  if (is_new && update->whichflag == 1) limits.begins(law, grain, grain.mass, surface, update->dt);
   carom_grain_load load;
   carom_error why;
-  carom_status status;
-  if (duration > 0.0 || is_new) {
-    carom_heats made = {0.0, 0.0};
-    status = touch.step(its, grain, surface, duration, &load, account ? &made : nullptr, &why);
-    book(i, {made.friction, made.damping, 0.0});
-  } else {
-    status = touch.load(its, grain, surface, &load, &why);
-  }
-  if (twists && !its.rings && status == CAROM_STATUS_OK) {
-    carom_heats made = {0.0, 0.0};
-    status = carom_touch_twist_surface(&its.grains, Touches::twist_of(slot), &grain, &surface, duration, &load,
-                                       account ? &made : nullptr, &why);
-    book(i, {made.friction, made.damping, 0.0});
-  }
+  carom_heats made = {0.0, 0.0, 0.0};
+  const bool steps = duration > 0.0 || is_new;
+  const carom_status status = steps ? carom_touch_step(law, touch, &grain, nullptr, &surface, duration, &load,
+                                                       account ? &made : nullptr, &why)
+                                    : carom_touch_load(law, touch, &grain, nullptr, &surface, &load, &why);
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
-  if (its.rolls()) roll(i, slot, grain, surface, duration, load);
+  book(i, made);
   return load;
 }
 
-void FixWallCarom::roll(int i, double *slot, const carom_grain &grain, const carom_surface &surface, double duration,
-                        carom_grain_load &load)
-{
-  const carom::Constants &its = constants_of(i, slot);
-  carom::HeatSums made;
-  carom_error why;
-  if (carom_touch_roll_surface(&its.grains, &its.rolling, roll_of(slot), &grain, &surface, duration, &load,
-                               &made.rolling, &why) != CAROM_STATUS_OK)
-    carom::fail(lmp, who(), why);
-  if (account) book(i, made);
-}
-
-void FixWallCarom::book(int i, const carom::HeatSums &made)
+void FixWallCarom::book(int i, const carom_heats &made)
 {
   sums_.friction += made.friction;
   sums_.damping += made.damping;
   sums_.rolling += made.rolling;
-  if (grain_heat.is_wanted()) grain_heat.add(i, made.all());
+  if (grain_heat.is_wanted()) grain_heat.add(i, carom::all_of(made));
 }
 
 void FixWallCarom::post_force(int)
@@ -247,21 +220,20 @@ void FixWallCarom::meet(int i, double duration, bool looks, Reaction &sum)
   for (int n = 0; n < count; n++) {
     carom::WallShape::Near &near = nears[n];
     const bool apart = near.height >= radius;
-    int at = slot_at[n];
+    const int at = contact_at[n];
     if (apart && at < 0) continue;
     if (apart && duration == 0.0) {
-      drop(slots[i][at].get());
+      contacts[i][at].drop();
       continue;
     }
     if (near.is_refused && !apart) refuse(i, near);
-    if (!known[atom->type[i]])
+    if (!flat[atom->type[i]])
       error->one(FLERR, who() + ": pair_coeff of pair carom sets no material for grains of type " +
                             std::to_string(atom->type[i]));
-    if (at < 0) at = free_slot(i);
-    double *slot = slots[i][at].get();
-    touch(i, slot, near, duration, sum);
-    if (looks) limits.look(constants_of(i, slot).grains, radius, radius - near.height);
-    if (apart) drop(slot);
+    Contact &contact = at < 0 ? free_contact(i) : contacts[i][at];
+    touch(i, contact, near, duration, sum);
+    if (looks) limits.look(law_of(i, contact).get(), radius, radius - near.height);
+    if (apart) contact.drop();
   }
 }
 
@@ -269,45 +241,45 @@ void FixWallCarom::meet(int i, double duration, bool looks, Reaction &sum)
 // which there is no place end.
 void FixWallCarom::assign(int i, int count)
 {
-  const auto &its = slots[i];
+  auto &its = contacts[i];
   unsigned gone_on = 0;
-  std::fill_n(slot_at, std::min(count, carom::WallShape::MOST), -1);
-  const auto take = [&](int place, int slot) {
-    slot_at[place] = slot;
-    gone_on |= 1u << slot;
+  std::fill_n(contact_at, std::min(count, carom::WallShape::MOST), -1);
+  const auto take = [&](int place, int its_own) {
+    contact_at[place] = its_own;
+    gone_on |= 1u << its_own;
   };
   if (its.empty()) return;
   if (!wall.is_mesh()) {
-    if (count > 0 && is_in_use(its[0])) take(0, 0);
+    if (count > 0 && its[0].is_in_use()) take(0, 0);
   } else {
     for (bool is_found = true; is_found;) {
       double best = wall.cosine_of_smooth();
-      int place = -1, slot = -1;
+      int place = -1, best_of = -1;
       for (int n = 0; n < count; n++) {
-        if (slot_at[n] >= 0) continue;
+        if (contact_at[n] >= 0) continue;
         const double *normal = nears[n].own_normal;
         for (std::size_t k = 0; k < its.size(); k++) {
-          if (!is_in_use(its[k]) || (gone_on >> k & 1)) continue;
-          const double *old = began_of(its[k].get()).normal;
+          if (!its[k].is_in_use() || (gone_on >> k & 1)) continue;
+          const double *old = its[k].began.normal;
           const double cosine = normal[0] * old[0] + normal[1] * old[1] + normal[2] * old[2];
           if (!(cosine >= best)) continue;
           best = cosine;
           place = n;
-          slot = static_cast<int>(k);
+          best_of = static_cast<int>(k);
         }
       }
       is_found = place >= 0;
-      if (is_found) take(place, slot);
+      if (is_found) take(place, best_of);
     }
   }
   for (std::size_t k = 0; k < its.size(); k++)
-    if (is_in_use(its[k]) && !(gone_on >> k & 1)) let_go(i, its[k].get());
+    if (its[k].is_in_use() && !(gone_on >> k & 1)) let_go(i, its[k]);
 }
 
 // A step of a contact: the grain gets its load, the wall what is opposite.
-void FixWallCarom::touch(int i, double *slot, carom::WallShape::Near &near, double duration, Reaction &sum)
+void FixWallCarom::touch(int i, Contact &contact, carom::WallShape::Near &near, double duration, Reaction &sum)
 {
-  const carom_grain_load load = step(i, slot, near, duration);
+  const carom_grain_load load = step(i, contact, near, duration);
   const double *f = load.force, *center = wall.center(), *x = atom->x[i];
   const double arm[3] = {x[0] - center[0], x[1] - center[1], x[2] - center[2]};
   for (int axis = 0; axis < 3; axis++) {
@@ -330,28 +302,26 @@ void FixWallCarom::refuse(int i, const carom::WallShape::Near &near) const
 }
 
 // A contact whose grain has come to the other side of the wall: what it stored is heat.
-void FixWallCarom::let_go(int i, double *slot)
+void FixWallCarom::let_go(int i, Contact &contact)
 {
-  if (account) book(i, {energy_of(i, slot), 0.0, 0.0});
-  drop(slot);
+  if (account) book(i, {energy_of(i, contact), 0.0, 0.0});
+  contact.drop();
 }
 
-double FixWallCarom::energy_of(int i, double *slot)
+double FixWallCarom::energy_of(int i, Contact &contact)
 {
-  const carom::Constants &its = constants_of(i, slot);
-  double rolled = 0.0, twisted = 0.0;
-  if (its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
-  if (twists && !its.rings)
-    carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), atom->radius[i], INFINITY, &twisted, nullptr);
-  return touch_of(i, slot).energy(its, atom->radius[i], INFINITY) + rolled + twisted;
+  double energy = 0.0;
+  const carom_touch *touch = touch_of(i, contact);
+  carom_touch_energy(law_of(i, contact).get(), touch, atom->radius[i], INFINITY, &energy, nullptr);
+  return energy;
 }
 
 double FixWallCarom::stored_energy()
 {
   double sum = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
-    for (const auto &slot : slots[i])
-      if (is_in_use(slot)) sum += energy_of(i, slot.get());
+    for (Contact &contact : contacts[i])
+      if (contact.is_in_use()) sum += energy_of(i, contact);
   return sum;
 }
 
@@ -400,47 +370,27 @@ void FixWallCarom::restart(char *buffer)
 
 void FixWallCarom::grow_arrays(int nmax)
 {
-  slots.resize(nmax);
+  contacts.resize(nmax);
 }
 
 // A grain moves to another index; what was stored there is no longer used.
 void FixWallCarom::copy_arrays(int i, int j, int)
 {
-  std::swap(slots[i], slots[j]);
-}
-
-void FixWallCarom::drop(double *slot)
-{
-  touches.drop(slot);
-  memset(slot, 0, SLOT * sizeof(double));
+  std::swap(contacts[i], contacts[j]);
 }
 
 void FixWallCarom::drop_all(int i)
 {
-  for (const auto &slot : slots[i]) drop(slot.get());
+  for (Contact &contact : contacts[i]) contact.drop();
 }
 
-// Number of values kept for a contact.
-int FixWallCarom::count_of(double *slot) const
+// A contact of a grain that is not in use, which may be new.
+FixWallCarom::Contact &FixWallCarom::free_contact(int i)
 {
-  if (touches.is_of_rings(slot)) return Touches::OF_RINGS + more();
-  return (twists ? Touches::WITH_TWIST : Touches::NUMBERS) + more();
-}
-
-// A slot has space for any law: a restart file is read before the law is known.
-double *FixWallCarom::new_slot(int i)
-{
-  slots[i].emplace_back(new double[SLOT]());
-  return slots[i].back().get();
-}
-
-// An empty slot of a grain, which may be new.
-int FixWallCarom::free_slot(int i)
-{
-  for (std::size_t k = 0; k < slots[i].size(); k++)
-    if (!is_in_use(slots[i][k])) return static_cast<int>(k);
-  new_slot(i);
-  return static_cast<int>(slots[i].size()) - 1;
+  for (Contact &contact : contacts[i])
+    if (!contact.is_in_use()) return contact;
+  contacts[i].emplace_back();
+  return contacts[i].back();
 }
 
 void FixWallCarom::set_arrays(int i)
@@ -451,19 +401,19 @@ void FixWallCarom::set_arrays(int i)
 // The number of contacts, then for each the number of its values, and these.
 int FixWallCarom::pack_exchange(int i, double *buffer)
 {
-  int contacts = 0, at = 1;
-  for (const auto &slot : slots[i]) {
-    if (!is_in_use(slot)) continue;
+  int count = 0, at = 1;
+  for (Contact &contact : contacts[i]) {
+    if (!contact.is_in_use()) continue;
     carom_error why;
-    if (touches.pack(slot.get(), &why, friction_of(slot.get())) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
-    const int count = count_of(slot.get()), behind = more();
-    buffer[at] = count;
-    memcpy(buffer + at + 1, slot.get(), (count - behind) * sizeof(double));
-    memcpy(buffer + at + 1 + count - behind, slot.get() + Touches::MOST, behind * sizeof(double));
-    at += 1 + count;
-    contacts++;
+    if (contact.pack(&why) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
+    const int numbers = contact.count();
+    buffer[at] = numbers + behind();
+    std::copy_n(contact.numbers().data(), numbers, buffer + at + 1);
+    memcpy(buffer + at + 1 + numbers, &contact.began, behind() * sizeof(double));
+    at += 1 + numbers + behind();
+    count++;
   }
-  buffer[0] = contacts;
+  buffer[0] = count;
   return at;
 }
 
@@ -472,14 +422,12 @@ int FixWallCarom::unpack_exchange(int i, double *buffer)
   drop_all(i);
   int at = 1;
   for (int k = 0; k < static_cast<int>(buffer[0]); k++) {
-    const int count = static_cast<int>(buffer[at]);
-    const int behind = Touches::count_at_wall(count);
-    if ((behind > Touches::AT_WALL) != material.slips())
-      error->one(FLERR, who() + ": slip_friction must be as in the run that wrote the restart file");
-    double *slot = static_cast<std::size_t>(k) < slots[i].size() ? slots[i][k].get() : new_slot(i);
-    memcpy(slot, buffer + at + 1, (count - behind) * sizeof(double));
-    memcpy(slot + Touches::MOST, buffer + at + 1 + count - behind, behind * sizeof(double));
-    at += 1 + count;
+    const int numbers = static_cast<int>(buffer[at]) - behind();
+    if (numbers < 1) damaged("a contact of grain " + std::to_string(atom->tag[i]) + " has too few values");
+    Contact &contact = free_contact(i);
+    contact.take(buffer + at + 1, numbers);
+    memcpy(&contact.began, buffer + at + 1 + numbers, behind() * sizeof(double));
+    at += 1 + numbers + behind();
   }
   return at;
 }
@@ -492,7 +440,7 @@ int FixWallCarom::pack_restart(int i, double *buffer)
 
 void FixWallCarom::unpack_restart(int i, int nth)
 {
-  const int at = Touches::part_of(atom->extra[i], atom->nextra_store, nth);
+  const int at = carom::wall_numbers::part_of(atom->extra[i], atom->nextra_store, nth);
   if (at < 0) damaged("the contacts of grain " + std::to_string(atom->tag[i]) + " have another number of values than stated");
   unpack_exchange(i, atom->extra[i] + at + 1);
 }
@@ -505,17 +453,20 @@ void FixWallCarom::damaged(const std::string &what) const
 int FixWallCarom::size_restart(int i)
 {
   int size = 2;
-  for (const auto &slot : slots[i])
-    if (is_in_use(slot)) size += 1 + count_of(slot.get());
+  for (const Contact &contact : contacts[i])
+    if (contact.is_in_use()) size += 1 + contact.count() + behind();
   return size;
 }
 
 int FixWallCarom::maxsize_restart()
 {
-  return 2 + most_contacts() * (1 + SLOT);
+  return 2 + most_contacts() * (1 + carom::Touches::MOST + behind());
 }
 
 double FixWallCarom::memory_usage()
 {
-  return touches.bytes() + wall.bytes() + static_cast<double>(slots.capacity() * sizeof(slots[0]));
+  double sum = wall.bytes() + static_cast<double>(contacts.capacity() * sizeof(contacts[0]));
+  for (int i = 0; i < atom->nlocal; i++)
+    for (const Contact &contact : contacts[i]) sum += contact.bytes();
+  return sum;
 }

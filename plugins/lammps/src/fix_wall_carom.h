@@ -9,6 +9,7 @@
 #include "limits.h"
 #include "material.h"
 #include "touches.h"
+#include "wall_contact.h"
 #include "wall_shape.h"
 
 #include <array>
@@ -22,7 +23,7 @@ namespace LAMMPS_NS {
 class PairCarom;
 
 class FixWallCarom : public Fix {
-  using Touches = carom::Touches;
+  using Contact = carom::WallContact;
 
  public:
   FixWallCarom(LAMMPS *lmp, int narg, char **arg);
@@ -66,20 +67,18 @@ class FixWallCarom : public Fix {
   bool has_law = false, has_tolerance = false, has_torsion = false;
   bool has_told = false;    // of coupling, in the log
   carom::WallShape wall;
-  std::vector<carom::Constants> flat;    // the constants by type of grain, without curvature
+  std::vector<carom::MadeLaw> flat;    // by type of grain, without curvature; null if the type has no material
   // Those of a curved wall, by type, radius of the grain and the two curvatures.
-  std::map<std::array<double, 4>, carom::Constants> curved;
-  std::vector<char> known;                // whether there are any
-  bool account = false, twists = false;    // of the laws but rings
+  std::map<std::array<double, 4>, carom::MadeLaw> curved;
+  bool account = false;
   Sums sums_ = {0.0, 0.0, 0.0};
   // On the wall after the last step; the torque about its centre.
   double force_on_wall[3] = {0.0, 0.0, 0.0}, torque_on_wall[3] = {0.0, 0.0, 0.0};
-  Touches touches;
-  // By grain; a slot stays where a contact was, for the next one. Only a mesh makes more than one.
-  std::vector<std::vector<std::unique_ptr<double[]>>> slots;
-  // Of the grain in work: where the wall is near, and which of its slots goes on there, -1 for none.
+  // By grain; one stays where a contact was, for the next one. Only a mesh makes more than one.
+  std::vector<std::vector<Contact>> contacts;
+  // Of the grain in work: where the wall is near, and which of its contacts goes on there, -1 for none.
   carom::WallShape::Near nears[carom::WallShape::MOST];
-  int slot_at[carom::WallShape::MOST];
+  int contact_at[carom::WallShape::MOST];
   // What the wall got in this step.
   struct Reaction {
     double force[3] = {0.0, 0.0, 0.0}, torque[3] = {0.0, 0.0, 0.0};
@@ -91,37 +90,22 @@ class FixWallCarom : public Fix {
   carom::Law law_with(carom::Law its) const;
   [[noreturn]] void damaged(const std::string &what) const;
   [[noreturn]] void refuse(int i, const carom::WallShape::Near &near) const;
-  carom::Touch touch_of(int i, double *slot);
+  carom_touch *touch_of(int i, Contact &contact);
   void meet(int i, double duration, bool looks, Reaction &sum);
   void assign(int i, int count);
-  void touch(int i, double *slot, carom::WallShape::Near &near, double duration, Reaction &sum);
-  carom_grain_load step(int i, double *slot, carom::WallShape::Near &near, double duration);
-  void begin_or_carry(double *slot, carom::WallShape::Near &near) const;
-  void roll(int i, double *slot, const carom_grain &grain, const carom_surface &surface, double duration,
-            carom_grain_load &load);
-  const carom::Constants &constants_of(int i, double *slot);
-  const carom::Constants &make_curved(int type, double radius, const double *curvature);
-  double energy_of(int i, double *slot);
-  void let_go(int i, double *slot);
-  void book(int i, const carom::HeatSums &made);
-  void drop(double *slot);
+  void touch(int i, Contact &contact, carom::WallShape::Near &near, double duration, Reaction &sum);
+  carom_grain_load step(int i, Contact &contact, carom::WallShape::Near &near, double duration);
+  void begin_or_carry(Contact &contact, carom::WallShape::Near &near) const;
+  const carom::MadeLaw &law_of(int i, const Contact &contact);
+  const carom::MadeLaw &make_curved(int type, double radius, const double *curvature);
+  double energy_of(int i, Contact &contact);
+  void let_go(int i, Contact &contact);
+  void book(int i, const carom_heats &made);
   void drop_all(int i);
-  int free_slot(int i);
-  double *new_slot(int i);
-  // A slot: the numbers of a contact of any law, then what only walls keep.
-  static constexpr int SLOT = Touches::MOST + Touches::AT_WALL + Touches::FRICTION;
-  static carom_roll *roll_of(double *slot) { return Touches::roll_at(slot + Touches::MOST); }
-  static Touches::Began &began_of(double *slot) { return *Touches::began_at(slot + Touches::MOST); }
-  double *friction_of(double *slot) const { return material.slips() ? slot + Touches::MOST + Touches::AT_WALL : nullptr; }
-  // Number of values that are kept of a contact behind its numbers.
-  int more() const
-  {
-    if (material.slips()) return Touches::AT_WALL + Touches::FRICTION;
-    return material.rolls() || wall.is_curved() ? Touches::AT_WALL : 0;
-  }
-  int count_of(double *slot) const;
-  int most_contacts() const { return wall.is_mesh() ? Touches::MOST_AT_WALL : 1; }
-  static bool is_in_use(const std::unique_ptr<double[]> &slot) { return slot[0] != 0.0; }
+  Contact &free_contact(int i);
+  // Number of values that are kept of a contact behind its numbers: how the wall was where it began.
+  int behind() const { return wall.is_curved() ? static_cast<int>(sizeof(Contact::Began) / sizeof(double)) : 0; }
+  int most_contacts() const { return wall.is_mesh() ? carom::wall_numbers::MOST_CONTACTS : 1; }
 };
 
 }    // namespace LAMMPS_NS

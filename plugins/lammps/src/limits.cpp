@@ -40,7 +40,7 @@ void Limits::add(const carom_validity &validity)
   for (int k = 0; k < RATIOS; k++) worst[k] = std::max(worst[k], ratios[k]);
 }
 
-void Limits::begins(const carom_grains &grains, const carom_grain &one, double mass_1, const carom_grain &two,
+void Limits::begins(const carom_law *law, const carom_grain &one, double mass_1, const carom_grain &two,
                     double mass_2, double dt)
 {
   double square = 0.0, along = 0.0;
@@ -49,24 +49,24 @@ void Limits::begins(const carom_grains &grains, const carom_grain &one, double m
     square += arm * arm;
     along += arm * (one.velocity[k] - two.velocity[k]);
   }
-  if (square > 0.0) impact(grains, one.radius, two.radius, mass_1, mass_2, along / std::sqrt(square), dt);
+  if (square > 0.0) impact(law, one.radius, two.radius, mass_1, mass_2, along / std::sqrt(square), dt);
 }
 
-void Limits::begins(const carom_grains &grains, const carom_grain &one, double mass, const carom_surface &wall,
+void Limits::begins(const carom_law *law, const carom_grain &one, double mass, const carom_surface &wall,
                     double dt)
 {
   const double infinite = std::numeric_limits<double>::infinity();
   double velocity = 0.0;
   for (int k = 0; k < 3; k++) velocity += wall.normal[k] * (wall.velocity[k] - one.velocity[k]);
-  impact(grains, one.radius, infinite, mass, infinite, velocity, dt);
+  impact(law, one.radius, infinite, mass, infinite, velocity, dt);
 }
 
-void Limits::impact(const carom_grains &grains, double radius_1, double radius_2, double mass_1, double mass_2,
+void Limits::impact(const carom_law *law, double radius_1, double radius_2, double mass_1, double mass_2,
                     double velocity, double dt)
 {
   if (!(velocity > 0.0)) return;
   carom_validity validity;
-  if (carom_grains_impact_validity(&grains, radius_1, radius_2, mass_1, mass_2, velocity, dt, &validity, nullptr) ==
+  if (carom_law_impact_validity(law, radius_1, radius_2, mass_1, mass_2, velocity, dt, &validity, nullptr) ==
       CAROM_STATUS_OK)
     add(validity);
 }
@@ -77,12 +77,12 @@ void Limits::look(const carom_encounter *contacts, int count)
   if (carom_encounters_validity(contacts, count, &validity, nullptr) == CAROM_STATUS_OK) add(validity);
 }
 
-void Limits::look(const carom_grains &grains, double radius, double overlap)
+void Limits::look(const carom_law *law, double radius, double overlap)
 {
   const double infinite = std::numeric_limits<double>::infinity();
   carom_validity validity;
   if (overlap > 0.0 &&
-      carom_grains_validity(&grains, radius, infinite, overlap, &validity, nullptr) == CAROM_STATUS_OK)
+      carom_law_validity(law, radius, infinite, overlap, &validity, nullptr) == CAROM_STATUS_OK)
     add(validity);
 }
 

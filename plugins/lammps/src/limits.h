@@ -25,13 +25,13 @@ class Limits {
   // Whether contacts are looked at in this step.
   static bool looks(int64_t step) { return step % EVERY == 0; }
   // A contact of two grains begins; a velocity of approach that is not positive says nothing.
-  void begins(const carom_grains &grains, const carom_grain &one, double mass_1, const carom_grain &two,
+  void begins(const carom_law *law, const carom_grain &one, double mass_1, const carom_grain &two,
               double mass_2, double dt);
   // A contact of a grain and a wall begins.
-  void begins(const carom_grains &grains, const carom_grain &one, double mass, const carom_surface &wall, double dt);
+  void begins(const carom_law *law, const carom_grain &one, double mass, const carom_surface &wall, double dt);
   // Looks at contacts of grains, and at one with a wall.
   void look(const carom_encounter *contacts, int count);
-  void look(const carom_grains &grains, double radius, double overlap);
+  void look(const carom_law *law, double radius, double overlap);
 
   // The limits of a style, and its name in the log.
   struct Of {
@@ -55,7 +55,7 @@ class Limits {
   static Ratios ratios_of(const carom_validity &validity);
   static carom_validity validity_of(const Ratios &ratios);
   void add(const carom_validity &validity);
-  void impact(const carom_grains &grains, double radius_1, double radius_2, double mass_1, double mass_2,
+  void impact(const carom_law *law, double radius_1, double radius_2, double mass_1, double mass_2,
               double velocity, double dt);
 };
 

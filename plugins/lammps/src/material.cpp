@@ -178,10 +178,8 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   const std::string word = arg[0];
   if (word == "law") {
     const std::string name = narg < 2 ? "" : arg[1];
-    if (name == "coulomb") law = CAROM_LAW_COULOMB;
-    else if (name == "fixed-direction") law = CAROM_LAW_FIXED_DIRECTION;
-    else if (name == "rings") law = CAROM_LAW_RINGS;
-    else lmp->error->all(FLERR, who + ": law is neither coulomb, fixed-direction nor rings: '" + name + "'");
+    if (carom_law_of_name(name.c_str(), &law, nullptr) != CAROM_STATUS_OK)
+      lmp->error->all(FLERR, who + ": law is neither coulomb, fixed-direction nor rings: '" + name + "'");
     return 2;
   }
   if (word == "torsion") {
@@ -199,12 +197,11 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 
 const char *Law::name() const
 {
-  static const char *const names[] = {"coulomb", "fixed-direction", "rings"};
-  return names[law];
+  return carom_law_name(law);
 }
 
-Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material &one,
-                       const carom_material &two, const Material &pair, const Law &law)
+MadeLaw make_law(LAMMPS *lmp, const std::string &who, const carom_material &one, const carom_material &two,
+                 const Material &pair, const Law &law)
 {
   if (pair.friction < 0.0) lmp->error->all(FLERR, who + ": friction is missing");
   for (const char *word : {pair.static_friction > pair.friction ? "static_friction" : "", pair.slips() ? "slip_friction" : ""}) {
@@ -212,52 +209,43 @@ Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material
     if (law.by_rings()) lmp->error->all(FLERR, who + ": " + word + " needs law fixed-direction or coulomb, not rings");
     if (law.torsion) lmp->error->all(FLERR, who + ": " + word + " needs torsion no: a twist has one coefficient of friction");
   }
-  Constants made;
-  made.rolling = pair.rolling;
+  carom_law_options options = {};
+  options.size = sizeof options;
+  options.law = law.law;
+  options.torsion = law.torsion;
+  options.tolerance = law.tolerance;
+  options.static_friction = pair.static_friction;
+  options.slip_friction_b = pair.slip_b;
+  options.slip_friction_c = pair.slip_c;
+  options.relaxation = pair.damping;
+  options.restitution = pair.restitution;
+  options.rolling = pair.rolling;
+  carom_law *made = nullptr;
   carom_error error;
-  carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance, pair.damping,
-                                        &made.grains, &error);
-  if (status == CAROM_STATUS_OK && pair.slips())
-    status = carom_grains_slip_friction(&made.grains, pair.friction, pair.slip_b, pair.slip_c, &error);
-  if (status == CAROM_STATUS_OK && pair.static_friction > 0.0)
-    status = carom_grains_static_friction(&made.grains, pair.static_friction, &error);
-  if (status == CAROM_STATUS_OK && pair.restitution < 1.0)
-    status = carom_grains_restitution(&made.grains, pair.restitution, &error);
-  if (status == CAROM_STATUS_OK && law.by_rings()) {
-    carom_rings *rings = nullptr;
-    status = carom_rings_of(&made.grains.unit, &rings, &error);
-    made.rings.reset(rings, carom_rings_free);
-  }
-  if (status != CAROM_STATUS_OK) lmp->error->all(FLERR, who + ": " + error.text);
-  return made;
+  if (carom_law_make(&one, &two, pair.friction, &options, &made, &error) != CAROM_STATUS_OK)
+    lmp->error->all(FLERR, who + ": " + error.text);
+  return MadeLaw(made, carom_law_free);
 }
 
-Constants constants_at_curved_wall(LAMMPS *lmp, const std::string &who, const carom_material &grain,
-                                   const carom_material &wall, const Constants &flat, double radius,
-                                   const double *curvature)
+MadeLaw law_at_curved_wall(LAMMPS *lmp, const std::string &who, const MadeLaw &flat, double radius,
+                           const double *curvature)
 {
-  Constants made = flat;
-  const carom_pair &unit = flat.grains.unit;
+  carom_law *made = nullptr;
   carom_error error;
-  if (carom_grains_on_curved_wall(&grain, &wall, radius, curvature[0], curvature[1], unit.friction, unit.law,
-                                  unit.tolerance, flat.grains.relaxation, &made.grains, &error) != CAROM_STATUS_OK) {
+  if (carom_law_on_curved_wall(flat.get(), radius, curvature[0], curvature[1], &made, &error) != CAROM_STATUS_OK) {
     char text[80];
     snprintf(text, sizeof text, ": a grain of radius %g does not fit a wall of this curvature: ", radius);
     lmp->error->one(FLERR, who + text + error.text);
   }
-  made.grains.restitution_ratio = flat.grains.restitution_ratio;
-  made.grains.unit.static_friction = unit.static_friction;
-  made.grains.slip_friction_b = flat.grains.slip_friction_b;
-  made.grains.slip_friction_c = flat.grains.slip_friction_c;
-  return made;
+  return MadeLaw(made, carom_law_free);
 }
 
-void tell_of_coupling(LAMMPS *lmp, const std::string &who, const Constants &constants)
+void tell_of_coupling(LAMMPS *lmp, const std::string &who, const MadeLaw &law)
 {
   carom_validity validity;
   char text[200];
   if (lmp->comm->me != 0 ||
-      carom_grains_validity(&constants.grains, 1.0, 1.0, 0.0, &validity, nullptr) != CAROM_STATUS_OK ||
+      carom_law_validity(law.get(), 1.0, 1.0, 0.0, &validity, nullptr) != CAROM_STATUS_OK ||
       carom_validity_text(&validity, CAROM_WARNING_COUPLING, text, sizeof text, nullptr) != CAROM_STATUS_OK ||
       text[0] == '\0')
     return;

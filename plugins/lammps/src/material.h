@@ -3,7 +3,7 @@
 #define CAROM_MATERIAL_H
 
 #include "carom.h"
-#include "touch.h"
+#include "made_law.h"
 
 #include <string>
 
@@ -62,23 +62,20 @@ struct Law {
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
   bool is_known() const { return law <= CAROM_LAW_RINGS; }
   bool by_rings() const { return law == CAROM_LAW_RINGS; }
-  // Whether the twist has a history of its own.
-  bool twists_apart() const { return torsion && !by_rings(); }
   const char *name() const;
 };
 
-// The constants of a pair of bodies; an error of the host says what is out of range.
-Constants constants_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
-                       const carom_material &two, const Material &pair, const Law &law);
+// The law of the contacts of two bodies; an error of the host says what is out of range.
+MadeLaw make_law(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one, const carom_material &two,
+                 const Material &pair, const Law &law);
 
-// Those of grains of one radius at a curved wall, from those at a flat one of the same material: the two curvatures of
-// the wall are those along the axis of the contact and across it.
-Constants constants_at_curved_wall(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &grain,
-                                   const carom_material &wall, const Constants &flat, double radius,
-                                   const double *curvature);
+// That of grains of one radius at a curved wall, from that at a flat one: the two curvatures of the wall are those along
+// the axis of the contact and across it.
+MadeLaw law_at_curved_wall(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const MadeLaw &flat, double radius,
+                           const double *curvature);
 
 // Logs how much the coupling of dissimilar materials may matter where the law neglects it.
-void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const Constants &constants);
+void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const MadeLaw &law);
 
 // Raises an error of the host with the message of the library.
 [[noreturn]] void fail(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_error &error);

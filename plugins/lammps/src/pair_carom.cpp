@@ -57,7 +57,7 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   for (const std::string &id : {keep_id, history_id, restore_id}) {
     Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
     // Grains from several restart files are moved before anything else is made.
-    place->maxexchange = FORESEEN * (1 + Touches::MOST + Touches::ROLL + Touches::FRICTION + Touches::HEATS);
+    place->maxexchange = FORESEEN * (1 + Touches::MOST + Touches::HEATS);
   }
 }
 
@@ -89,7 +89,7 @@ void PairCarom::allocate()
   for (int i = 0; i <= n; i++)
     for (int j = 0; j <= n; j++) setflag[i][j] = 0;
   coefficients.assign((n + 1) * (n + 1), {});
-  constants.assign((n + 1) * (n + 1), {});
+  laws.assign((n + 1) * (n + 1), {});
   told.assign((n + 1) * (n + 1), 0);
   largest.assign(n + 1, 0.0);
 }
@@ -97,7 +97,7 @@ void PairCarom::allocate()
 void PairCarom::settings(int narg, char **arg)
 {
   law_ = {};
-  account = rolls = slips = 0;
+  account = space = 0;
   for (int k = 0; k < narg;) {
     int words = law_.take(lmp, "pair_style carom", narg - k, arg + k);
     if (words == 0 && strcmp(arg[k], "energy") == 0) {
@@ -154,6 +154,7 @@ void PairCarom::init_style()
   for (const Fix *fix : modify->get_fix_by_style("^freeze$")) frozen |= fix->groupbit;
   masses.start(modify);
   limits.start();
+  make_laws();
   set_space();
   heat_readers.clear();
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
@@ -191,24 +192,35 @@ void PairCarom::init_style()
 // The size of a contact is fixed when the first run begins.
 void PairCarom::set_space()
 {
-  const auto set = [this](int &has, const char *word, bool (carom::Material::*asks)() const) {
-    const bool asked = std::any_of(coefficients.begin(), coefficients.end(),
-                                   [asks](const carom::Material &material) { return (material.*asks)(); });
-    if (asked && history && !has)
-      error->all(FLERR, std::string("pair carom: ") + word +
-                            " must be given before the first run, at least for one pair of types");
-    has = has || asked;
-  };
-  set(rolls, "rolling", &carom::Material::rolls);
-  set(slips, "slip_friction", &carom::Material::slips);
+  int asked = 0;
+  for (const carom::MadeLaw &law : laws) {
+    if (!law) continue;
+    touches.fit(law);
+    asked = std::max(asked, static_cast<int>(carom_touch_pack_size(law.get())));
+  }
+  if (history && asked > space) {
+    const bool slips = std::any_of(coefficients.begin(), coefficients.end(),
+                                   [](const carom::Material &material) { return material.slips(); });
+    const char *word = slips && asked == space + 1 ? "slip_friction" : "rolling";
+    error->all(FLERR, std::string("pair carom: ") + word +
+                          " must be given before the first run, at least for one pair of types");
+  }
+  space = std::max(space, asked);
   weighs = std::any_of(coefficients.begin(), coefficients.end(),
                        [](const carom::Material &material) { return material.restitution < 1.0; });
 }
 
-double PairCarom::init_one(int i, int j)
+void PairCarom::make_laws()
+{
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++)
+      if (setflag[i][j]) make_laws(i, j);
+}
+
+// Those of a pair of types, whichever is body 1.
+void PairCarom::make_laws(int i, int j)
 {
   const std::string who = "pair_coeff " + std::to_string(i) + " " + std::to_string(j) + " of pair carom";
-  if (!setflag[i][j]) error->all(FLERR, who + " is missing: friction is that of a pair");
   const carom::Material &pair = coefficients[place(i, j)];
   const bool own = pair.has_body;
   for (const int type : {i, j})
@@ -217,10 +229,17 @@ double PairCarom::init_one(int i, int j)
                             " has no material of its own, so young and poisson are missing here");
   const carom_material one = own ? pair.body() : material(i).body();
   const carom_material two = own ? pair.body() : material(j).body();
-  constants[place(i, j)] = carom::constants_of(lmp, who, one, two, pair, law_);
-  constants[place(j, i)] = i == j ? constants[place(i, j)] : carom::constants_of(lmp, who, two, one, pair, law_);
-  if (!told[place(i, j)]) carom::tell_of_coupling(lmp, who, constants[place(i, j)]);
+  laws[place(i, j)] = carom::make_law(lmp, who, one, two, pair, law_);
+  laws[place(j, i)] = i == j ? laws[place(i, j)] : carom::make_law(lmp, who, two, one, pair, law_);
+  if (!told[place(i, j)]) carom::tell_of_coupling(lmp, who, laws[place(i, j)]);
   told[place(i, j)] = 1;
+}
+
+double PairCarom::init_one(int i, int j)
+{
+  if (!setflag[i][j])
+    error->all(FLERR, "pair_coeff " + std::to_string(i) + " " + std::to_string(j) +
+                          " of pair carom is missing: friction is that of a pair");
   return largest[i] + largest[j];
 }
 
@@ -252,15 +271,15 @@ inline void PairCarom::Bodies::add(std::size_t i, const double *force_i, const d
   }
 }
 
-const carom::Constants &PairCarom::constants_of(int body_1, int body_2) const
+const carom::MadeLaw &PairCarom::law_of(int body_1, int body_2) const
 {
-  return constants[place(atom->type[body_1], atom->type[body_2])];
+  return laws[place(atom->type[body_1], atom->type[body_2])];
 }
 
-carom::Touch PairCarom::touch_of(double *slot, int body_1, int body_2)
+carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
 {
-  const carom::Constants &its = constants_of(body_1, body_2);
-  const carom::Touch touch = touches.at(slot, its, atom->radius[body_1], atom->radius[body_2], &why, friction_of(slot));
+  const double *radius = atom->radius;
+  carom_touch *touch = touches.at(slot, law_of(body_1, body_2), radius[body_1], radius[body_2], &why);
   if (!touch) carom::fail(lmp, "pair carom", why);
   return touch;
 }
@@ -341,31 +360,29 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const Close &pair = close[k];
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
-    met.grains = &constants[all.type[one] * all.types + all.type[two]].grains;
-    met.touch = touches.with_flag(*pair.flag).plain;
+    met.law = laws[all.type[one] * all.types + all.type[two]].get();
+    met.touch = touches.with_flag(*pair.flag);
     all.set(met.one, one);
     all.set(met.two, two);
     if (is_new[k] && update->whichflag == 1)
-      limits.begins(*met.grains, met.one, mass[one], met.two, mass[two], update->dt);
+      limits.begins(met.law, met.one, mass[one], met.two, mass[two], update->dt);
   }
   if (moves && limits.looks(update->ntimestep)) limits.look(encounters, count);
-  if (!moves || account || law_.by_rings()) {
+  if (!moves || account) {
     for (int k = 0; k < count; k++) step_alone(close[k], encounters[k], dt, moves || is_new[k]);
-  } else if (carom_touch_many(encounters, count, dt, nullptr, &why) != CAROM_STATUS_OK) {
+  } else if (carom_touch_step_many(encounters, count, dt, nullptr, &why) != CAROM_STATUS_OK) {
     carom::fail(lmp, "pair carom", why);
   }
   for (int k = 0; k < count; k++) {
     const Close &pair = close[k];
     const int one = one_of(pair), two = two_of(pair);
-    carom_encounter &met = encounters[k];
-    if (law_.twists_apart()) twist(pair, met, dt);
-    if (rolls && constants_of(one, two).rolls()) roll(pair, met, dt);
+    const carom_encounter &met = encounters[k];
     const double *force_1 = met.load.force;
     const double force_2[3] = {-force_1[0], -force_1[1], -force_1[2]};
     all.add(one, force_1, met.load.torque_1);
     all.add(two, force_2, met.load.torque_2);
     if (evflag) {
-      const double energy = eflag ? energy_of(pair.slot, touches.with_flag(*pair.flag), one, two) : 0.0;
+      const double energy = eflag ? energy_of(touches.with_flag(*pair.flag), one, two) : 0.0;
       tally(pair, energy, force_1, pair.i_is_1 ? 1.0 : -1.0);
     }
     if (pair.apart) end(pair);
@@ -375,44 +392,24 @@ void PairCarom::step_all(int count, int eflag, bool moves)
 // The step of one contact, with heats if requested, or the load after the last step.
 void PairCarom::step_alone(const Close &pair, carom_encounter &met, double dt, bool steps)
 {
-  carom_heats made = {0.0, 0.0};
-  const carom::Constants &its = constants_of(one_of(pair), two_of(pair));
-  const carom::Touch touch = touches.with_flag(*pair.flag);
+  carom_heats made = {0.0, 0.0, 0.0};
   const carom_status status =
-      steps ? touch.step(its, met.one, met.two, dt, &met.load, account ? &made : nullptr, &why)
-            : touch.load(its, met.one, met.two, &met.load, &why);
+      steps ? carom_touch_step(met.law, met.touch, &met.one, &met.two, nullptr, dt, &met.load,
+                               account ? &made : nullptr, &why)
+            : carom_touch_load(met.law, met.touch, &met.one, &met.two, nullptr, &met.load, &why);
   if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
   if (!account || !steps) return;
   heats_of(pair.slot)[0] = 0.0;
-  book(pair, {made.friction, made.damping, 0.0});
+  book(pair, made);
 }
 
-void PairCarom::twist(const Close &pair, carom_encounter &met, double dt)
-{
-  carom_heats made = {0.0, 0.0};
-  if (carom_touch_twist_grains(met.grains, Touches::twist_of(pair.slot), &met.one, &met.two, dt, &met.load,
-                               account ? &made : nullptr, &why) != CAROM_STATUS_OK)
-    carom::fail(lmp, "pair carom", why);
-  if (account) book(pair, {made.friction, made.damping, 0.0});
-}
-
-void PairCarom::roll(const Close &pair, carom_encounter &met, double dt)
-{
-  carom::HeatSums made;
-  const carom_rolling *rolling = &constants_of(one_of(pair), two_of(pair)).rolling;
-  if (carom_touch_roll_grains(met.grains, rolling, roll_of(pair.slot), &met.one, &met.two, dt, &met.load,
-                              &made.rolling, &why) != CAROM_STATUS_OK)
-    carom::fail(lmp, "pair carom", why);
-  if (account) book(pair, made);
-}
-
-void PairCarom::book(const Close &pair, const carom::HeatSums &made)
+void PairCarom::book(const Close &pair, const carom_heats &made)
 {
   const double share = share_of(j_of(pair));
   heats.friction += share * made.friction;
   heats.damping += share * made.damping;
   heats.rolling += share * made.rolling;
-  const double made_here = made.all();
+  const double made_here = carom::all_of(made);
   double *of_contact = heats_of(pair.slot);
   of_contact[0] += made_here;
   of_contact[1] += made_here;
@@ -422,16 +419,12 @@ void PairCarom::book(const Close &pair, const carom::HeatSums &made)
   if (share == 1.0) grain_heat.add(j_of(pair), 0.5 * made_here);
 }
 
-// The elastic energy of a contact, its twist included.
-double PairCarom::energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const
+double PairCarom::energy_of(const carom_touch *touch, int body_1, int body_2) const
 {
-  const carom::Constants &its = constants_of(body_1, body_2);
-  const double radius_1 = atom->radius[body_1], radius_2 = atom->radius[body_2];
-  double twisted = 0.0, rolled = 0.0;
-  if (law_.twists_apart())
-    carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), radius_1, radius_2, &twisted, nullptr);
-  if (rolls && its.rolls()) carom_touch_roll_energy(&its.rolling, roll_of(slot), &rolled, nullptr);
-  return touch.energy(its, radius_1, radius_2) + twisted + rolled;
+  double energy = 0.0;
+  const double *radius = atom->radius;
+  carom_touch_energy(law_of(body_1, body_2).get(), touch, radius[body_1], radius[body_2], &energy, nullptr);
+  return energy;
 }
 
 void PairCarom::tally(const Close &pair, double energy, const double *force_1, double sign)
@@ -469,7 +462,7 @@ void PairCarom::pack_all()
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       if (!flags[jj]) continue;
       double *slot = slots + numbers() * jj;
-      if (touches.pack(slot, &why, friction_of(slot)) != CAROM_STATUS_OK)
+      if (touches.pack(slot, &why) != CAROM_STATUS_OK)
         carom::fail(lmp, "pair carom", why);
       flags[jj] = 1;
     }
@@ -488,7 +481,7 @@ double PairCarom::stored_energy()
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const bool i_is_1 = atom->tag[i] < atom->tag[j];
       const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
-      sum += share_of(j) * energy_of(slot, touch_of(slot, one, two), one, two);
+      sum += share_of(j) * energy_of(touch_of(slot, one, two), one, two);
     }
   }
   return sum;
@@ -514,18 +507,18 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   if (!slot || slot[0] == 0.0) return 0.0;
   const bool i_is_1 = atom->tag[i] < atom->tag[j];
   const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
-  const carom::Constants &its = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
+  const carom_law *law = laws[i_is_1 ? place(itype, jtype) : place(jtype, itype)].get();
   carom_grain body_1 = {}, body_2 = {};
   const Bodies all = bodies();
   all.set(body_1, one);
   all.set(body_2, two);
-  const carom::Touch touch = touch_of(slot, one, two);
+  const carom_touch *touch = touch_of(slot, one, two);
   carom_grain_load load;
   carom_report report;
-  if (touch.load(its, body_1, body_2, &load, &why) != CAROM_STATUS_OK ||
-      touch.report(its, &report, &why) != CAROM_STATUS_OK)
+  if (carom_touch_load(law, touch, &body_1, &body_2, nullptr, &load, &why) != CAROM_STATUS_OK ||
+      carom_touch_report(law, touch, &report, &why) != CAROM_STATUS_OK)
     carom::fail(lmp, "pair carom", why);
-  const double energy = energy_of(slot, touch, one, two);
+  const double energy = energy_of(touch, one, two);
   const double distance = sqrt(rsq), overlap = atom->radius[i] + atom->radius[j] - distance;
   double normal_force = 0.0, square = 0.0;
   for (int k = 0; k < 3; k++)
@@ -558,8 +551,7 @@ void PairCarom::write_restart_settings(FILE *fp)
 {
   fwrite(&law_, sizeof law_, 1, fp);
   fwrite(&account, sizeof account, 1, fp);
-  fwrite(&rolls, sizeof rolls, 1, fp);
-  fwrite(&slips, sizeof slips, 1, fp);
+  fwrite(&space, sizeof space, 1, fp);
 }
 
 void PairCarom::read_restart_settings(FILE *fp)
@@ -567,22 +559,21 @@ void PairCarom::read_restart_settings(FILE *fp)
   if (comm->me == 0) {
     utils::sfread(FLERR, &law_, sizeof law_, 1, fp, nullptr, error);
     utils::sfread(FLERR, &account, sizeof account, 1, fp, nullptr, error);
-    utils::sfread(FLERR, &rolls, sizeof rolls, 1, fp, nullptr, error);
-    utils::sfread(FLERR, &slips, sizeof slips, 1, fp, nullptr, error);
+    utils::sfread(FLERR, &space, sizeof space, 1, fp, nullptr, error);
   }
   MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
-  MPI_Bcast(&rolls, sizeof rolls, MPI_BYTE, 0, world);
-  MPI_Bcast(&slips, sizeof slips, MPI_BYTE, 0, world);
+  MPI_Bcast(&space, sizeof space, MPI_BYTE, 0, world);
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
-  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !is_flag(rolls) || !is_flag(slips) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
-    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion, energy, rolling or slip_friction is not valid");
+  const bool has_space = space >= 0 && space <= Touches::MOST;
+  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !has_space || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
+    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion, energy or the space of a contact is not valid");
 }
 
 // Of the contacts, by the library, and of what this style writes beside them.
 static uint32_t file_version()
 {
-  constexpr uint32_t OF_STYLE = 4;
+  constexpr uint32_t OF_STYLE = 5;
   return 1000 * OF_STYLE + carom_state_version();
 }
 

@@ -54,7 +54,7 @@ class PairCarom : public Pair {
   double mass_of(int i) const { return masses.all(atom)[i]; }
 
   FixCaromKeep *keep = nullptr;    // null once the host has deleted it
-  carom::HeatSums heats;           // of this rank, since the beginning
+  carom_heats heats = {0.0, 0.0, 0.0};    // of this rank, since the beginning
   carom::GrainHeat grain_heat;     // of the last step
   carom::HeatReaders heat_readers;
   // Logs what the contacts of this style and of its walls exceed.
@@ -63,10 +63,9 @@ class PairCarom : public Pair {
  private:
   carom::Law law_;
   int account = 0;
-  int rolls = 0;    // whether contacts have space for rolling resistance
-  int slips = 0;    // whether they have space for a coefficient of friction of their own
+  int space = 0;    // for the numbers of a contact of any law
   std::vector<carom::Material> coefficients;    // by two types
-  std::vector<carom::Constants> constants;      // by the types of body 1 and 2
+  std::vector<carom::MadeLaw> laws;             // by the types of body 1 and 2
   std::vector<char> told;                       // of which pairs of types the log tells of coupling
   std::vector<double> largest;                  // radius of a type
   NeighHistory *history = nullptr;
@@ -79,25 +78,13 @@ class PairCarom : public Pair {
 
   friend class FixCaromKeep;
   // Number of values of a contact in the host's slots.
-  int numbers() const
-  {
-    return before_heats() + (account ? Touches::HEATS : 0);
-  }
-  int before_heats() const
-  {
-    return of_touch() + (rolls ? Touches::ROLL : 0) + (slips ? Touches::FRICTION : 0);
-  }
-  int of_touch() const
-  {
-    if (law_.by_rings()) return Touches::OF_RINGS;
-    return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS;
-  }
-  carom_roll *roll_of(double *slot) const { return Touches::roll_at(slot + of_touch()); }
-  double *friction_of(double *slot) const { return slips ? slot + before_heats() - Touches::FRICTION : nullptr; }
-  double *heats_of(double *slot) const { return slot + before_heats(); }
-  double energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const;
+  int numbers() const { return space + (account ? Touches::HEATS : 0); }
+  double *heats_of(double *slot) const { return slot + space; }
+  double energy_of(const carom_touch *touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
+  void make_laws();
+  void make_laws(int i, int j);
   void set_space();
   // The host's arrays of grains, in the layout of the library.
   struct Bodies {
@@ -117,8 +104,8 @@ class PairCarom : public Pair {
   bool weighs = false;    // whether a restitution needs the masses
   // A grain that does not move, as one of a great mass, so that two of them have a reduced mass.
   static constexpr double HEAVY = 1e12;
-  carom::Touch touch_of(double *slot, int body_1, int body_2);
-  const carom::Constants &constants_of(int body_1, int body_2) const;
+  carom_touch *touch_of(double *slot, int body_1, int body_2);
+  const carom::MadeLaw &law_of(int body_1, int body_2) const;
 
   // Two grains in contact now or one step ago: the host's flag and its slot for them.
   struct Close {
@@ -136,9 +123,7 @@ class PairCarom : public Pair {
   static int i_of(const Close &pair) { return pair.bodies[!pair.i_is_1]; }
   static int j_of(const Close &pair) { return pair.bodies[pair.i_is_1]; }
   void step_alone(const Close &pair, carom_encounter &met, double dt, bool steps);
-  void twist(const Close &pair, carom_encounter &met, double dt);
-  void roll(const Close &pair, carom_encounter &met, double dt);
-  void book(const Close &pair, const carom::HeatSums &made);
+  void book(const Close &pair, const carom_heats &made);
   void step_all(int count, int eflag, bool moves);
   void tally(const Close &pair, double energy, const double *force_1, double sign);
   void end(const Close &pair);

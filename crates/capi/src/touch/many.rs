@@ -2,13 +2,17 @@
 
 use std::array::from_fn;
 
-use carom_laws::grains::{Grain, Heats, Surface, TOGETHER, Touching, advance_together};
+use carom_laws::grains::{
+    Grain, Heats, Meeting, RollTrial, Surface, TOGETHER, Touching, advance_together,
+};
 
-use super::bodies::Second;
+use super::bodies::{Bodies as _, Second};
+use super::parts::Pressed;
 use super::step::{CaromGrainLoad, Step};
 use super::{CaromTouch, Place, ShiftTouch};
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
+use crate::law::unit::relative_radius;
 use crate::pointers::{Strided, is_place, read, write, write_or_null};
 
 /// A grain, what it touches and their contact, for a call that advances many.
@@ -117,6 +121,11 @@ unsafe fn step_together(
     if !(from..from + TOGETHER).all(is_ready) {
         return None;
     }
+    let mut rolls: [Option<Rolls>; TOGETHER] = [const { None }; TOGETHER];
+    for (i, rolls) in rolls.iter_mut().enumerate() {
+        // SAFETY: checked above.
+        *rolls = unsafe { Rolls::of(all.at(from + i), dt).ok()? };
+    }
     // SAFETY: checked above; the touches are distinct.
     let mut pairs = from_fn(|i| unsafe {
         let at = &mut *all.at(from + i);
@@ -132,10 +141,60 @@ unsafe fn step_together(
             send_for(unsafe { (*all.at(next)).touch }.cast::<ShiftTouch>());
         }
     };
-    advance_together(&mut pairs, dt, send_for_next).ok()
+    advance_together(&mut pairs, dt, send_for_next).ok()?;
+    for (i, rolls) in rolls.iter().enumerate() {
+        if let Some(rolls) = rolls {
+            // SAFETY: as above.
+            unsafe { rolls.end(all.at(from + i)) };
+        }
+    }
+    Some(())
 }
 
-/// Whether a pair of grains has a contact with a law of shifts alone, for which nothing but its step can fail.
+/// A resistance to rolling in a step.
+struct Rolls {
+    meeting: Meeting,
+    relative_radius: f64,
+    trial: RollTrial,
+}
+
+impl Rolls {
+    /// None if the law has no resistance.
+    ///
+    /// # Safety
+    /// The encounter is ready.
+    #[inline(always)]
+    unsafe fn of(at: *const CaromEncounter, dt: f64) -> Result<Option<Self>, Failure> {
+        // SAFETY: the caller's promise.
+        let (at, law) = unsafe { (&*at, &*(*at).law) };
+        if law.is_alone() {
+            return Ok(None);
+        }
+        let bodies = [&at.one, &at.two];
+        let meeting = bodies.meeting(bodies.apart()?, law);
+        // SAFETY: the caller's promise.
+        let roll = unsafe { &*Place::<ShiftTouch>::of(at.touch, law).roll };
+        roll.check()?;
+        let relative_radius = relative_radius(bodies.radii())?;
+        let trial = Pressed { law, relative_radius, meeting: &meeting }.trial(roll, dt)?;
+        Ok(Some(Self { meeting, relative_radius, trial }))
+    }
+
+    /// # Safety
+    /// As [`Rolls::of`], and nobody else uses the encounter.
+    unsafe fn end(&self, at: *mut CaromEncounter) {
+        // SAFETY: the caller's promise.
+        let (at, law) = unsafe { (&mut *at, &*(*at).law) };
+        // SAFETY: the caller's promise.
+        let roll = unsafe { &mut *Place::<ShiftTouch>::of(at.touch, law).roll };
+        let pressed =
+            Pressed { law, relative_radius: self.relative_radius, meeting: &self.meeting };
+        pressed.roll((roll, &self.trial), at.load.as_load(), None);
+    }
+}
+
+/// Whether a pair of grains has a contact with a law of shifts without torsion, for which nothing but its step and its
+/// rolling can fail.
 ///
 /// # Safety
 /// As `carom_touch_step_many`; law and touch may be read.
@@ -143,7 +202,7 @@ unsafe fn step_together(
 unsafe fn is_ready(at: &CaromEncounter) -> bool {
     // SAFETY: the caller's promise.
     let law = unsafe { &*at.law };
-    if law.is_by_rings() || !law.is_alone() {
+    if law.is_by_rings() || law.has_torsion() {
         return false;
     }
     // SAFETY: the caller's promise.

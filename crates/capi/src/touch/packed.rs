@@ -90,7 +90,10 @@ unsafe fn unpack<K: Kind>(
     let contact = K::unpacked((law, radii), friction, &numbers[..layout.twist]);
     let contact = contact.map_err(Failure::in_state)?;
     // SAFETY: the caller's promise.
-    unsafe { place.keep_all(law, contact, (&twist, roll)) };
+    unsafe {
+        place.keep(contact);
+        place.keep_parts(law, (&twist, roll));
+    }
     Ok(())
 }
 

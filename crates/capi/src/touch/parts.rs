@@ -1,6 +1,6 @@
 //! What a contact may have beside its law: torsion and a resistance to rolling, by the same meeting.
 
-use carom_laws::grains::{GrainLoad, GrainRoll, GrainTwist, Heats, Meeting};
+use carom_laws::grains::{GrainLoad, GrainRoll, GrainTwist, Heats, Meeting, RollTrial};
 use carom_laws::law::ContactLaw as _;
 use carom_laws::torsion::law::{TorsionLaw, packed_numbers};
 use carom_special::RangeError;
@@ -51,20 +51,29 @@ impl Pressed<'_> {
         Ok(torque)
     }
 
-    /// A step of the resistance to rolling, under this load: its torque on body 1.
+    /// The step of a resistance to rolling before its load is known; none if there is no resistance.
+    #[inline]
+    pub(super) fn trial(&self, roll: &Roll, dt: f64) -> Result<RollTrial, Failure> {
+        match self.law.rolling() {
+            Some(its) => Ok(roll.trial((its, self.relative_radius), self.meeting, dt)?),
+            None => Ok(RollTrial::default()),
+        }
+    }
+
+    /// Adds the torque of the resistance to rolling, whose trial has not failed, to the load that presses the bodies.
+    #[inline]
     pub(super) fn roll(
         &self,
-        roll: &mut Roll,
-        dt: f64,
-        load: &GrainLoad,
+        (roll, trial): (&mut Roll, &RollTrial),
+        load: &mut GrainLoad,
         heats: Option<&mut Heats>,
-    ) -> Result<[f64; 3], Failure> {
-        let Some(resistance) = self.law.rolling() else { return Ok([0.0; 3]) };
+    ) {
+        let Some(its) = self.law.rolling() else { return };
         let ([a, b, c], [x, y, z]) = (load.force, self.meeting.normal);
         let (normal_force, mut unasked) = (a * x + b * y + c * z, Heats::default());
         let heats = heats.unwrap_or(&mut unasked);
-        let of = (resistance, self.relative_radius);
-        Ok(roll.advance_accounted(of, self.meeting, dt, normal_force, heats)?)
+        let torque = roll.end((its, self.relative_radius), trial, normal_force, heats);
+        self.add(load, torque);
     }
 
     /// Adds a torque on body 1 to a load; body 2 gets the opposite, unless it is a wall.

@@ -105,11 +105,9 @@ impl Step<'_> {
         // Bodies that were apart touch anew, if their friction is that of the first touch.
         let present = present.filter(|contact| !self.law.is_by_slip() || contact.overlaps());
         if !self.law.is_alone() {
-            let contact = present.map(|contact| *contact);
+            let radii = bodies.radii();
             // SAFETY: the caller's promise.
-            return unsafe {
-                self.with_parts(&place, contact, bodies.radii(), &{ meeting }, (load, heats))
-            };
+            return unsafe { self.with_parts(&place, present, radii, &{ meeting }, (load, heats)) };
         }
         let of = (self.law, bodies.radii());
         let Some(contact) = present else {
@@ -125,7 +123,8 @@ impl Step<'_> {
         contact.advance(of, &meeting, self.dt, load, heats)
     }
 
-    /// A step with torsion or rolling: all on copies, which are kept if none of them fails.
+    /// A step with torsion or rolling. What may fail of them comes first, on copies; the contact itself stays as it was
+    /// if its step fails.
     ///
     /// # Safety
     /// As [`Step::make`].
@@ -133,36 +132,47 @@ impl Step<'_> {
     unsafe fn with_parts<K: Kind>(
         self,
         place: &Place<K>,
-        contact: Option<K>,
+        present: Option<&mut K>,
         radii: [f64; 2],
         meeting: &Meeting,
-        (load, heats): (&mut GrainLoad, Option<&mut Heats>),
+        (load, mut heats): (&mut GrainLoad, Option<&mut Heats>),
     ) -> Result<(), Failure> {
         let (law, dt) = (self.law, self.dt);
+        let pressed = Pressed { law, relative_radius: relative_radius(radii)?, meeting };
         // SAFETY: the caller's promise.
         let (mut twist, mut roll) = unsafe { place.parts(law)? };
-        let mut next = match contact {
-            Some(contact) => contact,
-            None => K::fresh(law, radii, meeting.slip_speed())?,
-        };
-        let (mut sums, mut told) = (heats.as_deref().copied(), GrainLoad::default());
-        next.advance((law, radii), meeting, dt, &mut told, sums.as_mut())?;
-        let pressed = Pressed { law, relative_radius: relative_radius(radii)?, meeting };
+        let trial = pressed.trial(&roll, dt)?;
+        let (mut torque, mut turned) = ([0.0; 3], Heats::default());
         if law.has_torsion() {
-            let torque = pressed.twist(&mut twist, dt, sums.as_mut())?;
-            pressed.add(&mut told, torque);
+            let turned = heats.is_some().then_some(&mut turned);
+            torque = pressed.twist(&mut twist, dt, turned)?;
         }
-        if law.rolling().is_some() {
-            let torque = pressed.roll(&mut roll, dt, &told, sums.as_mut())?;
-            pressed.add(&mut told, torque);
+        let of = (law, radii);
+        let is_kept = match present {
+            Some(contact) => {
+                contact.advance(of, meeting, dt, load, heats.as_deref_mut())?;
+                true
+            }
+            None => {
+                let mut contact = K::fresh(law, radii, meeting.slip_speed())?;
+                contact.advance(of, meeting, dt, load, heats.as_deref_mut())?;
+                if !contact.is_new() {
+                    // SAFETY: the caller's promise.
+                    unsafe { place.keep(contact) };
+                }
+                !contact.is_new()
+            }
+        };
+        if law.has_torsion() {
+            pressed.add(load, torque);
         }
-        *load = finite(told)?;
-        if let (Some(heats), Some(sums)) = (heats, sums) {
-            *heats = sums;
+        pressed.roll((&mut roll, &trial), load, heats.as_deref_mut());
+        if let Some(heats) = heats {
+            heats.friction += turned.friction;
         }
-        if !next.is_new() {
+        if is_kept {
             // SAFETY: the caller's promise.
-            unsafe { place.keep_all(law, next, (&twist, roll)) };
+            unsafe { place.keep_parts(law, (&twist, roll)) };
         }
         Ok(())
     }
@@ -193,15 +203,13 @@ impl<K: Kind> Place<K> {
 
     /// # Safety
     /// As [`Place::present`].
-    pub(super) unsafe fn keep_all(
+    pub(super) unsafe fn keep_parts(
         &self,
         law: &CaromLaw,
-        contact: K,
         (twist, roll): (&[f64; TWIST_NUMBERS], Roll),
     ) {
         // SAFETY: the caller's promise.
         unsafe {
-            self.keep(contact);
             if law.has_torsion() {
                 *self.twist = *twist;
             }

@@ -58,7 +58,7 @@ pub struct Heats {
     /// ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
     /// the motion has ended it is not.
     pub damping: f64,
-    /// Heat of a resistance to rolling ([`super::GrainRoll`]).
+    /// Heat of a resistance to rolling.
     pub rolling: f64,
 }
 

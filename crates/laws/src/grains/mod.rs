@@ -51,7 +51,7 @@ pub use law::GrainLaw;
 pub use load::GrainLoad;
 pub use meeting::{Apart, Grain, Meeting, Surface, Wall, compliance_shares};
 pub use pack::{grain_numbers, ring_grain_numbers};
-pub use rolling::{GrainRoll, RollingResistance};
+pub use rolling::{GrainRoll, RollTrial, RollingResistance};
 pub use together::{TOGETHER, Touching, advance_together};
 pub use twist::GrainTwist;
 pub use twisted::{NoTwist, TwistState, Twisted};

@@ -51,20 +51,6 @@ impl RollingResistance {
     fn energy(&self, shift: Vector) -> f64 {
         0.5 * self.stiffness * dot(shift, shift)
     }
-
-    /// Shift and force at the end of a step, of which the bodies roll by `way`.
-    fn step(&self, shift: Vector, way: Vector, dt: f64, normal_force: f64) -> [Vector; 2] {
-        let by_dashpot = self.damping / dt;
-        let stuck = plus(shift, way);
-        let force = sum(times(stuck, -self.stiffness), -by_dashpot, way);
-        let (size, limit) = (dot(force, force).sqrt(), self.friction * normal_force);
-        if size <= limit {
-            return [stuck, force];
-        }
-        let force = times(force, limit / size);
-        let by = 1.0 / (self.stiffness + by_dashpot);
-        [sum(times(force, -by), by * by_dashpot, shift), force]
-    }
 }
 
 /// The state of a resistance to rolling; by default that of two bodies that are apart.
@@ -88,8 +74,7 @@ impl GrainRoll {
     /// Bodies that are apart lose the history; a step of duration zero changes nothing else.
     ///
     /// # Errors
-    /// [`RangeError`] if the displacement, the force, the torque or the heat is not finite; the state is then
-    /// unchanged.
+    /// [`RangeError`] if way, displacement, force or radius are no numbers or above 1e100; the state is then unchanged.
     pub fn advance(
         &mut self,
         resistance: &RollingResistance,
@@ -115,24 +100,68 @@ impl GrainRoll {
     /// As [`GrainRoll::advance`].
     pub fn advance_accounted(
         &mut self,
-        (resistance, relative_radius): (&RollingResistance, f64),
+        of: (&RollingResistance, f64),
         meeting: &Meeting,
         dt: f64,
         normal_force: f64,
         heats: &mut Heats,
     ) -> Result<[f64; 3], RangeError> {
-        let (mut next, mut made) = (*self, 0.0);
-        if dt > 0.0 || meeting.is_apart() {
-            made = next.turn((resistance, relative_radius), meeting, dt, normal_force.max(0.0));
+        let trial = self.trial(of, meeting, dt)?;
+        Ok(self.end(of, &trial, normal_force, heats))
+    }
+
+    /// The step without the slider, before the normal force is known; what it says is all that can fail.
+    ///
+    /// # Errors
+    /// As [`GrainRoll::advance`].
+    pub fn trial(
+        &self,
+        (resistance, relative_radius): (&RollingResistance, f64),
+        meeting: &Meeting,
+        dt: f64,
+    ) -> Result<RollTrial, RangeError> {
+        let normal = meeting.normal;
+        if dt == 0.0 && !meeting.is_apart() {
+            let force = self.force;
+            return Ok(RollTrial { end: End::Stays, normal, force, ..RollTrial::default() });
         }
-        let torque = next.torque(relative_radius, meeting);
-        for part in [next.shift, next.force, torque].into_iter().flatten() {
-            RangeError::finite("rolling resistance", part)?;
+        let from = if self.normal == [0.0; 3] { normal } else { self.normal };
+        let middle = unit(plus(from, normal));
+        let angle = dot(meeting.turning(), middle) * dt;
+        let [shift, force] =
+            [self.shift, self.force].map(|v| turned(carried(v, from, normal), normal, angle));
+        let rate = cross(meeting.twisting(), middle);
+        let way = times(carried(rate, middle, normal), -relative_radius * dt);
+        let is_apart = meeting.is_apart();
+        let by_dashpot = if is_apart { 0.0 } else { resistance.damping / dt };
+        let stuck = sum(times(plus(shift, way), -resistance.stiffness), -by_dashpot, way);
+        let end = if is_apart { End::Apart } else { End::Rolls };
+        for v in [shift, way, force, stuck, times(shift, resistance.stiffness)] {
+            checked(dot(v, v).sqrt())?;
         }
-        RangeError::finite("heat", made)?;
-        *self = next;
-        heats.rolling += made;
-        Ok(torque)
+        checked(relative_radius)?;
+        Ok(RollTrial { end, normal, shift, force, way, stuck, by_dashpot })
+    }
+
+    /// The end of a step, whose trial has not failed: the torque on body 1, and what becomes heat.
+    pub fn end(
+        &mut self,
+        (resistance, relative_radius): (&RollingResistance, f64),
+        trial: &RollTrial,
+        normal_force: f64,
+        heats: &mut Heats,
+    ) -> [f64; 3] {
+        let &RollTrial { end, normal, shift, force, way, .. } = trial;
+        if matches!(end, End::Rolls | End::Apart) {
+            let before = resistance.energy(shift);
+            *self = match end {
+                End::Rolls => trial.slipped(resistance, normal_force.max(0.0)),
+                End::Apart | End::Stays => Self::default(),
+            };
+            let work = -0.5 * dot(plus(force, self.force), way);
+            heats.rolling += work + before - resistance.energy(self.shift);
+        }
+        times(cross(normal, self.force), relative_radius)
     }
 
     /// The torque on body 1 after the last step, N m.
@@ -180,32 +209,55 @@ impl GrainRoll {
         RangeError::check("roll", size, holds, "of finite numbers and a normal of length 0 or 1")?;
         Ok(())
     }
+}
 
-    /// The step of the state, with its heat.
-    fn turn(
-        &mut self,
-        (resistance, relative_radius): (&RollingResistance, f64),
-        meeting: &Meeting,
-        dt: f64,
-        normal_force: f64,
-    ) -> f64 {
-        let normal = meeting.normal;
-        let from = if self.normal == [0.0; 3] { normal } else { self.normal };
-        let middle = unit(plus(from, normal));
-        let angle = dot(meeting.turning(), middle) * dt;
-        let [shift, force] =
-            [self.shift, self.force].map(|v| turned(carried(v, from, normal), normal, angle));
-        let rate = cross(meeting.twisting(), middle);
-        let way = times(carried(rate, middle, normal), -relative_radius * dt);
-        let before = resistance.energy(shift);
-        *self = Self::default();
-        if meeting.zeta > 0.0 {
-            let [shift, force] = resistance.step(shift, way, dt, normal_force);
-            *self = Self { shift, normal, force };
+/// How a step ends.
+#[derive(Debug, Clone, Copy, Default)]
+enum End {
+    /// It takes no time.
+    #[default]
+    Stays,
+    /// The bodies part.
+    Apart,
+    Rolls,
+}
+
+/// A step of a resistance to rolling before the normal force is known ([`GrainRoll::trial`]).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RollTrial {
+    end: End,
+    normal: Vector,
+    /// Shift and force of before, in the axes of the end of the step.
+    shift: Vector,
+    force: Vector,
+    /// By how much the bodies roll.
+    way: Vector,
+    /// The force without slip.
+    stuck: Vector,
+    /// The force of the dashpot over the way.
+    by_dashpot: f64,
+}
+
+impl RollTrial {
+    /// The state at the end, whose force is at most that of the slider.
+    fn slipped(&self, resistance: &RollingResistance, normal_force: f64) -> GrainRoll {
+        let (normal, force) = (self.normal, self.stuck);
+        let (size, limit) = (dot(force, force).sqrt(), resistance.friction * normal_force);
+        if size <= limit {
+            return GrainRoll { shift: plus(self.shift, self.way), normal, force };
         }
-        let work = -0.5 * dot(plus(force, self.force), way);
-        work + before - resistance.energy(self.shift)
+        let force = times(force, limit / size);
+        let by = 1.0 / (resistance.stiffness + self.by_dashpot);
+        let shift = sum(times(force, -by), by * self.by_dashpot, self.shift);
+        GrainRoll { shift, normal, force }
     }
+}
+
+/// Sizes up to this leave heat and torque finite.
+const LARGEST: f64 = 1e100;
+
+fn checked(size: f64) -> Result<(), RangeError> {
+    RangeError::check("rolling resistance", size, size <= LARGEST, "at most 1e100").map(|_| ())
 }
 
 /// A vector across `from`, carried to `to` by the smallest rotation.

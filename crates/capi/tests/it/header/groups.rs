@@ -13,25 +13,35 @@ struct Group {
 const GROUPS: &[Group] = &[
     Group { title: "Errors and versions", about: "", modules: &["error", "version"] },
     Group {
-        title: "Constants of a pair",
-        about: "carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the\n\
-                materials and the shape, carom_pair_of_stiffness from stiffnesses.",
-        modules: &["pair"],
-    },
-    Group {
-        title: "One contact with memory",
-        about: "carom_contact_advance moves a contact of a carom_pair to a new approach and shift and returns the\n\
-                load; carom_contact_advance_many does so for an array.",
-        modules: &["law", "state", "contact", "batch"],
+        title: "Materials and the names of laws",
+        about: "carom_law_of_name reads the name of a law in an input file.",
+        modules: &["material"],
     },
     Group {
         title: "Contacts of particles: grains and walls",
-        about: "carom_grains_of makes the constants of two materials. carom_touch_grains and carom_touch_wall make\n\
-                one step of a contact: positions, velocities and spins in, force and torques out;\n\
-                carom_touch_surface does so at walls that are curved or turn, with the constants of\n\
-                carom_grains_on_curved_wall.\n\
-                carom_grains_impact_time tells how long an impact lasts, for the choice of the time step.",
-        modules: &["grains", "meeting.rs", "contact.rs", "touch", "grain_friction", "encounters"],
+        about: "carom_law_make makes the law of the contacts of two materials: friction, damping, torsion, resistance\n\
+                to rolling; carom_law_on_curved_wall that of a grain at a curved wall. carom_touch_step makes one step\n\
+                of a contact, whose memory has carom_touch_size bytes: positions, velocities and spins in, force and\n\
+                torques out; carom_touch_step_many makes those of many. carom_touch_pack writes a contact as numbers.",
+        modules: &[
+            "law/options",
+            "law/mod",
+            "meeting.rs",
+            "contact.rs",
+            "shift",
+            "touch/mod",
+            "touch/step",
+            "touch/many",
+            "touch/told",
+            "touch/packed",
+        ],
+    },
+    Group {
+        title: "Contacts with given shifts",
+        about: "carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the\n\
+                materials and the shape. carom_contact_advance moves a contact to a new approach and shift and returns\n\
+                the load; carom_contact_advance_many does so for an array.",
+        modules: &["pair", "state", "contact", "batch"],
     },
     Group {
         title: "Impacts",
@@ -52,28 +62,10 @@ const GROUPS: &[Group] = &[
     Group {
         title: "Limits of the theory",
         about: "Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.\n\
-                carom_pair_validity and carom_grains_validity tell whether a contact is small enough for Hertz's\n\
-                theory, carom_grains_impact_validity whether an impact is slow enough and its time step short\n\
-                enough; carom_validity_text says it in a sentence.",
-        modules: &["validity"],
-    },
-    Group {
-        title: "Twist about the normal",
-        about: "The torque of spin about the normal: carom_twist_advance for a carom_pair, carom_touch_twist_grains\n\
-                and carom_touch_twist_wall for particles.",
-        modules: &["twist", "touch_twist"],
-    },
-    Group {
-        title: "Rolling resistance of particles",
-        about: "carom_touch_roll_grains and carom_touch_roll_surface add the torque of a spring, a dashpot and a\n\
-                slider to the load of a touch.",
-        modules: &["touch_roll"],
-    },
-    Group {
-        title: "Rings: particles of dissimilar materials",
-        about: "Shift, twist and the coupling of dissimilar materials act together. carom_rings_of makes the\n\
-                matrices of two materials, carom_ring_touch_grains and carom_ring_touch_wall make a step.",
-        modules: &["rings", "ring_touch"],
+                carom_law_validity tells whether a contact is small enough for Hertz's theory,\n\
+                carom_law_impact_validity whether an impact is slow enough and its time step short enough;\n\
+                carom_validity_text says it in a sentence. carom_law_impact_time tells how long an impact lasts.",
+        modules: &["validity", "law/limits"],
     },
 ];
 

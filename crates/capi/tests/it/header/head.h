@@ -7,10 +7,10 @@
 // were; a call on many contacts keeps those before the one that failed. The library keeps nothing between
 // calls, so that different threads may work on different data.
 //
-// Data. All structures are plain data that may be copied as bytes. Constants (carom_pair, carom_grains) are
-// made once. Memories (carom_contact, carom_touch, carom_ring_touch) belong to the caller. A memory must be
-// zero bytes at first; afterwards only this build of the library may write it. Other bytes give an error
-// status or meaningless numbers. Units are SI, or any consistent set.
+// Data. Structures are plain data that may be copied as bytes. A carom_law is made once and freed at the end; it is the
+// only memory that the library allocates. Memories (carom_touch, carom_contact) belong to the caller: zero bytes at
+// first, afterwards written by this build of the library only. Other bytes give an error status or meaningless numbers.
+// The size of a touch is told by its law. Units are SI, or any consistent set.
 //
 // Pointers. A pointer must be null or point to an object of its type; where the function names a number of
 // entries, to the first of so many. The objects that a call writes must overlap no other. A null pointer
