@@ -97,43 +97,15 @@ proptest! {
             prop_assert_eq!(repacked.numbers.map(f64::to_bits), packed.numbers.map(f64::to_bits));
         }
     }
-
-    /// Turning the axes turns the load, and what comes after.
-    #[test]
-    fn turned_axes_see_the_same(walk in walks(), law in 0..2_u32, angle in -3.0..3.0_f64) {
-        let pair = pair(0.4, law);
-        let (mut plain, mut turned) = (contact(), contact());
-        let (sin, cos) = angle.sin_cos();
-        let turn = |x: f64, y: f64| [cos * x + sin * y, cos * y - sin * x];
-        let half = walk.len() / 2;
-        for (i, shift) in walk.into_iter().enumerate() {
-            let mut loads = [CaromLoad::default(); 2];
-            let error = null_mut();
-            // SAFETY: all pointers are references.
-            unsafe {
-                if i == half {
-                    prop_assert_eq!(carom_contact_turn_frame(&pair, &mut turned, angle, error), CaromStatus::Ok);
-                }
-                let [xi, eta] = if i < half { [shift.xi, shift.eta] } else { turn(shift.xi, shift.eta) };
-                let other = CaromShift { xi, eta, ..shift };
-                prop_assert_eq!(carom_contact_advance(&pair, &mut plain, shift, &mut loads[0], error), CaromStatus::Ok);
-                prop_assert_eq!(carom_contact_advance(&pair, &mut turned, other, &mut loads[1], error), CaromStatus::Ok);
-            }
-            let [x, y] = if i < half { [loads[0].f_x, loads[0].f_y] } else { turn(loads[0].f_x, loads[0].f_y) };
-            // Where the capacity or a tolerance decides, round-off may decide otherwise.
-            let size = 0.02 * 0.4 * pair.c_z * 2e-7_f64.powf(1.5);
-            prop_assert!((loads[1].f_x - x).hypot(loads[1].f_y - y) <= size, "{:?}", loads);
-        }
-    }
 }
 
-/// Work done on a closed way is heat and what is stored.
+/// Work done on a way is stored or lost, and what is lost grows.
 #[test]
 fn energies_balance() {
     for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
         let pair = pair(0.3, law);
         let mut kept = contact();
-        let (mut work, mut heat, mut last) = (0.0, 0.0, [0.0; 6]);
+        let (mut work, mut lost, mut last) = (0.0, 0.0_f64, [0.0; 6]);
         for i in 1..=4000 {
             let t = f64::from(i) / 4000.0;
             let shift = CaromShift {
@@ -141,38 +113,25 @@ fn energies_balance() {
                 xi: 6e-8 * (9.0 * t).sin(),
                 eta: if law == CAROM_LAW_COULOMB { 3e-8 * (1.0 - (7.0 * t).cos()) } else { 0.0 },
             };
-            let (mut load, mut made) = (CaromLoad::default(), 0.0);
+            let (mut load, mut stored) = (CaromLoad::default(), 0.0);
             // SAFETY: all pointers are references.
             unsafe {
                 let error = null_mut();
-                assert_eq!(
-                    carom_contact_heat(&pair, &kept, shift, &mut made, error),
-                    CaromStatus::Ok
-                );
                 let status = carom_contact_advance(&pair, &mut kept, shift, &mut load, error);
                 assert_eq!(status, CaromStatus::Ok);
+                let status = carom_contact_energy(&pair, &kept, &mut stored, error);
+                assert_eq!(status, CaromStatus::Ok);
             }
-            heat += made;
             let now = [shift.zeta, shift.xi, shift.eta, load.f_z, load.f_x, load.f_y];
             work +=
                 (0..3).map(|k| 0.5 * (now[k] - last[k]) * (now[k + 3] + last[k + 3])).sum::<f64>();
             last = now;
+            // Coulomb's forces are within 1e-2 of the limit; chapter 7's law is exact on a straight path.
+            let off = if law == CAROM_LAW_COULOMB { 2e-2 } else { 1e-4 };
+            assert!(work - stored >= lost - off * lost.max(1e-3 * work), "{work} {stored} {lost}");
+            lost = lost.max(work - stored);
         }
-        let (mut stored, mut report) = (0.0, MaybeUninit::<CaromReport>::uninit());
-        // SAFETY: all pointers are references; the report is written where the status is Ok.
-        let report = unsafe {
-            assert_eq!(
-                carom_contact_energy(&pair, &kept, &mut stored, null_mut()),
-                CaromStatus::Ok
-            );
-            let status = carom_contact_report(&pair, &kept, report.as_mut_ptr(), null_mut());
-            assert_eq!(status, CaromStatus::Ok);
-            report.assume_init()
-        };
-        // Coulomb's forces are within 1e-2 of the limit; chapter 7's law is exact on a straight path.
-        let off = if law == CAROM_LAW_COULOMB { 2e-2 } else { 1e-4 };
-        assert!(heat > 0.0 && (work - stored - heat).abs() < off * heat, "{work} {stored} {heat}");
-        assert!(report.sticking < 1.0 && report.regime != CaromRegime::Separated, "{report:?}");
+        assert!(lost > 0.2 * work, "{work} {lost}");
     }
 }
 
@@ -323,79 +282,5 @@ fn bodies_of_any_shape_collide() {
         let status = carom_collide(&egg, &plane, 0.5, null(), null(), &mut rebound, &mut error);
         assert_eq!((status, field(&error)), (CaromStatus::OutOfRange, "shape".into()));
         assert_eq!(error.index, 0);
-    }
-}
-
-/// The twist of two glass balls: Lubkin's closed form, its memory, and every way to ask wrongly.
-#[test]
-fn a_twist_in_numbers() {
-    use carom_laws::torsion::adhesion::sliding_torque_arm;
-    let pair = pair(0.3, CAROM_LAW_COULOMB);
-    let zero = CaromTwist { numbers: [0.0; CAROM_TWIST_NUMBERS] };
-    let (mut twist, mut error) = (zero, error());
-    let mut go = |twist: &mut CaromTwist, zeta: f64, omega: f64| {
-        let mut torque = f64::NAN;
-        // SAFETY: all pointers are references.
-        let status = unsafe {
-            carom_twist_advance(
-                &raw const pair,
-                twist,
-                zeta,
-                omega,
-                &raw mut torque,
-                &raw mut error,
-            )
-        };
-        (status, torque, field(&error))
-    };
-    let zeta = 1e-7;
-    let (_, none, _) = go(&mut twist, zeta, 0.0);
-    assert_eq!(none, 0.0);
-    // Small: adhesion, 16/3 G a^3 of each body's half; gross: 3 pi/16 f F_z a.
-    let a = (2e-3 / 3.0 * zeta).sqrt();
-    let shear = 70e9 / (2.0 * 1.22);
-    let (_, small, _) = go(&mut twist, zeta, 1e-9);
-    assert!(
-        (small / (16.0 / 3.0 * 0.5 * shear * a.powi(3) * 1e-9) - 1.0).abs() < 1e-5,
-        "{small:e}"
-    );
-    let force = 2.0 / 3.0 * pair.c_z * zeta.powf(1.5);
-    let ellipse = carom_laws::ellipse::ContactEllipse::new(a, a).unwrap();
-    let (_, gross, _) = go(&mut twist, zeta, 1.0);
-    let sliding = 0.3 * force * sliding_torque_arm(&ellipse);
-    assert!((gross / sliding - 1.0).abs() < 1e-9);
-    // Back by half of it there is less torque, and heat and energy in balance with the work.
-    let (mut energy, mut heat) = (0.0, 0.0);
-    // SAFETY: all pointers are references.
-    unsafe {
-        carom_twist_energy(&raw const pair, &raw const twist, &raw mut energy, null_mut());
-        carom_twist_heat(&raw const pair, &raw const twist, zeta, 2.0, &raw mut heat, null_mut());
-    }
-    assert!(energy > 0.0 && (heat / sliding - 1.0).abs() < 1e-6, "{energy:e} {heat:e}");
-    let before = twist;
-    for (zeta, omega, name) in
-        [(f64::NAN, 0.0, "zeta"), (zeta, f64::INFINITY, "omega"), (zeta, 1e80, "omega")]
-    {
-        let (status, _, field) = go(&mut twist, zeta, omega);
-        assert_eq!((status, field.as_str()), (CaromStatus::OutOfRange, name));
-        assert_eq!(twist, before);
-    }
-    twist.numbers[0] = f64::NAN;
-    assert_eq!(go(&mut twist, zeta, 0.0).0, CaromStatus::BadState);
-    // A pair that knows no torsion, and one without slip.
-    // SAFETY: all pointers are references; all zero is a pair that nothing accepts.
-    unsafe {
-        let mut stiff: CaromPair = zeroed();
-        carom_pair_of_stiffness(1.0, 1.0, 1.0, 0.3, 0, 0.0, &raw mut stiff, null_mut());
-        let status = carom_twist_advance(&stiff, &raw mut twist, 1.0, 0.0, null_mut(), null_mut());
-        assert_eq!(status, CaromStatus::BadState);
-        let rough = self::pair(f64::INFINITY, CAROM_LAW_COULOMB);
-        let (twist, error) = (&raw mut twist, null_mut());
-        let status = carom_twist_advance(&raw const rough, twist, 1.0, 0.0, null_mut(), error);
-        assert_eq!(status, CaromStatus::OutOfRange);
-        assert_eq!(
-            carom_twist_advance(null(), twist, 1.0, 0.0, null_mut(), error),
-            CaromStatus::NullPointer
-        );
     }
 }

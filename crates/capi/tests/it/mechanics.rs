@@ -270,7 +270,7 @@ fn bodies_of_three_axes_obey_mechanics() {
     }
 }
 
-/// Of equal bodies: `c_z = 2 E* sqrt(R)`, `c_x = c_z/kappa`, `a^2 = R zeta`, `M_z = (16/3) G a^3 Omega`.
+/// Of equal bodies: `c_z = 2 E* sqrt(R)`, `c_x = c_z/kappa`, `a^2 = R zeta`.
 #[test]
 fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
     // SAFETY: all zero is a pair that nothing accepts.
@@ -283,7 +283,6 @@ fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
     };
     assert_eq!(status, CaromStatus::Ok);
     let (nu, radius) = (0.22, 0.0075_f64);
-    let shear = 70e9 / (2.0 * (1.0 + nu));
     let modulus = 70e9 / (2.0 * (1.0 - nu * nu));
     near(pair.c_z, 2.0 * modulus * radius.sqrt());
     let kappa = (2.0 - nu) / (2.0 * (1.0 - nu));
@@ -291,9 +290,6 @@ fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
     near(pair.c_y, pair.c_x);
     near(pair.a_squared, radius);
     near(pair.b_squared, radius);
-    near(pair.torsion_stiffness, 16.0 / 3.0 * 0.5 * shear * radius.powf(1.5));
-    // (3 pi/16) a f F_z is the torque of complete sliding.
-    near(pair.torsion_arm, 3.0 * std::f64::consts::PI / 16.0 * radius.sqrt());
     assert_eq!((pair.friction, pair.law, pair.tolerance), (0.35, CAROM_LAW_FIXED_DIRECTION, 1e-3));
 }
 
@@ -317,124 +313,6 @@ fn the_axes_of_an_elliptic_pair_are_not_exchanged() {
     near(round.c_x, round.c_y);
     // Hertz: a^2 A/zeta and b^2 B/zeta are functions of the ratio a/b alone, of which b > a is the greater.
     assert!(slender.b_squared > 3.0 * round.b_squared && slender.a_squared < 2.0 * round.a_squared);
-}
-
-/// Friction acts where the bodies touch: at its radius less its share of the approach from each centre, the
-/// shares as the compliances (1 - nu^2)/E.
-#[test]
-fn friction_of_unlike_grains_has_the_arm_of_each() {
-    // SAFETY: all zero is what nothing accepts, and is written.
-    let mut grains: CaromGrains = unsafe { zeroed() };
-    // SAFETY: all pointers are references.
-    let status = unsafe {
-        let (law, grains) = (CAROM_LAW_COULOMB, &raw mut grains);
-        carom_grains_of(&GLASS, &STEEL, 0.3, law, 0.0, 0.0, grains, null_mut())
-    };
-    assert_eq!(status, CaromStatus::Ok);
-    let soft = (1.0 - 0.22 * 0.22) / 70e9;
-    let stiff = (1.0 - 0.3 * 0.3) / 208e9;
-    let shares = [soft / (soft + stiff), stiff / (soft + stiff)];
-    near(grains.share_1, shares[0]);
-    near(grains.share_2, shares[1]);
-    let (radii, zeta): ([f64; 2], f64) = ([1e-3, 3e-3], 2e-5);
-    let modulus = 1.0 / (soft + stiff);
-    for on_wall in [false, true] {
-        let mut touch =
-            CaromTouch { mark: 0, words: [std::mem::MaybeUninit::new(0); CAROM_TOUCH_WORDS] };
-        let mut load = CaromGrainLoad::default();
-        let rest = [0.0; 3];
-        let two =
-            CaromGrain { place: rest, velocity: rest, spin: rest, radius: radii[1], mass: 1.0 };
-        let wall =
-            CaromWall { place: [0.0, 0.0, radii[1]], normal: [0.0, 0.0, 1.0], velocity: rest };
-        // Pressed in one step, then shifted.
-        let height = radii[0] + radii[1] - zeta;
-        for (velocity, x) in [([0.0, 0.0, -1.0], 0.0), ([-1.0, 0.0, 0.0], -1e-6)] {
-            let place = [x, 0.0, height];
-            let one = CaromGrain { place, velocity, spin: rest, radius: radii[0], mass: 1.0 };
-            let dt = if x == 0.0 { 1e-4 } else { 1e-6 };
-            // SAFETY: all pointers are references or null.
-            let status = unsafe {
-                let (load, heats) = (&raw mut load, null_mut());
-                match on_wall {
-                    true => carom_touch_wall(
-                        &grains,
-                        &mut touch,
-                        &one,
-                        &wall,
-                        dt,
-                        load,
-                        heats,
-                        null_mut(),
-                    ),
-                    false => carom_touch_grains(
-                        &grains,
-                        &mut touch,
-                        &one,
-                        &two,
-                        dt,
-                        load,
-                        heats,
-                        null_mut(),
-                    ),
-                }
-            };
-            assert_eq!(status, CaromStatus::Ok);
-        }
-        let radius = if on_wall { radii[0] } else { radii[0] * radii[1] / (radii[0] + radii[1]) };
-        let force = 4.0 / 3.0 * modulus * radius.sqrt() * zeta.powf(1.5);
-        assert!((dot(load.force, load.force).sqrt() / force - 1.0).abs() < 0.01);
-        // Body 2 is shifted to the right against body 1; across the normal there is friction alone.
-        let tilt = if on_wall { 0.0 } else { -1e-6 / height };
-        let pull = load.force[0] - tilt * load.force[2];
-        assert!(pull > 1e-3 * force, "{load:?}");
-        let arm = radii[0] - shares[0] * zeta;
-        assert!((load.torque_1[1] / (-arm * pull) - 1.0).abs() < 1e-5, "{load:?} {arm}");
-        let arm = if on_wall { 0.0 } else { radii[1] - shares[1] * zeta };
-        assert!((load.torque_2[1] + arm * pull).abs() <= 1e-5 * arm * pull, "{load:?} {arm}");
-    }
-}
-
-/// A contact twisted to and fro at a constant approach: the work of the torque is the heat told beforehand and
-/// the change of the energy, step by step; one step of many.
-#[test]
-fn work_of_a_twist_is_stored_or_heat() {
-    // SAFETY: all zero is a pair that nothing accepts.
-    let mut pair: CaromPair = unsafe { zeroed() };
-    let mut twist = CaromTwist { numbers: [0.0; CAROM_TWIST_NUMBERS] };
-    let zeta = 1e-7;
-    let [mut torque, mut energy, mut heat] = [0.0; 3];
-    // SAFETY: all pointers are references.
-    unsafe {
-        let (law, pair, error) = (CAROM_LAW_COULOMB, &raw mut pair, null_mut());
-        carom_pair_of_spheres(&GLASS, &GLASS, 1e-3, 2e-3, 0.3, law, 0.0, pair, error);
-        carom_twist_advance(pair, &raw mut twist, zeta, 0.0, null_mut(), error);
-    }
-    let (mut omega, mut work, mut lost) = (0.0, 0.0, 0.0);
-    // Far into slip, and back beyond where it began.
-    let span = 8e-3;
-    for i in 0..600 {
-        let by = if i < 200 { span / 200.0 } else { -span / 200.0 };
-        omega += by;
-        let before = torque;
-        // SAFETY: all pointers are references.
-        let all = unsafe {
-            let error = null_mut();
-            [
-                carom_twist_heat(&pair, &twist, zeta, omega, &mut heat, error),
-                carom_twist_advance(&pair, &mut twist, zeta, omega, &mut torque, error),
-                carom_twist_energy(&pair, &twist, &mut energy, error),
-            ]
-        };
-        assert_eq!(all, [CaromStatus::Ok; 3]);
-        work += 0.5 * (before + torque) * by;
-        lost += heat;
-        // By trapezoids, which see little of the first slip.
-        let off = (work - lost - energy).abs() / work.max(energy);
-        assert!(off < if i < 10 { 1e-2 } else { 2e-3 }, "{i}: {off}");
-        assert!(heat >= 0.0);
-    }
-    assert!(lost > 0.1 * work && energy > 0.0, "{lost} {work} {energy}");
 }
 
 /// Many pairs at once, each with its own numbers wherever they lie; in sliding R_x = -1 + 7/lambda.
