@@ -2,13 +2,12 @@
 //! restitution and without.
 
 use std::hint::black_box;
-use std::mem::{MaybeUninit, zeroed};
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 use carom_capi::{
-    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_TOUCH_WORDS, CaromEncounter, CaromGrain,
-    CaromGrainLoad, CaromGrains, CaromMaterial, CaromStatus, CaromTouch, carom_grains_of,
-    carom_grains_restitution, carom_touch_grains, carom_touch_many,
+    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CaromEncounter, CaromGrain, CaromGrainLoad,
+    CaromLaw, CaromLawOptions, CaromMaterial, CaromStatus, carom_law_make, carom_touch_size,
+    carom_touch_step, carom_touch_step_many,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -16,18 +15,17 @@ const PAIRS: usize = 64;
 const STEPS: usize = 256;
 const DT: f64 = 1e-6;
 
-fn grains(law: u32, restitution: f64) -> CaromGrains {
+/// It lives as long as the process.
+fn law(law: u32, restitution: f64) -> *const CaromLaw {
     let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
-    // SAFETY: plain numbers; all pointers are references or null.
-    unsafe {
-        let mut grains = zeroed();
-        let to = &raw mut grains;
-        let status = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 0.0, to, null_mut());
-        assert_eq!(status, CaromStatus::Ok);
-        let status = carom_grains_restitution(to, restitution, null_mut());
-        assert_eq!(status, CaromStatus::Ok);
-        grains
-    }
+    let size = size_of::<CaromLawOptions>();
+    let options = CaromLawOptions { size, law, restitution, ..CaromLawOptions::default() };
+    let mut made = null_mut();
+    // SAFETY: all pointers are references or null.
+    let status =
+        unsafe { carom_law_make(&glass, &glass, 0.3, &options, &raw mut made, null_mut()) };
+    assert_eq!(status, CaromStatus::Ok);
+    made
 }
 
 /// Pairs that are pressed, shift in circles, spin and roll.
@@ -54,19 +52,22 @@ fn path() -> Vec<[[CaromGrain; 2]; PAIRS]> {
     (0..STEPS).map(|step| std::array::from_fn(|pair| at(step, pair))).collect()
 }
 
-fn apart() -> Vec<CaromTouch> {
-    vec![CaromTouch { mark: 0, words: [MaybeUninit::new(0); CAROM_TOUCH_WORDS] }; PAIRS]
+/// Touches one after the other, and the words of each.
+fn apart(law: *const CaromLaw) -> (Vec<u64>, usize) {
+    // SAFETY: a law.
+    let words = unsafe { carom_touch_size(law) } / 8;
+    (vec![0; words * PAIRS], words)
 }
 
-fn one_by_one(grains: &CaromGrains, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
-    let (mut touches, mut sum) = (apart(), 0.0);
+fn one_by_one(law: *const CaromLaw, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
+    let ((mut touches, words), mut sum) = (apart(law), 0.0);
     for bodies in path {
-        for (touch, [one, two]) in touches.iter_mut().zip(bodies) {
-            let (mut load, none) = (CaromGrainLoad::default(), null_mut());
+        for (touch, [one, two]) in touches.chunks_exact_mut(words).zip(bodies) {
+            let (mut load, touch) = (CaromGrainLoad::default(), touch.as_mut_ptr().cast());
             // SAFETY: all pointers are references or null.
             unsafe {
-                let to = &raw mut load;
-                carom_touch_grains(grains, touch, one, two, DT, to, none, null_mut());
+                let (to, none) = (&raw mut load, null_mut());
+                carom_touch_step(law, touch, one, two, null(), DT, to, none, null_mut());
             }
             sum += load.force[0];
         }
@@ -74,20 +75,20 @@ fn one_by_one(grains: &CaromGrains, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
     sum
 }
 
-fn many(grains: &CaromGrains, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
-    let (mut touches, mut sum) = (apart(), 0.0);
+fn many(law: *const CaromLaw, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
+    let ((mut touches, words), mut sum) = (apart(law), 0.0);
     for bodies in path {
         let mut encounters: Vec<_> = touches
-            .iter_mut()
+            .chunks_exact_mut(words)
             .zip(bodies)
             .map(|(touch, &[one, two])| {
-                let load = CaromGrainLoad::default();
-                CaromEncounter { grains, touch, one, two, load }
+                let (touch, load) = (touch.as_mut_ptr().cast(), CaromGrainLoad::default());
+                CaromEncounter { law, touch, wall: null(), one, two, load }
             })
             .collect();
         // SAFETY: each has a touch of its own.
         unsafe {
-            carom_touch_many(encounters.as_mut_ptr(), PAIRS, DT, null_mut(), null_mut());
+            carom_touch_step_many(encounters.as_mut_ptr(), PAIRS, DT, null_mut(), null_mut());
         }
         sum += encounters.iter().map(|met| met.load.force[0]).sum::<f64>();
     }
@@ -96,19 +97,19 @@ fn many(grains: &CaromGrains, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
 
 fn steps(criterion: &mut Criterion) {
     let path = path();
-    for (name, law, restitution) in [
+    for (name, number, restitution) in [
         ("fixed-direction", CAROM_LAW_FIXED_DIRECTION, 1.0),
         ("fixed-direction, restitution", CAROM_LAW_FIXED_DIRECTION, 0.8),
         ("coulomb", CAROM_LAW_COULOMB, 1.0),
         ("coulomb, restitution", CAROM_LAW_COULOMB, 0.8),
     ] {
-        let grains = grains(law, restitution);
-        let [alone, together] = [one_by_one(&grains, &path), many(&grains, &path)];
+        let law = law(number, restitution);
+        let [alone, together] = [one_by_one(law, &path), many(law, &path)];
         assert!((alone / together - 1.0).abs() < 1e-12);
         let mut group = criterion.benchmark_group(format!("grains, {name}"));
         group.throughput(Throughput::Elements((PAIRS * STEPS) as u64));
-        group.bench_function("one by one", |b| b.iter(|| one_by_one(&grains, black_box(&path))));
-        group.bench_function("many", |b| b.iter(|| many(&grains, black_box(&path))));
+        group.bench_function("one by one", |b| b.iter(|| one_by_one(law, black_box(&path))));
+        group.bench_function("many", |b| b.iter(|| many(law, black_box(&path))));
         group.finish();
     }
 }

@@ -1,11 +1,10 @@
 //! Steps of contact laws, and of the contact of two grains through the C interface.
 
-use std::mem::{MaybeUninit, zeroed};
-use std::ptr::null_mut;
+use std::ptr::{null, null_mut};
 
 use carom_capi::{
-    CAROM_LAW_FIXED_DIRECTION, CAROM_TOUCH_WORDS, CaromGrain, CaromGrainLoad, CaromMaterial,
-    CaromStatus, CaromTouch, carom_grains_of, carom_touch_grains,
+    CAROM_LAW_FIXED_DIRECTION, CaromGrain, CaromGrainLoad, CaromLawOptions, CaromMaterial,
+    CaromStatus, carom_law_make, carom_touch_size, carom_touch_step,
 };
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::friction::Friction;
@@ -138,13 +137,14 @@ fn above(step: usize, pair: usize) -> CaromGrain {
 fn grain_touch() -> Work {
     let glass = CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
     let law = CAROM_LAW_FIXED_DIRECTION;
-    // SAFETY: plain numbers; all pointers are references or null.
-    let grains = unsafe {
-        let mut grains = zeroed();
-        let to = &raw mut grains;
-        let status = carom_grains_of(&glass, &glass, 0.3, law, 0.0, 0.0, to, null_mut());
+    let size = size_of::<CaromLawOptions>();
+    let options = CaromLawOptions { size, law, ..CaromLawOptions::default() };
+    let mut made = null_mut();
+    // SAFETY: all pointers are references or null; the law lives as long as the process.
+    let (law, words) = unsafe {
+        let status = carom_law_make(&glass, &glass, 0.3, &options, &raw mut made, null_mut());
         assert_eq!(status, CaromStatus::Ok);
-        grains
+        (made.cast_const(), carom_touch_size(made) / 8)
     };
     let still = [0.0; 3];
     let below = CaromGrain {
@@ -159,22 +159,13 @@ fn grain_touch() -> Work {
     Box::new(move || {
         let mut sum = 0.0;
         for way in &ways {
-            let mut touch = CaromTouch { mark: 0, words: [MaybeUninit::new(0); CAROM_TOUCH_WORDS] };
+            let mut touch = vec![0_u64; words];
             for grain in way {
                 let (mut load, none) = (CaromGrainLoad::default(), null_mut());
-                let to = &raw mut load;
+                let (to, touch) = (&raw mut load, touch.as_mut_ptr().cast());
                 // SAFETY: all pointers are references or null.
                 unsafe {
-                    carom_touch_grains(
-                        &grains,
-                        &mut touch,
-                        grain,
-                        &below,
-                        1e-6,
-                        to,
-                        none,
-                        null_mut(),
-                    );
+                    carom_touch_step(law, touch, grain, &below, null(), 1e-6, to, none, null_mut());
                 }
                 sum += load.force[0];
             }

@@ -13,8 +13,7 @@ module carom
   end type
 
   type, bind(c) :: carom_pair
-    real(c_double) :: c_x, c_y, c_z, friction, tolerance, a_squared, b_squared
-    real(c_double) :: torsion_stiffness, torsion_arm, gamma, coupling_bound, yield_stress
+    real(c_double) :: c_x, c_y, c_z, friction, tolerance, a_squared, b_squared, gamma, coupling_bound
     integer(c_int32_t) :: law, version
   end type
 

@@ -7,6 +7,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "carom.h"
@@ -91,22 +92,21 @@ static void kick(carom_grain *one, carom_grain *two, const carom_grain_load *loa
 
 /* Steps the impact by leapfrog until the balls separate. Returns R_x. */
 static double step(double mass, double inertia, double dt) {
-  carom_grains grains;            /* the constants of glass on glass */
-  carom_touch touch;              /* the memory of this contact: zero bytes before contact */
-  carom_grain one, two;           /* positions, velocities, spins */
-  carom_grain_load load;          /* on ball 1, and the torque on ball 2 */
-  carom_heats heats = {0.0, 0.0}; /* each step adds to it */
+  carom_law *law;                      /* that of glass on glass */
+  carom_touch *touch;                  /* the memory of this contact: zero bytes before contact */
+  carom_grain one, two;                /* positions, velocities, spins */
+  carom_grain_load load;               /* on ball 1, and the torque on ball 2 */
+  carom_heats heats = {0.0, 0.0, 0.0}; /* each step adds to it */
   carom_error error;
   double before, energy, elastic, imbalance = 0.0, sliding_before;
   int steps = 0;
 
-  if (carom_grains_of(&glass, &glass, friction, CAROM_LAW_COULOMB, 0.0, 0.0, &grains, &error) !=
-      CAROM_STATUS_OK) {
+  if (carom_law_make(&glass, &glass, friction, NULL, &law, &error) != CAROM_STATUS_OK) {
     printf("%s\n", error.text);
     failures += 1;
     return 0.0;
   }
-  memset(&touch, 0, sizeof touch);
+  touch = calloc(1, carom_touch_size(law));
   start(&one, &two);
   before = kinetic(&one, mass, inertia) + kinetic(&two, mass, inertia);
   sliding_before = sliding(&one, &two);
@@ -114,21 +114,23 @@ static double step(double mass, double inertia, double dt) {
     /* The velocities are those half a step before the new positions. */
     add(one.place, dt, one.velocity);
     add(two.place, dt, two.velocity);
-    if (carom_touch_grains(&grains, &touch, &one, &two, dt, &load, &heats, &error) !=
+    if (carom_touch_step(law, touch, &one, &two, NULL, dt, &load, &heats, &error) !=
         CAROM_STATUS_OK) {
       printf("%s: %s\n", error.field, error.text);
       failures += 1;
-      return 0.0;
+      break;
     }
 
     /* To the time of the positions, for the balance of energy; then half a step ahead. */
     kick(&one, &two, &load, mass, inertia, 0.5 * dt);
-    carom_touch_energy(&touch, &elastic, NULL);
+    carom_touch_energy(law, touch, radius, radius, &elastic, NULL);
     energy = kinetic(&one, mass, inertia) + kinetic(&two, mass, inertia) + elastic + heats.friction;
     imbalance = fmax(imbalance, fabs(energy / before - 1.0));
     kick(&one, &two, &load, mass, inertia, 0.5 * dt);
     steps += 1;
   } while (dot(load.force, load.force) > 0.0 && steps < 10000);
+  free(touch);
+  carom_law_free(law);
 
   printf("%d steps of %.3g s\n", steps, dt);
   printf("energy before %.4e J, after %.4e J, friction heat %.4e J, off balance by %.1e\n", before,

@@ -267,7 +267,7 @@ typedef struct carom_heats {
    * ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
    * the motion has ended it is not. */
   double damping;
-  /* Heat of a resistance to rolling ([`super::GrainRoll`]). */
+  /* Heat of a resistance to rolling. */
   double rolling;
 } carom_heats;
 

@@ -38,14 +38,14 @@ void Touches::give_back(int place)
   unused.push_back(place);
 }
 
-void Touches::strange(const double *slot, carom_error *why)
+void Touches::strange(const double *numbers, carom_error *why)
 {
   memset(why, 0, sizeof *why);
   why->index = -1;
-  why->value = slot[0];
+  why->value = numbers[0];
   strcpy(why->field, "mark");
   snprintf(why->text, sizeof why->text,
-           "mark = %g is out of range: the numbers of a contact are damaged, in the restart file or since", slot[0]);
+           "mark = %g is out of range: the numbers of a contact are damaged, in the restart file or since", numbers[0]);
 }
 
 void Touches::drop(double *slot)

@@ -39,6 +39,8 @@ class Touches {
   // unpacked contact without reading the slot.
   int flag_of(const double *slot) const { return is_unpacked(slot) ? 2 + index(slot) : 1; }
   carom_touch *with_flag(int flag) { return flag > 1 ? touch(flag - 2) : nullptr; }
+  // Says of numbers that they are no contact.
+  static void strange(const double *numbers, carom_error *why);
   // Ends the contact of a slot.
   void drop(double *slot);
   // Packs the contact of a slot into numbers.
@@ -67,7 +69,6 @@ class Touches {
   }
   carom_touch *unpack(double *slot, const MadeLaw &law, double radius_1, double radius_2, carom_error *why);
   void give_back(int place);
-  static void strange(const double *slot, carom_error *why);
 };
 
 }    // namespace carom

@@ -1,5 +1,7 @@
 #include "wall_contact.h"
 
+#include "touches.h"
+
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -18,6 +20,10 @@ carom_touch *WallContact::touch(const MadeLaw &its, double radius, carom_error *
   const std::size_t known = packed.size(), asked = carom_touch_pack_size(its.get());
   words.assign(size, 0);
   if (form == Form::PACKED) {
+    if (packed[0] < 0.0) {
+      Touches::strange(packed.data(), why);
+      return nullptr;
+    }
     if (known != asked) {
       memset(why, 0, sizeof *why);
       snprintf(why->text, sizeof why->text,

@@ -116,7 +116,7 @@ def test_slots_without_a_host_under_sanitizers(tmp_path):
     program = tmp_path / "touches"
     command = ["g++", "-std=c++17", "-g", "-O1", "-Wall", "-Wextra", "-Werror", "-fsanitize=address,undefined"]
     command += ["-fno-sanitize-recover=all", f"-I{ROOT / 'crates/capi/include'}", str(HERE / "touches.cpp")]
-    command += [str(HERE.parent / "src/touches.cpp"), str(HERE.parent / "src/touch.cpp"), str(library), "-lpthread", "-ldl", "-lm", "-o", str(program)]
+    command += [str(HERE.parent / "src/touches.cpp"), str(HERE.parent / "src/wall_contact.cpp"), str(library), "-lpthread", "-ldl", "-lm", "-o", str(program)]
     subprocess.run(command, check=True)
     said = subprocess.run([program], text=True, capture_output=True)
     assert said.returncode == 0 and said.stdout == "all is well\n", said.stdout + said.stderr[-3000:]

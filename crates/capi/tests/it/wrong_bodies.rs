@@ -116,7 +116,21 @@ fn any_pair_and_ratio_is_answered() {
                 calls.push(carom_pair_of_spheres(
                     material, material, other, one, 0.3, law, other, pair, e,
                 ));
-                calls.push(carom_pair_of_stiffness(one, other, 1.0, 0.3, law, 0.0, pair, e));
+                calls.push(carom_pair_of_curvatures(
+                    material, material, one, other, 0.3, law, 0.0, pair, e,
+                ));
+                let mut made = std::ptr::null_mut();
+                let options = CaromLawOptions {
+                    size: size_of::<CaromLawOptions>(),
+                    relaxation: other,
+                    ..CaromLawOptions::default()
+                };
+                for friction in [0.3, other] {
+                    calls
+                        .push(carom_law_make(material, material, friction, &options, &mut made, e));
+                    carom_law_free(made);
+                    made = std::ptr::null_mut();
+                }
                 for method in [CAROM_EXACT, CAROM_BY_TABLE] {
                     calls.push(carom_restitution(one, other, method, &raw mut r_x, e));
                     calls.push(carom_restitution(1.2, other, method, &raw mut r_x, e));

@@ -109,20 +109,3 @@ fn calls_chosen_by_bytes_end_with_a_status() {
         call_by(&bytes);
     }
 }
-
-/// The load of a wall that is infinitely far inside a grain was not a number, with the status of success.
-#[test]
-fn a_load_that_is_no_number_is_an_error() {
-    let mut world = World::new(0);
-    let [mut grain, _] = world.meeting();
-    (grain.place, grain.radius) = ([0.0; 3], f64::INFINITY);
-    let wall = CaromWall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
-    let mut load = CaromGrainLoad::default();
-    let (grains, touch) = (&raw const world.grains[0], &raw const world.touches[0]);
-    // SAFETY: all pointers are references or null.
-    let status = unsafe {
-        carom_touch_wall_load(grains, touch, &grain, &wall, &mut load, std::ptr::null_mut())
-    };
-    assert_eq!(status, CaromStatus::OutOfRange);
-    assert_eq!(load, CaromGrainLoad::default());
-}

@@ -12,18 +12,15 @@ use super::random::Random;
 pub(crate) struct World {
     pub(crate) random: Random,
     pub(crate) pairs: [CaromPair; 5],
-    /// Whether bytes of contacts, of touches or of ring touches were changed: their laws are not checked in each step.
+    /// Whether bytes of contacts or of touches were changed: their laws are not checked in each step.
     pub(crate) are_damaged: bool,
-    pub(crate) grains: [CaromGrains; 3],
     pub(crate) contacts: [CaromContact; 6],
     pub(crate) states: [CaromState; 6],
-    pub(crate) touches: [CaromTouch; 12],
-    pub(crate) packed: [[f64; CAROM_TOUCH_NUMBERS]; 4],
-    pub(crate) twists: [CaromTwist; 4],
-    pub(crate) ring_grains: CaromGrains,
-    pub(crate) rings: *mut CaromRings,
-    pub(crate) ring_touches: [CaromRingTouch; 6],
-    pub(crate) ring_packed: [[f64; CAROM_RING_TOUCH_NUMBERS]; 3],
+    /// Made once; freed at the end.
+    pub(crate) laws: [*mut CaromLaw; LAWS],
+    /// Each has room for any law.
+    pub(crate) touches: [[u64; WORDS]; TOUCHES],
+    pub(crate) packed: [[f64; NUMBERS]; LAWS],
     pub(crate) time: f64,
     pub(crate) error: CaromError,
     /// How often each status was told.
@@ -34,6 +31,40 @@ pub(crate) struct World {
 pub(crate) const GLASS: CaromMaterial =
     CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 
+/// Number of laws, and of touches: the first of each law, then the second.
+pub(crate) const LAWS: usize = 8;
+pub(crate) const TOUCHES: usize = 4 * LAWS;
+/// More than any law asks for.
+pub(crate) const WORDS: usize = 520;
+pub(crate) const NUMBERS: usize = 400;
+
+/// Laws of all kinds; the last two by rings.
+fn laws() -> [*mut CaromLaw; LAWS] {
+    let rubber = CaromMaterial { young_modulus: 1e9, poisson: 0.5, yield_stress: 0.0 };
+    let rolling = CaromRolling { stiffness: 1e4, damping: 1e-3, friction: 0.05 };
+    let usual = CaromLawOptions { size: size_of::<CaromLawOptions>(), ..Default::default() };
+    let damped = CaromLawOptions { relaxation: 1e-7, ..usual };
+    let all = [
+        (0.4, damped),
+        (0.4, CaromLawOptions { law: CAROM_LAW_FIXED_DIRECTION, ..damped }),
+        (0.0, damped),
+        (0.3, CaromLawOptions { slip_friction_b: 0.2, slip_friction_c: 1.0, rolling, ..usual }),
+        (0.3, CaromLawOptions { static_friction: 0.5, restitution: 0.7, ..usual }),
+        (0.3, CaromLawOptions { torsion: 1, rolling, ..damped }),
+        (0.3, CaromLawOptions { law: CAROM_LAW_RINGS, ..damped }),
+        (0.3, CaromLawOptions { law: CAROM_LAW_RINGS, rolling, ..usual }),
+    ];
+    all.map(|(friction, options)| {
+        let mut law = null_mut();
+        // SAFETY: all pointers are references or null.
+        let made = unsafe {
+            carom_law_make(&GLASS, &rubber, friction, &options, &raw mut law, null_mut())
+        };
+        assert_eq!(made, CaromStatus::Ok);
+        law
+    })
+}
+
 impl World {
     pub(crate) fn new(seed: u64) -> Self {
         // SAFETY: zeros are valid in all of its parts but the list of names, which is written.
@@ -42,16 +73,11 @@ impl World {
                 random: Random::Seed(seed),
                 pairs: zeroed(),
                 are_damaged: false,
-                grains: zeroed(),
                 contacts: zeroed(),
                 states: zeroed(),
-                touches: zeroed(),
+                laws: laws(),
+                touches: [[0; WORDS]; TOUCHES],
                 packed: zeroed(),
-                twists: zeroed(),
-                ring_grains: zeroed(),
-                rings: null_mut(),
-                ring_touches: zeroed(),
-                ring_packed: zeroed(),
                 time: 0.0,
                 error: zeroed(),
                 told: [0; 8],
@@ -60,23 +86,6 @@ impl World {
         };
         world.renew();
         world
-    }
-
-    /// Unlike grains with the law of rings; their matrices are made once.
-    fn renew_rings(&mut self) {
-        let rubber = CaromMaterial { young_modulus: 1e9, poisson: 0.5, yield_stress: 0.0 };
-        let (grains, law) = (&raw mut self.ring_grains, CAROM_LAW_RINGS);
-        // SAFETY: all pointers are references or null.
-        unsafe {
-            let made = carom_grains_of(&GLASS, &rubber, 0.3, law, 0.0, 1e-7, grains, null_mut());
-            assert_eq!(made, CaromStatus::Ok);
-            if self.rings.is_null() {
-                let pair = &raw const self.ring_grains.unit;
-                let made = carom_rings_of(pair, &raw mut self.rings, null_mut());
-                assert_eq!(made, CaromStatus::Ok);
-            }
-            (self.ring_touches, self.ring_packed) = (zeroed(), zeroed());
-        }
     }
 
     /// Valid constants, and memories of bodies that just touch.
@@ -99,20 +108,9 @@ impl World {
             };
             assert_eq!(made, CaromStatus::Ok);
         }
-        for (i, grains) in self.grains.iter_mut().enumerate() {
-            let (law, friction) = ((i % 2) as u32, 0.4 * (2 - i) as f64);
-            // SAFETY: all pointers are references or null.
-            let made = unsafe {
-                carom_grains_of(&GLASS, &GLASS, friction, law, 0.0, 1e-7, grains, null_mut())
-            };
-            assert_eq!(made, CaromStatus::Ok);
-        }
         // SAFETY: zeros are bodies that just touch.
-        unsafe {
-            (self.contacts, self.states, self.touches) = (zeroed(), zeroed(), zeroed());
-            (self.packed, self.twists) = (zeroed(), zeroed());
-        }
-        self.renew_rings();
+        unsafe { (self.contacts, self.states) = (zeroed(), zeroed()) };
+        (self.touches, self.packed) = ([[0; WORDS]; TOUCHES], [[0.0; NUMBERS]; LAWS]);
         (self.time, self.are_damaged) = (0.0, false);
     }
 
@@ -211,25 +209,18 @@ impl World {
 
     /// Changes bytes anywhere in what is kept: some of one, or all of one by those of another.
     pub(crate) fn garble(&mut self) {
-        let touches = &mut self.ring_touches;
-        let parts: [(*mut u8, usize, usize); 10] = [
+        let parts: [(*mut u8, usize, usize); 5] = [
             (self.pairs.as_mut_ptr().cast(), self.pairs.len(), size_of::<CaromPair>()),
-            (self.grains.as_mut_ptr().cast(), self.grains.len(), size_of::<CaromGrains>()),
             (self.contacts.as_mut_ptr().cast(), self.contacts.len(), size_of::<CaromContact>()),
             (self.states.as_mut_ptr().cast(), self.states.len(), size_of::<CaromState>()),
-            (self.touches.as_mut_ptr().cast(), self.touches.len(), size_of::<CaromTouch>()),
-            (self.packed.as_mut_ptr().cast(), self.packed.len(), 8 * CAROM_TOUCH_NUMBERS),
-            (self.twists.as_mut_ptr().cast(), self.twists.len(), size_of::<CaromTwist>()),
-            (touches.as_mut_ptr().cast(), touches.len(), size_of::<CaromRingTouch>()),
-            (self.ring_packed.as_mut_ptr().cast(), 3, 8 * CAROM_RING_TOUCH_NUMBERS),
-            ((&raw mut self.ring_grains).cast(), 1, size_of::<CaromGrains>()),
+            (self.touches.as_mut_ptr().cast(), TOUCHES, 8 * WORDS),
+            (self.packed.as_mut_ptr().cast(), LAWS, 8 * NUMBERS),
         ];
         // Memories more often than constants, which few calls then take.
-        let kind =
-            [0, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8, 9][self.pick(24)];
+        let kind = [0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 3, 3, 4, 4, 4][self.pick(16)];
         let (first, count, size) = parts[kind];
         let (at, from) = (self.pick(count), self.pick(count));
-        self.are_damaged |= [2, 4, 7].contains(&kind);
+        self.are_damaged |= [1, 3].contains(&kind);
         // SAFETY: within the array; all are plain bytes, of which any are values.
         let bytes = unsafe {
             if self.chance(0.05) {
@@ -264,7 +255,9 @@ impl World {
 
 impl Drop for World {
     fn drop(&mut self) {
-        // SAFETY: made by `carom_rings_of`.
-        unsafe { carom_rings_free(self.rings) };
+        for law in self.laws {
+            // SAFETY: made by the library, and freed once.
+            unsafe { carom_law_free(law) };
+        }
     }
 }

@@ -53,7 +53,8 @@ fn bodies_apart_exert_no_force() {
         let gap = 1e-9 * 10_f64.powf(12.0 * random.unit());
         let (is_accounted, has_touched) = (random.below(2) == 0, random.below(2) == 0);
         let mut touches = [law.touch(), law.touch()];
-        let mut step = |touches: &mut [Touch; 2], (one, seconds, dt): (CaromGrain, [Second; 2], f64)| {
+        let step = |touches: &mut [Touch; 2],
+                    (one, seconds, dt): (CaromGrain, [Second; 2], f64)| {
             let mut heats = CaromHeats::default();
             let loads = [0, 1].map(|i| {
                 let sums = is_accounted.then_some(&mut heats);

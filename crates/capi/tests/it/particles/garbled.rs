@@ -26,9 +26,15 @@ fn meeting(time: f64) -> [CaromGrain; 2] {
 }
 
 /// The statuses of every call that reads or changes a touch.
-fn ask_all(law: &Made, garbled: &Touch, whole: &Touch, bodies: [CaromGrain; 2]) -> Vec<CaromStatus> {
+fn ask_all(
+    law: &Made,
+    garbled: &Touch,
+    whole: &Touch,
+    bodies: [CaromGrain; 2],
+) -> Vec<CaromStatus> {
     let [one, two] = bodies;
-    let status = |result: Result<(), Told>| result.map_or_else(|told| told.status, |()| CaromStatus::Ok);
+    let status =
+        |result: Result<(), Told>| result.map_or_else(|told| told.status, |()| CaromStatus::Ok);
     let (mut number, mut room) = (0.0, garbled.packed_room(law));
     let mut report = CaromReport { sticking: 0.0, regime: CaromRegime::Separated };
     let second = Second::Grain(two);
@@ -82,7 +88,8 @@ fn a_changed_word_of_a_touch_is_a_status_and_no_jump() {
                     garbled.words[at] = word;
                     let statuses = ask_all(&law, &garbled, &whole, bodies);
                     assert!(!statuses.contains(&CaromStatus::Internal), "{its:?} {at} {word:x}");
-                    refused += usize::from(statuses.iter().all(|told| *told == CaromStatus::BadState));
+                    refused +=
+                        usize::from(statuses.iter().all(|told| *told == CaromStatus::BadState));
                 }
             }
             assert!(refused >= 10, "{its:?}: {refused}");

@@ -61,7 +61,10 @@ fn spheres_have_the_circle_of_hertz() {
         assert!(is_close(told.semi_axis_over_radius, (0.75e-3 * 2e-4_f64).sqrt() / 1e-3));
         assert!(is_close(told.approach_over_radius, 0.2));
         let leaves_out = its != CAROM_LAW_RINGS;
-        assert_eq!((told.coupling > 0.0, told.warnings & CAROM_WARNING_COUPLING), (leaves_out, u32::from(leaves_out)));
+        assert_eq!(
+            (told.coupling > 0.0, told.warnings & CAROM_WARNING_COUPLING),
+            (leaves_out, u32::from(leaves_out))
+        );
     }
 }
 
@@ -182,24 +185,22 @@ fn damping_stands_for_all_losses_and_its_contacts_are_looked_at_as_they_are() {
     let damped = law(HARD, SOFT, CAROM_LAW_COULOMB, 1e-7);
     let masses = [mass(1e-3, 2500.0); 2];
     let free =
-        impact(&law(HARD, SOFT, CAROM_LAW_COULOMB, 0.0), [1e-3; 2], masses, 30.0, 1e-7)
-            .unwrap();
+        impact(&law(HARD, SOFT, CAROM_LAW_COULOMB, 0.0), [1e-3; 2], masses, 30.0, 1e-7).unwrap();
     let told = impact(&damped, [1e-3; 2], masses, 30.0, 1e-7).unwrap();
     assert!(free.wave_share > 0.01 && free.pressure_over_yield > 1.0);
     assert_eq!((told.wave_share, told.pressure_over_yield), (0.0, 0.0));
     assert_eq!((told.approach_over_radius, told.semi_axis_over_radius), (0.0, 0.0));
     assert_eq!(told.step_over_duration, free.step_over_duration);
-    let [deep, free] = [&damped, &law(HARD, SOFT, CAROM_LAW_COULOMB, 0.0)]
-        .map(|of| of.validity([1e-3; 2], 1e-5));
+    let [deep, free] =
+        [&damped, &law(HARD, SOFT, CAROM_LAW_COULOMB, 0.0)].map(|of| of.validity([1e-3; 2], 1e-5));
     assert_eq!(deep, free);
 }
 
 #[test]
 fn many_contacts_are_as_bad_as_the_worst_in_each_ratio() {
     let [hard, soft] = [HARD, SOFT].map(|two| law(HARD, two, CAROM_LAW_COULOMB, 0.0));
-    let grain = |height: f64, radius| {
-        grain([0.6 * height, 0.0, 0.8 * height], [0.0; 3], [0.0; 3], radius)
-    };
+    let grain =
+        |height: f64, radius| grain([0.6 * height, 0.0, 0.8 * height], [0.0; 3], [0.0; 3], radius);
     let met = |law: &Made, radii: [f64; 2], zeta: f64| CaromEncounter {
         law: law.0,
         touch: null_mut(),
@@ -275,7 +276,10 @@ fn what_is_exceeded_has_a_sentence_with_its_number() {
     let wrong = "warning = 3 is not the CAROM_WARNING bit of a carom_validity";
     assert_eq!(sentence(&validity, 3, 200).unwrap_err().text, wrong);
     assert!(sentence(&validity, CAROM_WARNING_NOT_SETTLED, 200).is_err());
-    assert_eq!(sentence(&validity, 2, 0).unwrap_err().text, "size = 0 is out of range: must be >= 1");
+    assert_eq!(
+        sentence(&validity, 2, 0).unwrap_err().text,
+        "size = 0 is out of range: must be >= 1"
+    );
 }
 
 #[test]

@@ -47,7 +47,8 @@ fn encounters_go_through_one_call_as_one_by_one() {
                     let phase = 0.05 * t + i as f64;
                     let x = [1e-6 * (0.03 * t).sin(), 2e-6 * (0.02 * phase).cos()];
                     let place = [x[0], x[1], 1.9 - 1e-5 + 3e-5 * phase.sin()];
-                    let along = [0.03 * phase.cos(), 0.02 * (0.02 * phase).sin(), 1.5 * phase.cos()];
+                    let along =
+                        [0.03 * phase.cos(), 0.02 * (0.02 * phase).sin(), 1.5 * phase.cos()];
                     let one = grain(place, along, [3.0 * phase.sin(), 1.0, 2.0], 1.0);
                     [one, grain([0.0; 3], [0.0; 3], [0.0; 3], 0.9)]
                 })
@@ -64,7 +65,9 @@ fn encounters_go_through_one_call_as_one_by_one() {
                 bodies[6][1].place = bodies[6][0].place;
                 let told = together(&law, &mut many, &bodies, dt, None).0.unwrap_err();
                 assert_eq!((told.status, told.index), (CaromStatus::OutOfRange, 6));
-                (0..6).for_each(|i| drop(step(i, bodies[i])));
+                for (i, pair) in bodies.iter().enumerate().take(6) {
+                    step(i, *pair);
+                }
             }
         }
         assert_eq!(alone.len(), many.len());
@@ -166,7 +169,9 @@ fn impossible_encounters_fail_as_one_by_one() {
                         [load.force, load.torque_1, load.torque_2].map(|v| v.map(f64::to_bits))
                     };
                     assert_eq!(bits(&load), bits(&loads[i]), "batch {batch}, pair {i}");
-                    assert!(bits(&load).into_iter().flatten().all(|b| f64::from_bits(b).is_finite()));
+                    assert!(
+                        bits(&load).into_iter().flatten().all(|b| f64::from_bits(b).is_finite())
+                    );
                 }
                 Err(why) => {
                     expected = Some((why.status, i as i64));

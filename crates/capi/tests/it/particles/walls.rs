@@ -38,9 +38,10 @@ fn constants_of_a_drum_are_those_of_its_gap() {
     let law = law.curved(RADIUS, [-1.0 / drum, 0.0]).unwrap();
     let pair = pair(0.5 * (1.0 / RADIUS - 1.0 / drum), 0.5 / RADIUS);
     let force = 2.0 / 3.0 * pair.c_z * zeta.powf(1.5);
-    assert!((pressed(&law, RADIUS, zeta) / force - 1.0).abs() < 1e-9);
+    // Of a height that rounds the approach to 1e-12.
+    assert!((pressed(&law, RADIUS, zeta) / force - 1.0).abs() < 1e-9, "{} {force}", pressed(&law, RADIUS, zeta));
     let ratio = law.validity([RADIUS, f64::INFINITY], zeta).unwrap().semi_axis_over_radius;
-    assert!(near(ratio, (pair.a_squared * zeta).sqrt() / RADIUS));
+    assert!(near(ratio, (pair.a_squared * zeta).sqrt() / RADIUS), "{ratio} {pair:?}");
     assert!(pair.a_squared > pair.b_squared, "longer along the circumference");
     // In full adhesion dF = c sqrt(zeta) d(shift), along both axes of the wall.
     for (k, stiffness) in [(0, pair.c_x), (1, pair.c_y)] {
@@ -51,6 +52,8 @@ fn constants_of_a_drum_are_those_of_its_gap() {
         place[k] += slip;
         velocity[k] = slip / DT;
         touch.step(&law, &grain(place, velocity, STILL, RADIUS), &on, DT);
+        // The lead of a velocity goes in two steps.
+        touch.step(&law, &grain(place, STILL, STILL, RADIUS), &on, DT);
         let load = touch.step(&law, &grain(place, STILL, STILL, RADIUS), &on, DT);
         let expected = -stiffness * zeta.sqrt() * slip;
         assert!((load.force[k] / expected - 1.0).abs() < 1e-3, "{k}: {load:?} {expected}");

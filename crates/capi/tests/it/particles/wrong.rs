@@ -84,7 +84,11 @@ fn a_failed_step_leaves_the_touch_as_it_was() {
                     (near, f64::NAN, ""),
                 ] {
                     // A contact with a law of shifts does not ask for radii again.
-                    if field == "radius_2" && !touch.is_new() && its.rolling.friction == 0.0 && its.law < 2 {
+                    if field == "radius_2"
+                        && !touch.is_new()
+                        && its.rolling.friction == 0.0
+                        && its.law < 2
+                    {
                         continue;
                     }
                     let (mut same, mut heats) = (touch.clone(), CaromHeats::default());

@@ -21,9 +21,9 @@ pub(super) fn told(
 }
 
 /// The numbers of a load, and of what became heat.
-pub(super) fn parts(load: &CaromGrainLoad, heats: &CaromHeats) -> [f64; 11] {
+pub(super) fn parts(load: &CaromGrainLoad, heats: &CaromHeats) -> [f64; 12] {
     let CaromGrainLoad { force: [a, b, c], torque_1: [d, e, f], torque_2: [g, h, i] } = *load;
-    [a, b, c, d, e, f, g, h, i, heats.friction, heats.damping]
+    [a, b, c, d, e, f, g, h, i, heats.friction, heats.damping, heats.rolling]
 }
 
 /// A report that was told has a regime that is one.

@@ -8,20 +8,6 @@ use carom_capi::*;
 use super::super::world::{GLASS, World};
 use super::answers::told;
 
-pub(super) fn impact_time(world: &mut World) -> CaromStatus {
-    let (of, error) = (world.pick(3), world.error());
-    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
-    let [mass_1, mass_2] = [world.number(1e-6, 1e-3), world.number(1e-6, 1e-3)];
-    let (velocity, mut time) = (world.number(0.0, 10.0), 0.0);
-    let grains = &raw mut world.grains[of];
-    let (grains, to) = (world.point(grains), world.point(&raw mut time));
-    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    let status = unsafe {
-        carom_grains_impact_time(grains, radius_1, radius_2, mass_1, mass_2, velocity, to, error)
-    };
-    told(world, status, 47, &[time])
-}
-
 pub(super) fn restitution(world: &mut World, which: usize) -> CaromStatus {
     let kappa = [world.number(0.75, 1.5), world.number(0.75, 1.5)];
     let (lambda, method, error) = (world.number(0.0, 9.0), world.pick(3) as u32, world.error());
@@ -30,7 +16,7 @@ pub(super) fn restitution(world: &mut World, which: usize) -> CaromStatus {
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
     let status = unsafe {
         match which {
-            36 => carom_restitution(kappa[0], lambda, method, to, error),
+            5 => carom_restitution(kappa[0], lambda, method, to, error),
             _ => {
                 let stride = if stride > 8 { 8 } else { stride };
                 carom_restitution_many(2, kappa.as_ptr(), 8, &lambda, 0, method, to, stride, error)
@@ -53,14 +39,6 @@ pub(super) fn dissimilar(world: &mut World) -> CaromStatus {
             kappa, gamma, friction, lambda, ratio, to, estimate, method, error,
         )
     }
-}
-
-pub(super) fn rebound(world: &mut World) -> CaromStatus {
-    let (at, restitution, error) = (world.pick(3), world.number(0.01, 1.0), world.error());
-    let grains = &raw mut world.grains[at];
-    let grains = world.point(grains);
-    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe { carom_grains_restitution(grains, restitution, error) }
 }
 
 pub(super) fn body(world: &mut World) -> CaromBody {
