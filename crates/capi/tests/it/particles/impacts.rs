@@ -40,9 +40,10 @@ impl<'a> Impact<'a> {
         [lambda, spin]: [f64; 2],
         (steps, part): (usize, f64),
     ) -> Self {
-        // Of Hertz's impact: 2.9432 zeta_max/v.
+        // Of Hertz's impact: 2.943275 zeta_max/v.
         let time = law.impact_time(RADII, RADII.map(mass), SPEED).unwrap();
-        let (dt, deepest) = (time / steps as f64, time * SPEED / 2.943_275);
+        let deepest = time * SPEED / 2.943_275_184;
+        let dt = 2.943_275 * deepest / SPEED / steps as f64;
         let gap = part * dt * SPEED;
         let slip = friction * SPEED;
         let about = spin * slip / (relative() * deepest).sqrt();

@@ -39,7 +39,11 @@ fn constants_of_a_drum_are_those_of_its_gap() {
     let pair = pair(0.5 * (1.0 / RADIUS - 1.0 / drum), 0.5 / RADIUS);
     let force = 2.0 / 3.0 * pair.c_z * zeta.powf(1.5);
     // Of a height that rounds the approach to 1e-12.
-    assert!((pressed(&law, RADIUS, zeta) / force - 1.0).abs() < 1e-9, "{} {force}", pressed(&law, RADIUS, zeta));
+    assert!(
+        (pressed(&law, RADIUS, zeta) / force - 1.0).abs() < 1e-9,
+        "{} {force}",
+        pressed(&law, RADIUS, zeta)
+    );
     let ratio = law.validity([RADIUS, f64::INFINITY], zeta).unwrap().semi_axis_over_radius;
     assert!(near(ratio, (pair.a_squared * zeta).sqrt() / RADIUS), "{ratio} {pair:?}");
     assert!(pair.a_squared > pair.b_squared, "longer along the circumference");
