@@ -98,7 +98,7 @@ static double step(double mass, double inertia, double dt) {
   carom_grain_load load;               /* on ball 1, and the torque on ball 2 */
   carom_heats heats = {0.0, 0.0, 0.0}; /* each step adds to it */
   carom_error error;
-  double before, energy, elastic, imbalance = 0.0, sliding_before;
+  double before, energy = 0.0, elastic, imbalance = 0.0, sliding_before;
   int steps = 0;
 
   if (carom_law_make(&glass, &glass, friction, NULL, &law, &error) != CAROM_STATUS_OK) {

@@ -336,7 +336,7 @@ typedef struct carom_report {
  * The constants are those of the step in which contact began. To change them, set the touch to zero. */
 typedef struct carom_touch carom_touch;
 
-/* The number of bytes of a touch of this law: 1296 of a law of shifts, 3408 of CAROM_LAW_RINGS; 664 more with torsion,
+/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3208 of CAROM_LAW_RINGS; 664 more with torsion,
  * 72 more with a resistance to rolling. 0 for null. */
 size_t carom_touch_size(const struct carom_law *law);
 

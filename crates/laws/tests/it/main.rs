@@ -33,6 +33,7 @@ mod packed;
 mod parting;
 mod parts_known;
 mod rings;
+mod rolling;
 mod settled_bed;
 mod shift;
 mod sliders;
