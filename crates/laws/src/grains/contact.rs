@@ -12,7 +12,7 @@ use super::law::GrainLaw;
 use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
 use super::meeting::Meeting;
 use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
-use super::twisted::{TwistState as _, turned};
+use super::twisted::{TwistState, Twisted, turned};
 use super::vector::times;
 use crate::damping::HertzDamping;
 use crate::law::{ContactLoad, Shift};
@@ -356,7 +356,7 @@ impl<L: GrainLaw> GrainContact<L> {
         (frame.velocity, frame.lead) = (step.velocity, step.lead);
         frame.friction = [end.f_x, end.f_y];
         // The law counts twist and torque clockwise.
-        frame.twist = frame.twist.with_torque(-end.m_z);
+        frame.twist = TwistState::of(Twisted { torque: -end.m_z, ..frame.twist.get() });
         self.exerted(meeting, end.f_z)
     }
 
@@ -365,7 +365,7 @@ impl<L: GrainLaw> GrainContact<L> {
         let axes = [self.frame.tangent, meeting.normal];
         let mut load = load_in(axes, meeting.arms, normal_force, self.frame.friction);
         if L::Twist::COUNTS {
-            load.twist(meeting, self.frame.twist.torque());
+            load.twist(meeting, self.frame.twist.get().torque);
         }
         load
     }

@@ -14,7 +14,7 @@ use super::law::GrainLaw;
 use super::load::{GrainLoad, check_beside, compressed, elastic};
 use super::meeting::Meeting;
 use super::step::{Step, first_step, one_step_before};
-use super::twisted::{TwistState as _, turned};
+use super::twisted::{TwistState, Twisted, turned};
 use crate::bounds::LARGEST;
 use crate::law::{ContactLoad, Shift};
 use crate::viscous::Slides;
@@ -98,7 +98,7 @@ impl<L: GrainLaw> GrainContact<L> {
         let mut ways = along(0) + along(1);
         if L::Twist::COUNTS {
             // The law counts twist and torque clockwise.
-            let torques = [-before.twist.torque(), -frame.twist.torque()];
+            let torques = [-before.twist.get().torque, -frame.twist.get().torque];
             ways += work(torques, turned(meeting, dt));
         }
         // What is neither stored nor heat of friction.
@@ -125,7 +125,7 @@ impl<L: GrainLaw> GrainContact<L> {
         // Bodies that overlapped before touch in this step all the same.
         (frame.velocity, frame.approach) = (step.velocity, before.zeta.min(0.0));
         frame.drag_heat.speed = step.speed;
-        frame.twist = frame.twist.with_motion(turning(meeting), frame.twist.lead());
+        frame.twist = TwistState::of(Twisted { rate: turning(meeting), ..frame.twist.get() });
         Ok(())
     }
 
@@ -168,11 +168,11 @@ impl<L: GrainLaw> GrainContact<L> {
         if !L::Twist::COUNTS {
             return (0.0, 0.0);
         }
-        let (turn, twist) = (turning(meeting), self.frame.twist);
-        let last = if touches { turn } else { twist.rate() };
+        let (turn, twist) = (turning(meeting), self.frame.twist.get());
+        let last = if touches { turn } else { twist.rate };
         let ahead = theta * (turn + 0.5 * (turn - last));
-        let lead = if dt > 0.0 { ahead } else { twist.lead() };
-        let by = turned(meeting, dt) * part + (lead - twist.lead());
+        let lead = if dt > 0.0 { ahead } else { twist.lead };
+        let by = turned(meeting, dt) * part + (lead - twist.lead);
         (lead, self.law.shift().omega + by)
     }
 
@@ -233,8 +233,8 @@ impl<L: GrainLaw> GrainContact<L> {
         frame.approach = step.zeta;
         let is_pressed = to.zeta > 0.0;
         frame.lead = if is_pressed { lead } else { [0.0; 2] };
-        let twist_lead = if is_pressed { twist_lead } else { 0.0 };
-        frame.twist = frame.twist.with_motion(turning(meeting), twist_lead);
+        let lead = if is_pressed { twist_lead } else { 0.0 };
+        frame.twist = TwistState::of(Twisted { rate: turning(meeting), lead, ..frame.twist.get() });
         load
     }
 }

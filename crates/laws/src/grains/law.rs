@@ -4,17 +4,15 @@ use carom_special::RangeError;
 
 use super::drag_heat::check_heat;
 use super::load::elastic;
-use super::twisted::{NoTwist, TwistState, Twisted};
-use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative};
+use super::twisted::{TwistState, Twisted};
+use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::VertexStack;
 use crate::rings::{RingLaw, packed_numbers as numbers_of_rings};
 use crate::shift_law::ShiftLaw;
 
-use crate::law::Shift;
-
 /// A contact law that can carry grains: [`ShiftLaw`], and [`RingLaw`], in which twist and coupling count too.
 pub trait GrainLaw: ContactLaw<Error = RangeError> + Checked + Dissipative {
-    /// What the contact keeps of the twist: [`NoTwist`] for a law of shifts alone.
+    /// What the contact keeps of the twist: nothing for a law of shifts alone.
     type Twist: TwistState;
 
     /// c_z of Hertz's force, `F_z = (2/3) c_z zeta^(3/2)`.
@@ -60,7 +58,7 @@ pub trait GrainLaw: ContactLaw<Error = RangeError> + Checked + Dissipative {
 }
 
 impl<S: VertexStack<[f64; 2]>> GrainLaw for ShiftLaw<[f64; 2], S> {
-    type Twist = NoTwist;
+    type Twist = ();
 
     #[inline(always)]
     fn hertz_stiffness(&self) -> f64 {

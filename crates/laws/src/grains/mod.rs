@@ -54,4 +54,4 @@ pub use pack::{grain_numbers, ring_grain_numbers};
 pub use rolling::{GrainRoll, RollTrial, RollingResistance};
 pub use together::{TOGETHER, Touching, advance_together};
 pub use twist::GrainTwist;
-pub use twisted::{NoTwist, TwistState, Twisted};
+pub use twisted::{TwistState, Twisted};
