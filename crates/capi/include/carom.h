@@ -300,26 +300,6 @@ typedef uint32_t carom_regime;
 #endif /* __STDC_VERSION__ >= 202311L */
 #endif /* __cplusplus */
 
-/* Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1. */
-typedef struct carom_shift {
-  /* The approach, positive in contact, m. */
-  double zeta;
-  /* The shift along x, m. */
-  double xi;
-  /* The shift along y, m. */
-  double eta;
-} carom_shift;
-
-/* The load that body 2 exerts on body 1. */
-typedef struct carom_load {
-  /* Tangential force along x, N. */
-  double f_x;
-  /* Tangential force along y, N. */
-  double f_y;
-  /* Normal force, positive in compression, N. */
-  double f_z;
-} carom_load;
-
 /* The state of a contact beside its load. */
 typedef struct carom_report {
   /* The share of the contact area that sticks. */
@@ -501,6 +481,26 @@ carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
                                       double tolerance,
                                       struct carom_pair *pair,
                                       struct carom_error *error);
+
+/* Rigid displacement of body 2 relative to body 1 in contact axes; z points into body 1. */
+typedef struct carom_shift {
+  /* The approach, positive in contact, m. */
+  double zeta;
+  /* The shift along x, m. */
+  double xi;
+  /* The shift along y, m. */
+  double eta;
+} carom_shift;
+
+/* The load that body 2 exerts on body 1. */
+typedef struct carom_load {
+  /* Tangential force along x, N. */
+  double f_x;
+  /* Tangential force along y, N. */
+  double f_y;
+  /* Normal force, positive in compression, N. */
+  double f_z;
+} carom_load;
 
 /* Number of numbers in a `carom_state`. */
 #define CAROM_STATE_NUMBERS 66

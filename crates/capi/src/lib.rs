@@ -77,10 +77,11 @@ pub use restitution::{
     CAROM_BY_RINGS, CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_dissimilar,
     carom_restitution_many,
 };
-pub use shift::{CaromLoad, CaromRegime, CaromReport, CaromShift};
+pub use shift::{CaromLoad, CaromShift};
 pub use state::{CAROM_STATE_NUMBERS, CaromState};
 pub use touch::many::{CaromEncounter, carom_touch_step_many};
 pub use touch::packed::{carom_touch_pack, carom_touch_pack_size, carom_touch_unpack};
+pub use touch::report::{CaromRegime, CaromReport};
 pub use touch::step::{CaromGrainLoad, carom_touch_step};
 pub use touch::told::{carom_touch_energy, carom_touch_load, carom_touch_report};
 pub use touch::{CaromTouch, carom_touch_size};

@@ -4,6 +4,7 @@ use carom::laws::accounted::Accounted;
 use carom::laws::coulomb::{SlipTurn, Tolerance, packed_numbers};
 use carom::laws::coupling::coupling_bound;
 use carom::laws::law::{Checked, ContactLaw as _, Dissipative, Energies as _, Shift};
+use carom::laws::law_name::LawName;
 use carom::laws::memory::{Fixed, Lateral, VertexStack};
 use carom::laws::rings::{self, RingLaw};
 use carom::laws::shift_law::ShiftLaw;
@@ -22,7 +23,7 @@ use crate::told::Watch;
 /// Capacity of the history of one contact, in load reversals.
 pub(crate) const VERTICES: usize = 64;
 /// The name of the law of rings.
-const RINGS: &str = "rings";
+const RINGS: &str = LawName::Rings.name();
 
 pub(crate) type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], VERTICES>>;
 

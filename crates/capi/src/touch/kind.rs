@@ -9,10 +9,11 @@ use carom_laws::rings::{RingLaw, RingMemory};
 use carom_laws::static_friction::StaticFriction;
 use carom_special::RangeError;
 
+use super::report::{CaromRegime, CaromReport};
 use crate::error::Failure;
 use crate::law::CaromLaw;
 use crate::law::unit::relative_radius;
-use crate::shift::{CaromRegime, CaromReport, Law, VERTICES};
+use crate::shift::{Law, VERTICES};
 use crate::stored::Stored;
 
 /// A contact that a touch may hold.

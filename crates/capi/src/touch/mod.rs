@@ -5,6 +5,7 @@ mod kind;
 pub(crate) mod many;
 pub(crate) mod packed;
 mod parts;
+pub(crate) mod report;
 pub(crate) mod step;
 pub(crate) mod told;
 

@@ -6,13 +6,13 @@ use carom_special::RangeError;
 use super::bodies::{Bodies, Second};
 use super::kind::{Kind, RingTouch, ShiftTouch};
 use super::parts::{Pressed, torsion};
+use super::report::CaromReport;
 use super::step::{CaromGrainLoad, finite};
 use super::{CaromTouch, Place};
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
 use crate::law::unit::relative_radius;
 use crate::pointers::{read, write};
-use crate::shift::CaromReport;
 
 /// # Safety
 /// The touch has the size that the law tells, and nobody writes it.

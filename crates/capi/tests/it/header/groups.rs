@@ -28,7 +28,7 @@ const GROUPS: &[Group] = &[
             "law/mod",
             "meeting.rs",
             "contact.rs",
-            "shift",
+            "touch/report",
             "touch/mod",
             "touch/step",
             "touch/many",
@@ -41,7 +41,7 @@ const GROUPS: &[Group] = &[
         about: "carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the\n\
                 materials and the shape. carom_contact_advance moves a contact to a new approach and shift and returns\n\
                 the load; carom_contact_advance_many does so for an array.",
-        modules: &["pair", "state", "contact", "batch"],
+        modules: &["pair", "shift", "state", "contact", "batch"],
     },
     Group {
         title: "Impacts",
