@@ -8,6 +8,7 @@ use super::account::{Account, Accounted, Unaccounted};
 use super::dashpots::Dashpots;
 use super::drag_heat::check_heat;
 use super::frame::GrainFrame;
+use super::heats::Heats;
 use super::law::GrainLaw;
 use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
 use super::meeting::Meeting;
@@ -40,26 +41,30 @@ use crate::shift_law::ShiftLaw;
 /// restitution](GrainContact::with_restitution) at any speed ([`HertzDamping`]), which needs the masses. The law is then
 /// driven by the effective approach, at which the elastic contact bears the whole normal force, and by a shift that leads
 /// by theta times its rate. The limit of friction is f times the whole normal force, and friction ends with it.
+///
+/// With [`crate::rings::RingLaw`] the coupling of dissimilar materials and the torque about the normal are included, and
+/// the twist leads as the shift does. Only friction that is f times the normal force then counts as sliding of the
+/// whole, so that a contact that spins as it slides does not. Exchanging the grains gives the same bits.
+///
+/// ```
+/// use carom_laws::friction::Friction;
+/// use carom_laws::grains::{Grain, GrainContact, Meeting};
+/// use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
+/// let constants = RingConstants { c_z: 1.0, radius: 0.7, kappa: 1.2, gamma: 0.25 };
+/// let law = RingLaw::<6, 8>::from_constants(constants, Friction::new(0.3)?, Tolerance::GRAINS)?;
+/// let mut contact = GrainContact::new(law, 0.0)?;
+/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
+/// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], spin: [0.0, 0.0, 1.0], ..below };
+/// let load = contact.advance(&Meeting::of_spheres(&above, &below, [0.5; 2])?, 1e-3)?;
+/// // Friction acts against the velocity and against the spin.
+/// assert!(load.force[0] < 0.0 && load.torques[0][2] < 0.0 && load.torques[1][2] > 0.0);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[repr(C)]
 pub struct GrainContact<L: GrainLaw = ShiftLaw<[f64; 2]>> {
     pub(super) law: L,
     pub(super) frame: GrainFrame<L::Twist>,
-}
-
-/// Dissipated energy, by cause, J. Steps add to it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[repr(C)]
-pub struct Heats {
-    /// Friction heat, including the energy released at a receding edge, and what a contact loses
-    /// where it simplifies its memory; a step may lower it a little.
-    pub friction: f64,
-    /// Energy dissipated by the viscous material: the rest of the work. While a contact slides, the heat of friction is
-    /// ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
-    /// the motion has ended it is not.
-    pub damping: f64,
-    /// Heat of a resistance to rolling.
-    pub rolling: f64,
 }
 
 impl<L: GrainLaw + Copy> Copy for GrainContact<L> {}

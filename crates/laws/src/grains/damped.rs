@@ -1,4 +1,4 @@
-//! Steps of a damped contact: its law is driven by the effective approach and shift.
+//! Steps of a damped contact of grains: its law is driven by the effective approach and shift.
 //!
 //! The law of a damped contact holds the effective approach Z and the shift with its lead. Its normal force is the whole
 //! one, its limit of friction f times that. Where the force is cut to 0 the law parts, though the bodies overlap; where

@@ -33,6 +33,7 @@ mod damped;
 mod dashpots;
 mod drag_heat;
 mod frame;
+mod heats;
 mod law;
 mod load;
 mod meeting;
@@ -45,8 +46,9 @@ mod twist;
 mod twisted;
 mod vector;
 
-pub use contact::{GrainContact, Heats};
+pub use contact::GrainContact;
 pub use frame::GrainFrame;
+pub use heats::Heats;
 pub use law::GrainLaw;
 pub use load::GrainLoad;
 pub use meeting::{Apart, Grain, Meeting, Surface, Wall, compliance_shares};

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::contact::Heats;
+use super::heats::Heats;
 use super::meeting::Meeting;
 use super::vector::{dot, times};
 use crate::law::{ContactLaw, Shift};

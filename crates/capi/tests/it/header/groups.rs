@@ -27,7 +27,7 @@ const GROUPS: &[Group] = &[
             "law/options",
             "law/mod",
             "meeting.rs",
-            "contact.rs",
+            "heats.rs",
             "touch/report",
             "touch/mod",
             "touch/step",
@@ -70,7 +70,7 @@ const GROUPS: &[Group] = &[
 ];
 
 /// Modules of `carom_laws::grains` whose structures the header has too.
-pub(super) const BELOW: [&str; 2] = ["meeting.rs", "contact.rs"];
+pub(super) const BELOW: [&str; 2] = ["meeting.rs", "heats.rs"];
 
 /// The list of the groups, as a comment.
 pub(super) fn contents() -> String {

@@ -1,0 +1,16 @@
+//! Dissipated energy of contacts of grains.
+
+/// Dissipated energy, by cause, J. Steps add to it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Heats {
+    /// Friction heat, including the energy released at a receding edge, and what a contact loses
+    /// where it simplifies its memory; a step may lower it a little.
+    pub friction: f64,
+    /// Energy dissipated by the viscous material: the rest of the work. While a contact slides, the heat of friction is
+    /// ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
+    /// the motion has ended it is not.
+    pub damping: f64,
+    /// Heat of a resistance to rolling.
+    pub rolling: f64,
+}
