@@ -146,10 +146,9 @@ impl<L: GrainLaw> GrainContact<L> {
     /// ```
     /// use carom_laws::friction::Friction;
     /// use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting};
-    /// use carom_laws::memory::Fixed;
     /// use carom_laws::shift_law::ShiftLaw;
     /// use carom_laws::stiffness::ContactStiffness;
-    /// let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
+    /// let law = ShiftLaw::<[f64; 2]>::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
     /// let mut contact = GrainContact::new(law, 0.0)?;
     /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
     /// let above = Grain { place: [0.0, 0.0, 1.99], ..below };
