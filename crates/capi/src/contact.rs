@@ -10,7 +10,7 @@ use crate::pair::CaromPair;
 use crate::pointers::{read, write};
 use crate::shift::{CaromLoad, CaromShift, Law};
 use crate::state::CaromState;
-use crate::stored::{Stored, present};
+use crate::stored::{Stored, present, seen};
 
 /// Number of 8-byte words in a `carom_contact`, without its mark.
 pub const CAROM_CONTACT_WORDS: usize = 144;
@@ -34,16 +34,14 @@ pub struct CaromContact {
 impl CaromContact {
     #[inline(always)]
     fn present(&self) -> Result<Option<&Law>, Failure> {
-        // SAFETY: the words are those that were stored with the mark; none is written.
-        unsafe {
-            Ok(present::<Law>(self.mark, self.words.as_ptr().cast_mut().cast())?.map(|law| &*law))
-        }
+        // SAFETY: the words are those that were stored with the mark.
+        unsafe { seen(self.mark, 0, self.words.as_ptr().cast()) }
     }
 
     #[inline(always)]
     fn present_mut(&mut self) -> Result<Option<&mut Law>, Failure> {
         // SAFETY: the words are those that were stored with the mark, and borrowed exclusively.
-        unsafe { present(self.mark, self.words.as_mut_ptr().cast()) }
+        unsafe { present(self.mark, 0, self.words.as_mut_ptr().cast()) }
     }
 
     /// Makes the first step of a contact.

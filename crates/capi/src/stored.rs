@@ -72,37 +72,45 @@ unsafe impl Stored for RingTouch {
     }
 }
 
-/// The stored value, if mark, tags and counts are valid.
+/// The stored value, if mark, tags and counts are valid; none if the mark is zero. `tag` tells memories of one type apart.
 ///
 /// # Safety
-/// `place` is aligned, and its bytes belong to the caller during `'a`; if the mark matches, they are initialised.
+/// `place` is aligned, and nobody writes its bytes during `'a`; if the mark matches, they are initialised.
 #[inline(always)]
-pub(crate) unsafe fn find<'a, T: Stored>(mark: u64, place: *mut T) -> Option<&'a mut T> {
+pub(crate) unsafe fn seen<'a, T: Stored>(
+    mark: u64,
+    tag: u64,
+    place: *const T,
+) -> Result<Option<&'a T>, Failure> {
+    if mark == 0 {
+        return Ok(None);
+    }
     let bytes = place.cast::<u8>();
     // SAFETY: the tags lie within the size.
-    if mark != T::MARK || !T::is_in(|at| unsafe { bytes.add(at).read() }) {
-        return None;
+    if mark ^ tag == T::MARK && T::is_in(|at| unsafe { bytes.add(at).read() }) {
+        // SAFETY: the caller's promise, and the bytes are a valid value.
+        let value = unsafe { &*place };
+        if value.fits() {
+            return Ok(Some(value));
+        }
     }
-    // SAFETY: the caller's promise, and the bytes are a valid value.
-    let value = unsafe { &mut *place };
-    value.fits().then_some(value)
+    Err(strange::<T>())
 }
 
-/// The stored value; none if the mark is zero.
+/// The same, to be changed.
 ///
 /// # Safety
-/// As [`find`].
+/// As [`seen`], and nobody else uses the bytes.
 #[inline(always)]
 pub(crate) unsafe fn present<'a, T: Stored>(
     mark: u64,
+    tag: u64,
     place: *mut T,
 ) -> Result<Option<&'a mut T>, Failure> {
     // SAFETY: the caller's promise.
-    match unsafe { find(mark, place) } {
-        None if mark == 0 => Ok(None),
-        None => Err(strange::<T>()),
-        some => Ok(some),
-    }
+    let holds_one = unsafe { seen(mark, tag, place)?.is_some() };
+    // SAFETY: as above.
+    Ok(holds_one.then(|| unsafe { &mut *place }))
 }
 
 #[cold]

@@ -206,7 +206,7 @@ unsafe fn is_ready(at: &CaromEncounter) -> bool {
         return false;
     }
     // SAFETY: the caller's promise.
-    let Ok(Some(contact)) = (unsafe { Place::<ShiftTouch>::of(at.touch, law).present() }) else {
+    let Ok(Some(contact)) = (unsafe { Place::<ShiftTouch>::of(at.touch, law).seen() }) else {
         return false;
     };
     // Masses that a restitution cannot use are refused one by one, and a first touch takes its friction there.

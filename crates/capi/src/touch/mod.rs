@@ -12,7 +12,7 @@ pub(crate) mod told;
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
 use crate::pointers::read;
-use crate::stored::present;
+use crate::stored::{present, seen};
 use kind::Kind;
 use parts::{Roll, Twist};
 
@@ -70,12 +70,16 @@ impl<K: Kind> Place<K> {
     #[inline(always)]
     pub(crate) unsafe fn present<'a>(&self) -> Result<Option<&'a mut K>, Failure> {
         // SAFETY: the caller's promise.
-        unsafe {
-            match *self.mark {
-                0 => Ok(None),
-                mark => present(mark ^ self.tag, self.contact),
-            }
-        }
+        unsafe { present(*self.mark, self.tag, self.contact) }
+    }
+
+    /// The contact, which is not changed.
+    ///
+    /// # Safety
+    /// The touch has the size that the law tells, and nobody writes it during `'a`.
+    pub(crate) unsafe fn seen<'a>(&self) -> Result<Option<&'a K>, Failure> {
+        // SAFETY: the caller's promise.
+        unsafe { seen(*self.mark, self.tag, self.contact) }
     }
 
     /// Writes the contact.

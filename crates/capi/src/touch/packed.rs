@@ -37,7 +37,7 @@ unsafe fn pack<K: Kind>(
 ) -> Result<(), Failure> {
     let (place, layout) = (Place::<K>::of(touch, law), Layout::of::<K>(law));
     // SAFETY: the caller's promise.
-    let contact = unsafe { place.present()? };
+    let contact = unsafe { place.seen()? };
     // SAFETY: the caller's promise.
     let (twist, roll) = unsafe { place.parts(law)? };
     // SAFETY: the caller's promise.

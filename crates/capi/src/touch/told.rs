@@ -25,7 +25,7 @@ unsafe fn load_of<K: Kind>(
     law.check_masses(&meeting)?;
     let (place, radii) = (Place::<K>::of(touch, law), bodies.radii());
     // SAFETY: the caller's promise.
-    let mut load = match unsafe { place.present()? } {
+    let mut load = match unsafe { place.seen()? } {
         Some(contact) => contact.load((law, radii), &meeting)?,
         None => K::fresh(law, radii, meeting.slip_speed())?.load((law, radii), &meeting)?,
     };
@@ -86,7 +86,7 @@ unsafe fn energy_of<K: Kind>(
 ) -> Result<f64, Failure> {
     let place = Place::<K>::of(touch, law);
     // SAFETY: the caller's promise.
-    let Some(contact) = (unsafe { place.present()? }) else { return Ok(0.0) };
+    let Some(contact) = (unsafe { place.seen()? }) else { return Ok(0.0) };
     let mut energy = contact.stored_energy((law, radii))?;
     // SAFETY: the caller's promise.
     let (twist, roll) = unsafe { place.parts(law)? };
@@ -135,7 +135,7 @@ unsafe fn report_of<K: Kind>(
     touch: *const CaromTouch,
 ) -> Result<CaromReport, Failure> {
     // SAFETY: the caller's promise.
-    match unsafe { Place::<K>::of(touch, law).present()? } {
+    match unsafe { Place::<K>::of(touch, law).seen()? } {
         Some(contact) => contact.report(law),
         None => Ok(CaromReport::APART),
     }

@@ -182,10 +182,12 @@ fn what_does_not_belong_together_is_refused() {
             assert_eq!(status.is_ok(), i == k, "{i} {k} {status:?}");
             assert!(i == k || (status == Err(CaromStatus::BadState) && same == *touch));
         }
-        let mut strange = touches[i].clone();
-        strange.words[0] = 5;
-        let told = strange.tried(law, (&one, &two), 1e-3, None).unwrap_err();
-        assert_eq!((told.status, told.field.as_str()), (CaromStatus::BadState, "touch"));
+        for mark in [5, 1 << 33, 2 << 33, 3 << 33] {
+            let mut strange = touches[i].clone();
+            strange.words[0] = mark;
+            let told = strange.tried(law, (&one, &two), 1e-3, None).unwrap_err();
+            assert_eq!((told.status, told.field.as_str()), (CaromStatus::BadState, "touch"));
+        }
         let mut numbers = laws[i].touch().packed(law);
         numbers[0] = 7.0;
         let told = Touch::unpacked(law, [1.0; 2], &numbers).unwrap_err();
