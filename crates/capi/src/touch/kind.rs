@@ -185,9 +185,11 @@ impl Kind for RingTouch {
         load: &mut GrainLoad,
         heats: Option<&mut Heats>,
     ) -> Result<(), Failure> {
-        let (mut contact, mut unasked) = (self.whole(of)?, Heats::default());
-        *load = contact.advance_accounted(meeting, dt, heats.unwrap_or(&mut unasked))?;
+        let mut unasked = Heats::default();
+        let heats = heats.unwrap_or(&mut unasked);
+        let (contact, told) = self.whole(of)?.advanced(meeting, dt, heats)?;
         *self = Self::of(&contact);
+        *load = told;
         Ok(())
     }
 

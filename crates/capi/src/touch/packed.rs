@@ -39,7 +39,7 @@ unsafe fn pack<K: Kind>(
     // SAFETY: the caller's promise.
     let contact = unsafe { place.seen()? };
     // SAFETY: the caller's promise.
-    let (twist, roll) = unsafe { place.parts(law)? };
+    let roll = unsafe { place.rolled(law)? };
     // SAFETY: the caller's promise.
     let numbers = unsafe { std::slice::from_raw_parts_mut(numbers, layout.whole) };
     let Some(contact) = contact else {
@@ -48,7 +48,8 @@ unsafe fn pack<K: Kind>(
     };
     contact.pack(law, &mut numbers[..layout.twist])?;
     if law.has_torsion() {
-        numbers[layout.twist..layout.roll].copy_from_slice(&twist);
+        // SAFETY: the caller's promise.
+        numbers[layout.twist..layout.roll].copy_from_slice(unsafe { place.twisted() });
     }
     if law.rolling().is_some() {
         numbers[layout.roll..layout.friction].copy_from_slice(&roll.packed());
@@ -92,7 +93,10 @@ unsafe fn unpack<K: Kind>(
     // SAFETY: the caller's promise.
     unsafe {
         place.keep(contact);
-        place.keep_parts(law, (&twist, roll));
+        place.keep_roll(law, roll);
+        if law.has_torsion() {
+            *place.twist = twist;
+        }
     }
     Ok(())
 }

@@ -19,6 +19,14 @@ pub(super) type Twist = [f64; TWIST_NUMBERS];
 /// The state of a rolling resistance.
 pub(super) type Roll = GrainRoll;
 
+/// A twist at the end of a step, and its torque on body 1.
+pub(super) struct Turned {
+    twist: GrainTwist,
+    pub(super) torque: [f64; 3],
+    /// Whether the step took time.
+    moves: bool,
+}
+
 /// Two bodies, and what they have in common.
 #[derive(Clone, Copy)]
 pub(super) struct Pressed<'a> {
@@ -28,27 +36,34 @@ pub(super) struct Pressed<'a> {
 }
 
 impl Pressed<'_> {
-    /// A step of the twist: its torque on body 1.
-    pub(super) fn twist(
+    /// A step of the twist, which is still to be kept.
+    pub(super) fn turned(
         &self,
-        twist: &mut Twist,
+        twist: &Twist,
         dt: f64,
         heats: Option<&mut Heats>,
-    ) -> Result<[f64; 3], Failure> {
-        let mut turned = GrainTwist::new(torsion(self.law, self.relative_radius, twist)?);
-        let is_new = turned.law().shift().zeta <= 0.0;
+    ) -> Result<Turned, Failure> {
+        let mut twist = GrainTwist::new(torsion(self.law, self.relative_radius, twist)?);
+        let is_new = twist.law().shift().zeta <= 0.0;
         if dt == 0.0 && !is_new && !self.meeting.is_apart() {
-            return Ok(turned.torque(self.meeting));
+            let torque = twist.torque(self.meeting);
+            return Ok(Turned { twist, torque, moves: false });
         }
         let torque = match heats {
-            None => turned.advance(self.meeting, dt)?,
-            Some(heats) => turned.advance_accounted(self.meeting, dt, heats)?,
+            None => twist.advance(self.meeting, dt)?,
+            Some(heats) => twist.advance_accounted(self.meeting, dt, heats)?,
         };
-        match self.meeting.zeta > 0.0 {
-            true => turned.law().pack(twist).map(|_| ())?,
-            false => twist.fill(0.0),
+        Ok(Turned { twist, torque, moves: true })
+    }
+
+    /// Keeps a twist.
+    pub(super) fn keep(&self, turned: &Turned, twist: &mut Twist) {
+        if !turned.moves {
+            return;
         }
-        Ok(torque)
+        if self.meeting.is_apart() || turned.twist.law().pack(twist).is_err() {
+            twist.fill(0.0);
+        }
     }
 
     /// The step of a resistance to rolling before its load is known; none if there is no resistance.

@@ -6,7 +6,7 @@ use carom_special::RangeError;
 use super::bodies::{Bodies, Second};
 use super::kind::{Kind, RingTouch, ShiftTouch};
 use super::parts::{Pressed, TWIST_NUMBERS};
-use super::{CaromTouch, Place, Roll};
+use super::{CaromTouch, Place, Roll, Twist};
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
 use crate::law::unit::relative_radius;
@@ -140,12 +140,13 @@ impl Step<'_> {
         let (law, dt) = (self.law, self.dt);
         let pressed = Pressed { law, relative_radius: relative_radius(radii)?, meeting };
         // SAFETY: the caller's promise.
-        let (mut twist, mut roll) = unsafe { place.parts(law)? };
+        let mut roll = unsafe { place.rolled(law)? };
         let trial = pressed.trial(&roll, dt)?;
-        let (mut torque, mut turned) = ([0.0; 3], Heats::default());
+        let (mut turned, mut made) = (None, Heats::default());
         if law.has_torsion() {
-            let turned = heats.is_some().then_some(&mut turned);
-            torque = pressed.twist(&mut twist, dt, turned)?;
+            let made = heats.is_some().then_some(&mut made);
+            // SAFETY: the caller's promise.
+            turned = Some(pressed.turned(unsafe { place.twisted() }, dt, made)?);
         }
         let of = (law, radii);
         let is_kept = match present {
@@ -163,59 +164,57 @@ impl Step<'_> {
                 !contact.is_new()
             }
         };
-        if law.has_torsion() {
-            pressed.add(load, torque);
+        if let Some(turned) = &turned {
+            pressed.add(load, turned.torque);
         }
         pressed.roll((&mut roll, &trial), load, heats.as_deref_mut());
         if let Some(heats) = heats {
-            heats.friction += turned.friction;
+            heats.friction += made.friction;
         }
         if is_kept {
             // SAFETY: the caller's promise.
-            unsafe { place.keep_parts(law, (&twist, roll)) };
+            unsafe { place.keep_roll(law, roll) };
+        }
+        if let (true, Some(turned)) = (is_kept, &turned) {
+            // SAFETY: the caller's promise.
+            pressed.keep(turned, unsafe { &mut *place.twist });
         }
         Ok(())
     }
 }
 
+/// A twist of bodies that are apart.
+const UNTWISTED: &Twist = &[0.0; TWIST_NUMBERS];
+
 impl<K: Kind> Place<K> {
-    /// Torsion and rolling; those of bodies that are apart without a contact, or where the law has none.
+    /// The twist of a law with torsion.
     ///
     /// # Safety
-    /// As [`Place::present`].
-    pub(super) unsafe fn parts(
-        &self,
-        law: &CaromLaw,
-    ) -> Result<([f64; TWIST_NUMBERS], Roll), Failure> {
-        let (mut twist, mut roll) = ([0.0; TWIST_NUMBERS], Roll::default());
+    /// As [`Place::seen`].
+    pub(super) unsafe fn twisted<'a>(&self) -> &'a Twist {
         // SAFETY: the caller's promise; any bytes are numbers.
-        unsafe {
-            if *self.mark != 0 && law.has_torsion() {
-                twist = *self.twist;
-            }
-            if *self.mark != 0 && law.rolling().is_some() {
-                roll = *self.roll;
-                roll.check().map_err(|error| Failure::from(error).in_state())?;
-            }
-        }
-        Ok((twist, roll))
+        unsafe { if *self.mark == 0 { UNTWISTED } else { &*self.twist } }
+    }
+
+    /// The rolling; that of bodies that are apart if there is no contact, or no resistance.
+    ///
+    /// # Safety
+    /// As [`Place::seen`].
+    pub(super) unsafe fn rolled(&self, law: &CaromLaw) -> Result<Roll, Failure> {
+        // SAFETY: the caller's promise; any bytes are numbers.
+        let is_there = unsafe { *self.mark != 0 } && law.rolling().is_some();
+        // SAFETY: as above.
+        let roll = if is_there { unsafe { *self.roll } } else { Roll::default() };
+        roll.check().map_err(|error| Failure::from(error).in_state())?;
+        Ok(roll)
     }
 
     /// # Safety
     /// As [`Place::present`].
-    pub(super) unsafe fn keep_parts(
-        &self,
-        law: &CaromLaw,
-        (twist, roll): (&[f64; TWIST_NUMBERS], Roll),
-    ) {
-        // SAFETY: the caller's promise.
-        unsafe {
-            if law.has_torsion() {
-                *self.twist = *twist;
-            }
-            if law.rolling().is_some() {
-                *self.roll = roll;
-            }
+    pub(super) unsafe fn keep_roll(&self, law: &CaromLaw, roll: Roll) {
+        if law.rolling().is_some() {
+            // SAFETY: the caller's promise.
+            unsafe { *self.roll = roll };
         }
     }
 }

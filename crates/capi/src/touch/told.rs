@@ -34,9 +34,10 @@ unsafe fn load_of<K: Kind>(
     }
     let pressed = Pressed { law, relative_radius: relative_radius(radii)?, meeting: &meeting };
     // SAFETY: the caller's promise.
-    let (twist, roll) = unsafe { place.parts(law)? };
+    let roll = unsafe { place.rolled(law)? };
     if law.has_torsion() {
-        let its = torsion(law, pressed.relative_radius, &twist)?;
+        // SAFETY: the caller's promise.
+        let its = torsion(law, pressed.relative_radius, unsafe { place.twisted() })?;
         pressed.add(&mut load, carom_laws::grains::GrainTwist::new(its).torque(&meeting));
     }
     pressed.add(&mut load, roll.torque(pressed.relative_radius, &meeting));
@@ -89,9 +90,11 @@ unsafe fn energy_of<K: Kind>(
     let Some(contact) = (unsafe { place.seen()? }) else { return Ok(0.0) };
     let mut energy = contact.stored_energy((law, radii))?;
     // SAFETY: the caller's promise.
-    let (twist, roll) = unsafe { place.parts(law)? };
+    let roll = unsafe { place.rolled(law)? };
     if law.has_torsion() {
-        energy += torsion(law, relative_radius(radii)?, &twist)?.twist_energy();
+        // SAFETY: the caller's promise.
+        let twist = unsafe { place.twisted() };
+        energy += torsion(law, relative_radius(radii)?, twist)?.twist_energy();
     }
     if let Some(resistance) = law.rolling() {
         energy += roll.stored_energy(resistance);

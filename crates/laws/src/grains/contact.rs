@@ -4,16 +4,16 @@ use std::mem::offset_of;
 
 use carom_special::RangeError;
 
-use super::account::{Account, Accounted, Unaccounted};
+use super::account::{Accounted, Unaccounted};
 use super::dashpots::Dashpots;
 use super::drag_heat::check_heat;
 use super::frame::GrainFrame;
 use super::heats::Heats;
 use super::law::GrainLaw;
-use super::load::{GrainLoad, check_beside, compressed, elastic, load_in};
+use super::load::{GrainLoad, compressed, elastic, load_in};
 use super::meeting::Meeting;
-use super::step::{Before, Ending, Step, first_step, leaves, on_the_way, one_step_before};
-use super::twisted::{TwistState, Twisted, turned};
+use super::step::{Before, Step};
+use super::twisted::{TwistState, Twisted};
 use super::vector::times;
 use crate::damping::HertzDamping;
 use crate::law::{ContactLoad, Shift};
@@ -192,22 +192,54 @@ impl<L: GrainLaw> GrainContact<L> {
         dt: f64,
         heats: &mut Heats,
     ) -> Result<GrainLoad, RangeError> {
-        let mut load = GrainLoad::default();
-        let (mut next, mut account) = (self.clone(), Accounted::default());
-        let mut damping = 0.0;
-        if self.frame.dashpots.resist() {
-            damping = next.go_damped_accounted(meeting, dt, &mut load, &mut account)?;
-        } else {
-            next.go_undamped(meeting, dt, &mut load, &mut account)?;
+        let mut next = self.clone();
+        let load = next.go(meeting, dt, heats)?;
+        if !(self.is_new() && meeting.is_apart()) {
+            *self = next;
         }
+        Ok(load)
+    }
+
+    /// As [`GrainContact::advance_accounted`], of a contact that is not needed if the step fails: a large one is copied
+    /// less.
+    ///
+    /// # Errors
+    /// As [`GrainContact::advance`].
+    pub fn advanced(
+        mut self,
+        meeting: &Meeting,
+        dt: f64,
+        heats: &mut Heats,
+    ) -> Result<(Self, GrainLoad), RangeError> {
         if self.is_new() && meeting.is_apart() {
+            let load = self.advance_accounted(meeting, dt, heats)?;
+            return Ok((self, load));
+        }
+        let load = self.go(meeting, dt, heats)?;
+        Ok((self, load))
+    }
+
+    /// A step with its heats, of a contact that is not kept if it fails, or is new and stays apart.
+    fn go(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        heats: &mut Heats,
+    ) -> Result<GrainLoad, RangeError> {
+        let (mut load, mut account) = (GrainLoad::default(), Accounted::default());
+        let (mut damping, stays_apart) = (0.0, self.is_new() && meeting.is_apart());
+        if self.frame.dashpots.resist() {
+            damping = self.go_damped_accounted(meeting, dt, &mut load, &mut account)?;
+        } else {
+            self.go_undamped(meeting, dt, &mut load, &mut account)?;
+        }
+        if stays_apart {
             return Ok(GrainLoad::default());
         }
         check_heat(account.loss + damping)?;
         for part in load.torques.iter().chain([&load.force]).flatten() {
             RangeError::finite("load", *part)?;
         }
-        *self = next;
         heats.friction += account.loss;
         heats.damping += damping;
         Ok(load)
@@ -249,108 +281,11 @@ impl<L: GrainLaw> GrainContact<L> {
         if self.frame.dashpots.resist() { self.frame.approach } else { self.law.shift().zeta }
     }
 
-    /// Checks that no part of the load of a step overflows, whose shift is this.
-    #[inline(always)]
-    fn check_beside(&self, meeting: &Meeting, to: Shift) -> Result<(), RangeError> {
-        check_beside(meeting.arms, 0.0).map_err(|error| self.first_one(to, error))
-    }
-
-    /// The error of the law if it does not allow the step, which comes first.
-    #[cold]
-    fn first_one(&self, to: Shift, error: RangeError) -> RangeError {
-        self.law.check(to).err().unwrap_or(error)
-    }
-
     #[inline(always)]
     pub(super) fn before(&self) -> Before<f64> {
         let Shift { xi, eta, .. } = self.law.shift();
         let GrainFrame { tangent, normal, velocity, lead, .. } = self.frame;
         Before { tangent, normal, velocity, lead, zeta: self.approach(), shift: [xi, eta] }
-    }
-
-    /// Where the law of an undamped contact goes in a step.
-    #[inline(always)]
-    fn end_of(law: &L, step: &Step, meeting: &Meeting, dt: f64) -> Shift {
-        let to = step.to();
-        match L::Twist::COUNTS {
-            true => Shift { omega: law.shift().omega + turned(meeting, dt), ..to },
-            false => to,
-        }
-    }
-
-    #[inline(always)]
-    fn go_undamped(
-        &mut self,
-        meeting: &Meeting,
-        dt: f64,
-        load: &mut GrainLoad,
-        account: &mut impl Account,
-    ) -> Result<(), RangeError> {
-        // A call that is not inlined gets a copy, so that the meeting itself stays in registers in all other steps.
-        if self.is_new() {
-            return self.begin(&{ *meeting }, dt, load, account);
-        }
-        if leaves(meeting, dt) {
-            return self.leave(&{ *meeting }, dt, load, account);
-        }
-        let step = self.before().step(meeting, dt);
-        let to = Self::end_of(&self.law, &step, meeting, dt);
-        self.check_beside(meeting, to)?;
-        let end = account.advance(&mut self.law, to)?;
-        *load = self.keep(meeting, &step, end);
-        Ok(())
-    }
-
-    #[inline(never)]
-    fn begin(
-        &mut self,
-        meeting: &Meeting,
-        dt: f64,
-        load: &mut GrainLoad,
-        account: &mut impl Account,
-    ) -> Result<(), RangeError> {
-        let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
-        before.check_finite()?;
-        step.to().check_finite()?;
-        let mut law = self.law.clone();
-        law.advance(before)?;
-        let to = Self::end_of(&law, &step, meeting, dt);
-        let end = account.advance(&mut law, to)?;
-        check_beside(meeting.arms, 0.0)?;
-        if meeting.is_apart() {
-            *load = GrainLoad::default();
-            return Ok(());
-        }
-        self.law = law;
-        *load = self.keep(meeting, &step, end);
-        Ok(())
-    }
-
-    /// A step in which friction is averaged over half a step before its end and half a step after
-    /// it.
-    #[inline(never)]
-    fn leave(
-        &mut self,
-        meeting: &Meeting,
-        dt: f64,
-        load: &mut GrainLoad,
-        account: &mut impl Account,
-    ) -> Result<(), RangeError> {
-        let step = self.before().step(meeting, dt);
-        let (from, to) = (self.law.shift(), Self::end_of(&self.law, &step, meeting, dt));
-        let between = |part: f64| on_the_way(from, to, part);
-        self.check_beside(meeting, to)?;
-        let (mut law, mut past) = (self.law.clone(), self.law.clone());
-        let past = past.advance(between(0.5))?;
-        let end = account.advance(&mut law, to)?;
-        let mut ahead = law.clone();
-        let ahead = ahead.advance(between(1.5))?;
-        self.law = law;
-        let ending = Ending::of(meeting, dt);
-        let mean = |of: fn(&ContactLoad) -> f64| ending.mean(of(&past), of(&end), of(&ahead));
-        let [f_x, f_y, m_z] = [mean(|load| load.f_x), mean(|load| load.f_y), mean(|load| load.m_z)];
-        *load = self.keep(meeting, &step, ContactLoad { f_x, f_y, m_z, ..end });
-        Ok(())
     }
 
     #[inline(always)]

@@ -44,6 +44,7 @@ mod step;
 mod together;
 mod twist;
 mod twisted;
+mod undamped;
 mod vector;
 
 pub use contact::GrainContact;
