@@ -1,5 +1,8 @@
 //! A figure as data: inputs, panels of series, tables, claims and deviations from the thesis.
 //!
+//! An input is stated by the thesis, derived from what it states, or assumed where it states nothing. A figure is
+//! checked by its claims, not by its picture.
+//!
 //! `carom_plot` defines the appearance; the catalogue ([`crate::catalogue::Entry`]) gives number
 //! and title.
 

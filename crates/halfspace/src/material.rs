@@ -1,4 +1,9 @@
 //! Elastic materials and the combined moduli of a pair.
+//!
+//! Two half-spaces in contact behave like one with combined constants, apart from a coupling of normal and
+//! tangential displacements. [`MaterialPair`] holds these constants: 1/G and nu/G (4.7), the coupling epsilon
+//! (5.20) and gamma (15.2), and kappa (15.1). It is made once from two [`Material`]s; contact laws and grids take
+//! the pair. A rigid body is a material as well, [`Material::RIGID`].
 
 use carom_special::RangeError;
 

@@ -1,4 +1,9 @@
 //! The interface of all contact laws: from rigid shifts to loads.
+//!
+//! A law is a value that contains its load history. [`ContactLaw::advance`] makes a step; [`ContactLaw::shift`]
+//! and [`ContactLaw::load`] only read. A clone is cheap, so that a step can be tried on a copy and thrown away.
+//! Heat and energies are traits of their own, [`Energies`] and [`Dissipative`], because they cost more than the
+//! force: who needs a running sum of the heat wraps the law in [`Accounted`](crate::accounted::Accounted).
 
 use carom_special::RangeError;
 

@@ -7,6 +7,13 @@
 //! [`TabulatedKernel`] a measured or computed point response of another body (section 16.2),
 //! [`PlateOperator`] a rectangular plate (proposition 3), which is not translation-invariant,
 //! [`RolledOperator`] the change of displacement of particles between two steps of rolling.
+//!
+//! A solver needs three things beside the product. [`SurfaceOperator::inverse`] is an approximate inverse
+//! ([`Preconditioner`]): for half-spaces that of a periodic surface with the sides of the grid, for a plate the
+//! exact one. [`SurfaceOperator::on_fewer`] is the same influence on a part of the grid, for a step that is solved
+//! about the contact only. [`SurfaceOperator::apply_roughly`] is a product in single precision, in half of the time
+//! on large grids: the tangential solve of uncoupled problems takes it for its corrections and computes the slip
+//! again in double precision where the error may count.
 
 mod error;
 mod field;

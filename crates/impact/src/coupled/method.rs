@@ -1,4 +1,9 @@
 //! The method by which an impact is solved: closed form, exact, planar or spatial.
+//!
+//! Symmetry chooses it. Without friction the impact is in closed form. If the mobility couples no normal and
+//! tangential motion and the path stays straight, the solution of [`crate::oblique`] is exact. If it is coupled but
+//! stays in one plane, or turns in space, the impact is stepped in time to a tolerance. Couplings that vanish by
+//! the symmetry of the bodies are exact zeros in the mobility, not small computed numbers.
 
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};

@@ -6,7 +6,13 @@
 //! [`crate::shift_law::ShiftLaw`] or any other [`GrainLaw`] in these axes, so that a pair that rotates as a whole does not
 //! slip. A [`GrainTwist`] is used in addition where the torque about the normal matters. Contacts
 //! of spheres may be advanced four at a time ([`advance_together`]). With [`crate::rings::RingLaw`] instead, shift, twist
-//! and the coupling of dissimilar materials act together. A [`GrainRoll`] resists rolling.
+//! and the coupling of dissimilar materials act together; the matrices of two materials
+//! ([`crate::rings::RingMatrices`]) are made once and shared, and what one contact remembers
+//! ([`crate::rings::RingMemory`]) is numbers without pointers. A [`GrainRoll`] resists rolling.
+//!
+//! Two corrections make a few time steps enough for an impact. The law is given the shift with Numerov's
+//! correction, which cancels the error of second order of a leapfrog integrator. Without damping, friction is
+//! averaged over the neighbouring half steps if the gap opens within four steps. [`GrainContact`] states both.
 //!
 //! A contact may be damped, by a relaxation time of its materials or by a restitution that is given. Both damp friction as
 //! they damp the normal force ([`crate::viscous`]).

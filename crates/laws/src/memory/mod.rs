@@ -7,6 +7,10 @@
 //! 7 and 8.4 (points of instantaneous adhesion, the N-th decrease, overlays, wipe-outs) follow from
 //! this one rule, and so does the release at a receding edge, which the thesis omits.
 //!
+//! The vertices of the polyline are a stack: a step removes vertices at the edge of the contact and adds a few
+//! there. A long history therefore costs no more per step, in the mean, than a short one. A stack that grows
+//! ([`Growing`]) keeps all vertices that still count, and is exact; one of fixed capacity ([`Fixed`]) is plain data.
+//!
 //! Shifts are normalised so that the friction cone has the slope 1: `X = (c_x xi, c_y eta)/(f c_z)`
 //! (chapter 7). For two equal spheres and the one-sphere displacements of chapter 6 this is `xi/(f
 //! kappa)`. The normalised force is Phi, with `F = (2/3) f c_z Phi` and `|Phi| <= zeta^(3/2)`.

@@ -1,4 +1,13 @@
 //! Contact with Coulomb friction: normal and tangential problems solved in turn.
+//!
+//! The alternation is that of Panagiotopoulos. Pressures: preconditioned conjugate gradients on the cells in
+//! contact. Tractions: Newton's method on the sets of sticking and slipping cells; if the sets do not settle,
+//! projected gradients. If the coupling of dissimilar materials is strong or the alternation fails, Newton's method
+//! solves for pressures and tractions together, with continuation in the coefficient of friction.
+//!
+//! Both problems start on coarser grids. The tractions of the last step stay on the finest grid, and the coarser
+//! grids solve for their change (full approximation scheme). After a small step of given shifts between uncoupled
+//! bodies the last tractions are the start.
 
 mod alternation;
 mod anderson;
