@@ -75,11 +75,12 @@ static void restitution(void) {
   const double kappa = 1.2142857142857142; /* nu = 0.3 */
   double lambda[100], table[100], exact;
   for (int i = 0; i < 100; ++i) lambda[i] = 0.08 * (i + 1);
-  must(carom_restitution_many(100, &kappa, 0, lambda, sizeof(double), CAROM_BY_TABLE, table,
+  must(carom_restitution_many(100, &kappa, 0, lambda, sizeof(double), 1.0, CAROM_BY_TABLE, table,
                               sizeof(double), NULL) == CAROM_STATUS_OK,
        "R_x of many");
   for (int i = 0; i < 100; i += 11) {
-    must(carom_restitution(kappa, lambda[i], CAROM_EXACT, &exact, NULL) == CAROM_STATUS_OK, "R_x");
+    must(carom_restitution(kappa, lambda[i], 1.0, CAROM_EXACT, &exact, NULL) == CAROM_STATUS_OK,
+         "R_x");
     must(fabs(table[i] - exact) < 1e-8, "the table is within 1e-8");
   }
   printf("R_x(1.214, 0.96) = %.8f\n", table[11]);

@@ -2,8 +2,8 @@
 
 use carom_impact::coupled::TurningLaw;
 use carom_impact::{
-    AnalyticOrRings, Collision, CollisionSolver as _, ImpactFriction, NormalRestitution, Outcome,
-    RingImpact, TorsionMode,
+    AnalyticOrRings, Collision, CollisionSolver as _, ImpactFriction, LossCause, NormalRestitution,
+    Outcome, RingImpact, TorsionMode,
 };
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
@@ -47,6 +47,13 @@ pub const CAROM_LOSS_BY_WAVES: u32 = 2;
 pub const CAROM_LOSS_VISCOELASTIC: u32 = 3;
 /// The bodies yield: the elastic impulse times (1 + e)/2, e the `normal_restitution`, in [0, 1].
 pub const CAROM_LOSS_YIELD: u32 = 4;
+/// As CAROM_LOSS_GIVEN, of a material whose stress relaxes wholly (Maxwell). Like CAROM_LOSS_STANDARD_SOLID and
+/// CAROM_LOSS_CONSTANT_TANGENT for like spheres and planes without spin about the normal, and from 0.1.
+pub const CAROM_LOSS_MAXWELL: u32 = 5;
+/// As CAROM_LOSS_GIVEN, of a standard solid whose stress relaxes fast to a tenth.
+pub const CAROM_LOSS_STANDARD_SOLID: u32 = 6;
+/// As CAROM_LOSS_GIVEN, of a material whose loss tangent is the same at any frequency.
+pub const CAROM_LOSS_CONSTANT_TANGENT: u32 = 7;
 
 /// Options of an impact. Zero in any field but `size` selects the default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -60,8 +67,8 @@ pub struct CaromCollideOptions {
     /// The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. With CAROM_LOSS_YIELD duration, force
     /// and approach are those of the elastic impact.
     pub loss: u32,
-    /// The normal velocity after the impact over that before, for CAROM_LOSS_GIVEN and CAROM_LOSS_YIELD: 1 is elastic, 0
-    /// leaves the bodies together.
+    /// The normal velocity after the impact over that before, for CAROM_LOSS_GIVEN, CAROM_LOSS_YIELD and the
+    /// materials after it: 1 is elastic, 0 leaves the bodies together.
     pub normal_restitution: f64,
     /// Largest error of the contact velocity after the impact, over that before; 0 for the default. Rings that do
     /// not reach it set CAROM_WARNING_NOT_SETTLED.
@@ -134,16 +141,21 @@ impl CaromCollideOptions {
 
     /// The coefficient of normal restitution that the options describe.
     fn left(&self) -> Result<NormalRestitution, Failure> {
-        match self.loss {
-            CAROM_LOSS_NONE => Ok(NormalRestitution::ELASTIC),
-            CAROM_LOSS_GIVEN => NormalRestitution::new(self.normal_restitution)
-                .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
-            CAROM_LOSS_BY_WAVES => Ok(NormalRestitution::by_waves()),
-            CAROM_LOSS_VISCOELASTIC => Ok(NormalRestitution::viscoelastic(self.relaxation)?),
-            CAROM_LOSS_YIELD => NormalRestitution::by_yield(self.normal_restitution)
-                .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
-            loss => Err(out_of_range("loss", loss, "a CAROM_LOSS, 0 to 4")),
-        }
+        let cause = match self.loss {
+            CAROM_LOSS_NONE => return Ok(NormalRestitution::ELASTIC),
+            CAROM_LOSS_BY_WAVES => return Ok(NormalRestitution::by_waves()),
+            CAROM_LOSS_VISCOELASTIC => {
+                return Ok(NormalRestitution::viscoelastic(self.relaxation)?);
+            }
+            CAROM_LOSS_GIVEN => LossCause::Viscous,
+            CAROM_LOSS_YIELD => LossCause::Yield,
+            CAROM_LOSS_MAXWELL => LossCause::Maxwell,
+            CAROM_LOSS_STANDARD_SOLID => LossCause::StandardSolid,
+            CAROM_LOSS_CONSTANT_TANGENT => LossCause::ConstantLossTangent,
+            loss => return Err(out_of_range("loss", loss, "a CAROM_LOSS, 0 to 7")),
+        };
+        NormalRestitution::by(cause, self.normal_restitution)
+            .map_err(|error| RangeError { field: "normal_restitution", ..error }.into())
     }
 }
 

@@ -48,9 +48,9 @@ pub use carom_laws::grains::{Grain as CaromGrain, Heats as CaromHeats, Surface a
 pub use batch::carom_contact_advance_many;
 pub use collide_options::{
     CAROM_IMPACT_AUTO, CAROM_IMPACT_COULOMB, CAROM_IMPACT_FIXED_DIRECTION, CAROM_IMPACT_RINGS,
-    CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CAROM_LOSS_VISCOELASTIC,
-    CAROM_LOSS_YIELD, CAROM_TORSION_AUTO, CAROM_TORSION_INCLUDED, CAROM_TORSION_LEFT_OUT,
-    CaromCollideOptions,
+    CAROM_LOSS_BY_WAVES, CAROM_LOSS_CONSTANT_TANGENT, CAROM_LOSS_GIVEN, CAROM_LOSS_MAXWELL,
+    CAROM_LOSS_NONE, CAROM_LOSS_STANDARD_SOLID, CAROM_LOSS_VISCOELASTIC, CAROM_LOSS_YIELD,
+    CAROM_TORSION_AUTO, CAROM_TORSION_INCLUDED, CAROM_TORSION_LEFT_OUT, CaromCollideOptions,
 };
 pub use contact::{
     CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
@@ -88,7 +88,8 @@ pub use touch::{CaromTouch, carom_touch_size};
 pub use validity::{
     CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_APPROACH, CAROM_WARNING_LARGE_CONTACT,
     CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
-    CAROM_WARNING_SPIN_ON_SHIFT, CAROM_WARNING_TIME_STEP, CAROM_WARNING_WAVE_LOSS,
-    CAROM_WARNING_YIELDS, CaromValidity, carom_validity_text, carom_warning_text,
+    CAROM_WARNING_SPIN_ON_SHIFT, CAROM_WARNING_TIME_STEP, CAROM_WARNING_UNKNOWN_LOSS,
+    CAROM_WARNING_WAVE_LOSS, CAROM_WARNING_YIELDS, CaromValidity, carom_validity_text,
+    carom_warning_text,
 };
 pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

@@ -1,10 +1,12 @@
 //! The tangential coefficient of restitution of spheres.
 
-use carom_impact::oblique::{Groups, ObliqueError, ObliqueImpact};
+use carom_impact::oblique::{Groups, ObliqueError};
 use carom_impact::restitution::{
-    DissimilarGroups, DissimilarMethod, DissimilarTable, RestitutionTable,
+    DissimilarGroups, DissimilarMethod, DissimilarTable, RestitutionError, RestitutionTable,
+    with_normal_restitution,
 };
 use carom_laws::friction::Friction;
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pointers::{Strided, write, write_or_null};
@@ -19,8 +21,8 @@ pub const CAROM_BY_RINGS: u32 = 2;
 /// R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
 ///
 /// `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
-/// tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
-/// CAROM_EXACT.
+/// tangential velocity of the contact over f times the normal one; `normal_restitution`, in [0, 1], is e of a viscous
+/// material, 1 of an elastic one. `method` is CAROM_BY_TABLE (with a loss within 3e-3) or CAROM_EXACT (within 1e-5).
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.
@@ -28,6 +30,7 @@ pub const CAROM_BY_RINGS: u32 = 2;
 pub unsafe extern "C" fn carom_restitution(
     kappa: f64,
     lambda: f64,
+    normal_restitution: f64,
     method: u32,
     restitution: *mut f64,
     error: *mut CaromError,
@@ -35,14 +38,14 @@ pub unsafe extern "C" fn carom_restitution(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let place = write(restitution, "restitution")?;
-        *place = one(kappa, lambda, method)?;
+        *place = one([kappa, lambda, normal_restitution], method)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
 }
 
-/// R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
+/// R_x of many pairs of `kappa` and `lambda`, with one `normal_restitution`. The strides are the bytes from one entry to the next; 0
 /// takes the same entry again and again. The first pair without an answer ends the call:
 /// `error->index` names it, and those before it have been written.
 ///
@@ -57,6 +60,7 @@ pub unsafe extern "C" fn carom_restitution_many(
     kappa_stride: usize,
     lambda: *const f64,
     lambda_stride: usize,
+    normal_restitution: f64,
     method: u32,
     restitution: *mut f64,
     restitution_stride: usize,
@@ -68,7 +72,7 @@ pub unsafe extern "C" fn carom_restitution_many(
         let lambda = Strided::new(lambda.cast_mut(), lambda_stride, count, "lambda")?;
         let places = Strided::apart(restitution, restitution_stride, count, "restitution")?;
         for i in 0..count {
-            let answer = one(*kappa.at(i), *lambda.at(i), method);
+            let answer = one([*kappa.at(i), *lambda.at(i), normal_restitution], method);
             *places.at(i) = answer.map_err(|failure| failure.at(i))?;
         }
         Ok(())
@@ -132,14 +136,24 @@ fn method_of(method: DissimilarMethod) -> u32 {
     }
 }
 
-fn one(kappa: f64, lambda: f64, method: u32) -> Result<f64, Failure> {
+fn one([kappa, lambda, e]: [f64; 3], method: u32) -> Result<f64, Failure> {
     let groups = Groups::of_spheres(kappa, lambda)?;
+    RangeError::check("normal_restitution", e, (0.0..=1.0).contains(&e), "from 0 to 1")?;
     match method {
-        CAROM_BY_TABLE => Ok(RestitutionTable::shared().restitution(groups)?),
-        CAROM_EXACT => Ok(ObliqueImpact::new(groups)?.restitution()),
+        CAROM_BY_TABLE => Ok(RestitutionTable::shared().restitution_with(groups, e)?),
+        CAROM_EXACT => Ok(with_normal_restitution(groups, e)?),
         _ => {
             let text = format_args!("method = {method} is neither the table (0) nor exact (1)");
             Err(Failure::new(CaromStatus::OutOfRange, "method", text))
+        }
+    }
+}
+
+impl From<RestitutionError> for Failure {
+    fn from(error: RestitutionError) -> Self {
+        match error {
+            RestitutionError::Range(error) => error.into(),
+            RestitutionError::Oblique(error) => error.into(),
         }
     }
 }

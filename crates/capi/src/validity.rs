@@ -31,6 +31,9 @@ pub const CAROM_WARNING_YIELDS: u32 = 128;
 pub const CAROM_WARNING_TIME_STEP: u32 = 256;
 /// The spin about the normal uses up friction, which the law leaves out: R_x may change by more than 0.005.
 pub const CAROM_WARNING_SPIN_ON_SHIFT: u32 = 512;
+/// The cause of the loss along the normal is not given, and another one would change the velocity after the impact by more
+/// than 5 % of that before.
+pub const CAROM_WARNING_UNKNOWN_LOSS: u32 = 1024;
 
 /// How far a contact or an impact lies within the theory, which holds for elastic contacts that are small
 /// compared with the bodies, and how much the result leaves out. R is the smallest radius of curvature of the
@@ -109,6 +112,9 @@ pub extern "C" fn carom_warning_text(warning: u32) -> *const c_char {
             CAROM_WARNING_POINT_SAMPLED => {
                 c"the contact point was found by sampling: the bodies may touch elsewhere too"
             }
+            CAROM_WARNING_UNKNOWN_LOSS => {
+                c"the rebound depends on the cause of the loss, which is not given"
+            }
             _ => c"not one CAROM_WARNING bit",
         },
     };
@@ -164,5 +170,6 @@ const fn bit(warning: Warning) -> u32 {
         Warning::Exceeds(excess) => bit_of(excess.limit),
         Warning::NotSettled { .. } => CAROM_WARNING_NOT_SETTLED,
         Warning::PointSampled => CAROM_WARNING_POINT_SAMPLED,
+        Warning::UnknownLoss { .. } => CAROM_WARNING_UNKNOWN_LOSS,
     }
 }

@@ -257,6 +257,14 @@ impl NormalRestitution {
         Ok((loss.restitution() < 1.0).then_some(loss))
     }
 
+    /// Whether it is stated what loses the energy, beside how much.
+    pub(crate) fn is_cause_known(self) -> bool {
+        match self.0 {
+            Cause::Viscous(loss) => loss.rheology() != Rheology::KelvinVoigt,
+            Cause::Waves | Cause::Relaxation(_) | Cause::Yield(_) => true,
+        }
+    }
+
     /// (1 + e)/2 of bodies that yield, 1 of others.
     pub(crate) fn part_of_yield(self) -> f64 {
         match self.0 {

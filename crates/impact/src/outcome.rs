@@ -84,6 +84,9 @@ pub struct Rebound {
     /// individually; 0 if the solution is exact. Solvers that choose the analytic law add bounds of what it leaves
     /// out, also over |v_A|.
     pub error_estimate: f64,
+    /// By how much R_x may differ in a material that loses as much energy along the normal from another cause; 0 where the
+    /// cause is given ([`crate::LossCause`], a relaxation time) or nothing is lost.
+    pub model_uncertainty: f64,
     /// The regimes in order, with the times at which they began.
     pub log: Vec<LogEntry>,
     /// How far the largest contact, and the waves that it sends out, are from the limits of the theory.

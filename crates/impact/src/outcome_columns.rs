@@ -128,6 +128,9 @@ impl<E: Ended + 'static> Columns<E> {
         Column::new("error_estimate", "", "of the contact velocity, over that before", |ended| {
             of(ended, |rebound| rebound.error_estimate)
         }),
+        Column::new("model_uncertainty", "", "of R_x, by the unknown cause of a loss", |ended| {
+            of(ended, |rebound| rebound.model_uncertainty)
+        }),
         Column::text("warnings", "", "limits of validity that the impact exceeds", |ended| {
             of(ended, |rebound| -> Vec<String> {
                 rebound.warnings.iter().map(ToString::to_string).collect()

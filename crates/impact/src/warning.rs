@@ -18,6 +18,11 @@ pub enum Warning {
     /// The contact point was found by a search from many starting points on a body that need not be
     /// convex ([`carom_geometry::Certainty::Sampled`]): there may be other contacts.
     PointSampled,
+    /// A restitution along the normal is given without its cause, on which the velocity after the impact depends.
+    UnknownLoss {
+        /// How far the velocity may be off, over that before.
+        share: f64,
+    },
 }
 
 impl Warning {
@@ -56,6 +61,12 @@ impl std::fmt::Display for Warning {
                      before the impact, above the tolerance {tolerance:.1e}"
                 )
             }
+            Self::UnknownLoss { share } => write!(
+                f,
+                "the rebound depends on the cause of the loss, which `loss` can name: another cause may change the \
+                 velocity by about {:.0} % of that before",
+                100.0 * share
+            ),
             Self::PointSampled => f.write_str(
                 "the contact point was found by a search from many starting points; a body that is \
                  not convex may have other contacts",

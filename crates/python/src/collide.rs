@@ -1,11 +1,11 @@
 //! Collisions, one or many.
 
 use carom::impact::{
-    Body as Colliding, Collision, HistoryPoint, ImpactFriction, NormalRestitution, Outcome,
-    TorsionMode,
+    Body as Colliding, Collision, HistoryPoint, ImpactFriction, LossCause, NormalRestitution,
+    Outcome, TorsionMode,
 };
 use carom::numerical::CollisionLaw;
-use carom::special::WordError;
+use carom::special::{RangeError, WordError};
 use carom_cases::theory::readable;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -34,6 +34,33 @@ struct Way {
     loss: NormalRestitution,
 }
 
+/// What the number of a loss in the material is.
+#[derive(Clone, Copy)]
+enum Loss {
+    Waves,
+    Relaxation,
+    Restitution(LossCause),
+}
+
+impl Loss {
+    fn new(cause: &str) -> PyResult<Self> {
+        let of = |cause: &str| cause.parse().map(Self::Restitution);
+        match cause {
+            "waves" => Ok(Self::Waves),
+            "relaxation" => Ok(Self::Relaxation),
+            cause => of(cause).map_err(|error| PyValueError::new_err(error.to_string())),
+        }
+    }
+
+    fn with(self, value: f64) -> Result<NormalRestitution, RangeError> {
+        match self {
+            Self::Waves => Ok(NormalRestitution::by_waves()),
+            Self::Relaxation => NormalRestitution::viscoelastic(value),
+            Self::Restitution(cause) => NormalRestitution::by(cause, value),
+        }
+    }
+}
+
 impl Way {
     fn new(
         normal: Option<Row<Normal, 3>>,
@@ -48,20 +75,9 @@ impl Way {
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 
-    /// Adds the loss in the material: by waves, by a relaxation time, or by a given coefficient of normal
-    /// restitution.
-    fn losing(self, (cause, value): (&str, f64)) -> PyResult<Self> {
-        let loss = match cause {
-            "waves" => NormalRestitution::by_waves(),
-            "relaxation" => NormalRestitution::viscoelastic(value).map_err(Fault::from)?,
-            cause => {
-                let cause = cause.parse();
-                let cause =
-                    cause.map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
-                NormalRestitution::by(cause, value).map_err(Fault::from)?
-            }
-        };
-        Ok(Self { loss, ..self })
+    /// The same with a loss in the material.
+    const fn losing(self, loss: NormalRestitution) -> Self {
+        Self { loss, ..self }
     }
 
     fn collision(
@@ -115,7 +131,8 @@ pub(crate) fn collide<'py>(
     tolerance: Option<In<Tolerance>>,
     loss: (String, f64),
 ) -> PyResult<(Bound<'py, PyDict>, Told, String)> {
-    let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
+    let lost = Loss::new(&loss.0)?.with(loss.1).map_err(Fault::from)?;
+    let way = Way::new(normal, torsion, law, tolerance)?.losing(lost);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve = || -> Result<(Outcome, String), Fault> {
         let collision = way.collision(one, two, checked(friction, beside)?)?;
@@ -143,9 +160,10 @@ pub(crate) fn collide_many<'py>(
     torsion: Option<bool>,
     law: &str,
     tolerance: Option<In<Tolerance>>,
-    loss: (String, f64),
+    loss: (String, Numbers<'py>),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
-    let way = Way::new(normal, torsion, law, tolerance)?.losing((&loss.0, loss.1))?;
+    let way = Way::new(normal, torsion, law, tolerance)?;
+    let (cause, values) = (Loss::new(&loss.0)?, loss.1.as_slice()?);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
     let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];
@@ -153,10 +171,18 @@ pub(crate) fn collide_many<'py>(
         *rows = motion.as_slice()?.as_chunks().0;
         same_length("motion", rows.len(), friction.len())?;
     }
+    same_length("normal_restitution", values.len(), friction.len())?;
+    // One material for all is made once.
+    let first = values.first().map(|value| cause.with(*value)).transpose().map_err(Fault::from)?;
+    let lost = |value: f64| match first {
+        Some(lost) if value == values[0] => Ok(lost),
+        _ => cause.with(value),
+    };
     let [v_1, w_1, v_2, w_2] = rows;
     let outcomes = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
+        let way = way.losing(lost(values[i])?);
         Ok(way.law.solve(&way.collision(one, two, checked(friction[i], beside)?)?)?)
     })?;
     told(py, &outcomes)

@@ -60,6 +60,22 @@ def test_a_loss_by_yield_has_its_own_name():
             carom.collide(*ball_and_floor(), 0.35, loss="yield", **other)
 
 
+def test_each_of_many_impacts_has_its_own_loss():
+    body_1, body_2 = ball_and_floor()
+    e = np.array([1.0, 0.9, 0.5, 0.3])
+    many = carom.collide_many(body_1, body_2, 0.35, normal_restitution=e)
+    alone = [carom.collide(body_1, body_2, 0.35, normal_restitution=float(one)).R_x for one in e]
+    assert many.R_x.tolist() == alone
+    times = np.array([0.0, 1e-7, 1e-6])
+    slower = carom.collide_many(body_1, body_2, 0.35, relaxation=times)
+    alone = [carom.collide(body_1, body_2, 0.35, relaxation=float(one)).R_x for one in times]
+    assert slower.R_x.tolist() == alone
+    with pytest.raises(ValueError, match="motions, friction and loss: must have the same length"):
+        carom.collide_many(body_1, body_2, [0.3, 0.4], normal_restitution=e)
+    with pytest.raises(ValueError, match="normal restitution = 1.5 is out of range"):
+        carom.collide_many(body_1, body_2, 0.35, normal_restitution=[0.5, 1.5])
+
+
 def test_other_materials_have_their_own_names():
     """Solid spheres, kappa 1.2, e .8, R_x at lambda 1 by springs of another program."""
     material = carom.Material(1e10, 2 / 7)
@@ -71,7 +87,7 @@ def test_other_materials_have_their_own_names():
     solid = carom.collide(*ball_and_floor(), 0.35, normal_restitution=0.8, loss="standard-solid").R_x
     assert solid == pytest.approx(carom.collide(*ball_and_floor(), 0.35, normal_restitution=0.8).R_x, abs=8e-3)
     unlike = carom.sphere(0.01, carom.Material(1e9, 0.1), 0.01, velocity=speeds)
-    with pytest.raises(ValueError, match="something couples normal and tangential motion"):
+    with pytest.raises(carom.CaromError, match="something couples normal and tangential motion"):
         carom.collide(unlike, carom.plane(material), 0.35, normal_restitution=0.8, loss="maxwell")
 
 

@@ -60,7 +60,7 @@ fn restitution_of_dissimilar_spheres_is_that_of_the_library() {
     }
     let (mut alike, (_, [r_x, _], ..)) = (0.0, of_dissimilar([1.2, 0.0, 0.1, 2.0, 3.5]));
     // SAFETY: all pointers are references.
-    unsafe { carom_restitution(1.2, 2.0, CAROM_EXACT, &mut alike, null_mut()) };
+    unsafe { carom_restitution(1.2, 2.0, 1.0, CAROM_EXACT, &mut alike, null_mut()) };
     assert_eq!(alike, r_x);
 }
 

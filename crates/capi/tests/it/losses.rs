@@ -5,7 +5,7 @@ use std::ptr::null;
 
 use carom_capi::*;
 use carom_halfspace::Material;
-use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound};
+use carom_impact::{Body, Collision, LossCause, Motion, NormalRestitution, Outcome, Rebound};
 use carom_laws::friction::Friction;
 
 const RUBBER: CaromMaterial =
@@ -47,6 +47,10 @@ fn collide(loss: u32, e: f64) -> (CaromStatus, CaromRebound, CaromError) {
     (status, rebound, error)
 }
 
+fn by(cause: LossCause) -> NormalRestitution {
+    NormalRestitution::by(cause, 0.6).unwrap()
+}
+
 fn inside(restitution: NormalRestitution) -> Rebound {
     let rubber = Material::from_young(20e6, 0.5).unwrap();
     let ball = Body::sphere(0.02, rubber, 0.03).unwrap();
@@ -69,6 +73,9 @@ fn losses_are_those_of_the_library_to_the_bit() {
         (CAROM_LOSS_BY_WAVES, f64::NAN, NormalRestitution::by_waves()),
         (CAROM_LOSS_VISCOELASTIC, 1e-4, NormalRestitution::viscoelastic(1e-4).unwrap()),
         (CAROM_LOSS_YIELD, 0.6, NormalRestitution::by_yield(0.6).unwrap()),
+        (CAROM_LOSS_MAXWELL, 0.6, by(LossCause::Maxwell)),
+        (CAROM_LOSS_STANDARD_SOLID, 0.6, by(LossCause::StandardSolid)),
+        (CAROM_LOSS_CONSTANT_TANGENT, 0.6, by(LossCause::ConstantLossTangent)),
     ];
     for (loss, e, restitution) in cases {
         let (status, told, _) = collide(loss, e);
@@ -86,6 +93,26 @@ fn losses_are_those_of_the_library_to_the_bit() {
             [told.energy_before, told.energy_after, told.energy_dissipated, told.energy_lost];
         let energy = known.energy;
         assert_eq!(budget, [energy.before, energy.after, energy.dissipated, energy.lost]);
+    }
+}
+
+/// The ball of a lossy material that other doors follow too: by springs of another program .15564.
+#[test]
+fn r_x_with_a_loss_is_known_by_table_and_exactly() {
+    for (method, close) in [(CAROM_BY_TABLE, 3e-3), (CAROM_EXACT, 2e-5)] {
+        let mut r_x = 0.0;
+        // SAFETY: all pointers are references.
+        let status =
+            unsafe { carom_restitution(1.2, 2.0, 0.5, method, &mut r_x, std::ptr::null_mut()) };
+        assert_eq!(status, CaromStatus::Ok);
+        assert!((r_x - 0.15564).abs() < close, "{method}: {r_x}");
+        for bad in [-0.1, 1.1, f64::NAN] {
+            // SAFETY: as above.
+            let mut error: CaromError = unsafe { zeroed() };
+            // SAFETY: as above.
+            let status = unsafe { carom_restitution(1.2, 2.0, bad, method, &mut r_x, &mut error) };
+            assert_eq!(status, CaromStatus::OutOfRange);
+        }
     }
 }
 
@@ -140,7 +167,7 @@ fn wrong_losses_are_named_and_nothing_is_written() {
         assert_eq!(error.value.to_bits(), e.to_bits());
         assert_eq!(rebound.duration, 7.0);
     }
-    let (status, _, error) = collide(5, 0.5);
+    let (status, _, error) = collide(8, 0.5);
     assert_eq!((status, field(&error).as_str()), (CaromStatus::OutOfRange, "loss"));
     let [ball, _] = bodies();
     // SAFETY: all pointers are null or references.

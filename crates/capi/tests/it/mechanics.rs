@@ -328,7 +328,9 @@ fn many_restitutions_are_each_of_their_own_pair() {
             let first = &raw mut places[0][1];
             let each = size_of::<[f64; 3]>();
             let error = null_mut();
-            carom_restitution_many(4, kappa, stride, lambda, stride, method, first, each, error)
+            carom_restitution_many(
+                4, kappa, stride, lambda, stride, 1.0, method, first, each, error,
+            )
         };
         assert_eq!(status, CaromStatus::Ok);
         for (place, [_, lambda]) in places.iter().zip(pairs) {
@@ -341,12 +343,12 @@ fn many_restitutions_are_each_of_their_own_pair() {
         // SAFETY: as above.
         unsafe {
             let (k, l, to) = (kappas.as_ptr(), lambdas.as_ptr(), many.as_mut_ptr());
-            carom_restitution_many(3, k, 8, l, 8, method, to, 8, null_mut());
+            carom_restitution_many(3, k, 8, l, 8, 0.8, method, to, 8, null_mut());
         }
         for ((kappa, lambda), own) in kappas.into_iter().zip(lambdas).zip(many) {
             let mut one = 0.0;
             // SAFETY: all pointers are references.
-            unsafe { carom_restitution(kappa, lambda, method, &mut one, null_mut()) };
+            unsafe { carom_restitution(kappa, lambda, 0.8, method, &mut one, null_mut()) };
             assert_eq!(one, own);
         }
         assert!(many[0] != many[1] && many[1] != many[2]);
@@ -364,7 +366,7 @@ fn an_error_of_many_restitutions_names_its_pair() {
         // SAFETY: the strides are those of the arrays.
         let status = unsafe {
             let (k, l, to) = (kappas.as_ptr(), lambdas.as_ptr(), many.as_mut_ptr());
-            carom_restitution_many(4, k, 8, l, 8, method, to, 8, &mut error)
+            carom_restitution_many(4, k, 8, l, 8, 1.0, method, to, 8, &mut error)
         };
         assert_eq!((status, error.index, error.value), (CaromStatus::OutOfRange, 2, 3.0));
         near(many[0], -1.0 + 7.0 / 20.0);

@@ -132,8 +132,8 @@ fn any_pair_and_ratio_is_answered() {
                     made = std::ptr::null_mut();
                 }
                 for method in [CAROM_EXACT, CAROM_BY_TABLE] {
-                    calls.push(carom_restitution(one, other, method, &raw mut r_x, e));
-                    calls.push(carom_restitution(1.2, other, method, &raw mut r_x, e));
+                    calls.push(carom_restitution(one, other, other, method, &raw mut r_x, e));
+                    calls.push(carom_restitution(1.2, other, 0.5, method, &raw mut r_x, e));
                     assert!(r_x.is_finite(), "{one:e} {other:e} {method}: {r_x}");
                 }
             }

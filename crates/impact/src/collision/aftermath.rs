@@ -116,7 +116,14 @@ impl Collision {
             coupling,
             ..self.validity(&outcome, &maximal_contact, share)
         };
-        let warnings = self.warnings(validity);
+        let r_x = match known.r_x {
+            Some(elastic) => Some(elastic),
+            None => self.restitution(&before, &elastic)?,
+        };
+        let r_x = r_x.map(|elastic| damped.restitution(elastic));
+        let model_uncertainty = self.model_uncertainty(&before, r_x)?;
+        let warnings =
+            self.warnings(validity).chain(Self::unknown_cause(&before, model_uncertainty));
         let warnings = warnings.chain(outcome.warning.or(self.missed_tolerance(error_estimate)));
         let warnings = warnings.collect();
         self.with_turning_centres(Rebound {
@@ -124,11 +131,7 @@ impl Collision {
             impulse: self.frame().to_space(&impulse),
             contact_velocity_before: self.frame().to_space(&before),
             contact_velocity_after: self.frame().to_space(&after),
-            r_x: match known.r_x {
-                Some(elastic) => Some(elastic),
-                None => self.restitution(&before, &elastic)?,
-            }
-            .map(|elastic| damped.restitution(elastic)),
+            r_x,
             duration: outcome.duration,
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
@@ -139,6 +142,7 @@ impl Collision {
             method: outcome.method,
             compressions: outcome.compressions,
             error_estimate,
+            model_uncertainty,
             log,
             validity,
             warnings,

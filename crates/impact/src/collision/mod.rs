@@ -4,6 +4,7 @@ mod aftermath;
 mod columns;
 mod glancing;
 mod history;
+mod loss_cause;
 mod needed_law;
 mod solver;
 mod twist_bound;

@@ -55,6 +55,7 @@ fn columns_of_a_rebound_show_its_fields() {
     // Of elastic bodies; a number of its own shows where it stands.
     rebound.energy.lost = 0.123;
     rebound.r_x = Some(0.456);
+    rebound.model_uncertainty = 0.0789;
     let r: &mut Rebound = &mut rebound;
     let regimes: Vec<&'static str> = r.log.iter().map(|entry| entry.regime.name()).collect();
     r.warnings = vec![
@@ -88,6 +89,7 @@ fn columns_of_a_rebound_show_its_fields() {
         ("method", "", "spatial".into()),
         ("compressions", "", Value::Count(7)),
         ("error_estimate", "", Value::Number(r.error_estimate)),
+        ("model_uncertainty", "", Value::Number(0.0789)),
         ("warnings", "", Value::Texts(r.warnings.iter().map(ToString::to_string).collect())),
     ];
     are(Rebound::COLUMNS, r, &expected);

@@ -5,8 +5,8 @@ use carom_halfspace::Material;
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::viscoelastic::{ViscoelasticImpact, ViscousLoss};
 use carom_impact::{
-    AnalyticOrRings, Body, Collision, CollisionSolver, Motion, NormalRestitution, Rebound,
-    RingImpact,
+    AnalyticOrRings, Body, Collision, CollisionSolver, LossCause, Motion, NormalRestitution,
+    Rebound, RingImpact, Warning,
 };
 use carom_laws::friction::Friction;
 
@@ -320,4 +320,49 @@ fn losses_out_of_range_name_their_field() {
     for time in [-1.0, 25.1, f64::NAN] {
         assert_eq!(ViscousLoss::of_relaxation(time).unwrap_err().field, "relaxation");
     }
+}
+
+/// What another cause of the loss may change covers Maxwell's material and a constant loss tangent, and is told where it is
+/// noticeable.
+#[test]
+fn the_uncertainty_by_the_cause_covers_other_materials() {
+    let collide = |lambda: f64, restitution: NormalRestitution| {
+        let glass = Material::from_young(70e9, 2.0 / 7.0).unwrap();
+        let motion = Motion::new([0.4 * lambda, 0.0, -1.0], [0.0; 3]).unwrap();
+        let ball = Body::sphere(0.01, glass, 0.01).unwrap().moving(motion);
+        let collision = Collision::new(ball, Body::plane(glass), Friction::new(0.4).unwrap());
+        let collision = collision.unwrap().with_normal_restitution(restitution);
+        collision.solve().unwrap().rebound().unwrap().clone()
+    };
+    let tells = |rebound: &Rebound| {
+        rebound.warnings.iter().any(|warning| matches!(warning, Warning::UnknownLoss { .. }))
+    };
+    for e in [0.95, 0.8, 0.5] {
+        for lambda in [0.2, 0.5, 1.0, 2.0, 3.0, 4.0] {
+            let given = collide(lambda, NormalRestitution::new(e).unwrap());
+            for cause in [LossCause::Maxwell, LossCause::ConstantLossTangent] {
+                let other = collide(lambda, NormalRestitution::by(cause, e).unwrap());
+                let apart = (other.r_x.unwrap() - given.r_x.unwrap()).abs();
+                let known = given.model_uncertainty;
+                assert!(apart < known + 2e-3, "{e} {lambda} {cause:?}: {apart} {known}");
+                assert!(other.model_uncertainty == 0.0 && !tells(&other));
+            }
+            let slip = 0.4 * lambda;
+            let share = given.model_uncertainty * slip / slip.hypot(1.0);
+            assert_eq!(tells(&given), share > 0.05, "{e} {lambda}: {share}");
+        }
+    }
+    // The ball whose rebound other programs know: .156, by another cause .27 more or less.
+    let glass = Material::from_young(1e10, 0.3).unwrap();
+    let motion = Motion::new([0.4, 0.0, -0.610_557_122_6], [0.0; 3]).unwrap();
+    let mass = 2600.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-9;
+    let ball = Body::sphere(1e-3, glass, mass).unwrap().moving(motion);
+    let collision = Collision::new(ball, Body::plane(glass), Friction::new(0.35).unwrap()).unwrap();
+    let e = NormalRestitution::new(0.5).unwrap();
+    let rebound = collision.clone().with_normal_restitution(e).solve().unwrap();
+    let uncertainty = rebound.rebound().unwrap().model_uncertainty;
+    assert!((uncertainty - 0.27).abs() < 5e-3, "{uncertainty}");
+    // Nothing is lost; nothing rubs; all slides.
+    assert_eq!(collision.solve().unwrap().rebound().unwrap().model_uncertainty, 0.0);
+    assert!(collide(9.0, e).model_uncertainty < 1e-12);
 }

@@ -313,7 +313,7 @@ def collide_many(
     torsion: bool | None,
     law: str,
     tolerance: float | None,
-    loss: tuple[str, float],
+    loss: tuple[str, Array],
 ) -> tuple[_Columns, _Told]: ...
 def history(
     body_1: Body,

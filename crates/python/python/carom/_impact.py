@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
@@ -9,7 +10,7 @@ from ._arrays import counted, line, number, numbers, rows, spread
 from ._carom import Body, Material
 from ._friction import SlipSpeedFriction, by_speed
 from ._records import HistoryPoints, Rebound, Rebounds
-from ._types import Vector
+from ._types import Array, Vector
 from ._validity import warn
 
 UP = (0.0, 0.0, 1.0)
@@ -57,15 +58,25 @@ def _loss(normal_restitution: float, loss: str | None, wave_loss: bool, relaxati
         raise TypeError("normal_restitution: must be a number; for the loss by waves pass wave_loss=True")
     normal_restitution = number("normal_restitution", normal_restitution)
     relaxation = number("relaxation", relaxation, "s")
-    if loss is not None and normal_restitution == 1.0:
+    cause, values = _losses(normal_restitution, loss, wave_loss, relaxation)
+    return cause, float(values)
+
+
+def _losses(
+    normal_restitution: ArrayLike, loss: str | None, wave_loss: bool, relaxation: ArrayLike
+) -> tuple[str, Array]:
+    """The same for many impacts: a number, or one for each."""
+    coefficients, times = numbers("normal_restitution", normal_restitution), numbers("relaxation", relaxation, "s")
+    is_given, relaxes = bool(np.any(coefficients != 1.0)), bool(np.any(times != 0.0))
+    if loss is not None and not is_given:
         raise ValueError("loss: is the cause of a normal_restitution below 1, which is missing")
-    given = [("normal_restitution", normal_restitution != 1.0), ("wave_loss=True", wave_loss), ("relaxation", relaxation != 0.0)]
-    causes = [name for name, is_given in given if is_given]
+    given = [("normal_restitution", is_given), ("wave_loss=True", wave_loss), ("relaxation", relaxes)]
+    causes = [name for name, is_there in given if is_there]
     if len(causes) > 1:
         raise ValueError(f"{causes[0]} and {causes[1]} are mutually exclusive")
     if wave_loss:
-        return "waves", 0.0
-    return ("relaxation", relaxation) if relaxation != 0.0 else (loss or "viscous", normal_restitution)
+        return "waves", np.zeros(())
+    return ("relaxation", times) if relaxes else (loss or "viscous", coefficients)
 
 
 def _beside(
@@ -159,12 +170,13 @@ def collide_many(
     torsion: bool | None = None,
     law: str = "auto",
     tolerance: float | None = None,
-    normal_restitution: float = 1.0,
+    normal_restitution: ArrayLike = 1.0,
     loss: str | None = None,
     wave_loss: bool = False,
-    relaxation: float = 0.0,
+    relaxation: ArrayLike = 0.0,
 ) -> Rebounds:
-    """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, (n,).
+    """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, restitutions along the
+    normal or relaxation times, (n,).
 
     A single vector or number holds for all. Uses all cores, and gives the same bits on any number.
 
@@ -185,15 +197,17 @@ def collide_many(
     beside = _beside(friction, static_friction)
     coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]
-    counts += [len(coefficients)] if coefficients.ndim == 1 else []
+    cause, lost = _losses(normal_restitution, loss, wave_loss, relaxation)
+    counts += [len(given) for given in (coefficients, lost) if given.ndim == 1]
     if len(set(counts)) > 1:
-        raise ValueError(f"motions and friction: must have the same length, not {sorted(set(counts))}")
+        raise ValueError(f"motions, friction and loss: must have the same length, not {sorted(set(counts))}")
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", coefficients, (count,)))
-    along, lost = _along(body_1, body_2, normal), _loss(normal_restitution, loss, wave_loss, relaxation)
+    what = "relaxation" if cause == "relaxation" else "normal_restitution"
+    losses = (cause, line(spread(what, lost, (count,))))
     columns, exceeded = _carom.collide_many(
-        body_1, body_2, frictions, beside, motions, along, torsion, law, tolerance, lost
+        body_1, body_2, frictions, beside, motions, _along(body_1, body_2, normal), torsion, law, tolerance, losses
     )
     warn(exceeded)
     return Rebounds._shaped(columns, (count,))

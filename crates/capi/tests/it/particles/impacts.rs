@@ -142,7 +142,7 @@ fn worst(law: u32, tolerance: f64, steps: usize, parts: &[f64]) -> f64 {
         for lambda in [0.1, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0] {
             // SAFETY: all pointers are references.
             let exact = told(0.0, |to, error| unsafe {
-                carom_restitution(kappa, lambda, CAROM_EXACT, to, error)
+                carom_restitution(kappa, lambda, 1.0, CAROM_EXACT, to, error)
             });
             for part in parts {
                 let impact = Impact::new(&made, 0.1, [lambda, 0.0], (steps, *part));

@@ -11,15 +11,16 @@ use super::answers::told;
 pub(super) fn restitution(world: &mut World, which: usize) -> CaromStatus {
     let kappa = [world.number(0.75, 1.5), world.number(0.75, 1.5)];
     let (lambda, method, error) = (world.number(0.0, 9.0), world.pick(3) as u32, world.error());
-    let (mut answer, stride) = ([0.0; 2], world.pick(17));
+    let (mut answer, stride, e) = ([0.0; 2], world.pick(17), world.number(0.0, 1.0));
     let to = world.point(answer.as_mut_ptr());
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
     let status = unsafe {
         match which {
-            5 => carom_restitution(kappa[0], lambda, method, to, error),
+            5 => carom_restitution(kappa[0], lambda, e, method, to, error),
             _ => {
                 let stride = if stride > 8 { 8 } else { stride };
-                carom_restitution_many(2, kappa.as_ptr(), 8, &lambda, 0, method, to, stride, error)
+                let kappa = kappa.as_ptr();
+                carom_restitution_many(2, kappa, 8, &lambda, 0, e, method, to, stride, error)
             }
         }
     };
