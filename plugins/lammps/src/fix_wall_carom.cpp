@@ -164,7 +164,7 @@ carom_grain_load FixWallCarom::step(int i, Contact &contact, carom::WallShape::N
   memcpy(surface.normal, near.normal, sizeof surface.normal);
   memcpy(surface.axis, near.axis, sizeof surface.axis);
   memcpy(surface.spin, wall.omega(), sizeof surface.spin);
-  wall.velocity_at(near.place, v, duration, surface.velocity);
+  wall.velocity_at(near.place, near.normal, v, duration, surface.velocity);
   carom_touch *touch = touch_of(i, contact);
   const carom_law *law = law_of(i, contact).get();
   if (is_new && update->whichflag == 1) limits.begins(law, grain, grain.mass, surface, update->dt);

@@ -383,10 +383,18 @@ void WallShape::move(double duration)
   for (double &number : second) number /= size;
 }
 
-void WallShape::velocity_at(const double *place, const double *of_grain, double duration, double *its) const
+void WallShape::velocity_at(const double *place, const double *normal, const double *of_grain, double duration,
+                            double *its) const
 {
-  double arm[3], whirl[3];
-  for (int k = 0; k < 3; k++) arm[k] = place[k] - middle[k] - 0.5 * duration * (of_grain[k] - speed[k]);
+  double arm[3], whirl[3], moved[3];
+  for (int k = 0; k < 3; k++) {
+    arm[k] = place[k] - middle[k];
+    moved[k] = of_grain[k] - speed[k];
+  }
+  cross(spin, arm, whirl);
+  // Along the wall the place goes with the grain, along the normal with the wall.
+  const double off = dot(whirl, normal) - dot(moved, normal);
+  for (int k = 0; k < 3; k++) arm[k] -= 0.5 * duration * (moved[k] + off * normal[k]);
   cross(spin, arm, whirl);
   for (int k = 0; k < 3; k++) its[k] = speed[k] + whirl[k];
 }

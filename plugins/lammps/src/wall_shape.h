@@ -67,8 +67,9 @@ class WallShape {
   bool has_periods_of(LAMMPS_NS::LAMMPS *lmp) const;
 
   void move(double duration);
-  // The velocity in the middle of a step, at whose end this place of the wall touches a grain.
-  void velocity_at(const double *place, const double *of_grain, double duration, double *its) const;
+  // The velocity of the surface in the middle of a step, at whose end this place of it touches a grain. A step of the
+  // contact adds what its depth below the surface makes, and the half of its growth.
+  void velocity_at(const double *place, const double *normal, const double *of_grain, double duration, double *its) const;
   const double *velocity() const { return speed; }
   const double *omega() const { return spin; }
   const double *center() const { return middle; }
