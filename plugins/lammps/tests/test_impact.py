@@ -13,8 +13,9 @@ EXACT = json.loads(pathlib.Path(__file__).with_name("exact_restitution.json").re
 ALONG = np.array([math.cos(0.37), math.sin(0.37), 0.0])
 
 
-def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=None, friction=FRICTION, types=(1, 2)):
-    """R_x and R_z of one impact per lambda, all in one run; grains of two `types` if `bodies` has their moduli."""
+def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=None, friction=FRICTION, types=(1, 2), lasts=1.1):
+    """R_x and R_z of one impact per lambda, all in one run that `lasts` so many elastic impacts; grains of two `types` if
+    `bodies` has their moduli."""
     reduced = 1 / sum(1 / r for r in radii)
     masses = [DENSITY * 4 / 3 * math.pi * r**3 for r in radii]
     mass = 1 / sum(1 / m for m in masses)
@@ -50,7 +51,7 @@ def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=N
     host.commands_list(
         [f"set group all density {DENSITY}"]
         + style
-        + ["neighbor 0.1 bin", "fix move all nve/sphere", f"timestep {dt}", f"run {int(1.1 * steps)}"]
+        + ["neighbor 0.1 bin", "fix move all nve/sphere", f"timestep {dt}", f"run {int(lasts * steps)}"]
     )
     tags = host.numpy.extract_atom("id")[: 2 * count]
     order = np.argsort(tags)
