@@ -416,7 +416,8 @@ carom_status carom_touch_pack(const struct carom_law *law,
                               struct carom_error *error);
 
 /* Makes a touch from the numbers of `carom_touch_pack`. The options of the law and the radii must be the same as then;
- * the radius of a wall is infinite. The contact continues with the same bits as the packed one.
+ * the radius of a wall is infinite. The contact continues as the packed one, but for the
+ * rounding of sums; contacts made from the same numbers continue with the same bits.
  *
  * `numbers` must have `carom_touch_pack_size(law)` entries. */
 carom_status carom_touch_unpack(const struct carom_law *law,
@@ -631,6 +632,16 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
 /* The bodies yield: the elastic impulse times (1 + e)/2, e the `normal_restitution`, in [0, 1]. */
 #define CAROM_LOSS_YIELD 4
 
+/* As CAROM_LOSS_GIVEN, of a material whose stress relaxes wholly (Maxwell). Like CAROM_LOSS_STANDARD_SOLID and
+ * CAROM_LOSS_CONSTANT_TANGENT for like spheres and planes without spin about the normal, and from 0.1. */
+#define CAROM_LOSS_MAXWELL 5
+
+/* As CAROM_LOSS_GIVEN, of a standard solid whose stress relaxes fast to a tenth. */
+#define CAROM_LOSS_STANDARD_SOLID 6
+
+/* As CAROM_LOSS_GIVEN, of a material whose loss tangent is the same at any frequency. */
+#define CAROM_LOSS_CONSTANT_TANGENT 7
+
 /* Options of an impact. Zero in any field but `size` selects the default. */
 typedef struct carom_collide_options {
   /* `sizeof(carom_collide_options)`. Later versions add fields at the end; a smaller `size` leaves these
@@ -641,8 +652,8 @@ typedef struct carom_collide_options {
   /* The loss in the material, beyond the elastic theory, a CAROM_LOSS constant. With CAROM_LOSS_YIELD duration, force
    * and approach are those of the elastic impact. */
   uint32_t loss;
-  /* The normal velocity after the impact over that before, for CAROM_LOSS_GIVEN and CAROM_LOSS_YIELD: 1 is elastic, 0
-   * leaves the bodies together. */
+  /* The normal velocity after the impact over that before, for CAROM_LOSS_GIVEN, CAROM_LOSS_YIELD and the
+   * materials after it: 1 is elastic, 0 leaves the bodies together. */
   double normal_restitution;
   /* Largest error of the contact velocity after the impact, over that before; 0 for the default. Rings that do
    * not reach it set CAROM_WARNING_NOT_SETTLED. */
@@ -803,15 +814,16 @@ carom_status carom_collide(const struct carom_body *body_1,
 /* R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
  *
  * `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
- * tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
- * CAROM_EXACT. */
+ * tangential velocity of the contact over f times the normal one; `normal_restitution`, in [0, 1], is e of a viscous
+ * material, 1 of an elastic one. `method` is CAROM_BY_TABLE (with a loss within 3e-3) or CAROM_EXACT (within 1e-5). */
 carom_status carom_restitution(double kappa,
                                double lambda,
+                               double normal_restitution,
                                uint32_t method,
                                double *restitution,
                                struct carom_error *error);
 
-/* R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
+/* R_x of many pairs of `kappa` and `lambda`, with one `normal_restitution`. The strides are the bytes from one entry to the next; 0
  * takes the same entry again and again. The first pair without an answer ends the call:
  * `error->index` names it, and those before it have been written.
  *
@@ -822,6 +834,7 @@ carom_status carom_restitution_many(size_t count,
                                     size_t kappa_stride,
                                     const double *lambda,
                                     size_t lambda_stride,
+                                    double normal_restitution,
                                     uint32_t method,
                                     double *restitution,
                                     size_t restitution_stride,
@@ -915,6 +928,10 @@ carom_status carom_creep_coefficients(double axis_ratio,
 
 /* The spin about the normal uses up friction, which the law leaves out: R_x may change by more than 0.005. */
 #define CAROM_WARNING_SPIN_ON_SHIFT 512
+
+/* The cause of the loss along the normal is not given, and another one would change the velocity after the impact by more
+ * than 5 % of that before. */
+#define CAROM_WARNING_UNKNOWN_LOSS 1024
 
 /* How far a contact or an impact lies within the theory, which holds for elastic contacts that are small
  * compared with the bodies, and how much the result leaves out. R is the smallest radius of curvature of the

@@ -151,7 +151,8 @@ pub unsafe extern "C" fn carom_touch_pack(
 }
 
 /// Makes a touch from the numbers of `carom_touch_pack`. The options of the law and the radii must be the same as then;
-/// the radius of a wall is infinite. The contact continues with the same bits as the packed one.
+/// the radius of a wall is infinite. The contact continues as the packed one, but for the
+/// rounding of sums; contacts made from the same numbers continue with the same bits.
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.

@@ -56,7 +56,7 @@ impl<L: GrainLaw> GrainContact<L> {
     }
 
     /// Restores what [`GrainContact::pack`] of a contact with the same constants wrote into a slice
-    /// of the same length. Loads are the same bits.
+    /// of the same length. Loads are the same but for the rounding of sums.
     ///
     /// # Errors
     /// [`RangeError`] for numbers that are not a stored contact; the contact is then unchanged.

@@ -14,7 +14,8 @@
 //! about the normal; g is the radial displacement by Hertz's pressure (15.2), outwards for gamma > 0. A point
 //! sticks where |q| < p and slips along q where |q| = p. The terms quadratic in gamma are the pressure that
 //! tractions add, since the bodies cannot overlap. The law neglects that the contact area then differs from
-//! that of Hertz, an effect of second order in gamma.
+//! that of Hertz: the normal force errs in the third order of gamma f, as energies do by a change of the area (against
+//! a grid .0006 at gamma f = .1), the friction force of a contact that sticks by some .05 gamma^2.
 //!
 //! A place that enters the contact at the rim has the slip of the rim. Slip inside is transported by
 //! interpolation. The history outside a receding rim is dropped. Each step is one convex problem, which is

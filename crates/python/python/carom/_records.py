@@ -121,6 +121,7 @@ class Bounce(Record):
     method                   solution method
     compressions             number of compression phases
     error_estimate           of the contact velocity, over that before
+    model_uncertainty        of R_x, by the unknown cause of a loss
     warnings                 limits of validity that the impact exceeds
     """
 
@@ -150,10 +151,11 @@ class Bounce(Record):
     method: str
     compressions: int
     error_estimate: float
+    model_uncertainty: float
     warnings: str
 
-    units = {'time': 's', 'position': 'm', 'velocity_before': 'm/s', 'spin_before': 'rad/s', 'velocity': 'm/s', 'spin': 'rad/s', 'wall': '', 'R_x': '', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
-    meanings = {'time': 'since the start', 'position': 'of the centre', 'velocity_before': 'of the centre', 'spin_before': '', 'velocity': 'of the centre afterwards', 'spin': 'afterwards', 'wall': 'name of the wall', 'R_x': 'tangential restitution', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
+    units = {'time': 's', 'position': 'm', 'velocity_before': 'm/s', 'spin_before': 'rad/s', 'velocity': 'm/s', 'spin': 'rad/s', 'wall': '', 'R_x': '', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'model_uncertainty': '', 'warnings': ''}
+    meanings = {'time': 'since the start', 'position': 'of the centre', 'velocity_before': 'of the centre', 'spin_before': '', 'velocity': 'of the centre afterwards', 'spin': 'afterwards', 'wall': 'name of the wall', 'R_x': 'tangential restitution', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'model_uncertainty': 'of R_x, by the unknown cause of a loss', 'warnings': 'limits of validity that the impact exceeds'}
     _vectors = frozenset(['position', 'velocity_before', 'spin_before', 'velocity', 'spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
     _axis = 'bounce'
 
@@ -187,6 +189,7 @@ class Bounces(Records[Bounce], one=Bounce):
     method: list[str]
     compressions: NDArray[np.int64]
     error_estimate: Array
+    model_uncertainty: Array
     warnings: list[str]
 
 
@@ -866,6 +869,7 @@ class Rebound(Record):
     method                   solution method
     compressions             number of compression phases
     error_estimate           of the contact velocity, over that before
+    model_uncertainty        of R_x, by the unknown cause of a loss
     warnings                 limits of validity that the impact exceeds
     """
 
@@ -893,10 +897,11 @@ class Rebound(Record):
     method: str
     compressions: int
     error_estimate: float
+    model_uncertainty: float
     warnings: str
 
-    units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
-    meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'limits of validity that the impact exceeds'}
+    units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'model_uncertainty': '', 'warnings': ''}
+    meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in the middle of the contact', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'model_uncertainty': 'of R_x, by the unknown cause of a loss', 'warnings': 'limits of validity that the impact exceeds'}
     _vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
     _axis = 'impact'
 
@@ -928,4 +933,5 @@ class Rebounds(Records[Rebound], one=Rebound):
     method: list[str]
     compressions: NDArray[np.int64]
     error_estimate: Array
+    model_uncertainty: Array
     warnings: list[str]
