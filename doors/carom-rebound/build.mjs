@@ -1,5 +1,6 @@
-// Writes src/table-data.js, from the table that the library stores, index.html, from the module and page/, and the drawings
-// of the book and of README. `node build.mjs --check` compares only. Needs the sources of carom around this folder.
+// Writes src/table-data.js, from the table that the library stores, and index.html, from the module and page/, which are
+// not stored; and the drawings of the book and of README, which `node build.mjs --check` compares only. Needs the sources
+// of carom around this folder.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -37,21 +38,22 @@ const page = (table) => {
 };
 
 const isCheck = process.argv.includes('--check');
-const finish = files => {
+const finish = (files, compares) => {
   const stale = Object.entries(files).filter(([path, wanted]) => {
     try { return text(path) !== wanted; } catch { return true; }
   });
   for (const [path, wanted] of stale) {
-    if (isCheck) console.error(`${path} is not current: node build.mjs`);
+    if (compares) console.error(`${path} is not current: node build.mjs`);
     else writeFileSync(place(path), wanted);
   }
-  if (isCheck && stale.length) process.exitCode = 1;
+  if (compares && stale.length) process.exitCode = 1;
 };
 
 const table = data();
-finish({ 'src/table-data.js': table, 'index.html': page(table) });
+finish({ 'src/table-data.js': table, 'index.html': page(table) }, false);
 const [{ rebound }, { pictures }, { bounce }] = await Promise.all(
   ['./src/index.js', './picture.mjs', './bounce.mjs'].map(path => import(path)));
 const [angle, spin] = pictures(rebound);
 const DRAWINGS = '../../docs/book/src/drawings';
-finish({ [`${DRAWINGS}/rebound-1.svg`]: angle, [`${DRAWINGS}/rebound-2.svg`]: spin, [`${DRAWINGS}/bounce.svg`]: bounce(rebound) });
+const drawn = { 'rebound-1.svg': angle, 'rebound-2.svg': spin, 'bounce.svg': bounce(rebound) };
+finish(Object.fromEntries(Object.entries(drawn).map(([name, svg]) => [`${DRAWINGS}/${name}`, svg])), isCheck);

@@ -11,7 +11,7 @@ import * as whole from '../src/index.js';
 const folder = fileURLToPath(new URL('..', import.meta.url));
 const text = path => readFileSync(`${folder}/${path}`, 'utf8');
 
-test('table and page are those that the sources give', () => {
+test('the drawings are those that the module gives', () => {
   const { status, stderr } = spawnSync(process.execPath, ['build.mjs', '--check'], { cwd: folder, encoding: 'utf8' });
   assert.equal(status, 0, stderr);
 });
