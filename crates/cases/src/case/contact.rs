@@ -123,6 +123,13 @@ pub(super) const LOSS: Field = Field::new(
     "the cause of a loss by `normal_restitution` e",
 )
 .default(Default::Word(LossCause::Viscous.name()));
+/// Of the many impacts of a scene, in which bodies may spin about the normal.
+pub(super) const LOSS_OF_WALL: Field = Field::new(
+    "loss",
+    Form::Word(&[word(LossCause::Viscous), word(LossCause::Yield)]),
+    "the cause of a loss by `normal_restitution` e",
+)
+.default(Default::Word(LossCause::Viscous.name()));
 pub(super) const WAVE_LOSS: Field = Field::new(
     "wave_loss",
     Form::Switch,

@@ -2,7 +2,7 @@
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
-    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, LOSS, NORMAL_RESTITUTION, RELAXATION,
+    FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, LOSS_OF_WALL, NORMAL_RESTITUTION, RELAXATION,
     STATIC_FRICTION, TORSION, WAVE_LOSS, impact_friction, normal_restitution, torsion_mode,
 };
 use super::error::CaseError;
@@ -58,7 +58,7 @@ const WALL: Field = Field::new(
         FRICTION_BY_SPEED,
         STATIC_FRICTION,
         NORMAL_RESTITUTION,
-        LOSS,
+        LOSS_OF_WALL,
         WAVE_LOSS,
         RELAXATION,
     ]),
