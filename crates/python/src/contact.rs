@@ -1,6 +1,7 @@
 //! One contact with memory.
 
 use carom::laws::law::Shift;
+use carom::laws::turning_law::TurningLaw;
 use carom::prelude::{ContactLoad, RangeError};
 use carom::special::interrupt::is_wanted;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
@@ -64,7 +65,7 @@ impl Contact {
     #[new]
     #[pyo3(
         signature = (
-            stiffness=None, friction=None, law="coulomb".to_owned(), tolerance=None,
+            stiffness=None, friction=None, law=TurningLaw::default().name().to_owned(), tolerance=None,
             static_friction=None, *, heat=true, **others
         ),
         text_signature =

@@ -6,6 +6,7 @@ use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
 use carom::laws::memory::Fixed;
 use carom::laws::rings::RingLaw;
 use carom::laws::shift_law::ShiftLaw;
+use carom::laws::turning_law::TurningLaw;
 use carom::special::interrupt::asked;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
@@ -67,7 +68,7 @@ pub(crate) struct Contacts {
 impl Contacts {
     #[new]
     #[pyo3(signature = (
-        count, stiffness, friction, law="coulomb".to_owned(), tolerance=None, static_friction=None, directions=2,
+        count, stiffness, friction, law=TurningLaw::default().name().to_owned(), tolerance=None, static_friction=None, directions=2,
         threads=false
     ))]
     #[allow(clippy::too_many_arguments)] // named ones, in Python

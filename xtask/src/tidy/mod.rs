@@ -10,6 +10,7 @@ mod findings;
 mod index;
 mod items;
 mod locks;
+mod names;
 mod quoted;
 
 use crate::root::root;
@@ -49,6 +50,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
         }
     }
     faults.extend(findings::faults(&root)?);
+    faults.extend(names::faults(&root)?);
     let figures = figures(&root)?;
     faults.extend(index.figure_gaps(&figures));
     for path in sources(&root)? {

@@ -5,6 +5,7 @@
 //! stays in one plane, or turns in space, the impact is stepped in time to a tolerance. Couplings that vanish by
 //! the symmetry of the bodies are exact zeros in the mobility, not small computed numbers.
 
+use carom_laws::law_name::LawName;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
@@ -87,7 +88,7 @@ impl ImpactMethod {
             Self::Uncoupled { .. } => "uncoupled",
             Self::Planar { .. } => "planar",
             Self::Spatial { .. } => "spatial",
-            Self::Rings => "rings",
+            Self::Rings => LawName::Rings.name(),
             Self::Numerical => "numerical",
         }
     }

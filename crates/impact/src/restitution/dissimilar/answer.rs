@@ -1,5 +1,6 @@
 //! R_x of dissimilar spheres, and how it was found.
 
+use carom_laws::law_name::LawName;
 use carom_table::Column;
 
 /// R_x is from -1 to 1.
@@ -26,7 +27,7 @@ impl DissimilarMethod {
             Self::Frictionless => "frictionless",
             Self::Uncoupled => "uncoupled",
             Self::Table => "table",
-            Self::Rings => "rings",
+            Self::Rings => LawName::Rings.name(),
         }
     }
 }
