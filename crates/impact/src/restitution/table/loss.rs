@@ -15,6 +15,8 @@ const LOSSES: [f64; 15] =
 /// Nodes of chi, from and to.
 const CHIS: usize = 17;
 const RANGE: [f64; 2] = [0.66, 6.5];
+/// Nodes over the logarithm of chi: (CHIS - 1)/ln(6.5/.66).
+const PER_LOG: f64 = 6.995_093_228_006_278;
 /// Nodes of psi in a block.
 const PSIS: usize = 17;
 /// Numbers of one restitution, of one chi.
@@ -64,14 +66,14 @@ impl RestitutionTable {
         if !covers {
             return Ok(followed(groups, e, BEYOND));
         }
-        let along_chi = of_chi(chi);
+        let at = At::new(chi, psi);
         let (first, weights) = of_e(e);
         let mut sum = 0.0;
         for (k, weight) in weights.into_iter().enumerate() {
             sum += weight
                 * match (first + k).checked_sub(1) {
                     None => self.restitution(groups)?,
-                    Some(loss) => at(loss, (chi, along_chi), psi),
+                    Some(loss) => at.loss(loss),
                 };
         }
         Ok(sum)
@@ -97,28 +99,68 @@ impl RestitutionTable {
     }
 }
 
-/// R_x at one restitution of the table.
-fn at(loss: usize, (chi, (column, along_chi)): (f64, Weights), psi: f64) -> f64 {
-    let e = LOSSES[loss];
-    let border = border(chi, e);
-    if psi >= border {
-        return slid(chi, psi, e);
-    }
-    let (block, part) = if psi < 1.0 { (0, psi) } else { (PSIS, (psi - 1.0) / (border - 1.0)) };
-    let (row, along_psi) = evenly(part * (PSIS - 1) as f64, PSIS);
-    let start = loss * GRID + column * ROW + block + row;
-    let mut sum = 0.0;
-    for (i, by_chi) in along_chi.into_iter().enumerate() {
-        for (j, by_psi) in along_psi.into_iter().enumerate() {
-            sum += by_chi * by_psi * stored(start + i * ROW + j);
-        }
-    }
-    sum
+/// What all restitutions of the table share at a chi and a psi.
+struct At {
+    chi: f64,
+    psi: f64,
+    column: usize,
+    along_chi: [f64; 4],
+    /// (psi - 1)/(chi - 1): beyond psi = 1, psi over its border is this over 1 + e.
+    beyond: f64,
+    /// Below psi = 1.
+    along_psi: Weights,
 }
 
-fn stored(index: usize) -> f64 {
-    let bytes = STORED.get(4 * index..4 * index + 4).and_then(|b| b.first_chunk());
-    bytes.map_or(f64::NAN, |bytes| f64::from(f32::from_le_bytes(*bytes)))
+impl At {
+    fn new(chi: f64, psi: f64) -> Self {
+        let (column, along_chi) = of_chi(chi);
+        let beyond = if psi < 1.0 { 0.0 } else { (psi - 1.0) / (chi - 1.0) };
+        let along_psi = evenly(psi.min(1.0) * (PSIS - 1) as f64, PSIS);
+        Self { chi, psi, column, along_chi, beyond, along_psi }
+    }
+
+    /// R_x at one restitution of the table.
+    #[inline(always)]
+    fn loss(&self, loss: usize) -> f64 {
+        let start = loss * GRID + self.column * ROW;
+        if self.psi < 1.0 {
+            return self.sum(start, &self.along_psi);
+        }
+        let part = self.beyond * PARTS[loss];
+        if self.chi <= 1.0 || part >= 1.0 {
+            return slid(self.chi, self.psi, LOSSES[loss]);
+        }
+        self.sum(start + PSIS, &evenly(part * (PSIS - 1) as f64, PSIS))
+    }
+
+    #[inline(always)]
+    fn sum(&self, start: usize, (row, along_psi): &Weights) -> f64 {
+        let along = |i: usize| {
+            let [a, b, c, d] = stored(start + row + i * ROW);
+            (along_psi[0] * a + along_psi[1] * b) + (along_psi[2] * c + along_psi[3] * d)
+        };
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| self.along_chi[i] * along(i));
+        (a + b) + (c + d)
+    }
+}
+
+/// 1/(1 + e) of each restitution.
+const PARTS: [f64; LOSSES.len()] = {
+    let mut parts = [0.0; LOSSES.len()];
+    let mut loss = 0;
+    while loss < parts.len() {
+        parts[loss] = 1.0 / (1.0 + LOSSES[loss]);
+        loss += 1;
+    }
+    parts
+};
+
+/// Four numbers of the table.
+fn stored(from: usize) -> [f64; 4] {
+    let bytes: Option<&[u8; 16]> = STORED.get(4 * from..).and_then(|bytes| bytes.first_chunk());
+    let Some(bytes) = bytes else { return [f64::NAN; 4] };
+    let (numbers, _) = bytes.as_chunks::<4>();
+    [0, 1, 2, 3].map(|i| f64::from(f32::from_le_bytes(numbers[i])))
 }
 
 /// psi from which the contact slides throughout.
@@ -136,8 +178,7 @@ fn followed(groups: Groups, e: f64, tolerance: f64) -> f64 {
 }
 
 fn of_chi(chi: f64) -> Weights {
-    let part = libm::log(chi / RANGE[0]) / libm::log(RANGE[1] / RANGE[0]);
-    evenly(part * (CHIS - 1) as f64, CHIS)
+    evenly(libm::log(chi / RANGE[0]) * PER_LOG, CHIS)
 }
 
 /// Cubic weights of nodes at 0, 1, 2, ...
@@ -150,18 +191,43 @@ fn evenly(place: f64, count: usize) -> Weights {
 
 /// Cubic weights of e = 1 and the restitutions of the table.
 fn of_e(e: f64) -> Weights {
-    let node = |k: usize| if k == 0 { 1.0 } else { LOSSES[k - 1] };
-    let below = LOSSES.iter().take_while(|loss| **loss >= e).count();
+    let below: usize = LOSSES.iter().map(|loss| usize::from(*loss >= e)).sum();
     let first = below.saturating_sub(1).min(LOSSES.len() - 3);
-    let weight = |k: usize| {
-        let mut weight = 1.0;
-        for other in (0..4).filter(|other| *other != k) {
-            weight *= (e - node(first + other)) / (node(first + k) - node(first + other));
-        }
-        weight
-    };
-    (first, [weight(0), weight(1), weight(2), weight(3)])
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k| e - node(first + k));
+    let scale = &SCALES[first];
+    (
+        first,
+        [b * c * d * scale[0], a * c * d * scale[1], a * b * d * scale[2], a * b * c * scale[3]],
+    )
 }
+
+/// e = 1 and the restitutions of the table.
+const fn node(k: usize) -> f64 {
+    if k == 0 { 1.0 } else { LOSSES[k - 1] }
+}
+
+/// One over the products of the distances of each of four nodes to the others, by the first.
+const SCALES: [[f64; 4]; LOSSES.len() - 2] = {
+    let mut scales = [[1.0; 4]; LOSSES.len() - 2];
+    let mut first = 0;
+    while first < scales.len() {
+        let mut k = 0;
+        while k < 4 {
+            let mut product = 1.0;
+            let mut other = 0;
+            while other < 4 {
+                if other != k {
+                    product *= node(first + k) - node(first + other);
+                }
+                other += 1;
+            }
+            scales[first][k] = 1.0 / product;
+            k += 1;
+        }
+        first += 1;
+    }
+    scales
+};
 
 #[cfg(test)]
 mod tests {
@@ -174,7 +240,7 @@ mod tests {
             let chi = RANGE[0] * libm::pow(RANGE[1] / RANGE[0], 0.5);
             for (k, psi) in [(4, 0.25), (PSIS + 8, 0.5 * (1.0 + border(chi, e)))] {
                 let known = followed(Groups::new(chi, psi).unwrap(), e, FILLING);
-                let told = stored(loss * GRID + (CHIS / 2) * ROW + k);
+                let [told, ..] = stored(loss * GRID + (CHIS / 2) * ROW + k);
                 assert!((told - known).abs() < 1e-6, "{e} {psi}: {told} {known}");
             }
         }
