@@ -31,7 +31,7 @@ impl Collision {
         else {
             return Ok(0.0);
         };
-        let Some(groups) = self.groups_along_slip(before)? else { return Ok(0.0) };
+        let Some(groups) = self.groups_along_slip(before) else { return Ok(0.0) };
         let e = loss.restitution();
         let elastic = |psi: f64| {
             let groups = Groups::new(groups.chi(), psi).ok()?;
@@ -44,11 +44,11 @@ impl Collision {
     }
 
     /// The groups of the impact along its slip; None without friction or slip, or beyond their ranges.
-    fn groups_along_slip(&self, before: &Vector3<f64>) -> Result<Option<Groups>, RangeError> {
+    fn groups_along_slip(&self, before: &Vector3<f64>) -> Option<Groups> {
         let slip = libm::hypot(before.x, before.y);
         let friction = self.friction.coefficient();
         if slip == 0.0 || friction == Some(0.0) {
-            return Ok(None);
+            return None;
         }
         let along = Vector3::new(before.x / slip, before.y / slip, 0.0);
         let (d, stiffness) = (self.mobility.matrix(), self.hertz.stiffness());
@@ -57,7 +57,7 @@ impl Collision {
         let ratio = 1.0 / (soft * stiffness.c_z);
         let chi = along.dot(&(d * along)) * ratio / d.m33;
         let psi = friction.map_or(0.0, |f| ratio * slip / (f * before.z));
-        Ok(Groups::new(chi, psi).ok())
+        Groups::new(chi, psi).ok()
     }
 
     /// The warning that R_x depends on the cause of the loss.

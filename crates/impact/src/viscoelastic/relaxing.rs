@@ -39,6 +39,11 @@ impl Relaxation {
         }
     }
 
+    /// One that keeps its stress.
+    fn elastic() -> Self {
+        Self { terms: vec![[1.0, 0.0]] }
+    }
+
     /// One that relaxes to 1, the share `relaxed` of its modulus, in this time.
     fn solid(relaxed: f64, time: f64) -> Self {
         Self { terms: vec![[1.0, 0.0], [1.0 / relaxed - 1.0, 1.0 / time]] }
@@ -121,7 +126,9 @@ pub(super) fn parameter_of(rheology: Rheology, restitution: f64) -> Option<f64> 
         Rheology::ConstantLossTangent => at,
         _ => libm::exp(at),
     };
-    let left = |at: f64| normal(&Relaxation::of(rheology, of(at))).restitution;
+    // Steps alone miss some of an elastic rebound, too: what is sought is less than that where little is lost.
+    let missed = 1.0 - normal(&Relaxation::elastic()).restitution;
+    let left = |at: f64| normal(&Relaxation::of(rheology, of(at))).restitution + missed;
     let [low, high] = match rheology {
         Rheology::ConstantLossTangent => EXPONENTS,
         Rheology::StandardSolid { .. } => {
@@ -130,6 +137,10 @@ pub(super) fn parameter_of(rheology: Rheology, restitution: f64) -> Option<f64> 
         }
         Rheology::Maxwell | Rheology::KelvinVoigt => TIMES.map(libm::log),
     };
+    let stiffest = if rheology == Rheology::Maxwell { high } else { low };
+    if restitution >= left(stiffest) {
+        return Some(of(stiffest));
+    }
     let bracket = Bracket::new(low, high).ok()?;
     let root = roots::brent(|at| left(at) - restitution, bracket, CLOSE).ok()?;
     Some(of(root.position))
