@@ -15,7 +15,7 @@
 //! sticks where |q| < p and slips along q where |q| = p. The terms quadratic in gamma are the pressure that
 //! tractions add, since the bodies cannot overlap. The law neglects that the contact area then differs from
 //! that of Hertz: the normal force errs in the third order of gamma f, as energies do by a change of the area (against
-//! a grid .0006 at gamma f = .1), the friction force of a contact that sticks by some .05 gamma^2.
+//! a grid .0006 at gamma f = .1), the friction force of a contact that sticks in part by some .06 gamma^2 f F_z.
 //!
 //! A place that enters the contact at the rim has the slip of the rim. Slip inside is transported by
 //! interpolation. The history outside a receding rim is dropped. Each step is one convex problem, which is

@@ -4,6 +4,7 @@ use carom_halfspace::{Material, MaterialPair};
 use carom_impact::{Body, Collision, Motion, RingImpact};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw as _, Shift};
+use carom_laws::rings::{RingLaw, Tolerance};
 use carom_solver::NumericalLaw;
 use std::f64::consts::TAU;
 
@@ -153,6 +154,37 @@ fn unlike_impacts_without_spin_are_those_on_a_grid_within_their_estimates() {
         Drawn { slips: [drawn.slips[0], 0.0], ..drawn }
     };
     assert_covered(&errors((0..8).map(still)), 3e-3);
+}
+
+/// Where all slides, tractions lift one side of the contact off and press the other: the normal force changes in the third
+/// order of gamma f, not by the tension that is cut from the pressures.
+#[test]
+fn unlike_bodies_that_slide_press_as_on_a_grid() {
+    let unlike = Drawn {
+        materials: [(1.0, 0.25), (7.34, 0.085)].map(|(g, nu)| Material::from_shear(g, nu).unwrap()),
+        friction: 0.47,
+        slips: [1.0, 0.0],
+        large: 0.025,
+        direction: 0.0,
+    };
+    let collision = unlike.collision(0.0);
+    let (hertz, friction, deepest) =
+        (*collision.hertz(), collision.friction(), unlike.large.powi(2));
+    let gamma = hertz.materials().gamma();
+    assert!((gamma.abs() - 0.222).abs() < 2e-3, "{gamma}");
+    let mut rings = RingLaw::<12, 8>::new(&hertz, friction, Tolerance::FINE).unwrap();
+    let mut grid = NumericalLaw::new(hertz, friction, deepest, 48).unwrap();
+    for step in 1..=16 {
+        let zeta = deepest * (f64::from(step) / 16.0).powi(2);
+        let to = Shift { zeta, xi: 20.0 * friction.get() * zeta, eta: 0.0, omega: 0.0 };
+        let [one, other] = [rings.advance(to).unwrap(), grid.advance(to).unwrap()];
+        if step == 16 {
+            let hertz = 2.0 / 3.0 * hertz.stiffness().c_z * zeta.powf(1.5);
+            let off = (one.f_z - other.f_z) / hertz;
+            assert!(off.abs() < 1.2e-3, "{off}");
+            assert!((one.f_x / (friction.get() * one.f_z) - 1.0).abs() < 1e-3, "{one:?}");
+        }
+    }
 }
 
 #[test]
