@@ -288,6 +288,18 @@ impl Hertz {
         self.at_approach(b * b / self.squares[1])
     }
 
+    /// The loaded contact with a given greatest pressure, which grows with the root of the approach.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the pressure is finite and positive.
+    pub fn at_peak_pressure(&self, peak_pressure: f64) -> Result<HertzState, RangeError> {
+        let peak = RangeError::positive("peak_pressure", peak_pressure)?;
+        // 3 F_z/(2 pi a b) = c_z sqrt(zeta)/(pi sqrt((a^2/zeta)(b^2/zeta))).
+        let [a, b] = self.squares.map(f64::sqrt);
+        let root = PI * (a * b) * peak / self.stiffness.c_z;
+        self.at_approach(root * root)
+    }
+
     /// The contact ellipse at a given approach.
     ///
     /// # Errors

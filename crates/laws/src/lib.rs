@@ -52,6 +52,7 @@ pub mod grains;
 pub mod hertz;
 pub mod law;
 pub mod law_name;
+pub mod line;
 pub mod memory;
 pub mod profile;
 pub mod rings;

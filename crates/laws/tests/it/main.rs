@@ -25,6 +25,7 @@ mod grain_steps;
 mod grains;
 mod hertz;
 mod images;
+mod line;
 mod memory_properties;
 mod memory_reference;
 mod merging;
