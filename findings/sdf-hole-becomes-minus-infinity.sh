@@ -3,7 +3,7 @@
 # Package: SurfaceTopography 1.25.0 (PyPI), surfalize 0.19.2 (PyPI), sdfio 2.0.0 (PyPI)
 # Expected: ISO 25178-71 has a value for points that were not measured; `has_undefined_data` is true and the heights are masked, as they are for SurfaceTopography's other formats.
 # Seen: surfalize and sdfio read NaN; SurfaceTopography gives -inf, has_undefined_data false, and an rms height that is masked. Files of 16-bit integers, written by sdfio, it masks.
-# Touches carom: carom refuses heights of -inf by row and column, so the hole is seen there; the other statistics of SurfaceTopography are lost before.
+# Touches carom: carom takes this point of the file as missing, and refuses a height of -inf in an array by row and column.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -3,7 +3,7 @@
 # Package: SurfaceTopography 1.25.0 (PyPI), surfalize 0.19.2 (PyPI), x3pio 2.0.0 (PyPI)
 # Expected: ISO 25178-72 is a format of exchange; a surface written by one of these packages can be read by the others.
 # Seen: md5checksum.hex holds the MD5 of bindata/data.bin; surfalize raises CorruptedFileError, x3pio X3pChecksumError, and only x3pio.read(verify=False) gives the heights.
-# Touches carom: carom reads .csv, .npy and .png; people who come from x3p by SurfaceTopography read it back with SurfaceTopography or without verification.
+# Touches carom: carom holds against the heights the sum that main.xml states for them, and reads the file.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -3,7 +3,7 @@
 # Package: verity-x3p 0.2.0 (PyPI), x3pio 2.0.0 (PyPI)
 # Expected: Integer heights mark missing points by a file of validity bits (ISO 25178-72); the mask that verity-x3p gives beside the heights is false there, as it is for floating-point heights.
 # Seen: A surface 10 to 23 um high with one hole: 16 and 32 bits give height 0 and mask true, a pit of 16 um below the mean; 64-bit floats give mask false.
-# Touches carom: carom asks for finite heights, and 0 is one: such a pit passes unseen. Read integer x3p files by x3pio, which gives NaN, and fill or cut these points first.
+# Touches carom: 0 is a height like any other, so that such a pit passes unseen in an array; carom reads the mask of the file and counts the points that miss.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

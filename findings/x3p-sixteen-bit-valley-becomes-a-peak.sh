@@ -3,7 +3,7 @@
 # Package: SurfaceTopography 1.25.0 (PyPI), surfalize 0.19.2 (PyPI), x3pio 2.0.0 (PyPI)
 # Expected: The data type I of ISO 25178-72 is a signed integer of 16 bits; all three read the heights that were written.
 # Seen: Heights of -20 and 23 um: x3pio and surfalize read both, SurfaceTopography reads +26.0 and 23 um, the negative one higher by 65536 steps of the z axis; 32 bits (type L) likewise.
-# Touches carom: Heights that reach carom by SurfaceTopography from integer x3p files are wrong wherever they are below zero, and a contact then begins at a valley; not handled.
+# Touches carom: carom reads these integers with their sign. Heights that reach it through SurfaceTopography are wrong wherever they are below zero: give it the file.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -55,7 +55,10 @@ pub enum ErrorKind {
     #[error("{}{}", .0, advice(.0))]
     Step(#[from] ChosenError),
     /// The contact reaches this border of its grid: left, right, lower or upper.
-    #[error("the contact reaches the {0} border of the grid; `grid.size` must be larger")]
+    #[error(
+        "the contact reaches the {0} border of the grid; `grid.size` must be larger, unless the bodies end there \
+         (`grid.cut` = true) or repeat themselves (`grid.periodic` = true); is the load in the right unit?"
+    )]
     Border(&'static str),
     /// No grid was found for the contact.
     #[error("{0}; or give `grid.cells` and `grid.size` instead of an accuracy")]

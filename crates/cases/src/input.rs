@@ -14,6 +14,8 @@ pub const STANDARD_INPUT: &str = "-";
 const MOST_OF_CASE: u64 = 1 << 20;
 /// Largest table, in bytes.
 const MOST_OF_TABLE: u64 = 64 << 20;
+/// Largest map of heights, in bytes.
+pub const MOST_OF_MAP: u64 = 4 << 30;
 const TEXT: &str = "a text file";
 const CASE: &str = "a case in TOML, a text file";
 const NO_CASE: &str =
@@ -100,6 +102,16 @@ impl CaseFile {
         let path = self.beside(name);
         self.check(&path)?;
         read(&path, MOST_OF_TABLE, "a file")
+    }
+
+    /// Reads a map of heights that the case names.
+    ///
+    /// # Errors
+    /// As [`CaseFile::bytes`]; it may have 4096 MiB.
+    pub fn map(&self, name: &Path) -> Result<Vec<u8>, Error> {
+        let path = self.beside(name);
+        self.check(&path)?;
+        read(&path, MOST_OF_MAP, "a file")
     }
 
     fn check(&self, path: &Path) -> Result<(), Error> {

@@ -17,11 +17,13 @@
 
 pub mod case;
 mod error;
+pub mod heights;
 pub mod hertz;
 pub mod history;
 pub mod impact;
 pub mod input;
 pub mod numbers;
+mod pressed;
 pub mod roll;
 pub mod scene;
 pub mod shell;
@@ -30,3 +32,4 @@ pub mod stress;
 pub mod theory;
 
 pub use error::{Error, ErrorKind};
+pub use pressed::{PointOrLine, Pressed};

@@ -1,12 +1,10 @@
 //! The stresses below a contact under normal and tangential load.
 
 use crate::Error;
-use crate::case::StressCase;
+use crate::Pressed;
+use crate::case::{Given, StressCase};
 use crate::input::CaseFile;
 use carom_halfspace::{Material, Point, Stress, Traction};
-use carom_laws::ellipse::ContactEllipse;
-use carom_laws::field::partial_slip_stress;
-use carom_laws::hertz::HertzState;
 use carom_laws::validity::Validity;
 use carom_special::{RangeError, interrupt};
 use carom_table::Column;
@@ -48,8 +46,8 @@ pub struct Solved {
     /// The case.
     pub case: StressCase,
     /// The contact under its normal force.
-    pub state: HertzState,
-    /// Radius of the stick area over that of the contact.
+    pub state: Pressed,
+    /// Width of the stick area over that of the contact.
     pub stick_radius: f64,
     /// The points: for each depth, for each y, for each x.
     pub points: Vec<StressPoint>,
@@ -64,8 +62,7 @@ impl Solved {
     /// How far the contact is from the limits of the theory.
     #[must_use]
     pub fn validity(&self) -> Validity {
-        let StressCase { hertz, smallest_radius, .. } = &self.case;
-        Validity::of_hertz(hertz, &self.state, *smallest_radius)
+        self.state.validity(&self.case.contact, self.case.smallest_radius)
     }
 }
 
@@ -79,8 +76,8 @@ pub fn solved(file: &CaseFile) -> Result<Solved, Error> {
 }
 
 fn at_all_points(case: StressCase) -> Result<Solved, RangeError> {
-    let state = case.hertz.at_force(case.force[2])?;
-    let stick_radius = stick_radius(&case);
+    let state = case.contact.at(Given::Force, case.force[2])?;
+    let stick_radius = stick_radius(&case, &state);
     let field = StressField::new(&case, &state, stick_radius);
     let points = field.at_all(&case.places)?;
     let greatest = |size: fn(&Stress) -> f64| field.greatest(&case.places, &points, size);
@@ -89,16 +86,16 @@ fn at_all_points(case: StressCase) -> Result<Solved, RangeError> {
     Ok(Solved { case, state, stick_radius, points, greatest, greatest_shear })
 }
 
-/// a*/a of Cattaneo and Mindlin: (1 - F_t/(f F_z))^(1/3).
-fn stick_radius(case: &StressCase) -> f64 {
+/// a*/a of Cattaneo and Mindlin.
+fn stick_radius(case: &StressCase, state: &Pressed) -> f64 {
     let [x, y, normal] = case.force;
     let pushed = libm::hypot(x, y);
-    if pushed == 0.0 { 1.0 } else { libm::cbrt((1.0 - pushed / (case.friction * normal)).max(0.0)) }
+    if pushed == 0.0 { 1.0 } else { state.stick_width(pushed / (case.friction * normal)) }
 }
 
 /// The stresses in one body under its tractions.
 struct StressField {
-    ellipse: ContactEllipse,
+    state: Pressed,
     stick_radius: f64,
     body: Material,
     /// The tractions where the pressure is greatest, if that place slips.
@@ -113,18 +110,18 @@ const FINEST: f64 = 1e-7;
 const MOST_ROUNDS: usize = 2000;
 
 impl StressField {
-    fn new(case: &StressCase, state: &HertzState, stick_radius: f64) -> Self {
+    fn new(case: &StressCase, state: &Pressed, stick_radius: f64) -> Self {
         let [x, y, _] = case.force;
         let pushed = libm::hypot(x, y);
         let [unit_x, unit_y] = if pushed > 0.0 { [x / pushed, y / pushed] } else { [0.0; 2] };
         // Body 2 feels the opposite traction; seen from inside it, the normal points the other way.
         let (body, side) = match case.is_in_body_1 {
-            true => (case.hertz.materials().body_1(), 1.0),
-            false => (case.hertz.materials().body_2(), -1.0),
+            true => (case.contact.materials().body_1(), 1.0),
+            false => (case.contact.materials().body_2(), -1.0),
         };
-        let limit = side * case.friction * state.peak_pressure;
-        let peak = Traction { x: limit * unit_x, y: limit * unit_y, normal: state.peak_pressure };
-        Self { ellipse: state.ellipse, stick_radius, body, peak, side }
+        let limit = side * case.friction * state.peak_pressure();
+        let peak = Traction { x: limit * unit_x, y: limit * unit_y, normal: state.peak_pressure() };
+        Self { state: *state, stick_radius, body, peak, side }
     }
 
     /// The stress at a point; nothing after an interrupt.
@@ -133,7 +130,7 @@ impl StressField {
             return Ok(StressPoint { at, stress: Stress::default() });
         }
         let point = Point { x: at[0], y: at[1], z: at[2] };
-        let s = partial_slip_stress(self.ellipse, self.body, self.peak, self.stick_radius, point)?;
+        let s = self.state.stress(self.body, self.peak, self.stick_radius, point)?;
         let stress = Stress { yz: self.side * s.yz, zx: self.side * s.zx, ..s };
         Ok(StressPoint { at, stress })
     }
@@ -170,7 +167,7 @@ impl StressField {
             let parts = (places[axis].len() - 1).max(1) as f64;
             (ends[axis][1] - ends[axis][0]) / parts
         });
-        let finest = steps.map(|step| FINEST * step.min(self.ellipse.semi_axis_b()));
+        let finest = steps.map(|step| FINEST * step.min(self.state.widest()));
         let mut way = steps;
         for _ in 0..MOST_ROUNDS {
             for axis in (0..3).filter(|axis| steps[*axis] > 0.0) {

@@ -28,8 +28,8 @@ pub struct Answer {
     pub warnings: Vec<String>,
     /// A picture and its destination.
     pub picture: Option<(Destination, Picture)>,
-    /// Another file and its content.
-    pub file: Option<(Place, Vec<u8>)>,
+    /// Other files and their contents.
+    pub files: Vec<(Place, Vec<u8>)>,
 }
 
 /// A warning that must not be missed.
@@ -118,7 +118,7 @@ impl Answer {
             Some((Destination::StandardOutput, bytes)) => results.put(bytes)?,
             None => {}
         }
-        if let Some((place, bytes)) = &self.file {
+        for (place, bytes) in &self.files {
             atomic_file::clear(place);
             files.push(AtomicFile::write(place, bytes)?);
         }

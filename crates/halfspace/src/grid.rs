@@ -103,12 +103,14 @@ impl Grid {
     }
 
     /// A grid with the same centre and cells twice as wide, half as many (rounded up) along each
-    /// axis.
+    /// axis. A single row or column, along which nothing varies, keeps its width.
     ///
     /// # Errors
     /// [`RangeError`] if a width overflows.
     pub fn coarser(self) -> Result<Self, RangeError> {
-        Self::new(self.nx.div_ceil(2), self.ny.div_ceil(2), 2.0 * self.dx(), 2.0 * self.dy())
+        let wide = |count: usize, width: f64| if count == 1 { width } else { 2.0 * width };
+        let (dx, dy) = (wide(self.nx, self.dx()), wide(self.ny, self.dy()));
+        Self::new(self.nx.div_ceil(2), self.ny.div_ceil(2), dx, dy)
     }
 
     /// The centres (x, y) of all cells, from the centre of the grid, in the order of their indices.

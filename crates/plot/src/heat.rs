@@ -132,11 +132,16 @@ impl<'a> Heat<'a> {
         if !self.field.kinds().is_empty() {
             return Ok(());
         }
+        let ticks = self.span.ticks().0;
+        let levels: Vec<_> = ticks.iter().map(|tick| contours(self.field, tick.at)).collect();
+        // Of a rough surface they would be a thicket.
+        if levels.iter().map(Vec::len).sum::<usize>() > MOST_LINES {
+            return Ok(());
+        }
         svg.open(&format!("clip-path=\"url(#{clip})\" fill=\"none\" stroke=\"#222\""));
         let mut numbers: Vec<(Pixel, String)> = Vec::new();
-        for tick in self.span.ticks().0 {
+        for (tick, lines) in ticks.into_iter().zip(levels) {
             let place = |(a, b): &(f64, f64)| Pixel { x: left(x.place(*a)), y: top(y.place(*b)) };
-            let lines = contours(self.field, tick.at);
             let lines: Vec<Vec<Pixel>> = lines
                 .iter()
                 .map(|line| thinned(&line.iter().map(place).collect::<Vec<_>>()))
@@ -217,6 +222,8 @@ impl<'a> Heat<'a> {
     }
 }
 
+/// Largest number of contour lines: more hide the colours.
+const MOST_LINES: usize = 60;
 /// Least distance between two numbers on contour lines, along and across them.
 const APART: [f64; 2] = [44.0, 18.0];
 /// Shortest contour line that has a number.

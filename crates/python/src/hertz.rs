@@ -128,7 +128,7 @@ impl Hertz {
         MaterialPair(self.0.materials())
     }
 
-    /// The loaded contact, and warnings, for given values of "force", "approach", "semi_axis_a" or "semi_axis_b".
+    /// The loaded contact, and warnings, for given values of "force", "approach", "semi_axis_a", "semi_axis_b" or "peak_pressure".
     #[pyo3(name = "_state")]
     fn state<'py>(
         &self,
@@ -141,6 +141,7 @@ impl Hertz {
             "approach" => Contact::at_approach,
             "semi_axis_a" => Contact::at_semi_axis_a,
             "semi_axis_b" => Contact::at_semi_axis_b,
+            "peak_pressure" => Contact::at_peak_pressure,
             _ => {
                 return Err(PyValueError::new_err(format!(
                     "unknown quantity `{given}` of a Hertz contact"

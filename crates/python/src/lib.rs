@@ -12,6 +12,7 @@ mod error;
 mod friction;
 mod hertz;
 mod influence;
+mod line;
 mod materials;
 mod mistakes;
 mod plate;
@@ -24,6 +25,7 @@ mod show;
 mod solver;
 mod special;
 mod stress;
+mod surface;
 mod threads;
 mod told;
 mod twist;
@@ -56,6 +58,8 @@ mod _carom {
     #[pymodule_export]
     use super::hertz::Hertz;
     #[pymodule_export]
+    use super::line::line_state;
+    #[pymodule_export]
     use super::materials::{Material, MaterialPair};
     #[pymodule_export]
     use super::mistakes::meant;
@@ -75,6 +79,8 @@ mod _carom {
     use super::special::{complete, gamma, hyp2f1, hyp3f2, incomplete, ln_gamma};
     #[pymodule_export]
     use super::stress::stress;
+    #[pymodule_export]
+    use super::surface::{surface_measures, surface_prepared, surface_read};
     #[pymodule_export]
     use super::twist::{ShiftTwist, Twist, lubkin};
 

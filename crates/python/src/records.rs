@@ -49,11 +49,13 @@ pub(crate) fn columns(
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),
         "LinearCreep" => Ok(about(CreepCoefficients::COLUMNS)),
+        "LineState" => Ok(about(carom::laws::line::LineState::COLUMNS)),
         "PathPoint" => Ok(about(PathPoint::COLUMNS)),
         "Rebound" => Ok(about(Outcome::COLUMNS)),
         "RingPlace" => Ok(about(RingPlace::COLUMNS)),
         "RollState" => Ok(about(roll::COLUMNS)),
         "SolverStep" => Ok(about(&carom::solver::StepSummary::columns())),
+        "SurfaceMeasures" => Ok(about(carom_surface::Measures::COLUMNS)),
         "WallPlace" => Ok(about(WALL_COLUMNS)),
         _ => Err(PyValueError::new_err(format!("unknown result `{record}`"))),
     }

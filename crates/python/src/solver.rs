@@ -1,7 +1,7 @@
 //! The numerical contact solver: gaps and drives in, fields out.
 
 use carom::halfspace::operator::{
-    Blocks, HalfSpaceOperator, OperatorError, PlateOperator, Threads,
+    Blocks, HalfSpaceOperator, OperatorError, PeriodicOperator, PlateOperator, Threads,
 };
 use carom::halfspace::{Field, Point};
 use carom::laws::law::Shift;
@@ -11,9 +11,10 @@ use carom::prelude::{
 };
 use carom::solver::{
     CellFriction, Frictionless, GridWarning, NestedError, NestedHistory, ProblemError, StepSummary,
-    Subsurface, SurfaceFriction,
+    Subsurface, SurfaceFriction, gap_left,
 };
 use carom::special::RangeError;
+use carom_cases::case::Border;
 use carom_cases::solve::{Chosen, border, few_cells};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -44,8 +45,8 @@ type Read<'py> = ([f64; 4], [Numbers<'py>; 5], PyReadonlyArray1<'py, i8>);
 #[pyclass(module = "carom")]
 pub(crate) struct Solver {
     history: NestedHistory<Chosen>,
-    /// Whether the bodies end at the border of the window, so that the contact may reach it.
-    cut: bool,
+    /// What lies beyond the border of the window.
+    border: Border,
     limits: PressureLimits,
     last: StepSummary,
     given: [Given; 4],
@@ -73,11 +74,12 @@ impl Solver {
         materials: Pair,
         friction: Numbers<'_>,
         tolerance: f64,
-        cut: bool,
+        ends: [bool; 2],
         plate: Option<Plate>,
         influence: influence::Given<'_>,
         estimates: bool,
     ) -> PyResult<Self> {
+        let [cut, periodic] = ends;
         let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
         let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
         let gap = Gap::new(heights).map_err(Fault::from)?;
@@ -89,6 +91,11 @@ impl Solver {
             RangeError::check("friction", greatest, holds, "0 on a plate").map_err(Fault::from)?;
             plate.check(&gap, cut)?;
         }
+        let border = match (cut, periodic) {
+            (_, true) => Border::Periodic,
+            (true, false) => Border::Cut,
+            (false, false) => Border::Free,
+        };
         let table = influence::operator(py, grid, &influence, &friction)?;
         let make = |grid: Grid| {
             let gap = gap.coarsened_to(grid).map_err(OperatorError::from)?;
@@ -97,6 +104,9 @@ impl Solver {
                 (None, Some(table)) => {
                     let operator = Arc::new(table.coarsened_to(grid)?);
                     ContactProblem::new(gap, operator, friction.clone())
+                }
+                (None, None) if border == Border::Periodic => {
+                    periodic_surfaces(gap, materials, friction.clone())
                 }
                 (None, None) => half_spaces(gap, materials, friction.clone()),
             }
@@ -120,7 +130,7 @@ impl Solver {
         let limits = if half_spaces { limits } else { limits.without_half_spaces() };
         let given = [(false, 0.0); 4];
         let (last, told) = (StepSummary::default(), Vec::new());
-        Ok(Self { history, cut, limits, last, given, told })
+        Ok(Self { history, border, limits, last, given, told })
     }
 
     /// One step with given approach, shifts along x and y, and twist, or their loads; None keeps what was given before.
@@ -137,14 +147,14 @@ impl Solver {
             false => Driven::Shift(value),
         });
         let drive = Drive { normal, x, y, twist };
-        let Self { history, cut, last, .. } = self;
+        let Self { history, border: beyond, last, .. } = self;
         let threads = Threads::for_grid(finest(history));
         let solve = || {
             let trial = history.trial(&drive, &mut ())?;
             let (problem, states) = (history.problem(), [history.state(), trial.state()]);
-            if !*cut && border(states[1]).is_some() {
+            if *beyond == Border::Free && border(states[1]).is_some() {
                 let text = "the contact reaches the border of the grid: size must be larger, or cut=True if \
-                            the bodies end there";
+                            the bodies end there, or periodic=True if they repeat themselves";
                 return Err(Fault::other(text));
             }
             let next = last.next(problem, states, trial.convergence()).map_err(Fault::other)?;
@@ -160,6 +170,13 @@ impl Solver {
         self.history.take(trial);
         (self.last, self.given) = (next, given);
         self.summary(py)
+    }
+
+    /// The distance of the deformed surfaces after the last step.
+    fn gap_left<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (problem, state) = (self.history.problem(), self.history.state());
+        let gap = without_python(py, || gap_left(problem, state).map_err(Fault::other))??;
+        Ok(PyArray1::from_slice(py, gap.values()))
     }
 
     /// The numbers of the last step, what drives the motions, and the states on all grids: fields are pressure,
@@ -304,6 +321,16 @@ fn restored(grid: Grid, (shift, fields, cells): &Read<'_>) -> PyResult<ContactSt
 }
 
 /// The problem of two half-spaces, with the influence of pressures alone if nothing else matters.
+fn periodic_surfaces(
+    gap: Gap,
+    materials: Pair,
+    friction: SurfaceFriction,
+) -> Result<ContactProblem, ProblemError> {
+    let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
+    let operator = PeriodicOperator::new(materials.0, grid, threads)?;
+    ContactProblem::new(gap, Arc::new(operator), friction)
+}
+
 fn half_spaces(
     gap: Gap,
     materials: Pair,

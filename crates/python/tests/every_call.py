@@ -70,6 +70,10 @@ def solver():
     return made
 
 
+def surface():
+    return carom.surface(1e-9 * np.add.outer(np.arange(9.0) ** 2, np.arange(8.0)), size=(8e-6, 9e-6))
+
+
 def turned(angle):
     made = contact()
     made.turn_frame(angle)
@@ -166,7 +170,26 @@ CALLS = {
         Call(carom.Solver, {"gap": In(GAP, "m"), "size": In((2.6e-4, 2.6e-4), "m"), "materials": PAIR, "friction": none(0.0),
                             "plate": carom.Plate(2.6e-4, 2.6e-4, 1e-4)}, lambda **given: carom.Solver(**given).step(F_z=1.0)),
         Call(carom.Solver, {"gap": In(GAP, "m"), "size": In((2.6e-4, 2.6e-4), "m"), "materials": PAIR, "friction": none(0.0),
-                            "influence": {"zz": BLOCK}}, lambda **given: carom.Solver(**given).step(F_z=1.0)),
+                            "influence": {"zz": BLOCK}, "missing": None, "periodic": False}, lambda **given: carom.Solver(**given).step(F_z=1.0)),
+    ],
+    "Surface": [
+        Call(carom.Surface, {"heights": In(np.eye(4), "m"), "size": In((3e-6, 4e-6), "m")},
+             lambda **given: (carom.Surface(**given).heights, carom.Surface(**given).size)),
+    ],
+    "Surface.measures": [Call(carom.Surface.measures, {"periodic": True}, lambda **given: surface().measures(**given))],
+    "Surface.prepared": [
+        Call(carom.Surface.prepared, {"crop": (0, 0, 3, 3), "level": "plane", "missing": "fill"},
+             lambda **given: surface().prepared(**given).heights),
+    ],
+    "Surface.warnings": [Call(carom.Surface.warnings, {"periodic": True}, lambda **given: surface().warnings(**given))],
+    "surface": [
+        Call(carom.surface, {"source": np.eye(4), "unit": "um", "scale": none(2.0), "size": In((4e-6, 4e-6), "m"),
+                             "range": None, "crop": (0, 0, 3, 3), "level": "plane", "missing": "fill"},
+             lambda **given: carom.surface(**given).heights),
+    ],
+    "line_contact": [
+        Call(carom.line_contact, {"materials": PAIR, "radius": In(5e-3, "m"), "length": In(20e-3, "m"), name: In(value, unit)})
+        for name, value, unit in (("force", 1e3, "N"), ("approach", 1e-6, "m"), ("half_width", 1e-4, "m"), ("peak_pressure", 1e9, "Pa"))
     ],
     "Solver.step": [
         Call(carom.Solver.step, given(FORCES), lambda **given: solver().step(**given)),
@@ -193,7 +216,7 @@ CALLS = {
     ],
     "hertz": [
         Call(carom.hertz, {"contact": HERTZ, name: In(value, unit)})
-        for name, value, unit in (("force", [1.0, 2.0], "N"), ("approach", 1e-6, "m"), ("semi_axis_a", 1e-5, "m"), ("semi_axis_b", 1e-5, "m"))
+        for name, value, unit in (("force", [1.0, 2.0], "N"), ("approach", 1e-6, "m"), ("semi_axis_a", 1e-5, "m"), ("semi_axis_b", 1e-5, "m"), ("peak_pressure", 1e8, "Pa"))
     ],
     "hertz_of_spheres": [
         Call(carom.hertz_of_spheres, {"radius_1": In(0.1, "m"), "radius_2": In(0.2, "m"), "material_1": STEEL, "material_2": STEEL}),

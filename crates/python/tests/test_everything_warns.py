@@ -49,6 +49,7 @@ OUTSIDE = {
     "history": lambda _: carom.history(BALL, FLOOR, 0.5),
     "hertz": lambda _: carom.hertz(HARD, force=[1.0, 2.0]),
     "fastsim": lambda _: carom.fastsim(HARD, 0.3, F_z=10.0),
+    "line_contact": lambda _: carom.line_contact(LEAD, 5e-3, 20e-3, force=1e3),
     "stress": lambda _: carom.stress((1e-3, 1e-3), LEAD, 1e9, 0.0, 0.0, 1e-3),
     "roll": lambda _: carom.roll(*WINDOW, 0.3, F_z=1.0),
     "cases.hertz": lambda path: carom.cases.hertz(case(path, "hertz")),
@@ -64,7 +65,7 @@ MADE, TOLD, PURE = "loads nothing", "reads what a step has told of", "has no siz
 #: Why the others need not.
 NEED_NOT = {
     **dict.fromkeys("Body Body.moving Contact Contacts Hertz Hertz.of_radii Material MaterialPair Plate ShiftTwist".split(), MADE),
-    **dict.fromkeys("SlipSpeedFriction SlipSpeedFriction.at Solver Twist cells hertz_of_spheres plane sphere cases.new".split(), MADE),
+    **dict.fromkeys("SlipSpeedFriction SlipSpeedFriction.at Solver Surface Surface.measures Surface.prepared Surface.warnings Twist cells hertz_of_spheres surface plane sphere cases.new".split(), MADE),
     **dict.fromkeys("Contact.traction Contact.turn_frame Solver.summary Solver.stress von_mises cases.Stresses.to_xarray".split(), TOLD),
     **dict.fromkeys("plot.history plot.loop plot.pressure plot.stick_slip plot.tractions".split(), TOLD),
     **dict.fromkeys("creep_coefficients lubkin_torque lubkin_stick_radius plot.restitution".split(), PURE),

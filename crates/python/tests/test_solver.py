@@ -73,7 +73,7 @@ def test_bad_input_is_named():
         carom.Solver(gap[0], SIZE, PAIR, 0.3)
     with pytest.raises(ValueError, match="shape"):
         carom.Solver(gap, SIZE, PAIR, np.ones((3, 3)))
-    with pytest.raises(carom.RangeError):
+    with pytest.raises(ValueError, match="64 points, the first in row 1, column 1"):
         carom.Solver(gap * np.nan, SIZE, PAIR, 0.3)
     with pytest.raises(carom.RangeError) as error:
         carom.Solver(gap, SIZE, PAIR, -1.0)
@@ -267,5 +267,5 @@ def test_a_stored_solver_of_another_form_is_refused_by_name():
     state = ball().__getstate__()
     for form in ({"_form": 0}, {}):
         other = object.__new__(carom.Solver)
-        with pytest.raises(ValueError, match=r"form of the stored Solver = (0|None): this version reads 1"):
+        with pytest.raises(ValueError, match=r"form of the stored Solver = (0|None): this version reads 2"):
             other.__setstate__({**{key: value for key, value in state.items() if key != "_form"}, **form})

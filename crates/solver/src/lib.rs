@@ -64,5 +64,5 @@ pub use gap::{Gap, HeightMap, HeightMapError, Outline, SelfAffine, Shape};
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, PeriodError, ProblemError};
-pub use result::{StepSummary, StoredEnergy, Subsurface, dissipated, violations};
+pub use result::{StepSummary, StoredEnergy, Subsurface, dissipated, gap_left, violations};
 pub use state::{CellState, ContactState};

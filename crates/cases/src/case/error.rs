@@ -127,7 +127,8 @@ impl std::error::Error for CaseError {}
 const fn line_contact(error: &CurvatureError) -> &'static str {
     match error {
         CurvatureError::LineContact { .. } => {
-            "; a line contact is a case for `carom solve` with gap.shape = \"cylinder\""
+            "; a line contact needs `contact.length`, for `carom hertz` and `carom stress`, or a grid: `carom solve` with \
+             gap.shape = \"cylinder\""
         }
         _ => "",
     }

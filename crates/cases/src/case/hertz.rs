@@ -2,27 +2,35 @@
 
 use super::error::CaseError;
 use super::field::{Field, Form, Schema};
-use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
+use super::pair::{self, ANGLE, BODY_1, BODY_2, LENGTH};
 use super::range::Range;
 use super::reader::Case;
 use super::section::{Numbers, Section, parse};
 use super::unit::{Dimension, Measure};
-use carom_laws::hertz::Hertz;
+use crate::PointOrLine;
 
-const LENGTH: Measure = Range::Positive.of(Dimension::Length);
-const OTHERS: &str = "one of `force`, `approach`, `semi_axis_a`, `semi_axis_b`";
+const SIZE: Measure = Range::Positive.of(Dimension::Length);
+const OTHERS: &str = "one of `force`, `approach`, `semi_axis_a`, `semi_axis_b`, `peak_pressure`";
 const FORCE: Field =
     load("force", Range::Positive.of(Dimension::Force), "normal force").such_as("[1, 10, 100]");
-const APPROACH: Field = load("approach", LENGTH, "approach of distant points").such_as("1e-6");
+const APPROACH: Field = load("approach", SIZE, "approach of distant points").such_as("1e-6");
 const SEMI_AXIS_A: Field =
-    load("semi_axis_a", LENGTH, "semi-axis of the contact along x").such_as("1e-4");
+    load("semi_axis_a", SIZE, "semi-axis of the contact along x, half width of a line")
+        .such_as("1e-4");
 const SEMI_AXIS_B: Field =
-    load("semi_axis_b", LENGTH, "semi-axis of the contact along y").such_as("1e-4");
-const CONTACT: Field = Field::new("contact", Form::Table(&[ANGLE]), "orientation of the bodies")
-    .may("their first principal directions are parallel");
+    load("semi_axis_b", SIZE, "semi-axis of the contact along y").such_as("1e-4");
+const PEAK_PRESSURE: Field =
+    load("peak_pressure", Range::Positive.of(Dimension::Pressure), "greatest pressure")
+        .such_as("\"1 GPa\"");
+const CONTACT: Field = Field::new(
+    "contact",
+    Form::Table(&[ANGLE, LENGTH]),
+    "orientation of the bodies, length of a line",
+)
+.may("their first principal directions are parallel");
 const LOAD: Field = Field::new(
     "load",
-    Form::Table(&[FORCE, APPROACH, SEMI_AXIS_A, SEMI_AXIS_B]),
+    Form::Table(&[FORCE, APPROACH, SEMI_AXIS_A, SEMI_AXIS_B, PEAK_PRESSURE]),
     "one of these, for one contact or several: a list, or { start, stop, count }",
 )
 .begun(&[(&FORCE, "")]);
@@ -38,7 +46,7 @@ const fn load(name: &'static str, measure: Measure, meaning: &'static str) -> Fi
 #[derive(Debug, Clone, PartialEq)]
 pub struct HertzCase {
     /// The contact.
-    pub hertz: Hertz,
+    pub contact: PointOrLine,
     /// The smallest radius of curvature of both bodies, m; infinite for planes.
     pub smallest_radius: f64,
     /// Which quantity the values give.
@@ -54,10 +62,12 @@ pub enum Given {
     Force,
     /// The approach, m.
     Approach,
-    /// The semi-axis along x, m.
+    /// The semi-axis along x, or the half width of a line, m.
     SemiAxisA,
     /// The semi-axis along y, m.
     SemiAxisB,
+    /// The greatest pressure, Pa.
+    PeakPressure,
 }
 
 impl Case<'_> for HertzCase {
@@ -67,19 +77,20 @@ impl Case<'_> for HertzCase {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.has(&CONTACT).then(|| case.section(&CONTACT)).transpose()?;
-        let Pair { hertz, smallest_radius } = pair::read(&case, contact.as_ref())?;
+        let (contact, smallest_radius) = pair::read_any(&case, contact.as_ref())?;
         let load = case.section(&LOAD)?;
         let ways = [
             (&FORCE, Given::Force),
             (&APPROACH, Given::Approach),
             (&SEMI_AXIS_A, Given::SemiAxisA),
             (&SEMI_AXIS_B, Given::SemiAxisB),
+            (&PEAK_PRESSURE, Given::PeakPressure),
         ];
         let mut present = ways.into_iter().filter(|(field, _)| load.has(*field));
         let (field, given) = present.next().ok_or_else(|| load.missing(&FORCE))?;
         if let Some((other, _)) = present.next() {
             return Err(load.conflict(other, field, "give one of them"));
         }
-        Ok(Self { hertz, smallest_radius, given, values: load.numbers(field)? })
+        Ok(Self { contact, smallest_radius, given, values: load.numbers(field)? })
     }
 }

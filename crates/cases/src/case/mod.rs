@@ -46,8 +46,8 @@ pub(crate) use section::shortened;
 pub use section::{Numbers, Understood, likely};
 pub use shell::{BellowsCase, FlangeCase, ShellCase};
 pub use solve::{
-    Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, PlateCase, SolveCase,
-    SolveMethod, Target,
+    Border, FrictionCase, GapCase, GridCase, HeightFile, InfluenceFile, Leg, Missing, PlateCase,
+    SolveCase, SolveMethod, Target,
 };
 pub use stress::StressCase;
 pub use uncertainty::Uncertainty;

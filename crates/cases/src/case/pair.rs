@@ -6,9 +6,11 @@ use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::Section;
 use super::unit::Dimension;
+use crate::PointOrLine;
 use carom_halfspace::{Material, MaterialPair};
-use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+use carom_laws::curvature::{CurvatureError, PrincipalRadii, RelativeCurvature};
 use carom_laws::hertz::Hertz;
+use carom_laws::line::LineContact;
 
 const RADII: Field = Field::new(
     "radii",
@@ -27,6 +29,46 @@ pub(super) const ANGLE: Field = Field::number(
     "from the first principal direction of body 1 to that of body 2",
 )
 .default(Default::Number(0.0));
+
+pub(super) const LENGTH: Field = Field::number(
+    "length",
+    Range::Positive.of(Dimension::Length),
+    "length of the line along which cylinders with parallel axes touch",
+)
+.may("the bodies touch at a point")
+.such_as("0.01");
+
+/// Reads both bodies, which touch at a point, or along a line of `contact.length`; and their smallest radius of curvature.
+///
+/// # Errors
+/// As [`read`]; also if a length is given for bodies that touch at a point.
+pub(super) fn read_any(
+    case: &Section<'_>,
+    contact: Option<&Section<'_>>,
+) -> Result<(PointOrLine, f64), CaseError> {
+    let length = contact.map_or(Ok(None), |contact| contact.maybe(&LENGTH))?;
+    let Some((contact, length)) = contact.zip(length) else {
+        return read(case, contact)
+            .map(|pair| (PointOrLine::Point(pair.hertz), pair.smallest_radius));
+    };
+    let (radii_1, material_1) = read_surface(case, &BODY_1)?;
+    let (radii_2, material_2) = read_surface(case, &BODY_2)?;
+    let angle = contact.number(&ANGLE)?;
+    let materials = MaterialPair::new(material_1, material_2)
+        .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
+    // The larger coefficient A is 1/(2 R).
+    let found = match RelativeCurvature::new(radii_1, radii_2, angle.to_radians()) {
+        Err(CurvatureError::LineContact { a, .. }) if a > 0.0 => {
+            LineContact::new(0.5 / a, length, materials)
+        }
+        _ => {
+            let reason = "for cylinders with parallel axes, or a cylinder and a plane; these bodies do not touch along a line";
+            return Err(contact.out_of_range(&LENGTH, length, reason));
+        }
+    };
+    let line = found.map_err(|error| contact.out_of_range(&LENGTH, error.value, error.allowed))?;
+    Ok((PointOrLine::Line(line), PrincipalRadii::smallest([radii_1, radii_2])))
+}
 
 /// Reads both bodies and `contact.angle`, the angle in degrees from the first principal
 /// direction of body 1 to that of body 2; 0 without a table `[contact]`.

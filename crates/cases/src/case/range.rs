@@ -41,6 +41,8 @@ pub enum Range {
     Whole,
     /// A number of cells along an axis.
     Cells,
+    /// A point along an axis, from 0.
+    Point,
     /// A number of elements across a rolling contact.
     Elements,
     /// A number of harmonics of a Fourier series.
@@ -109,7 +111,8 @@ impl Range {
             Self::Accuracy => [In(1e-6), In(0.1)],
             Self::Count => [In(2.0), In(MOST)],
             Self::Whole => [In(1.0), In(MOST)],
-            Self::Cells => [In(1.0), In(4096.0)],
+            Self::Cells => [In(1.0), In(16_384.0)],
+            Self::Point => [In(zero), In(MOST)],
             Self::Elements => [In(6.0), In(512.0)],
             Self::Harmonics => [In(4.0), In(256.0)],
             Self::Places => [In(4.0), In(10_000.0)],
@@ -129,6 +132,7 @@ impl Range {
             Self::Count
                 | Self::Whole
                 | Self::Cells
+                | Self::Point
                 | Self::Elements
                 | Self::Harmonics
                 | Self::Places
@@ -178,7 +182,8 @@ impl Range {
             Self::Accuracy => "from 1e-6 to 0.1",
             Self::Count => "a whole number from 2 to 1000000",
             Self::Whole => "a whole number from 1 to 1000000",
-            Self::Cells => "a whole number from 1 to 4096",
+            Self::Cells => "a whole number from 1 to 16384",
+            Self::Point => "a whole number from 0 to 1000000",
             Self::Elements => "a whole number from 6 to 512",
             Self::Harmonics => "a whole number from 4 to 256",
             Self::Places => "a whole number from 4 to 10000",

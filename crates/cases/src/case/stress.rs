@@ -2,12 +2,12 @@
 
 use super::error::CaseError;
 use super::field::{Field, Form, Schema, Usual, Word};
-use super::pair::{self, ANGLE, BODY_1, BODY_2, Pair};
+use super::pair::{self, ANGLE, BODY_1, BODY_2, LENGTH};
 use super::range::Range;
 use super::reader::Case;
 use super::section::{Section, parse};
 use super::unit::Dimension;
-use carom_laws::hertz::Hertz;
+use crate::PointOrLine;
 
 const FRICTION: Field = Field::number(
     "friction",
@@ -18,8 +18,8 @@ const FRICTION: Field = Field::number(
 .usually(Usual::FRICTION);
 const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[ANGLE, FRICTION]),
-    "orientation of the bodies, and friction",
+    Form::Table(&[ANGLE, LENGTH, FRICTION]),
+    "orientation of the bodies, length of a line, and friction",
 );
 const FORCE: Field =
     Field::number("force", Range::Positive.of(Dimension::Force), "normal force").such_as("10");
@@ -67,7 +67,7 @@ const fn along(name: &'static str, range: Range, meaning: &'static str) -> Field
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressCase {
     /// The contact.
-    pub hertz: Hertz,
+    pub contact: PointOrLine,
     /// The smallest radius of curvature of both bodies, m; infinite for planes.
     pub smallest_radius: f64,
     /// Coefficient of friction.
@@ -88,7 +88,7 @@ impl Case<'_> for StressCase {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.section(&CONTACT)?;
-        let Pair { hertz, smallest_radius } = pair::read(&case, Some(&contact))?;
+        let (touching, smallest_radius) = pair::read_any(&case, Some(&contact))?;
         let friction = contact.number(&FRICTION)?;
         let load = case.section(&LOAD)?;
         let force = [load.number(&FORCE_X)?, load.number(&FORCE_Y)?, load.number(&FORCE)?];
@@ -109,6 +109,7 @@ impl Case<'_> for StressCase {
         if count > MOST {
             return Err(points.out_of_range(&X, count as f64, "at most 1000000 points in all"));
         }
-        Ok(Self { hertz, smallest_radius, friction, force, is_in_body_1, places })
+        let contact = touching;
+        Ok(Self { contact, smallest_radius, friction, force, is_in_body_1, places })
     }
 }

@@ -63,7 +63,7 @@ fn rows_of(
     let creep = (wanted.coefficients || wanted.springs).then(|| creep::of(case)).transpose()?;
     let bodies =
         Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?
-            .with_influence(file, case.influence.as_ref(), case.grid)?;
+            .with_influence(file, case.influence.as_ref())?;
     if case.distance.is_none() {
         observer(Progress::Begun(case.drives.len()));
     }
@@ -100,9 +100,10 @@ const MOST_CELLS: usize = 512 * 512;
 
 /// The window of a case, or one chosen for its accuracy.
 fn window(case: &RollCase, bodies: &Bodies) -> Result<Window, Error> {
-    let accuracy = match case.grid {
-        GridCase::Cells { grid, .. } => return Ok(Window::about([0.0; 2], grid)?),
-        GridCase::Accuracy(accuracy) => Accuracy::new(accuracy)?,
+    let accuracy = match (bodies.grid(), case.grid) {
+        (Some(grid), _) => return Ok(Window::about([0.0; 2], grid)?),
+        (None, GridCase::Accuracy(accuracy)) => Accuracy::new(accuracy)?,
+        (None, _) => return Err(Error::input("no grid is given")),
     };
     let drives: Vec<_> = case.drives.iter().map(|drive| (*drive).into()).collect();
     let make = |window: &Window| bodies.problem(window);
@@ -141,20 +142,35 @@ pub fn validity(case: &RollCase, rows: &[Row]) -> Validity {
     case.pressure_limits().validity(peak)
 }
 
+/// Part of the friction limit that is used from which the creep force is saturated.
+const SATURATED: f64 = 0.999;
+
+/// What is told of rows in which the whole contact slides. With spin the slip has all directions, so that the force is below
+/// the limit and still grows with the creepage.
+fn sliding(rows: &[Row]) -> Option<String> {
+    let all = rows.len();
+    let sliding = rows.iter().filter(|row| row.slides).count();
+    let saturated =
+        rows.iter().filter(|row| row.slides && row.pull() >= SATURATED * row.limit).count();
+    match (sliding, saturated) {
+        (0, _) => None,
+        (count, same) if count == same => Some(format!(
+            "full sliding in {count} of {all} rows: the creep force is saturated, and more creepage does not increase it"
+        )),
+        (count, same) => Some(format!(
+            "full sliding in {count} of {all} rows, the creep force saturated in {same}: elsewhere spin turns the slip from \
+             cell to cell, and more creepage still increases the force"
+        )),
+    }
+}
+
 /// Warnings about full sliding, displacements too large for the theory, and effects that creep coefficients
 /// neglect.
 #[must_use]
 pub fn warnings(case: &RollCase, rolled: &Rolled, wanted: Wanted) -> Vec<String> {
     let rows = &rolled.rows;
-    let sliding = rows.iter().filter(|row| row.slides).count();
     let mut warnings = Vec::new();
-    if sliding > 0 {
-        warnings.push(format!(
-            "full sliding in {sliding} of {} rows: the creep force is saturated, and more creepage \
-             does not increase it",
-            rows.len()
-        ));
-    }
+    warnings.extend(sliding(rows));
     if let Some((row, warning)) = rolled.too_large {
         warnings.push(format!("row {row}: {warning}"));
     }

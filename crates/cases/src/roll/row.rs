@@ -79,7 +79,7 @@ impl Row {
     }
 
     /// Tangential force.
-    fn pull(&self) -> f64 {
+    pub(super) fn pull(&self) -> f64 {
         libm::hypot(self.load.f_x, self.load.f_y)
     }
 
@@ -146,12 +146,7 @@ pub const COLUMNS: &[Column<Row>] = &[
     ),
     Column::new("contact_area", "m2", "of all cells in contact", |row| row.contact_area.into()),
     Column::new("stick_area", "m2", "of all cells that stick", |row| row.stick_area.into()),
-    Column::flag(
-        "slides",
-        "",
-        "whether the whole contact slides: the creep force is saturated",
-        |row| row.slides.into(),
-    ),
+    Column::flag("slides", "", "whether the whole contact slides", |row| row.slides.into()),
     Column::new("F_x_springs", "N", "F_x of FASTSIM, with --fastsim", |row| {
         row.springs.map(|springs| springs.f_x).into()
     }),

@@ -1,16 +1,18 @@
 //! The bodies of a case on any grid.
 
-use super::{heights, influence};
+use super::follow::Followed;
+use super::influence;
 use crate::Error;
 use crate::case::{Border, FrictionCase, GapCase, GridCase, InfluenceFile, PlateCase, SolveCase};
+use crate::heights;
 use crate::input::CaseFile;
 use carom_halfspace::operator::{
     Blocks, KernelOperator, OperatorError, PeriodicOperator, PlateOperator, Threads,
 };
-use carom_halfspace::{Field, MaterialPair};
+use carom_halfspace::{Field, Grid, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
-    CellFriction, ContactProblem, Gap, ProblemError, Shape, SurfaceFriction, Window,
+    CellFriction, ContactProblem, Gap, ProblemError, Shape, SurfaceFriction, Window, gap_left,
 };
 use carom_special::RangeError;
 use std::sync::Arc;
@@ -26,6 +28,10 @@ pub struct Bodies {
     table: Option<KernelOperator>,
     /// The content of the files that the case names.
     read: Vec<u8>,
+    /// The grid, that of the case or of a file of heights; none if an accuracy chooses it.
+    grid: Option<Grid>,
+    /// What is told about the heights of a file.
+    warnings: Vec<String>,
 }
 
 enum Given {
@@ -44,7 +50,7 @@ impl Bodies {
         let bodies =
             Self::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?;
         let bodies = Self { plate: case.plate, ..bodies };
-        bodies.with_influence(file, case.influence.as_ref(), case.grid)
+        bodies.with_influence(file, case.influence.as_ref())
     }
 
     /// Takes the influence numbers of a file instead of half-spaces, if the case names one.
@@ -55,9 +61,8 @@ impl Bodies {
         mut self,
         file: &CaseFile,
         influence: Option<&InfluenceFile>,
-        grid: GridCase,
     ) -> Result<Self, Error> {
-        let (Some(influence), Some(grid)) = (influence, grid.given()) else { return Ok(self) };
+        let (Some(influence), Some(grid)) = (influence, self.grid) else { return Ok(self) };
         let blocks = if self.friction.is_none() { Blocks::Normal } else { Blocks::All };
         let (table, read) = influence::operator(file, influence, grid, self.materials, blocks)?;
         self.table = Some(table);
@@ -76,8 +81,10 @@ impl Bodies {
         grid: GridCase,
         friction: &FrictionCase,
     ) -> Result<Self, Error> {
-        let own = |what: &str| {
-            grid.given().ok_or_else(|| {
+        let mut warnings = Vec::new();
+        let mut given = grid.given();
+        let own = |given: Option<Grid>, what: &str| {
+            given.ok_or_else(|| {
                 Error::input(format!(
                     "{what} define their own grid; give `grid.cells`, not an accuracy"
                 ))
@@ -86,18 +93,24 @@ impl Bodies {
         let (gap, mut read) = match gap {
             GapCase::Formula(shape) => (Given::Formula(shape.clone()), Vec::new()),
             GapCase::Heights(map) => {
-                let (gap, read) = heights::gap(file, map, own("heights from a file")?)?;
-                (Given::Grid(gap), read)
+                if let GridCase::Accuracy(_) = grid {
+                    own(None, "heights from a file")?;
+                }
+                let heights = heights::gap(file, map, grid)?;
+                given = Some(heights.gap.grid());
+                warnings = heights.warnings;
+                (Given::Grid(heights.gap), heights.read)
             }
             GapCase::Rough { surface, radius } => {
-                let rough = surface.heights(own("random heights")?)?;
+                let rough = surface.heights(own(given, "random heights")?)?;
                 (Given::Grid(standing(&rough, *radius)?), Vec::new())
             }
         };
         let friction = match &friction.map {
             None => cell_friction(friction, 1.0)?.into(),
             Some(map) => {
-                let (factors, bytes) = heights::factors(file, map, own("factors of friction")?)?;
+                let grid = own(given, "factors of friction")?;
+                let (factors, bytes) = heights::factors(file, map, grid)?;
                 read.extend(bytes);
                 let cells: Result<_, _> = factors
                     .values()
@@ -107,13 +120,35 @@ impl Bodies {
                 Field::new(factors.grid(), cells?)?.into()
             }
         };
-        Ok(Self { gap, materials, friction, border: grid.border(), plate: None, table: None, read })
+        let (border, plate, table) = (grid.border(), None, None);
+        Ok(Self { gap, materials, friction, border, plate, table, read, grid: given, warnings })
+    }
+
+    /// The grid of the case, or of its file of heights; none if an accuracy chooses it.
+    #[must_use]
+    pub const fn grid(&self) -> Option<Grid> {
+        self.grid
+    }
+
+    /// What is told about the heights of a file.
+    #[must_use]
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// The content of the files that the case names.
     #[must_use]
     pub fn read(&self) -> &[u8] {
         &self.read
+    }
+
+    /// The distance of the surfaces after the last step of a run; infinite where there is no body.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Problem`](crate::ErrorKind::Problem) if it is too large for the memory.
+    pub fn gap_left(&self, followed: &Followed) -> Result<Field, Error> {
+        let problem = self.problem(&followed.window)?;
+        Ok(gap_left(&problem, &followed.state).map_err(ProblemError::from)?)
     }
 
     /// Side lengths of a rectangle that contains a part of the body.

@@ -30,6 +30,8 @@ pub struct Followed {
     pub limits: PressureLimits,
     /// Number of steps that an earlier run had computed.
     pub found: usize,
+    /// What is told about the heights of a file.
+    pub told: Vec<String>,
 }
 
 impl Followed {
@@ -76,6 +78,7 @@ pub struct Run<'a> {
     window: Window,
     method: Frictional,
     history: NestedHistory<Chosen>,
+    told: Vec<String>,
 }
 
 impl<'a> Run<'a> {
@@ -95,9 +98,12 @@ impl<'a> Run<'a> {
             method: case.method,
             tolerance: case.tolerance,
         };
-        let window = match case.grid {
-            GridCase::Cells { grid, .. } => Window::about([0.0; 2], grid)?,
-            GridCase::Accuracy(accuracy) => {
+        let window = match (bodies.grid(), case.grid) {
+            (Some(grid), _) => Window::about([0.0; 2], grid)?,
+            (None, GridCase::Cells { .. } | GridCase::OfFile { .. }) => {
+                return Err(Error::input("no grid is given"));
+            }
+            (None, GridCase::Accuracy(accuracy)) => {
                 let (drives, sides) = (ends(&case.legs), bodies.sides());
                 let make = |window: &Window| bodies.problem(window);
                 let accuracy = Accuracy::new(accuracy)?;
@@ -118,7 +124,7 @@ impl<'a> Run<'a> {
             NestedError::Problem(source) => source.into(),
             NestedError::Method(source) => Error::from(source).at("step", 0),
         })?;
-        Ok(Self { case, window, method, history })
+        Ok(Self { case, window, method, history, told: bodies.warnings().to_vec() })
     }
 
     /// The contact problem.
@@ -179,7 +185,8 @@ impl<'a> Run<'a> {
         }
         let state = self.history.state().clone();
         let limits = self.case.pressure_limits();
-        Ok(Followed { steps, state, window: self.window, too_large, limits, found: count })
+        let (window, told) = (self.window, self.told);
+        Ok(Followed { steps, state, window, too_large, limits, found: count, told })
     }
 
     fn step(
@@ -216,7 +223,7 @@ impl<'a> Run<'a> {
 
     /// Whether the contact must not reach the border.
     fn is_free(&self) -> bool {
-        !matches!(self.case.grid, GridCase::Cells { border: Border::Cut | Border::Periodic, .. })
+        self.case.grid.border() == Border::Free
     }
 }
 

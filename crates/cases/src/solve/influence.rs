@@ -1,6 +1,5 @@
 //! Influence numbers from a file: CSV, NPZ, or the format of the program CONTACT.
 
-use super::npy;
 use crate::Error;
 use crate::case::InfluenceFile;
 use crate::input::CaseFile;
@@ -8,6 +7,7 @@ use carom_halfspace::operator::{
     Blocks, InflcfUnits, KernelBlock, KernelOperator, OperatorError, TabulatedKernel, Threads,
 };
 use carom_halfspace::{Grid, MaterialPair};
+use carom_surface::Reading;
 use std::io::{Cursor, Read as _};
 use zip::ZipArchive;
 
@@ -72,12 +72,21 @@ fn arrays(bytes: &[u8], grid: Grid) -> Result<Vec<KernelBlock>, String> {
         let name = name.strip_suffix(".npy").unwrap_or(&name).to_owned();
         let mut data = Vec::new();
         file.read_to_end(&mut data).map_err(|error| broken(&error))?;
-        let check = |[columns, rows]: [usize; 2]| match columns > most[0] || rows > most[1] {
-            true => Err(format!("{columns} columns and {rows} rows: more than the grid has")),
-            false => Ok(()),
-        };
-        let rows = npy::rows(&data, check).map_err(|said| format!("array \"{name}\": {said}"))?;
+        let rows = rows(&data, most).map_err(|said| format!("array \"{name}\": {said}"))?;
         blocks.push(KernelBlock::new(&name, &rows).map_err(|error| error.to_string())?);
     }
     Ok(blocks)
+}
+
+/// The rows of an array with at most so many columns and rows.
+fn rows(data: &[u8], [columns, rows]: [usize; 2]) -> Result<Vec<Vec<f64>>, String> {
+    let reading = Reading { most_points: columns * rows, ..Reading::default() };
+    let map = carom_surface::read(data, &reading).map_err(|error| error.to_string())?.topography;
+    match map.columns() > columns || map.rows() > rows {
+        true => {
+            let (columns, rows) = (map.columns(), map.rows());
+            Err(format!("{columns} columns and {rows} rows: more than the grid has"))
+        }
+        false => Ok(map.heights().chunks_exact(map.columns()).map(<[f64]>::to_vec).collect()),
+    }
 }

@@ -3,9 +3,7 @@
 mod bodies;
 mod classic;
 mod follow;
-mod heights;
 mod influence;
-mod npy;
 mod warnings;
 
 pub use bodies::Bodies;

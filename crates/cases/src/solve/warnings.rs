@@ -10,7 +10,8 @@ impl Followed {
     pub fn warnings(&self, case: &SolveCase) -> Vec<String> {
         let last = self.steps.last();
         let few = last.and_then(|last| few_cells(&self.state, last.estimates));
-        let mut warnings: Vec<String> = few.into_iter().chain(unestimated(case, self)).collect();
+        let told = self.told.iter().cloned();
+        let mut warnings: Vec<String> = told.chain(few).chain(unestimated(case, self)).collect();
         warnings.extend(untouched(&self.steps));
         warnings.extend(self.large());
         warnings.extend(self.validity_report().told("steps").1);

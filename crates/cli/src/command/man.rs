@@ -28,6 +28,7 @@ const NAMES: &[&str] = &[
     "solve",
     "roll",
     "stress",
+    "surface",
     "shell",
     "compare",
     "new",

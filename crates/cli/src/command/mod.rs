@@ -18,6 +18,7 @@ mod schema;
 mod shell;
 mod solve;
 mod stress;
+mod surface;
 mod thinned;
 
 use crate::error::CliError;
@@ -75,6 +76,7 @@ enum Command {
     Solve(solve::Arguments),
     Roll(roll::Arguments),
     Stress(stress::Arguments),
+    Surface(surface::Arguments),
     Shell(shell::Arguments),
     Compare(solve::compare::Arguments),
     New(new::Arguments),
@@ -93,6 +95,7 @@ impl Command {
             Self::History(_) => Some("following the history"),
             Self::Scene(_) => Some("following the ball"),
             Self::Stress(_) => Some("computing stresses"),
+            Self::Surface(_) => Some("reading the map"),
             Self::Shell(_) => Some("computing the shell"),
             _ => None,
         }
@@ -118,6 +121,7 @@ impl Command {
         match self {
             Self::Compare(arguments) => Some(&arguments.case),
             Self::Check(arguments) => Some(&arguments.case),
+            Self::Surface(arguments) => Some(&arguments.file),
             _ => self.given().map(|(_, given)| given.case.as_path()),
         }
     }
@@ -168,6 +172,7 @@ fn run_one(
         Command::Solve(arguments) => solve::run(arguments, messages),
         Command::Roll(arguments) => roll::run(arguments, messages),
         Command::Stress(arguments) => stress::run(arguments),
+        Command::Surface(arguments) => surface::run(arguments),
         Command::Shell(arguments) => shell::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments, messages),
         Command::New(arguments) => new::run(arguments),

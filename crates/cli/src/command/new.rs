@@ -33,7 +33,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let path = given.clone().unwrap_or_else(|| format!("{}.schema.json", kind.name).into());
     let place = Outputs::of_command(Format::Csv)?.file("schema", &path)?;
     let text = directive(&path) + &text;
-    Ok(Answer { text, file: Some((place, kind.json_schema().into_bytes())), ..Answer::default() })
+    Ok(Answer { text, files: vec![(place, kind.json_schema().into_bytes())], ..Answer::default() })
 }
 
 /// The case with comments that fit the lines of a terminal.

@@ -174,11 +174,11 @@ fn bad_height_maps_are_refused_by_line() {
     let map = "[gap]\nshape = \"heights\"\nfile = \"solve_map.csv\"\n[grid]\ncells = [3, 2]\n\
                size = [3, 2]\ncut = true\n[contact]\nfriction = 0\n[[step]]\nzeta = 0.1\n";
     for (heights, part) in [
-        ("1,2,3\n1,2\n", "row 2 of the height map has 2 values, the first 3"),
-        ("1,2,3\n1,nan,2\n", "line 2: `value 2` = nan"),
-        ("1,2,3\n1,x,2\n", "`value 2` = x is out of range: must be a finite number"),
+        ("1,2,3\n1,2\n", "line 2 has 2 values, line 1 has 3"),
+        ("1,2,3\n1,nan,2\n", "are missing (1), the first in row 2, column 2"),
+        ("1,2,3\n1,x,2\n", "line 2, column 2: `x` is not a finite number"),
         ("1,2,3\n", "has 3 x 1 values, the grid 3 x 2 cells"),
-        ("", "the height map is empty"),
+        ("", "there is no height in this file"),
     ] {
         case("solve_map.csv", heights);
         let said = refused("solve_heights_bad.toml", map);
@@ -348,7 +348,7 @@ fn heights_are_the_same_from_every_kind_of_file() {
     let text = "[gap]\nshape = \"heights\"\nfile = \"solve_kinds.png\"\n[grid]\ncells = [4, 3]\n\
                 size = [4, 3]\n[contact]\nfriction = 0\n[[step]]\nzeta = 0.1\n";
     let said = refused("solve_no_png.toml", text);
-    assert!(said.contains("not a PNG"), "{said}");
+    assert!(said.contains("not a PNG file"), "{said}");
 }
 
 #[test]

@@ -112,6 +112,11 @@ pub trait SurfaceOperator: Send + Sync {
         self.is_invariant().then_some(()).ok_or(OperatorError::NotInvariant)
     }
 
+    /// E* of Hertz, in Pa; none if the bodies are no half-spaces.
+    fn contact_modulus(&self) -> Option<f64> {
+        None
+    }
+
     /// Where the theory behind the operator ends; without bounds unless overridden.
     fn validity(&self) -> Validity {
         Validity::default()

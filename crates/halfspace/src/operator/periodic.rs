@@ -175,6 +175,10 @@ impl SurfaceOperator for PeriodicOperator {
         self.pair.poisson() == 0.0
     }
 
+    fn contact_modulus(&self) -> Option<f64> {
+        Some(self.pair.contact_modulus())
+    }
+
     fn displaces_on_average(&self) -> bool {
         false
     }

@@ -174,6 +174,10 @@ impl SurfaceOperator for RolledOperator {
         false
     }
 
+    fn contact_modulus(&self) -> Option<f64> {
+        self.body.contact_modulus()
+    }
+
     fn validity(&self) -> Validity {
         self.body.validity()
     }

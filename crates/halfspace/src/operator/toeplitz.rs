@@ -202,6 +202,15 @@ impl SurfaceOperator for HalfSpaceOperator {
         self.pair().poisson() == 0.0
     }
 
+    /// From the displacement w of a cell of sides a, b by its own pressure p,
+    /// w = 2 p (a asinh(b/a) + b asinh(a/b))/(pi E*).
+    fn contact_modulus(&self) -> Option<f64> {
+        let (a, b) = (self.grid.dx(), self.grid.dy());
+        let sides = a * libm::asinh(b / a) + b * libm::asinh(a / b);
+        let [.., [.., own]] = self.coefficients(0, 0).rows;
+        Some(2.0 * sides / (std::f64::consts::PI * own))
+    }
+
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
         let beyond = |offset: i32, count: usize| offset.unsigned_abs() as usize >= count;
         if beyond(columns, self.grid.nx()) || beyond(rows, self.grid.ny()) {

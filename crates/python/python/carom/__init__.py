@@ -74,6 +74,7 @@ from ._contacts import Contacts
 from ._contact_theory import (
     hertz,
     hertz_of_spheres,
+    line_contact,
     lubkin_stick_radius,
     lubkin_torque,
     restitution,
@@ -110,9 +111,13 @@ from ._records import (
     RollStates,
     SolverStep,
     SolverSteps,
+    SurfaceMeasures,
+    LineState,
+    LineStates,
 )
 from ._roll import roll
 from ._solver import Solver, cells
+from ._surface import Surface, surface
 from ._validity import CaromWarning, OutsideTheoryWarning
 
 #: The material of a rigid body.
@@ -140,6 +145,8 @@ __all__ = [
     "HistoryStep",
     "HistorySteps",
     "LinearCreep",
+    "LineState",
+    "LineStates",
     "LinearCreeps",
     "Material",
     "MaterialPair",
@@ -157,6 +164,8 @@ __all__ = [
     "Solver",
     "SolverStep",
     "SolverSteps",
+    "Surface",
+    "SurfaceMeasures",
     "Twist",
     "__version__",
     "cases",
@@ -168,6 +177,7 @@ __all__ = [
     "hertz",
     "hertz_of_spheres",
     "history",
+    "line_contact",
     "lubkin_stick_radius",
     "lubkin_torque",
     "plane",
@@ -179,6 +189,7 @@ __all__ = [
     "special",
     "sphere",
     "stress",
+    "surface",
     "von_mises",
 ]
 

@@ -123,7 +123,7 @@ class Hertz:
     @property
     def materials(self) -> MaterialPair: ...
     def _state(
-        self, given: Literal["force", "approach", "semi_axis_a", "semi_axis_b"], values: Array
+        self, given: Literal["force", "approach", "semi_axis_a", "semi_axis_b", "peak_pressure"], values: Array
     ) -> tuple[_Columns, _Told]: ...
 
 _Law = Literal["coulomb", "fixed-direction", "rings"]
@@ -335,12 +335,13 @@ class Solver:
         materials: MaterialPair | Material,
         friction: Array,
         tolerance: float,
-        cut: bool,
+        border: Sequence[bool],
         plate: Plate | None,
         influence: list[tuple[str, int, Array]],
         estimates: bool,
     ) -> Solver: ...
     def warnings(self) -> list[str]: ...
+    def gap_left(self) -> Array: ...
     def step(self, changed: Sequence[tuple[bool, float] | None]) -> _Columns: ...
     def state(self) -> tuple[list[float], list[_Given], _State, list[_State | None]]: ...
     def restore(
@@ -350,3 +351,26 @@ class Solver:
     def stress(
         self, material: Material, body: int, x: Array, y: Array, z: Array
     ) -> Array: ...
+
+_Map = tuple[int, Array, Sequence[float] | None]
+
+def surface_read(content: bytes, unit: float | None, range: float | None) -> tuple[_Map, bool, list[str]]: ...
+def surface_prepared(
+    columns: int,
+    heights: Array,
+    spacing: Sequence[float] | None,
+    crop: Sequence[int] | None,
+    level: str | None,
+    fill: bool,
+) -> _Map: ...
+def surface_measures(
+    columns: int, heights: Array, spacing: Sequence[float] | None, periodic: bool
+) -> tuple[_Columns, list[str]]: ...
+
+def line_state(
+    materials: MaterialPair | Material,
+    radius: float,
+    length: float,
+    given: Literal["force", "approach", "half_width", "peak_pressure"],
+    values: Array,
+) -> tuple[_Columns, _Told]: ...

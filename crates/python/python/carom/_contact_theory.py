@@ -12,11 +12,12 @@ from numpy.typing import ArrayLike
 from . import _carom
 from ._arrays import line, number, numbers, over
 from ._carom import Hertz, Material, MaterialPair
-from ._records import DissimilarRestitution, DissimilarRestitutions, HertzState, HertzStates
+from ._records import DissimilarRestitution, DissimilarRestitutions, HertzState, HertzStates, LineState, LineStates
 from ._types import Array, Number, Numbers, Several, of_one
 from ._validity import warn
 
-Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
+Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b", "peak_pressure"]
+LineGiven = Literal["force", "approach", "half_width", "peak_pressure"]
 
 
 def hertz_of_spheres(
@@ -43,6 +44,7 @@ def hertz(
     approach: Number | None = None,
     semi_axis_a: Number | None = None,
     semi_axis_b: Number | None = None,
+    peak_pressure: Number | None = None,
 ) -> HertzState: ...
 @overload
 def hertz(
@@ -52,6 +54,7 @@ def hertz(
     approach: Several | None = None,
     semi_axis_a: Several | None = None,
     semi_axis_b: Several | None = None,
+    peak_pressure: Several | None = None,
 ) -> HertzStates: ...
 def hertz(
     contact: Hertz,
@@ -60,8 +63,9 @@ def hertz(
     approach: ArrayLike | None = None,
     semi_axis_a: ArrayLike | None = None,
     semi_axis_b: ArrayLike | None = None,
+    peak_pressure: ArrayLike | None = None,
 ) -> HertzState | HertzStates:
-    """A Hertz contact under load. Exactly one of force (N), approach and the semi-axes (m) is given.
+    """A Hertz contact under load. Exactly one of force (N), approach and the semi-axes (m), peak pressure (Pa) is given.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
@@ -70,16 +74,72 @@ def hertz(
     >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a is proportional to the cube root of the force
     2.0
     """
-    names: tuple[Given, ...] = ("force", "approach", "semi_axis_a", "semi_axis_b")
-    all_ = zip(names, (force, approach, semi_axis_a, semi_axis_b), strict=True)
+    names: tuple[Given, ...] = ("force", "approach", "semi_axis_a", "semi_axis_b", "peak_pressure")
+    all_ = zip(names, (force, approach, semi_axis_a, semi_axis_b, peak_pressure), strict=True)
     given = [(name, values) for name, values in all_ if values is not None]
     if len(given) != 1:
-        raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
+        raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b, peak_pressure")
     ((name, values),) = given
     plain = numbers(name, values, HertzState.units[name])
     columns, exceeded = contact._state(name, line(plain))
     warn(exceeded)
     return HertzStates._either(columns, plain.shape)  # type: ignore[no-any-return]
+
+
+@overload
+def line_contact(
+    materials: MaterialPair | Material,
+    radius: Number,
+    length: Number,
+    *,
+    force: Number | None = None,
+    approach: Number | None = None,
+    half_width: Number | None = None,
+    peak_pressure: Number | None = None,
+) -> LineState: ...
+@overload
+def line_contact(
+    materials: MaterialPair | Material,
+    radius: Number,
+    length: Number,
+    *,
+    force: Several | None = None,
+    approach: Several | None = None,
+    half_width: Several | None = None,
+    peak_pressure: Several | None = None,
+) -> LineStates: ...
+def line_contact(
+    materials: MaterialPair | Material,
+    radius: Number,
+    length: Number,
+    *,
+    force: ArrayLike | None = None,
+    approach: ArrayLike | None = None,
+    half_width: ArrayLike | None = None,
+    peak_pressure: ArrayLike | None = None,
+) -> LineState | LineStates:
+    """Two cylinders with parallel axes (or a cylinder and a plane) that touch along `length`, m. `radius` is the relative
+    one, 1/R = 1/R_1 + 1/R_2, m. Exactly one of force (N), approach and half_width (m), peak_pressure (Pa) is given.
+
+    The approach is that of half-spaces loaded along the length, in its middle: it grows with ln(length).
+
+    >>> import carom, math
+    >>> roller = carom.line_contact(carom.Material(208e9, 0.3), 5e-3, 20e-3, force=1e3)
+    >>> math.isclose(roller.force, math.pi / 2 * roller.half_width * roller.peak_pressure * 20e-3)
+    True
+    """
+    names: tuple[LineGiven, ...] = ("force", "approach", "half_width", "peak_pressure")
+    all_ = zip(names, (force, approach, half_width, peak_pressure), strict=True)
+    given = [(name, values) for name, values in all_ if values is not None]
+    if len(given) != 1:
+        raise TypeError("line_contact() takes one of force, approach, half_width, peak_pressure")
+    ((name, values),) = given
+    plain = numbers(name, values, LineState.units[name])
+    pair = MaterialPair(materials) if isinstance(materials, Material) else materials
+    radius, length = number("radius", radius, "m"), number("length", length, "m")
+    columns, exceeded = _carom.line_state(pair, radius, length, name, line(plain))
+    warn(exceeded)
+    return LineStates._either(columns, plain.shape)  # type: ignore[no-any-return]
 
 
 @overload

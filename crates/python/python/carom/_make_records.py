@@ -1,4 +1,4 @@
-"""Generates `_records.py` from the tables of columns: `python -m carom._make_records > _records.py`."""
+"""Generates `_records.py` from the tables of columns: by `cargo xtask generate`."""
 
 from __future__ import annotations
 
@@ -14,9 +14,11 @@ RESULTS = (
     ("FlangeSummary", "", "flange", "Greatest absolute values of a flange around, and what tells of their accuracy."),
     ("DissimilarRestitution", "DissimilarRestitutions", "impact", "R_x of spheres of dissimilar materials."),
     ("HertzState", "HertzStates", "load", "A Hertz contact under load."),
+    ("LineState", "LineStates", "load", "A line contact of two cylinders under load."),
     ("HistoryPoint", "HistoryPoints", "time", "An instant of an impact, in contact axes."),
     ("HistoryStep", "HistorySteps", "step", "A contact after a step of a history case. Loads act on body 1."),
     ("SolverStep", "SolverSteps", "step", "A step of the numerical solver. Loads act on body 1."),
+    ("SurfaceMeasures", "", "surface", "What a height map is, over the points that are measured."),
     ("LinearCreep", "LinearCreeps", "contact", "Kalker's creep coefficients of two equal bodies, by a table."),
     ("PathPoint", "PathPoints", "point", "An instant of the flight of a ball."),
     ("RingPlace", "RingPlaces", "place", "A place around a flange: displacement and loads of its section."),

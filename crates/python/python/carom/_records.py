@@ -337,6 +337,47 @@ class HertzStates(Records[HertzState], one=HertzState):
     normal_stiffness: Array
 
 
+class LineState(Record):
+    """A line contact of two cylinders under load.
+
+    force                 normal force F_z, N
+    force_per_length      F_z over the length, N/m
+    approach              of half-spaces loaded along the length, zeta, m
+    half_width            of the contact, m
+    peak_pressure         in the middle of the contact, Pa
+    normal_stiffness      tangent dF_z/dzeta, N/m
+    greatest_shear        below the middle, in the plane across the axes, Pa
+    greatest_shear_depth  where it is, m
+    """
+
+    force: float
+    force_per_length: float
+    approach: float
+    half_width: float
+    peak_pressure: float
+    normal_stiffness: float
+    greatest_shear: float
+    greatest_shear_depth: float
+
+    units = {'force': 'N', 'force_per_length': 'N/m', 'approach': 'm', 'half_width': 'm', 'peak_pressure': 'Pa', 'normal_stiffness': 'N/m', 'greatest_shear': 'Pa', 'greatest_shear_depth': 'm'}
+    meanings = {'force': 'normal force F_z', 'force_per_length': 'F_z over the length', 'approach': 'of half-spaces loaded along the length, zeta', 'half_width': 'of the contact', 'peak_pressure': 'in the middle of the contact', 'normal_stiffness': 'tangent dF_z/dzeta', 'greatest_shear': 'below the middle, in the plane across the axes', 'greatest_shear_depth': 'where it is'}
+    _vectors = frozenset([])
+    _axis = 'load'
+
+
+class LineStates(Records[LineState], one=LineState):
+    """Many results `LineState`: arrays of numbers, lists of texts."""
+
+    force: Array
+    force_per_length: Array
+    approach: Array
+    half_width: Array
+    peak_pressure: Array
+    normal_stiffness: Array
+    greatest_shear: Array
+    greatest_shear_depth: Array
+
+
 class HistoryPoint(Record):
     """An instant of an impact, in contact axes.
 
@@ -478,6 +519,11 @@ class SolverStep(Record):
     stick_area           of those that stick, m2
     stored_energy        elastic energy of both bodies, J
     dissipated           friction heat since the start, J
+    contact_share        part of the window in contact
+    mean_gap             mean distance of the surfaces over the window, m
+    patches              connected parts of the contact
+    pressure_over_slope  mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces
+    energy_gap           the pressure is proven to be this near to the least energy for its force, J
     residual_normal      what is left of the normal conditions
     residual_tangential  what is left of the friction law
     products_normal      products with the normal influence
@@ -509,6 +555,11 @@ class SolverStep(Record):
     stick_area: float
     stored_energy: float
     dissipated: float
+    contact_share: float
+    mean_gap: float
+    patches: int
+    pressure_over_slope: float
+    energy_gap: float
     residual_normal: float
     residual_tangential: float
     products_normal: float
@@ -525,8 +576,8 @@ class SolverStep(Record):
     contact_area_error: float
     stick_area_error: float
 
-    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'contact_share': '', 'mean_gap': 'm', 'patches': '', 'pressure_over_slope': '', 'energy_gap': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'contact_share': 'part of the window in contact', 'mean_gap': 'mean distance of the surfaces over the window', 'patches': 'connected parts of the contact', 'pressure_over_slope': 'mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces', 'energy_gap': 'the pressure is proven to be this near to the least energy for its force', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'step'
 
@@ -548,6 +599,11 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     stick_area: Array
     stored_energy: Array
     dissipated: Array
+    contact_share: Array
+    mean_gap: Array
+    patches: NDArray[np.int64]
+    pressure_over_slope: Array
+    energy_gap: Array
     residual_normal: Array
     residual_tangential: Array
     products_normal: Array
@@ -563,6 +619,68 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     p_max_error: Array
     contact_area_error: Array
     stick_area_error: Array
+
+
+class SurfaceMeasures(Record):
+    """What a height map is, over the points that are measured.
+
+    columns           number of points along x
+    rows              number of points along y
+    size_x            length along x: points times spacing, m
+    size_y            length along y, m
+    spacing_x         distance of the points along x, m
+    spacing_y         distance of the points along y, m
+    missing           points without a height
+    missing_share     part of all points that is missing
+    spikes            points far off all their neighbours
+    mean              mean height, m
+    lowest            least height, m
+    highest           greatest height, m
+    rms_height        root-mean-square height about the mean, m
+    rms_height_level  the same about the plane of best fit, m
+    skewness          third moment of the heights, 0 if symmetric
+    kurtosis          fourth moment of the heights, 3 if Gaussian
+    rise_x            of the plane of best fit over the whole map along x, m
+    rise_y            of the plane of best fit along y, m
+    tilt_over_rms     rise over the height that is left without the plane
+    rms_slope         root mean square of the gradient
+    rms_curvature     root mean square of half of the Laplacian, 1/m
+    border_step_x     step over the border along x over the usual one
+    border_step_y     step over the border along y
+    hurst             Hurst's exponent from the slope of the spectrum
+    hurst_deviation   its standard deviation
+    """
+
+    columns: int
+    rows: int
+    size_x: float
+    size_y: float
+    spacing_x: float
+    spacing_y: float
+    missing: int
+    missing_share: float
+    spikes: int
+    mean: float
+    lowest: float
+    highest: float
+    rms_height: float
+    rms_height_level: float
+    skewness: float
+    kurtosis: float
+    rise_x: float
+    rise_y: float
+    tilt_over_rms: float
+    rms_slope: float
+    rms_curvature: float
+    border_step_x: float
+    border_step_y: float
+    hurst: float
+    hurst_deviation: float
+
+    units = {'columns': '', 'rows': '', 'size_x': 'm', 'size_y': 'm', 'spacing_x': 'm', 'spacing_y': 'm', 'missing': '', 'missing_share': '', 'spikes': '', 'mean': 'm', 'lowest': 'm', 'highest': 'm', 'rms_height': 'm', 'rms_height_level': 'm', 'skewness': '', 'kurtosis': '', 'rise_x': 'm', 'rise_y': 'm', 'tilt_over_rms': '', 'rms_slope': '', 'rms_curvature': '1/m', 'border_step_x': '', 'border_step_y': '', 'hurst': '', 'hurst_deviation': ''}
+    meanings = {'columns': 'number of points along x', 'rows': 'number of points along y', 'size_x': 'length along x: points times spacing', 'size_y': 'length along y', 'spacing_x': 'distance of the points along x', 'spacing_y': 'distance of the points along y', 'missing': 'points without a height', 'missing_share': 'part of all points that is missing', 'spikes': 'points far off all their neighbours', 'mean': 'mean height', 'lowest': 'least height', 'highest': 'greatest height', 'rms_height': 'root-mean-square height about the mean', 'rms_height_level': 'the same about the plane of best fit', 'skewness': 'third moment of the heights, 0 if symmetric', 'kurtosis': 'fourth moment of the heights, 3 if Gaussian', 'rise_x': 'of the plane of best fit over the whole map along x', 'rise_y': 'of the plane of best fit along y', 'tilt_over_rms': 'rise over the height that is left without the plane', 'rms_slope': 'root mean square of the gradient', 'rms_curvature': 'root mean square of half of the Laplacian', 'border_step_x': 'step over the border along x over the usual one', 'border_step_y': 'step over the border along y', 'hurst': "Hurst's exponent from the slope of the spectrum", 'hurst_deviation': 'its standard deviation'}
+    _vectors = frozenset([])
+    _axis = 'surface'
 
 
 class LinearCreep(Record):
@@ -735,7 +853,7 @@ class RollState(Record):
     p_max                  greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
     contact_area           of all cells in contact, m2
     stick_area             of all cells that stick, m2
-    slides                 whether the whole contact slides: the creep force is saturated
+    slides                 whether the whole contact slides
     F_x_springs            F_x of FASTSIM, with --fastsim, N
     F_y_springs            F_y of FASTSIM, with --fastsim, N
     springs_error          FASTSIM's tangential force minus that here, over f F_z
@@ -795,7 +913,7 @@ class RollState(Record):
     stick_area_error: float
 
     units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides: the creep force is saturated', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'row'
 

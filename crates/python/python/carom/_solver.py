@@ -12,6 +12,7 @@ from . import _carom, _show
 from ._arrays import blocks, counted, counts, line, number, numbers, two
 from ._carom import Material, MaterialPair, Plate
 from ._records import SolverStep
+from ._surface import MISSING, Surface, of_object
 from ._types import Array
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
 UNITS = {"zeta": "m", "xi": "m", "eta": "m", "omega": "rad", "F_z": "N", "F_x": "N", "F_y": "N", "M_z": "N*m"}
 #: The form of stored solvers; another one when what they keep changes.
-STATE_FORM = 1
+STATE_FORM = 2
 FIELDS = ("pressure", "traction_x", "traction_y", "displacement_x", "displacement_y")
 
 
@@ -46,12 +47,43 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
     return np.meshgrid(x, y)
 
 
+def gap_of(
+    gap: ArrayLike | Surface, size: tuple[float, float] | None, missing: str | None
+) -> tuple[Array, tuple[float, float]]:
+    """The gap of an array or of a surface, and the size of its window."""
+    if missing not in (None, *MISSING):
+        raise ValueError(f"missing = {missing!r}: must be 'fill' or 'no contact'")
+    own = gap if isinstance(gap, Surface) else of_object(gap, None)
+    if own is not None:
+        heights, size = -own.heights, own.size if size is None else size
+    elif missing is not None and np.ma.is_masked(gap):
+        heights = np.ma.filled(np.ma.asarray(gap, dtype=float), np.nan)
+    else:
+        heights = numbers("gap", gap, "m")  # type: ignore[arg-type]
+    if heights.ndim != 2:
+        raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
+    if size is None:
+        raise ValueError("size is None: must be two lengths, unless the gap is a surface that knows its size")
+    holes = np.isnan(heights)
+    if holes.any() and missing is None:
+        row, column = np.argwhere(holes)[0]
+        text = f"gap is not measured at {holes.sum()} points, the first in row {row + 1}, column {column + 1}: give missing"
+        raise ValueError(f"{text}='fill' or 'no contact'")
+    if holes.any() and missing == "fill" and not np.isinf(heights).any():
+        heights = Surface(np.array(heights), None).prepared(missing="fill").heights
+    heights = np.where(np.isnan(heights), np.inf, heights)
+    return heights - heights.min() if own is not None else heights.copy(), size
+
+
 class Solver:
     """Two elastic bodies on a grid of cells, with friction and memory.
 
     `gap` is the distance of the undeformed surfaces, an array (ny, nx) in m, over a window of `size` (m,
-    along x and y). The contact must not reach the border of the window, unless the bodies end there
-    (`cut`). `friction` is a number or an array (ny, nx), from 0 to infinity. Each step is solved to
+    along x and y), infinite where there is no body. It may also be a `Surface` of `carom.surface`, or an object of
+    SurfaceTopography or surfalize; these have heights towards the other body, and a size if `size` is None. Points that
+    are not measured (NaN, masked) need `missing`: "fill", a smooth patch of the gap around them, or "no contact". The contact
+    must not reach the border of the window, unless the bodies end there (`cut`) or repeat themselves (`periodic`; the
+    approach is then measured from the mean plane). `friction` is a number or an array (ny, nx), from 0 to infinity. Each step is solved to
     `tolerance`, relative to the largest displacement and friction limit. Body 2 is shifted against body 1;
     loads act on body 1. Solvers can be pickled and copied.
 
@@ -87,20 +119,20 @@ class Solver:
 
     def __init__(
         self,
-        gap: ArrayLike,
-        size: tuple[float, float],
+        gap: ArrayLike | Surface,
+        size: tuple[float, float] | None,
         materials: MaterialPair | Material,
         friction: ArrayLike,
         *,
         tolerance: float = 1e-9,
         cut: bool = False,
+        periodic: bool = False,
+        missing: str | None = None,
         plate: Plate | None = None,
         influence: Mapping[str, ArrayLike] | None = None,
         estimates: bool = True,
     ) -> None:
-        heights = numbers("gap", gap, "m").copy()
-        if heights.ndim != 2:
-            raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
+        heights, size = gap_of(gap, size, missing)
         ny, nx = heights.shape
         fine = numbers("friction", friction)
         if fine.shape not in ((), (ny, nx)):
@@ -108,6 +140,11 @@ class Solver:
         self._gap, self._size = heights, two("size", size, "m")
         self._materials = MaterialPair(materials) if isinstance(materials, Material) else materials
         self._friction, self._tolerance, self._cut = fine, number("tolerance", tolerance), bool(cut)
+        self._periodic = bool(periodic)
+        if self._cut and self._periodic:
+            raise ValueError("cut and periodic: bodies that end at the border are not periodic")
+        if self._periodic and (plate is not None or influence is not None):
+            raise ValueError("periodic: must be False beside a plate or influence numbers")
         self._plate = plate
         if plate is not None and influence is not None:
             raise ValueError("plate and influence are both given: give one of them")
@@ -116,8 +153,8 @@ class Solver:
         self._estimates = bool(estimates)
         cell = [self._size[0] / max(nx, 1), self._size[1] / max(ny, 1)]
         self._native = _carom.Solver(
-            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance, self._cut, plate, table,
-            self._estimates
+            [nx, ny], cell, line(heights), materials, line(fine), self._tolerance,
+            [self._cut, self._periodic], plate, table, self._estimates
         )
 
     def step(
@@ -203,6 +240,12 @@ class Solver:
         return self._field("traction_y")
 
     @property
+    def gap_left(self) -> Array:
+        """Distance of the deformed surfaces (ny, nx), m, by a fresh product; infinite where there is no body. In contact
+        it is what is left of the conditions."""
+        return self._native.gap_left().reshape(self.shape)
+
+    @property
     def displacement_x(self) -> Array:
         """Elastic displacement of body 1 against body 2 along x (ny, nx), m."""
         return self._field("displacement_x")
@@ -269,6 +312,7 @@ class Solver:
             state["_friction"],
             tolerance=state["_tolerance"],
             cut=state["_cut"],
+            periodic=state["_periodic"],
             plate=state["_plate"],
             influence=state["_influence"],
             estimates=state["_estimates"],

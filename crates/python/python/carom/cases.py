@@ -40,6 +40,8 @@ from ._records import (
     HertzState,
     HertzStates,
     HistorySteps,
+    LineState,
+    LineStates,
     PathPoint,
     PathPoints,
     Rebound,
@@ -149,8 +151,8 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **named})
 
 
-def hertz(path: Path) -> HertzStates:
-    """The contact of two surfaces under each of its normal loads, arrays (n,).
+def hertz(path: Path) -> HertzStates | LineStates:
+    """The contact of two surfaces under each of its normal loads, arrays (n,); along a line with `contact.length`.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "lens.toml"
@@ -161,7 +163,8 @@ def hertz(path: Path) -> HertzStates:
     """
     columns, exceeded = _carom.case_hertz(_file(path))
     warn(exceeded)
-    return HertzStates._shaped(columns, (len(columns["force"]),))
+    kind = LineStates if "half_width" in columns else HertzStates
+    return kind._shaped(columns, (len(columns["force"]),))
 
 
 def stress(path: Path) -> Stresses:
@@ -182,7 +185,7 @@ def stress(path: Path) -> Stresses:
     von_mises, maximum_shear = (values.reshape(shape) for values in scalars)
     return Stresses(
         {
-            "contact": HertzState._of(contact),
+            "contact": (LineState if "half_width" in contact else HertzState)._of(contact),
             "stick_radius": stick_radius,
             "x": x,
             "y": y,

@@ -2,6 +2,8 @@
 
 use carom::halfspace::Grid;
 use carom::laws::hertz::HertzState;
+use carom::laws::line::LineState;
+use carom_cases::Pressed;
 use carom_cases::case::RollCase;
 use carom_cases::hertz;
 use carom_cases::input::CaseFile;
@@ -24,7 +26,27 @@ pub(crate) fn case_hertz(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, P
     let followed = beside(py, || hertz::followed(&CaseFile::read(&path)?));
     let followed = followed?.map_err(raised)?;
     let told = reported(followed.validity_report(), "loads");
-    Ok((arrays(py, HertzState::COLUMNS, &followed.states)?, told))
+    Ok((pressed(py, &followed.states)?, told))
+}
+
+/// The states of a contact at a point, or along a line: all of one kind.
+fn pressed<'py>(py: Python<'py>, states: &[Pressed]) -> PyResult<Bound<'py, PyDict>> {
+    let point = |state: &Pressed| match state {
+        Pressed::Point(state) => Some(*state),
+        Pressed::Line(_) => None,
+    };
+    let points: Option<Vec<HertzState>> = states.iter().map(point).collect();
+    if let Some(points) = points {
+        return arrays(py, HertzState::COLUMNS, &points);
+    }
+    let lines: Vec<LineState> = states
+        .iter()
+        .filter_map(|state| match state {
+            Pressed::Line(state) => Some(*state),
+            Pressed::Point(_) => None,
+        })
+        .collect();
+    arrays(py, LineState::COLUMNS, &lines)
 }
 
 /// The contact, its relative stick radius, the places along x, y and depth, the stresses (xx, yy, zz, xy, yz, zx) at all
@@ -51,7 +73,7 @@ pub(crate) fn case_stress<'py>(
         parts.map(|stress| stress.maximum_shear()).collect::<Vec<_>>(),
     ];
     let array = |values| PyArray1::from_vec(py, values);
-    let contact = arrays(py, HertzState::COLUMNS, &[state])?;
+    let contact = pressed(py, &[state])?;
     Ok((contact, stick_radius, case.places.map(array), values.map(array), told))
 }
 

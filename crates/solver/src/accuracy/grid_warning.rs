@@ -134,7 +134,9 @@ impl ContactState {
         let mut warnings: Vec<GridWarning> = GridWarning::border(self.extent(), grid)
             .map(|side| GridWarning::Border { side })
             .collect();
-        let across = (x[1] - x[0] + 1).min(y[1] - y[0] + 1);
+        // Nothing varies along a single row or column.
+        let counted = [(grid.nx(), x), (grid.ny(), y)].into_iter().filter(|(count, _)| *count > 1);
+        let across = counted.map(|(_, [first, last])| last - first + 1).min().unwrap_or(1);
         if across < FEWEST_CELLS_ACROSS {
             warnings.push(GridWarning::FewCells { across });
         }

@@ -76,15 +76,26 @@ pub enum HeightMapError {
 const MOST_HEIGHT: f64 = 1e100;
 
 impl HeightMap {
-    /// Checks that a map of `size` (columns, rows) has one value for each cell of the grid.
+    /// From heights row by row, y ascending, `columns` in each row.
     ///
     /// # Errors
-    /// [`HeightMapError::OtherSize`].
-    pub fn check_size(size: [usize; 2], grid: Grid) -> Result<(), HeightMapError> {
-        let cells = [grid.nx(), grid.ny()];
-        match size == cells {
-            true => Ok(()),
-            false => Err(HeightMapError::OtherSize { found: size, grid: cells }),
+    /// As [`HeightMap::from_rows`].
+    pub fn new(columns: usize, values: Vec<f64>) -> Result<Self, HeightMapError> {
+        if columns == 0 || values.is_empty() {
+            return Err(HeightMapError::Empty);
+        }
+        let found = values.len() % columns;
+        if found > 0 {
+            let row = values.len() / columns + 1;
+            return Err(HeightMapError::Ragged { row, found, expected: columns });
+        }
+        match values.iter().position(|value| !value.is_finite()) {
+            None => Ok(Self { columns, values }),
+            Some(place) => {
+                let (row, column, value) =
+                    (place / columns + 1, place % columns + 1, values[place]);
+                Err(HeightMapError::NotFinite { row, column, value })
+            }
         }
     }
 
@@ -102,12 +113,8 @@ impl HeightMap {
                 let (row, found) = (i + 1, row.len());
                 return Err(HeightMapError::Ragged { row, found, expected: columns });
             }
-            if let Some(column) = row.iter().position(|value| !value.is_finite()) {
-                let (row, column, value) = (i + 1, column + 1, row[column]);
-                return Err(HeightMapError::NotFinite { row, column, value });
-            }
         }
-        Ok(Self { columns, values: rows.concat() })
+        Self::new(columns, rows.concat())
     }
 
     /// Number of columns.
@@ -138,7 +145,10 @@ impl HeightMap {
     /// [`HeightMapError::TooLarge`] unless the heights are at most 1e100 times the longer side of the grid.
     pub fn gap_over(&self, grid: Grid, radius: f64) -> Result<Gap, HeightMapError> {
         let found = [self.columns, self.rows()];
-        Self::check_size(found, grid)?;
+        let cells = [grid.nx(), grid.ny()];
+        if found != cells {
+            return Err(HeightMapError::OtherSize { found, grid: cells });
+        }
         self.check_heights(grid)?;
         let heights = self.values.iter().zip(grid.centres());
         let mut gaps: Vec<f64> =

@@ -42,6 +42,14 @@ impl StoredEnergy {
     /// # Errors
     /// [`OperatorError`] if the state is on another grid.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Result<Self, OperatorError> {
+        Ok(Self::with_displacement(problem, state)?.0)
+    }
+
+    /// The same with the normal displacement w1 - w2 of each cell.
+    pub(super) fn with_displacement(
+        problem: &ContactProblem,
+        state: &ContactState,
+    ) -> Result<(Self, Field), OperatorError> {
         let (operator, grid) = (problem.operator(), problem.grid());
         // Fields of zeros take no memory until they are written; copies do.
         let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
@@ -59,7 +67,7 @@ impl StoredEnergy {
         };
         operator.apply(tractions, displacements, &mut operator.workspace())?;
         let half = 0.5 * grid.cell_area();
-        let (mut normal, mut tangential) = (w, u);
+        let (mut normal, mut tangential) = (w.clone(), u);
         for (own, p) in normal.values_mut().iter_mut().zip(pressure) {
             *own *= half * p;
         }
@@ -69,7 +77,7 @@ impl StoredEnergy {
                 *own = half * (*own * x + v * y);
             }
         }
-        Ok(Self { normal, tangential })
+        Ok((Self { normal, tangential }, w))
     }
 
     /// The sum over all cells.

@@ -5,8 +5,10 @@ mod energy;
 mod slip;
 mod subsurface;
 mod summary;
+mod surfaces;
 
 pub use check::violations;
 pub use energy::{StoredEnergy, dissipated};
 pub use subsurface::Subsurface;
 pub use summary::StepSummary;
+pub use surfaces::gap_left;

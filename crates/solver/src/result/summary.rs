@@ -6,7 +6,8 @@ use carom_table::{Column, Value};
 use crate::accuracy::{Estimated, Estimates};
 use crate::convergence::{Convergence, Products, Residuals};
 use crate::problem::ContactProblem;
-use crate::result::{StoredEnergy, dissipated};
+use crate::result::dissipated;
+use crate::result::surfaces::{Surfaces, rms_slope};
 use crate::state::{CellState, ContactState};
 use carom_halfspace::operator::OperatorError;
 
@@ -52,6 +53,17 @@ pub struct StepSummary {
     pub stored_energy: f64,
     /// Friction heat since the start of the history.
     pub dissipated: f64,
+    /// Part of the window that is in contact.
+    pub contact_share: f64,
+    /// Mean distance of the deformed surfaces over the window.
+    pub mean_gap: f64,
+    /// Number of connected patches of contact.
+    pub patches: usize,
+    /// Mean pressure over the window, over E* times the root-mean-square slope of the undeformed gap; zero if the bodies
+    /// are no half-spaces.
+    pub pressure_over_slope: f64,
+    /// How far the elastic energy of the pressure may be above its least value for this force, by a fresh product.
+    pub energy_gap: f64,
     /// Violations of the contact conditions.
     pub residuals: Residuals,
     /// The cost of the step.
@@ -78,15 +90,23 @@ impl StepSummary {
         let [stick, slip] =
             [CellState::Stick, CellState::Slip].map(|cell| after.count(cell) as f64);
         let heat: f64 = dissipated(before, after).values().iter().sum();
+        let surfaces = Surfaces::of(problem, after)?;
+        let window = area * after.pressure.grid().cells() as f64;
+        let load = after.load();
         Ok(Self {
             step: self.step + 1,
             shift: after.shift,
-            load: after.load(),
+            load,
             greatest_pressure: after.peak_pressure(),
             contact_area: area * (stick + slip),
             stick_area: area * stick,
-            stored_energy: StoredEnergy::of(problem, after)?.total(),
+            stored_energy: surfaces.stored,
             dissipated: self.dissipated + heat,
+            contact_share: area * (stick + slip) / window,
+            mean_gap: surfaces.mean_gap,
+            patches: surfaces.patches,
+            pressure_over_slope: over_slope(problem, load.f_z / window),
+            energy_gap: surfaces.energy_gap,
             residuals: convergence.residuals,
             products: convergence.products,
             estimates: None,
@@ -150,6 +170,11 @@ impl StepSummary {
             self.stick_area,
             self.stored_energy,
             self.dissipated,
+            self.contact_share,
+            self.mean_gap,
+            self.patches as f64,
+            self.pressure_over_slope,
+            self.energy_gap,
             residuals.normal,
             residuals.tangential,
             products.normal,
@@ -171,8 +196,13 @@ impl StepSummary {
             stick_area: n[11],
             stored_energy: n[12],
             dissipated: n[13],
-            residuals: Residuals { normal: n[14], tangential: n[15] },
-            products: Products { normal: n[16], tangential: n[17], ..Products::default() },
+            contact_share: n[14],
+            mean_gap: n[15],
+            patches: n[16] as usize,
+            pressure_over_slope: n[17],
+            energy_gap: n[18],
+            residuals: Residuals { normal: n[19], tangential: n[20] },
+            products: Products { normal: n[21], tangential: n[22], ..Products::default() },
             estimates: None,
         };
         let errors: [f64; ERRORS] = std::array::from_fn(|i| n[OWN + i]);
@@ -203,6 +233,27 @@ impl StepSummary {
             step.stored_energy.into()
         }),
         Column::new("dissipated", "J", "friction heat since the start", |s| s.dissipated.into()),
+        Column::new("contact_share", "", "part of the window in contact", |s| {
+            s.contact_share.into()
+        }),
+        Column::new("mean_gap", "m", "mean distance of the surfaces over the window", |step| {
+            step.mean_gap.into()
+        }),
+        Column::count("patches", "", "connected parts of the contact", |s| {
+            Value::Count(s.patches as u64)
+        }),
+        Column::new(
+            "pressure_over_slope",
+            "",
+            "mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces",
+            |step| step.pressure_over_slope.into(),
+        ),
+        Column::new(
+            "energy_gap",
+            "J",
+            "the pressure is proven to be this near to the least energy for its force",
+            |step| step.energy_gap.into(),
+        ),
         Column::new("residual_normal", "", "what is left of the normal conditions", |step| {
             step.residuals.normal.into()
         }),
@@ -245,8 +296,17 @@ impl StepSummary {
     ];
 }
 
+/// A mean pressure over E* times the slope of the gap.
+fn over_slope(problem: &ContactProblem, pressure: f64) -> f64 {
+    let slope = rms_slope(problem);
+    match problem.operator().contact_modulus() {
+        Some(modulus) if slope > 0.0 => pressure / (modulus * slope),
+        _ => 0.0,
+    }
+}
+
 /// Number of values without errors, and number of errors.
-const OWN: usize = 18;
+const OWN: usize = 23;
 const ERRORS: usize = 11;
 
 /// The errors in the order of the columns.

@@ -2,6 +2,7 @@
 
 mod any_problem;
 mod boxes;
+mod certificate;
 mod coupling;
 mod delegating;
 mod ended;

@@ -51,8 +51,13 @@ fn step() -> StepSummary {
         stick_area: 12.0,
         stored_energy: 13.0,
         dissipated: 14.0,
-        residuals: Residuals { normal: 15.0, tangential: 16.0 },
-        products: Products { normal: 17.0, tangential: 18.0, ..Products::default() },
+        contact_share: 15.0,
+        mean_gap: 16.0,
+        patches: 17,
+        pressure_over_slope: 18.0,
+        energy_gap: 19.0,
+        residuals: Residuals { normal: 20.0, tangential: 21.0 },
+        products: Products { normal: 22.0, tangential: 23.0, ..Products::default() },
         estimates: Some(all),
     }
 }
@@ -75,6 +80,11 @@ fn columns_and_kept_numbers_show_each_field_in_its_place() {
         ("stick_area", "m2"),
         ("stored_energy", "J"),
         ("dissipated", "J"),
+        ("contact_share", ""),
+        ("mean_gap", "m"),
+        ("patches", ""),
+        ("pressure_over_slope", ""),
+        ("energy_gap", "J"),
         ("residual_normal", ""),
         ("residual_tangential", ""),
         ("products_normal", ""),
@@ -103,7 +113,7 @@ fn columns_and_kept_numbers_show_each_field_in_its_place() {
     assert_eq!(StepSummary::from_numbers(&numbers), step);
     let bare = StepSummary { estimates: None, ..step };
     assert_eq!(StepSummary::from_numbers(&bare.numbers()), bare);
-    assert_eq!(columns[20].value(&bare), Value::Undefined);
+    assert_eq!(columns[25].value(&bare), Value::Undefined);
 }
 
 /// A force at the point (x, y) has the torque y F_x - x F_y about the origin; its error is

@@ -66,7 +66,7 @@ impl FrictionCase {
         if !contact.has(&FRICTION_MAP) {
             return Ok(None);
         }
-        if grid.given().is_none() {
+        if matches!(grid, GridCase::Accuracy(_)) {
             let reason = "a map has the cells of a given grid";
             return Err(contact.excluded(&FRICTION_MAP, "grid.accuracy".to_owned(), reason));
         }

@@ -7,6 +7,7 @@ use crate::case::section::Section;
 use crate::case::unit::{Dimension, Measure};
 use carom_halfspace::Grid;
 use carom_solver::{Gap, Outline, SelfAffine, Shape};
+use carom_surface::{Crop, Level, Reading};
 use std::path::PathBuf;
 
 const PARABOLOID: &str = "paraboloid";
@@ -20,6 +21,8 @@ const RECTANGLE: &str = "rectangle";
 const POLYGON: &str = "polygon";
 const HEIGHTS: &str = "heights";
 const ROUGH: &str = "rough";
+const FILL: &str = "fill";
+const NO_CONTACT: &str = "no contact";
 
 const LENGTH: Measure = Range::Positive.of(Dimension::Length);
 const PLACE: Measure = Range::Finite.of(Dimension::Length);
@@ -80,15 +83,62 @@ const CORNERS: Field = Field::new(
 .such_as("[[-1e-4, -1e-4], [1e-4, -1e-4], [0, 1e-4]]");
 const FILE: Field = Field::new(
     "file",
-    Form::Text("the name of a file .csv, .npy or .png"),
+    Form::Text("the name of a file x3p, sur, sdf, npy, png or of a text"),
     "heights towards the other body: a row for each row of cells, the first at the smallest y (of \
-     a PNG in greys, with 8 or 16 bits, at the greatest)",
+     a PNG in greys, with 8 or 16 bits, at the greatest), or in a text a list of points x y z",
 )
 .of(&[HEIGHTS])
 .such_as("\"heights.csv\"");
 const SCALE: Field = Field::number("scale", LENGTH, "height of one unit of the file")
     .of(&[HEIGHTS])
     .default(Default::Number(1.0));
+const UNIT: Field = Field::new(
+    "unit",
+    Form::Text("a unit of length such as m, mm, um or nm"),
+    "unit of the heights, and of x and y of a list of points, if the file does not state it",
+)
+.of(&[HEIGHTS])
+.may("the unit in the file, or m")
+.such_as("\"um\"");
+const WHITE: Field = Field::number("range", LENGTH, "height of white over black in a PNG")
+    .of(&[HEIGHTS])
+    .may("a grey level is a unit of the file")
+    .such_as("\"10 um\"");
+const LEVEL: Field = Field::new(
+    "level",
+    Form::Word(&[
+        ("mean", "the mean height"),
+        ("plane", "the plane of best fit"),
+        ("quadratic", "the paraboloid of best fit"),
+    ]),
+    "what is subtracted from the heights, by least squares",
+)
+.of(&[HEIGHTS])
+.may("heights as they are")
+.such_as("\"plane\"");
+const MISSING: Field = Field::new(
+    "missing",
+    Form::Word(&[
+        (FILL, "by a smooth patch of the heights around them"),
+        (NO_CONTACT, "there is no body"),
+    ]),
+    "what stands for points without a height",
+)
+.of(&[HEIGHTS])
+.may("an error if there are such points")
+.such_as("\"fill\"");
+const CROP: Field = Field::new(
+    "crop",
+    Form::Vector(
+        &["left", "lower", "right", "upper"],
+        Range::Point.pure(),
+        "four whole numbers [left, lower, right, upper]",
+    ),
+    "part of the map in points from 0; right and upper are the first beyond it",
+)
+.of(&[HEIGHTS])
+.may("the whole map")
+.such_as("[0, 0, 512, 512]");
 const BASE: Field = Field::number(
     "radius",
     Range::PositiveOrInfinite.of(Dimension::Length),
@@ -130,6 +180,11 @@ pub(in crate::case) const GAP: Field = Field::new(
         CORNERS,
         FILE,
         SCALE,
+        UNIT,
+        WHITE,
+        LEVEL,
+        MISSING,
+        CROP,
         BASE,
         HURST,
         RMS,
@@ -163,15 +218,71 @@ pub enum GapCase {
 /// Heights of a surface, positive towards the other one, from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightFile {
-    /// The file: rows of numbers as CSV without a header, NPY, or a greyscale PNG; relative to the case file.
+    /// The file; relative to the case file.
     pub file: PathBuf,
-    /// Metres for each unit of the file.
+    /// What the file does not say itself.
+    pub reading: Reading,
+    /// Factor of the heights.
     pub scale: f64,
+    /// The part of the map; none for the whole.
+    pub crop: Option<Crop>,
+    /// What is subtracted from the heights.
+    pub level: Option<Level>,
+    /// What stands for missing points; none refuses them.
+    pub missing: Option<Missing>,
     /// The radius of the paraboloid that is added to the heights; infinite for a plane.
     pub radius: f64,
 }
 
+/// What stands for points without a height.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Missing {
+    /// A smooth patch of the heights around them.
+    Fill,
+    /// No body.
+    NoContact,
+}
+
+impl HeightFile {
+    fn read(gap: &Section<'_>) -> Result<Self, CaseError> {
+        if let [unit, scale] = gap.given([&UNIT, &SCALE])[..] {
+            return Err(gap.conflict(unit, scale, "both say what a unit of the file is"));
+        }
+        if let [white, scale] = gap.given([&WHITE, &SCALE])[..] {
+            return Err(gap.conflict(white, scale, "both say what a grey level is"));
+        }
+        let word = |field| gap.has(field).then(|| gap.word(field)).transpose();
+        let reading = Reading {
+            unit: gap.has(&UNIT).then(|| unit(gap)).transpose()?,
+            range: gap.maybe(&WHITE)?,
+            ..Reading::default()
+        };
+        let crop = gap.has(&CROP).then(|| gap.vector::<4>(&CROP)).transpose()?;
+        let missing = |word| if word == FILL { Missing::Fill } else { Missing::NoContact };
+        Ok(Self {
+            file: gap.text(&FILE)?.into(),
+            reading,
+            scale: gap.number(&SCALE)?,
+            crop: crop.map(|parts| Crop(parts.map(|point| point as usize))),
+            level: word(&LEVEL)?.and_then(|word| word.parse().ok()),
+            missing: word(&MISSING)?.map(missing),
+            radius: gap.number(&BASE)?,
+        })
+    }
+}
+
+/// Metres of the unit of the heights.
+fn unit(gap: &Section<'_>) -> Result<f64, CaseError> {
+    let text = gap.text(&UNIT)?;
+    Dimension::Length.read(&format!("1 {text}")).ok_or_else(|| gap.unfit(&UNIT, UNIT.allowed()))
+}
+
 impl GapCase {
+    /// Whether the gap is that of a file, which has a grid of its own.
+    pub(super) fn is_of_file(case: &Section<'_>) -> bool {
+        case.shaped(&GAP, &SHAPE).is_ok_and(|(_, shape)| shape == HEIGHTS)
+    }
+
     /// Reads the gap; rough surfaces and heights are checked against the grid, if there is one.
     pub(in crate::case) fn read(case: &Section<'_>, grid: Option<Grid>) -> Result<Self, CaseError> {
         let (gap, shape) = &case.shaped(&GAP, &SHAPE)?;
@@ -195,13 +306,7 @@ impl GapCase {
             }
             POLYGON => Shape::Punch(Outline::Polygon(gap.rows(&CORNERS)?)),
             ROUGH => return rough(gap, grid),
-            _ => {
-                return Ok(Self::Heights(HeightFile {
-                    file: gap.text(&FILE)?.into(),
-                    scale: gap.number(&SCALE)?,
-                    radius: gap.number(&BASE)?,
-                }));
-            }
+            _ => return Ok(Self::Heights(HeightFile::read(gap)?)),
         };
         let allowed = "such that a cell of the grid lies under the body; is `grid.size` too large?";
         let checked =

@@ -13,7 +13,7 @@ pub(in crate::case) const CELLS: Field = Field::new(
     Form::Vector(&["x", "y"], Range::Cells.pure(), "two whole numbers [along x, along y]"),
     "cells of the grid",
 )
-.or("`accuracy`")
+.or("`accuracy`, or `gap.file`, whose points are then the cells")
 .such_as("[40, 40]");
 /// The field `size` of a grid.
 pub(in crate::case) const SIZE: Field = Field::new(
@@ -25,7 +25,7 @@ pub(in crate::case) const SIZE: Field = Field::new(
     ),
     "sides of the whole grid, on a plate those of the plate; the contact must not reach its border",
 )
-.or("`accuracy`")
+.or("`accuracy`, or `gap.file`, if that states it")
 .such_as("[2.6e-4, 2.6e-4]");
 /// The field `cut` of a grid.
 pub(in crate::case) const CUT: Field = Field::new(
@@ -63,6 +63,15 @@ pub enum GridCase {
     },
     /// A grid chosen for this accuracy.
     Accuracy(f64),
+    /// The points of a file of heights.
+    OfFile {
+        /// Numbers of cells that the file must have, if they are given.
+        cells: Option<[f64; 2]>,
+        /// Sides of the grid, instead of what the file says.
+        size: Option<[f64; 2]>,
+        /// What lies beyond its border.
+        border: Border,
+    },
 }
 
 /// What lies beyond the border of a grid.
@@ -74,6 +83,20 @@ pub enum Border {
     Cut,
     /// The surfaces are periodic.
     Periodic,
+}
+
+impl Border {
+    fn read(grid: &Section<'_>) -> Result<Self, CaseError> {
+        match (grid.switch(&CUT)?, grid.switch(&PERIODIC)?) {
+            (true, true) => {
+                let reason = "bodies that end at the border are not periodic";
+                Err(grid.conflict(&PERIODIC, &CUT, reason))
+            }
+            (true, false) => Ok(Self::Cut),
+            (false, true) => Ok(Self::Periodic),
+            (false, false) => Ok(Self::Free),
+        }
+    }
 }
 
 impl GridCase {
@@ -91,16 +114,47 @@ impl GridCase {
         let [nx, ny] = counts.map(|count| count as usize);
         let made = Grid::new(nx, ny, sizes[0] / counts[0], sizes[1] / counts[1])
             .map_err(|error| grid.out_of_range(&SIZE, error.value, error.allowed))?;
-        let border = match (grid.switch(&CUT)?, grid.switch(&PERIODIC)?) {
-            (true, true) => {
-                let reason = "bodies that end at the border are not periodic";
-                return Err(grid.conflict(&PERIODIC, &CUT, reason));
-            }
-            (true, false) => Border::Cut,
-            (false, true) => Border::Periodic,
-            (false, false) => Border::Free,
+        Ok(Self::Cells { grid: made, border: Border::read(grid)? })
+    }
+
+    /// Reads the table `grid` of a case whose file of heights gives what is not there.
+    pub(in crate::case) fn read_beside_file(
+        case: &Section<'_>,
+        field: &Field,
+    ) -> Result<Self, CaseError> {
+        if !case.has(field) {
+            return Ok(Self::OfFile { cells: None, size: None, border: Border::Free });
+        }
+        let grid = case.section(field)?;
+        if grid.has(&ACCURACY) || grid.has(&CELLS) && grid.has(&SIZE) {
+            return Self::read(&grid);
+        }
+        let pair = |field: &Field| grid.has(field).then(|| grid.vector(field)).transpose();
+        Ok(Self::OfFile { cells: pair(&CELLS)?, size: pair(&SIZE)?, border: Border::read(&grid)? })
+    }
+
+    /// The grid of a file of heights of `points` (columns, rows).
+    ///
+    /// # Errors
+    /// The reason why there is none, in words: other numbers of cells, or a size that neither says.
+    pub fn of_points(&self, points: [usize; 2], spacing: Option<[f64; 2]>) -> Result<Grid, String> {
+        let wanted = self.cells();
+        let [columns, rows] = points;
+        if let Some([nx, ny]) = wanted.filter(|wanted| *wanted != points) {
+            return Err(format!(
+                "the height map has {columns} x {rows} values, the grid {nx} x {ny} cells; leave `grid.cells` away \
+                 to take those of the map, or cut a part out by `crop`"
+            ));
+        }
+        let counts = points.map(|count| count as f64);
+        let steps = match *self {
+            Self::Cells { grid, .. } => Some([grid.dx(), grid.dy()]),
+            Self::OfFile { size: Some([x, y]), .. } => Some([x / counts[0], y / counts[1]]),
+            _ => spacing,
         };
-        Ok(Self::Cells { grid: made, border })
+        let [dx, dy] =
+            steps.ok_or("this file does not state the size of its map: give `grid.size`")?;
+        Grid::new(columns, rows, dx, dy).map_err(|error| error.to_string())
     }
 
     /// The grid that is given; none if one is chosen.
@@ -108,6 +162,16 @@ impl GridCase {
     pub const fn given(&self) -> Option<Grid> {
         match *self {
             Self::Cells { grid, .. } => Some(grid),
+            Self::Accuracy(_) | Self::OfFile { .. } => None,
+        }
+    }
+
+    /// Numbers of cells along x and y; none if they are chosen or those of a file.
+    #[must_use]
+    pub fn cells(&self) -> Option<[usize; 2]> {
+        match *self {
+            Self::Cells { grid, .. } => Some([grid.nx(), grid.ny()]),
+            Self::OfFile { cells, .. } => cells.map(|cells| cells.map(|count| count as usize)),
             Self::Accuracy(_) => None,
         }
     }
@@ -116,7 +180,7 @@ impl GridCase {
     #[must_use]
     pub const fn border(&self) -> Border {
         match *self {
-            Self::Cells { border, .. } => border,
+            Self::Cells { border, .. } | Self::OfFile { border, .. } => border,
             Self::Accuracy(_) => Border::Free,
         }
     }

@@ -60,10 +60,10 @@ pub(in crate::case) fn read(
             let reason = "influence numbers belong to the cells of a grid; give `cells` and `size`";
             Err(case.conflict([&GRID, &ACCURACY], place, reason))
         }
-        GridCase::Cells { border: Border::Periodic, .. } => {
+        _ if grid.border() == Border::Periodic => {
             let reason = "influence numbers are those of bodies without a period";
             Err(case.conflict([&GRID, &PERIODIC], place, reason))
         }
-        GridCase::Cells { .. } => Ok(Some(read)),
+        GridCase::Cells { .. } | GridCase::OfFile { .. } => Ok(Some(read)),
     }
 }

@@ -9,7 +9,7 @@ mod method;
 mod plate;
 
 pub use friction::FrictionCase;
-pub use gap::{GapCase, HeightFile};
+pub use gap::{GapCase, HeightFile, Missing};
 pub use grid::{Border, GridCase};
 pub use influence::InfluenceFile;
 pub use legs::{Leg, Target};
@@ -38,6 +38,7 @@ const BODY_1: Field =
 const BODY_2: Field = Field::new("body_2", Form::Table(&[MATERIAL]), "the other body");
 const GRID: Field =
     Field::new("grid", Form::Table(&[CELLS, SIZE, CUT, PERIODIC, ACCURACY]), "the grid")
+        .or("`gap.file`")
         .begun(&[(&CELLS, ""), (&SIZE, "")]);
 /// The field `tolerance` of a contact.
 pub(super) const TOLERANCE: Field = Field::number(
@@ -116,6 +117,7 @@ impl SolveCase {
             .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
         let grid = match accuracy {
             Some(accuracy) => GridCase::Accuracy(accuracy),
+            None if GapCase::is_of_file(&case) => GridCase::read_beside_file(&case, &GRID)?,
             None => GridCase::read(&case.section(&GRID)?)?,
         };
         let gap = GapCase::read(&case, grid.given())?;

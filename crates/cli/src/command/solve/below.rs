@@ -9,7 +9,8 @@ use carom_special::RangeError;
 use carom_special::linspace;
 use carom_table::Column;
 
-/// Largest depth, over the radius of a circular contact of the same area.
+/// Largest depth, over the radius of a circular contact of the same area or half the shorter side of the contact: the
+/// greatest shear of a line contact lies .78 of its half width deep.
 const RADII: f64 = 3.0;
 
 /// The stress in a body at a depth, in the common axes.
@@ -33,6 +34,17 @@ pub(super) const COLUMNS: &[Column<Below>] = &[
     Column::new("von_mises", "Pa", "equivalent stress", |below| below.stress.von_mises().into()),
 ];
 
+/// Half of the shorter side of the rectangle about the contact, of sides with more than one cell.
+fn shorter(state: &ContactState) -> Option<f64> {
+    let (grid, extent) = (state.pressure.grid(), state.extent()?);
+    let sides = [(grid.nx(), grid.dx(), extent[0]), (grid.ny(), grid.dy(), extent[1])];
+    let halves = sides
+        .into_iter()
+        .filter(|(count, ..)| *count > 1)
+        .map(|(_, width, [first, last])| 0.5 * width * (last - first + 1) as f64);
+    halves.min_by(f64::total_cmp)
+}
+
 /// The stresses along the normal through the cell of maximum pressure, at `count` depths in each
 /// elastic body; empty if the bodies are separated.
 pub(super) fn along_normal(
@@ -46,7 +58,8 @@ pub(super) fn along_normal(
     let Some((_, (x, y))) = greatest.filter(|(pressure, _)| *pressure > 0.0) else {
         return Ok(Vec::new());
     };
-    let reach = RADII * (last.contact_area / std::f64::consts::PI).sqrt();
+    let round = (last.contact_area / std::f64::consts::PI).sqrt();
+    let reach = RADII * shorter(state).map_or(round, |half| half.min(round));
     let depths = linspace(0.0, reach, count);
     type Make = fn(&ContactState, Material) -> Result<Subsurface, RangeError>;
     let bodies: [(u64, Material, Make); 2] = [

@@ -10,13 +10,16 @@ mod view;
 
 use crate::columns::{self, Records};
 use crate::command::case_arguments::{CaseArguments, Given};
+use crate::command::surface::Saved;
 use crate::error::CliError;
 use crate::global_options::Messages;
 use crate::output::{Answer, Format, json};
+use crate::outputs::{Outputs, Place};
 use crate::progress::Progress;
 use carom_cases::Error;
 use carom_cases::case::SolveCase;
 use carom_cases::solve::{Bodies, Followed, Found, Run};
+use carom_halfspace::Field;
 use carom_solver::{Accuracy, StepSummary};
 use kept::Folder;
 use serde::Serialize;
@@ -51,6 +54,54 @@ pub(super) struct Arguments {
     /// maximum pressure.
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     depths: Option<u32>,
+    /// Save the pressure after the last step in Pa as .npy or .x3p.
+    #[arg(long, value_name = "FILE")]
+    pressure: Option<PathBuf>,
+    /// Save the distance of the surfaces after the last step in m as .npy or .x3p.
+    #[arg(long, value_name = "FILE")]
+    gap_map: Option<PathBuf>,
+}
+
+/// Maps of the last step and their places.
+struct Maps {
+    keep: Option<PathBuf>,
+    pressure: Option<Saved>,
+    gap: Option<Saved>,
+}
+
+impl Maps {
+    fn claim(arguments: &Arguments, outputs: &mut Outputs) -> Result<Self, CliError> {
+        let mut map = |option, path: &Option<PathBuf>| {
+            path.as_ref().map(|path| Saved::claim(path, option, outputs)).transpose()
+        };
+        let (pressure, gap) =
+            (map("pressure", &arguments.pressure)?, map("gap-map", &arguments.gap_map)?);
+        let keep = arguments.keep.as_ref().map(|path| outputs.folder("keep", path)).transpose()?;
+        Ok(Self { keep, pressure, gap })
+    }
+
+    /// The files of the state after the last step.
+    fn files(
+        self,
+        followed: &Followed,
+        gap: Option<&Field>,
+    ) -> Result<Vec<(Place, Vec<u8>)>, CliError> {
+        let pressure = (self.pressure, Some(&followed.state.pressure), "pressure in Pa");
+        let gap = (self.gap, gap, "distance of the surfaces in m");
+        let mut files = Vec::new();
+        for (saved, field, meaning) in [pressure, gap] {
+            if let (Some(saved), Some(field)) = (saved, field) {
+                let grid = field.grid();
+                files.push(saved.values(
+                    field.values(),
+                    grid.nx(),
+                    [grid.dx(), grid.dy()],
+                    meaning,
+                )?);
+            }
+        }
+        Ok(files)
+    }
 }
 
 /// Help on the columns of the rows.
@@ -68,9 +119,9 @@ struct Both<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
-    let (Given { case: file, plot }, keep) = arguments.given.read_beside(|outputs| {
-        arguments.keep.as_ref().map(|path| outputs.folder("keep", path)).transpose()
-    })?;
+    let claims = |outputs: &mut Outputs| Maps::claim(arguments, outputs);
+    let (Given { case: file, plot }, mut maps) = arguments.given.read_beside(claims)?;
+    let keep = maps.keep.take();
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
     }
@@ -126,7 +177,9 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
         Some(to) => Some(arguments.given.drawn(to, plot::draw(&followed, &case)?)),
         None => None,
     };
-    Ok(Answer { text, warnings, picture, ..Answer::default() })
+    let gap = maps.gap.as_ref().map(|_| bodies.gap_left(&followed)).transpose()?;
+    let files = maps.files(&followed, gap.as_ref())?;
+    Ok(Answer { text, warnings, picture, files, ..Answer::default() })
 }
 
 /// Continues from the saved steps to the last one; each step is saved when it is complete.

@@ -82,6 +82,14 @@ fn curves(course: &Course<'_, StepSummary>) -> Vec<Panel> {
             &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
         ));
     }
+    let least = steps.iter().map(|step| step.load.f_z).fold(f64::INFINITY, f64::min);
+    if force - least > SAME * force {
+        panels.push(course.paths(
+            "area over force",
+            ["F_z / N", "part of the window"],
+            &[("contact", |s| s.load.f_z, |s| s.contact_share)],
+        ));
+    }
     let torque = ROUND_OFF * force * libm::sqrt(greatest(|s| s.contact_area));
     if steps.iter().any(|step| step.shift.omega != 0.0) {
         panels.push(match greatest(|s| s.load.m_z) > torque {

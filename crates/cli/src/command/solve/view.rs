@@ -5,7 +5,7 @@ use carom_table::Column;
 
 /// The columns of a table to read.
 pub(super) fn readable() -> &'static [Column<StepSummary>] {
-    &StepSummary::COLUMNS[..14]
+    &StepSummary::COLUMNS[..18]
 }
 
 /// The estimated errors of the last step, in a line to read.

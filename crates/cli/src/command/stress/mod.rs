@@ -2,14 +2,13 @@
 
 mod field;
 
-use crate::columns::{self, Record, Records};
+use crate::columns::{self, Fields, Record, Records};
 use crate::command::case_arguments::{CaseArguments, Given};
 use crate::command::plot::{Course, Value};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_cases::stress::{self, Solved, StressPoint};
 use carom_cases::theory::ValidityReport;
-use carom_laws::hertz::HertzState;
 use carom_plot::{Field, Marker, Panel, PlotError, Series};
 use carom_table::row;
 use serde::Serialize;
@@ -40,7 +39,7 @@ pub(super) struct Arguments {
 /// All of a case: the contact and its points.
 #[derive(Serialize)]
 struct Report<'a> {
-    contact: Record<'a, HertzState>,
+    contact: Fields<'a>,
     /// Radius of the stick area over that of the contact.
     stick_radius: f64,
     points: Records<'a, StressPoint>,
@@ -60,14 +59,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let format = arguments.given.format();
     let text = match format {
         Format::Json => json(&Report {
-            contact: Record::new(HertzState::COLUMNS, state),
+            contact: Fields(&state.cells()),
             stick_radius: *stick_radius,
             points: Records(StressPoint::COLUMNS, points),
             greatest: Record::new(StressPoint::COLUMNS, greatest),
             greatest_shear: Record::new(StressPoint::COLUMNS, greatest_shear),
         })?,
         Format::Table(page) => {
-            columns::upright(page, &row(HertzState::COLUMNS, Some(state)))
+            columns::upright(page, &state.cells())
                 + &format!("stick radius over that of the contact: {stick_radius:.6}\n")
                 + "greatest equivalent stress, searched between the points too:\n"
                 + &columns::upright(page, &row(StressPoint::COLUMNS, Some(greatest)))
@@ -84,7 +83,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let mut report = ValidityReport::default();
     report.add(String::new, solved.validity());
     let (caution, warnings) = report.told("loads");
-    let answer = Answer { text, warnings, picture, file, ..Answer::default() };
+    let files = file.into_iter().collect();
+    let answer = Answer { text, warnings, picture, files, ..Answer::default() };
     Ok(answer.cautioned(caution, format))
 }
 

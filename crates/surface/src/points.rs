@@ -1,0 +1,89 @@
+//! Lists of points x, y, z that lie on a regular grid.
+
+use crate::error::SurfaceError;
+use crate::topography::Topography;
+
+/// Part of a step by which a point may lie off its place in the grid.
+const OFF: f64 = 0.05;
+/// Points of the grid for each point of the list, at most: more are scattered points.
+const SPARSE: usize = 8;
+/// One in so many points may have the place of another in a list that is refused for it.
+const TWICE: usize = 100;
+
+/// The places along one axis: the least, the step, the number.
+struct Steps {
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+impl Steps {
+    /// Steps of values in any order; none if they are not multiples of one step.
+    fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
+        let mut sorted: Vec<f64> = values.collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let (first, last) = (*sorted.first()?, *sorted.last()?);
+        if last == first {
+            return Some(Self { first, step: 1.0, count: 1 });
+        }
+        // Values closer than a millionth of the range are one place, written with few digits.
+        let near = 1e-6 * (last - first);
+        let gaps = sorted.windows(2).map(|pair| pair[1] - pair[0]);
+        let smallest = gaps.filter(|gap| *gap > near).fold(f64::INFINITY, f64::min);
+        // The smallest gap carries the round-off of two places, the whole length far less.
+        let count = libm::round((last - first) / smallest) + 1.0;
+        let step = (last - first) / (count - 1.0);
+        let is_even = sorted.iter().all(|value| {
+            let place = (value - first) / step;
+            (place - libm::round(place)).abs() <= OFF
+        });
+        (is_even && count <= sorted.len() as f64).then_some(Self {
+            first,
+            step,
+            count: count as usize,
+        })
+    }
+
+    fn place(&self, value: f64) -> usize {
+        libm::round((value - self.first) / self.step) as usize
+    }
+}
+
+/// The map of points `[x, y, z]`, if x and y lie on a grid; `most` is the largest number of its points.
+///
+/// # Errors
+/// [`SurfaceError::Points`] if two points have one place; `line` gives the line of a point.
+pub(crate) fn map(
+    points: &[[f64; 3]],
+    most: usize,
+    line: impl Fn(usize) -> usize,
+) -> Option<Result<Topography, SurfaceError>> {
+    let [x, y] = [0, 1].map(|axis| Steps::of(points.iter().map(move |point| point[axis])));
+    let (x, y) = (x?, y?);
+    let all = x.count.checked_mul(y.count)?;
+    if x.count < 2 || y.count < 2 || all > points.len().saturating_mul(SPARSE) {
+        return None;
+    }
+    if all > most {
+        return Some(Err(SurfaceError::TooMany { columns: x.count, rows: y.count, most }));
+    }
+    let mut heights = vec![f64::NAN; all];
+    let mut owner = vec![usize::MAX; all];
+    let mut twice = Vec::new();
+    for (number, [px, py, height]) in points.iter().enumerate() {
+        let place = x.place(*px) + x.count * y.place(*py);
+        if owner[place] == usize::MAX {
+            owner[place] = number;
+            heights[place] = *height;
+        } else {
+            twice.push([number, owner[place]]);
+        }
+    }
+    if let Some([second, first]) = twice.first() {
+        // Many are no places at all, but heights of few digits.
+        let is_list = twice.len() <= usize::max(1, points.len() / TWICE);
+        let reason = format!("this point has the place of the one in line {}", line(*first));
+        return is_list.then(|| Err(SurfaceError::Points { line: line(*second), reason }));
+    }
+    Some(Topography::new(x.count, heights).map(|map| map.spaced(Some([x.step, y.step]))))
+}
