@@ -69,6 +69,10 @@ pub struct Rebound {
     pub maximal_approach: f64,
     /// The maximum contact area, a circle for spheres.
     pub maximal_contact: ContactEllipse,
+    /// The pressure in the middle of the contact at the greatest force; 0 where the bodies only graze. It is the greatest of
+    /// an elastic contact. A viscous one falls from then on; a Kelvin-Voigt body is pressed harder at the first touch, without
+    /// limit.
+    pub maximal_pressure: f64,
     /// Kinetic energies, and the energies dissipated by friction and lost in the material.
     pub energy: EnergyBudget,
     /// The torsional impact; `None` if the spin about the normal was not changed.
@@ -93,14 +97,6 @@ pub struct Rebound {
     pub validity: Validity,
     /// Limits of validity that this outcome reaches.
     pub warnings: Vec<Warning>,
-}
-
-impl Rebound {
-    /// The greatest pressure, in the middle of the largest contact; 0 where the bodies only graze.
-    #[must_use]
-    pub fn maximal_pressure(&self) -> f64 {
-        self.maximal_contact.peak_pressure(self.maximal_force)
-    }
 }
 
 impl Torsion {

@@ -89,8 +89,8 @@ impl<E: Ended + 'static> Columns<E> {
         Column::new("maximal_semi_axis_b", "m", "semi-axis of the contact along y", |ended| {
             of(ended, |rebound| rebound.maximal_contact.semi_axis_b())
         }),
-        Column::new("maximal_pressure", "Pa", "in the middle of the contact", |ended| {
-            of(ended, Rebound::maximal_pressure)
+        Column::new("maximal_pressure", "Pa", "in its middle at the greatest force", |ended| {
+            of(ended, |rebound| rebound.maximal_pressure)
         }),
         Column::new("energy_before", "J", "kinetic, without fixed bodies", |ended| {
             of(ended, |rebound| rebound.energy.before)

@@ -130,16 +130,14 @@ impl<'a> NumericalImpact<'a> {
         let before = problem.impact.velocity();
         let tangential = found.tangential * problem.scale();
         let by_law = problem.impact.viscous_step_error().map_err(CollisionError::from)?;
-        let velocity = found.velocity - by_law;
-        let impulse = match by_law.norm() > 0.0 {
-            true => problem.restricted(&velocity),
-            false => found.impulse,
-        };
-        let velocity =
-            if by_law.norm() > 0.0 { before - problem.mobility() * impulse } else { velocity };
+        let off = by_law.velocity.norm();
+        let velocity = found.velocity - by_law.velocity;
+        let impulse = if off > 0.0 { problem.restricted(&velocity) } else { found.impulse };
+        let velocity = if off > 0.0 { before - problem.mobility() * impulse } else { velocity };
         let lost = 0.5 * impulse.dot(&(before + velocity));
+        let friction = (found.finest.friction_heat - by_law.friction_heat).max(0.0);
         let loses = problem.impact.loses();
-        let material_heat = if loses { (lost - found.finest.friction_heat).max(0.0) } else { 0.0 };
+        let material_heat = if loses { (lost - friction).max(0.0) } else { 0.0 };
         let outcome = CoupledOutcome {
             velocity,
             impulse,
@@ -149,8 +147,7 @@ impl<'a> NumericalImpact<'a> {
             maximal_force: found.finest.peak.force,
             compressions: found.finest.compressions,
             method: ImpactMethod::Numerical,
-            error_estimate: (tangential.hypot(found.normal) * before.z + by_law.norm())
-                / before.norm(),
+            error_estimate: (tangential.hypot(found.normal) * before.z + off) / before.norm(),
             warning: None,
         };
         let rebound = self.collision.rebound_of(outcome, Vec::new())?;

@@ -97,6 +97,8 @@ impl Collision {
         RangeError::finite("impulse", impulse.abs().sum())?;
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
+        let pressing = self.viscous_loss(before.z)?.map_or(1.0, |loss| loss.pressing());
+        let maximal_pressure = maximal_contact.peak_pressure(pressing * outcome.maximal_force);
         let spin_share = match torsion {
             Some(_) => 0.0,
             None => self.normal_spin(before.z).greatest_loss().unwrap_or(0.0),
@@ -114,7 +116,7 @@ impl Collision {
             spin_share,
             spin_on_shift,
             coupling,
-            ..self.validity(&outcome, &maximal_contact, share)
+            ..self.validity(&outcome, (&maximal_contact, maximal_pressure), share)
         };
         let r_x = match known.r_x {
             Some(elastic) => Some(elastic),
@@ -136,6 +138,7 @@ impl Collision {
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
             maximal_contact,
+            maximal_pressure,
             energy,
             torsion,
             friction: self.friction,
@@ -253,10 +256,9 @@ impl Collision {
     fn validity(
         &self,
         outcome: &CoupledOutcome,
-        contact: &ContactEllipse,
+        (contact, pressure): (&ContactEllipse, f64),
         wave_share: f64,
     ) -> Validity {
-        let pressure = contact.peak_pressure(outcome.maximal_force);
         let largest = [contact.semi_axis_b(), outcome.maximal_approach, pressure];
         let radius = self.contact.smallest_radius();
         let wave_share = if self.normal_restitution.is_elastic() { wave_share } else { 0.0 };

@@ -19,6 +19,19 @@ const TOLERANCE: f64 = 1e-4;
 /// Shares of the contact radius within which all of it sticks, or slides.
 const WHOLE: f64 = 1e-9;
 
+/// What the step law of a viscous material ([`ViscousLaw`]) has more than the exact impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepError {
+    /// Of the velocity after the impact, contact axes.
+    pub velocity: Vector3<f64>,
+    /// Of the heat of friction.
+    pub friction_heat: f64,
+}
+
+impl StepError {
+    const NONE: Self = Self { velocity: Vector3::new(0.0, 0.0, 0.0), friction_heat: 0.0 };
+}
+
 /// The units of [`crate::viscoelastic`]: m = K = v = 1.
 struct Units {
     time: f64,
@@ -99,6 +112,7 @@ impl CoupledImpact {
             duration: rebound.duration,
             maximal_approach: rebound.maximal_approach,
             maximal_force: rebound.maximal_force,
+            pressing: rebound.pressing,
         };
         let outcome = self.lossy((velocity, impulse), &normal, (lost - friction).max(0.0));
         let error_estimate = rebound.error_estimate * slip / self.velocity.norm();
@@ -193,10 +207,9 @@ impl CoupledImpact {
         loss: &ViscousLoss,
     ) -> Result<CoupledOutcome, CoupledError> {
         let mut outcome = self.outcome(settled);
-        let units = self.units();
-        let friction = settled.run.friction_heat * units.force * units.length;
         let error = self.viscous_step_error()?;
-        outcome.velocity -= error;
+        let friction = self.stepped_heat(settled) - error.friction_heat;
+        outcome.velocity -= error.velocity;
         let impulse = self.mobility.impulse(&self.velocity, &outcome.velocity);
         let normal = (outcome.method == ImpactMethod::Spatial { coupled: false })
             .then(|| self.normal_impulse(loss));
@@ -207,28 +220,37 @@ impl CoupledImpact {
             outcome.velocity.z = -loss.restitution() * self.velocity.z;
         }
         let lost = 0.5 * outcome.impulse.dot(&(self.velocity + outcome.velocity));
-        outcome.material_heat = (lost - friction).max(0.0);
-        outcome.error_estimate += error.norm() / self.velocity.norm();
+        outcome.material_heat = (lost - friction.max(0.0)).max(0.0);
+        outcome.error_estimate += error.velocity.norm() / self.velocity.norm();
         Ok(outcome)
     }
 
-    /// By how much the step law of a viscous material ([`ViscousLaw`]) errs in the velocity after this impact, if nothing
-    /// coupled or turned: zero for an elastic material.
+    fn stepped_heat(&self, settled: &Settled) -> f64 {
+        let units = self.units();
+        settled.run.friction_heat * units.force * units.length
+    }
+
+    /// By how much the step law errs in this impact if nothing coupled or turned; by nothing in an elastic material.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
-    pub fn viscous_step_error(&self) -> Result<Vector3<f64>, CoupledError> {
-        let Some(loss) = &self.loss else { return Ok(Vector3::zeros()) };
+    pub fn viscous_step_error(&self) -> Result<StepError, CoupledError> {
+        let Some(loss) = &self.loss else { return Ok(StepError::NONE) };
         let (slip, direction) = length_and_direction(&self.velocity);
-        let Ok(groups) = self.groups(&direction) else { return Ok(Vector3::zeros()) };
+        let Ok(groups) = self.groups(&direction) else { return Ok(StepError::NONE) };
         if slip == 0.0 {
-            return Ok(Vector3::zeros());
+            return Ok(StepError::NONE);
         }
-        let exact = ViscoelasticImpact::new(groups, *loss).solve(TOLERANCE).restitution;
+        let impact = ViscoelasticImpact::new(groups, *loss);
+        let exact = impact.solve(TOLERANCE);
+        let heat = self.friction_heat(exact.friction_heat, impact.psi(), &direction);
         let twin = self.twin(&direction)?;
-        let stepped = -twin.settled(TurningLaw::FixedDirection)?.run.velocity.x;
-        let stepped = stepped * self.velocity.z / slip;
-        Ok(direction * ((exact - stepped) * slip))
+        let settled = twin.settled(TurningLaw::FixedDirection)?;
+        let stepped = settled.run.velocity.x * self.velocity.z;
+        Ok(StepError {
+            velocity: direction * (stepped + exact.restitution * slip),
+            friction_heat: twin.stepped_heat(&settled) - heat,
+        })
     }
 
     // The same impact along its slip, solved in steps though nothing couples.

@@ -27,6 +27,12 @@ pub(super) struct Problem {
     pub(super) loss: Option<ViscousLoss>,
 }
 
+/// What the same impact of similar bodies without spin does.
+pub(super) struct Exact {
+    pub(super) rates: Rates,
+    pub(super) friction_heat: f64,
+}
+
 /// Tolerance of R_x of similar bodies with a loss.
 const ALIKE: f64 = 1e-4;
 
@@ -71,28 +77,42 @@ impl Problem {
 
     /// R_x of the impact of similar bodies.
     pub(super) fn exact_restitution(&self) -> Result<f64, RingImpactError> {
+        Ok(self.alike_rebound()?[0])
+    }
+
+    /// R_x of the impact of similar bodies, and its heat of friction.
+    fn alike_rebound(&self) -> Result<[f64; 2], RingImpactError> {
         let [speed, xi, eta, _] = self.motion.before;
         let [along, across, _] = self.motion.mobility;
-        let chi = across / (along * self.constants.kappa);
+        let kappa = self.constants.kappa;
+        let chi = across / (along * kappa);
         let slip = xi.hypot(eta);
         let psi = match self.friction.coefficient() {
             None => 0.0,
             Some(0.0) => f64::INFINITY,
-            Some(f) => slip / (self.constants.kappa * speed * f),
+            Some(f) => slip / (kappa * speed * f),
         };
         let groups = Groups::new(chi, psi)?;
         if let Some(loss) = self.loss {
-            return Ok(ViscoelasticImpact::new(groups, loss).solve(ALIKE).restitution);
+            let impact = ViscoelasticImpact::new(groups, loss);
+            let rebound = impact.solve(ALIKE);
+            let over = slip / impact.psi();
+            return Ok([
+                rebound.restitution,
+                over * over * rebound.friction_heat / (kappa * along),
+            ]);
         }
         let impact = ObliqueImpact::new(groups).map_err(CollisionError::from)?;
-        Ok(impact.restitution())
+        let r_x = impact.restitution();
+        Ok([r_x, 0.5 * slip * slip * (1.0 - r_x) * (1.0 + r_x) / across])
     }
 
-    /// The rates after the same impact of similar bodies without spin.
-    pub(super) fn exact(&self) -> Result<Rates, RingImpactError> {
+    /// The same impact of similar bodies without spin.
+    pub(super) fn exact(&self) -> Result<Exact, RingImpactError> {
         let [speed, xi, eta, _] = self.motion.before;
-        let restitution = self.exact_restitution()?;
-        Ok([-self.normal() * speed, -restitution * xi, -restitution * eta, 0.0])
+        let [r_x, friction_heat] = self.alike_rebound()?;
+        let rates = [-self.normal() * speed, -r_x * xi, -r_x * eta, 0.0];
+        Ok(Exact { rates, friction_heat })
     }
 
     /// The normal restitution of similar bodies.

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::levels::{Floor, LEVELS, Level, SPINNING};
 use super::motion::{Passage, Rates};
-use super::problem::Problem;
+use super::problem::{Exact, Problem};
 use super::sliding::Slide;
 use super::spinning::Extrapolated;
 use super::{RingImpact, RingImpactError};
@@ -62,6 +62,10 @@ impl Problem {
                 *after = before + part * (*after - before);
             }
         }
+        let [along, ..] = self.motion.mobility;
+        let taken = (1.0 - self.normal() * self.normal()) * speed * speed / along;
+        let lost = self.energy(&self.motion.before) - self.energy(&passage.after);
+        passage.friction_heat = 0.5 * (lost - taken).max(0.0);
         let touch = Sample {
             time: 0.0,
             shift: Vector3::zeros(),
@@ -199,12 +203,13 @@ impl Problem {
     }
 
     /// By how much the step law of a viscous material is corrected, over f v_z: as much may be left of its error.
-    pub(super) fn taken_from_viscous_law(&self, alike: &Passage, exact: &Rates) -> f64 {
+    pub(super) fn taken_from_viscous_law(&self, alike: &Passage, exact: &Exact) -> f64 {
         if self.loss.is_none() {
             return 0.0;
         }
         let over = self.scale() * self.motion.before[0];
-        libm::hypot(exact[1] - alike.after[1], exact[2] - alike.after[2]) / over
+        let [_, x, y, _] = exact.rates;
+        libm::hypot(x - alike.after[1], y - alike.after[2]) / over
     }
 }
 
@@ -226,7 +231,7 @@ pub(super) trait Correction {
         problem: &Problem,
         level: &Level,
         passage: Passage,
-        exact: &Rates,
+        exact: &Exact,
     ) -> Result<Option<Corrected>, RingImpactError>;
 }
 
@@ -242,12 +247,13 @@ impl Correction for Compared {
         problem: &Problem,
         level: &Level,
         mut passage: Passage,
-        exact: &Rates,
+        exact: &Exact,
     ) -> Result<Option<Corrected>, RingImpactError> {
         let (alike, part) = (level.passage(&problem.alike())?, problem.taken_off());
         for (i, part) in [1.0, part, part, 0.0].into_iter().enumerate() {
-            passage.after[i] += part * (exact[i] - alike.after[i]);
+            passage.after[i] += part * (exact.rates[i] - alike.after[i]);
         }
+        passage.friction_heat += part * (exact.friction_heat - alike.friction_heat);
         let Some(last) = self.last.replace(passage.after) else { return Ok(None) };
         let change: Rates =
             std::array::from_fn(|i| level.left * (passage.after[i] - last[i]).abs());

@@ -7,7 +7,7 @@
 use super::RingImpactError;
 use super::levels::Level;
 use super::motion::{Passage, Rates};
-use super::problem::Problem;
+use super::problem::{Exact, Problem};
 use super::refine::{Corrected, Correction};
 
 /// What may be left of the part that is taken off.
@@ -40,12 +40,16 @@ impl Correction for Extrapolated {
         problem: &Problem,
         level: &Level,
         mut passage: Passage,
-        exact: &Rates,
+        exact: &Exact,
     ) -> Result<Option<Corrected>, RingImpactError> {
-        passage.after[0] += exact[0] - level.normal(problem)?;
+        passage.after[0] += exact.rates[0] - level.normal(problem)?;
         let by_law = match problem.loss {
             None => 0.0,
-            Some(_) => problem.taken_from_viscous_law(&level.passage(&problem.alike())?, exact),
+            Some(_) => {
+                let alike = level.passage(&problem.alike())?;
+                passage.friction_heat += exact.friction_heat - alike.friction_heat;
+                problem.taken_from_viscous_law(&alike, exact)
+            }
         };
         let first = self.last.is_none();
         let run = Spun::after(self.last.as_ref(), passage.after, level.rings);
@@ -81,7 +85,7 @@ impl Problem {
     }
 
     /// Twice the energy that an impact can change.
-    fn energy(&self, rates: &Rates) -> f64 {
+    pub(super) fn energy(&self, rates: &Rates) -> f64 {
         let [along, across, about] = self.motion.mobility;
         let part =
             |rate: f64, mobility: f64| if mobility > 0.0 { rate * rate / mobility } else { 0.0 };

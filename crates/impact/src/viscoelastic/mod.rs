@@ -200,6 +200,9 @@ pub struct ViscoelasticRebound {
     pub maximal_approach: f64,
     /// Greatest normal force over K times that length^(3/2).
     pub maximal_force: f64,
+    /// Pressure in the middle at the greatest force, over that of this force on the largest contact; below 1, since a viscous
+    /// contact bears its greatest force before it is largest.
+    pub pressing: f64,
 }
 
 /// The numbers of steps of a half.
@@ -219,6 +222,16 @@ pub(crate) struct NormalRebound {
     pub(crate) maximal_approach: f64,
     /// Over K times that length^(3/2).
     pub(crate) maximal_force: f64,
+    /// The pressure in the middle at the greatest force, over that of this force on the largest contact.
+    pub(crate) pressing: f64,
+}
+
+impl NormalRebound {
+    /// `pressed` is the root of the approach at which an elastic contact has the pressure at the greatest force.
+    fn new([duration, maximal_approach]: [f64; 2], [maximal_force, pressed]: [f64; 2]) -> Self {
+        let pressing = maximal_approach * pressed / maximal_force;
+        Self { duration, maximal_approach, maximal_force, pressing }
+    }
 }
 
 impl ViscousLoss {
@@ -232,6 +245,11 @@ impl ViscousLoss {
         }
     }
 
+    /// The pressure in the middle at the greatest force, over that of this force on the largest contact.
+    pub(crate) fn pressing(&self) -> f64 {
+        self.normal_rebound().pressing
+    }
+
     /// The relaxation of other materials than Kelvin's and Voigt's.
     fn relaxing(&self) -> Option<Relaxation> {
         match self.rheology {
@@ -243,11 +261,7 @@ impl ViscousLoss {
 
 fn normal_rebound(pulse: &Pulse, ends: &Ends) -> NormalRebound {
     let [(compression, turn), (_, last)] = ends;
-    NormalRebound {
-        duration: last.time,
-        maximal_approach: turn.approach,
-        maximal_force: pulse.greatest_force(*compression),
-    }
+    NormalRebound::new([last.time, turn.approach], pulse.greatest_force(*compression))
 }
 
 impl ViscoelasticImpact {
@@ -291,6 +305,7 @@ impl ViscoelasticImpact {
             duration: normal.duration,
             maximal_approach: normal.maximal_approach,
             maximal_force: normal.maximal_force,
+            pressing: normal.pressing,
         }
     }
 

@@ -127,25 +127,44 @@ impl Pulse {
         -last.speed
     }
 
-    /// The greatest force, at a zero of its derivative in compression or at the turn.
-    pub(super) fn greatest_force(&self, length: f64) -> f64 {
+    /// The root of the approach at which an elastic contact has the same pressure in its middle, in compression: tau times
+    /// the rate of Hertz's pressure joins it.
+    fn pressed(&self, at: &State) -> f64 {
+        let viscous = if self.tau > 0.0 { 0.5 * self.tau * at.speed / at.edge } else { 0.0 };
+        at.edge + viscous
+    }
+
+    /// The greatest force, at a zero of its derivative in compression or at the turn, and the root of the approach at which
+    /// an elastic contact has the pressure that is then in the middle.
+    pub(super) fn greatest_force(&self, length: f64) -> [f64; 2] {
         let half = Half::Compression;
         let step = length / SEARCH;
         let mut at = State::TOUCH;
-        let mut forces = [0.0; 3];
-        let mut most = 0.0_f64;
+        let (mut forces, mut pressed) = ([0.0; 3], [0.0; 3]);
+        let mut most = [0.0; 2];
         for _ in 0..=SEARCH as usize {
             forces = [forces[1], forces[2], self.force(half, &at)];
+            pressed = [pressed[1], pressed[2], self.pressed(&at)];
             let [one, two, three] = forces;
-            let bend = one - 2.0 * two + three;
-            let slope = 0.5 * (three - one);
-            let is_peak = two >= one && two >= three && bend < 0.0;
-            let peak = if is_peak { two - 0.5 * slope * slope / bend } else { three };
-            most = most.max(peak);
+            let is_peak = two >= one && two >= three && one - 2.0 * two + three < 0.0;
+            let peak = if is_peak { peak(forces, pressed) } else { [three, pressed[2]] };
+            if peak[0] > most[0] {
+                most = peak;
+            }
             at = self.step(half, &at, step);
         }
         most
     }
+}
+
+// The vertex of a parabola through three equidistant values, and other three values there.
+fn peak([one, two, three]: [f64; 3], others: [f64; 3]) -> [f64; 2] {
+    let (bend, slope) = (one - 2.0 * two + three, 0.5 * (three - one));
+    let at = -slope / bend;
+    let other = others[1]
+        + at * 0.5 * (others[2] - others[0])
+        + 0.5 * at * at * (others[0] - 2.0 * others[1] + others[2]);
+    [two + 0.5 * slope * at, other]
 }
 
 /// The states at the beginning of contact.

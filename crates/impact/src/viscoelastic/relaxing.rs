@@ -96,13 +96,14 @@ pub(super) struct Ended {
     pub(super) restitution: f64,
     pub(super) duration: f64,
     pub(super) maximal_approach: f64,
-    pub(super) maximal_force: f64,
+    /// The greatest force, and the root of the approach at which an elastic contact has the pressure that is then in the
+    /// middle.
+    pub(super) strongest: [f64; 2],
 }
 
 impl From<Ended> for NormalRebound {
     fn from(ended: Ended) -> Self {
-        let Ended { duration, maximal_approach, maximal_force, .. } = ended;
-        Self { duration, maximal_approach, maximal_force }
+        Self::new([ended.duration, ended.maximal_approach], ended.strongest)
     }
 }
 
@@ -308,16 +309,34 @@ impl Row {
             total.along += width * g;
         }
         let [f, g] = self.forces[last];
-        let beyond = match (edge, self.forces.get(self.touching)) {
-            (Some(edge), None) => edge - self.place(last),
-            (_, Some([next, _])) => self.spacing * f / (f - next.min(0.0)),
-            (None, None) => 0.0,
-        };
+        let beyond = self.beyond(last, edge);
         total.normal += 0.5 * beyond * f;
         total.along += 0.5 * beyond * g;
         total.normal *= 1.5;
         total.along *= 1.5;
         total
+    }
+
+    /// How far the contact reaches beyond its last spring.
+    fn beyond(&self, last: usize, edge: Option<f64>) -> f64 {
+        let [f, _] = self.forces[last];
+        match (edge, self.forces.get(self.touching)) {
+            (Some(edge), None) => edge - self.place(last),
+            (_, Some([next, _])) => self.spacing * f / (f - next.min(0.0)),
+            (None, None) => 0.0,
+        }
+    }
+
+    /// The root of the approach at which an elastic contact has the same pressure in its middle, `-(1/2) int f'(x)/x dx` by
+    /// Abel's transform.
+    fn pressed(&self, edge: Option<f64>) -> f64 {
+        let Some(last) = self.touching.checked_sub(1) else { return 0.0 };
+        let between = |i: usize| {
+            let fall = self.forces[i][0] - self.forces[i + 1][0];
+            fall / (self.place(i) + 0.5 * self.spacing)
+        };
+        let ends = self.forces[last][0] / (self.place(last) + 0.5 * self.beyond(last, edge));
+        0.5 * ((0..last).map(between).sum::<f64>() + ends)
     }
 }
 
@@ -339,7 +358,7 @@ pub(super) fn follow(
         restitution: 0.0,
         duration: 0.0,
         maximal_approach: 0.0,
-        maximal_force: 0.0,
+        strongest: [0.0; 2],
     };
     for number in 1..=PATIENCE * steps {
         approach += dt * speed;
@@ -350,11 +369,14 @@ pub(super) fn follow(
         if grows {
             power += row.touch(approach, relaxation, &push);
         }
-        let total = row.total(grows.then(|| approach.sqrt()));
+        let edge = grows.then(|| approach.sqrt());
+        let total = row.total(edge);
         ended.run.heat += 1.5 * power * dt;
         ended.duration = number as f64 * dt;
         ended.maximal_approach = ended.maximal_approach.max(approach);
-        ended.maximal_force = ended.maximal_force.max(total.normal);
+        if total.normal > ended.strongest[0] {
+            ended.strongest = [total.normal, row.pressed(edge)];
+        }
         let (half, drag) = (0.5 * dt * total.normal, 0.5 * dt * chi * total.along);
         observe(Instant {
             time: ended.duration,

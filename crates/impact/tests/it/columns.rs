@@ -79,7 +79,7 @@ fn columns_of_a_rebound_show_its_fields() {
         ("maximal_approach", "m", Value::Number(r.maximal_approach)),
         ("maximal_semi_axis_a", "m", Value::Number(r.maximal_contact.semi_axis_a())),
         ("maximal_semi_axis_b", "m", Value::Number(r.maximal_contact.semi_axis_b())),
-        ("maximal_pressure", "Pa", Value::Number(r.maximal_pressure())),
+        ("maximal_pressure", "Pa", Value::Number(r.maximal_pressure)),
         ("energy_before", "J", Value::Number(r.energy.before)),
         ("energy_after", "J", Value::Number(r.energy.after)),
         ("energy_dissipated", "J", Value::Number(r.energy.dissipated)),

@@ -60,6 +60,32 @@ fn known_values_are_met_within_the_estimate() {
     }
 }
 
+/// Maxwell's material, by the equations of its rates while the contact grows: force and pressure rise like those of Hertz
+/// and decay.
+#[test]
+fn the_pressure_is_that_at_the_greatest_force() {
+    for e in [0.8, 0.5] {
+        let loss = ViscousLoss::of_restitution_in(Rheology::Maxwell, e).unwrap();
+        let known =
+            ViscoelasticImpact::new(Groups::of_spheres(1.2, 2.0).unwrap(), loss).solve(1e-4);
+        let (mut approach, mut speed, dt) = (0.0, 1.0, 1e-5);
+        let (mut force, mut pressed, mut strongest) = (0.0, 0.0, [0.0; 2]);
+        while speed > 0.0 {
+            let next: f64 = approach + dt * speed;
+            let keeps = 1.0 - dt / loss.relaxation();
+            force = keeps * force + next.powf(1.5) - approach.powf(1.5);
+            pressed = keeps * pressed + next.sqrt() - approach.sqrt();
+            approach = next;
+            speed -= dt * force;
+            if force > strongest[0] {
+                strongest = [force, pressed];
+            }
+        }
+        let expected = approach * strongest[1] / strongest[0];
+        assert!((known.pressing / expected - 1.0).abs() < 5e-3, "{e}: {known:?} {expected}");
+    }
+}
+
 /// Where all slides, every material gives the same.
 #[test]
 fn sliding_is_that_of_any_material() {

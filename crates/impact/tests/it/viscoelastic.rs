@@ -258,6 +258,32 @@ fn the_history_is_that_of_the_viscous_impact() {
     }
 }
 
+/// Kelvin-Voigt bodies without friction, integrated in time: each stress has A times its rate as a companion.
+#[test]
+fn the_greatest_pressure_is_that_in_the_middle_at_the_greatest_force() {
+    for e in [1.0, 0.9, 0.5, 0.3] {
+        let rebound = of(&on_floor(e));
+        let tau = ViscousLoss::of_restitution(e).unwrap().relaxation();
+        // Units of m = K = v = 1; pressure as the root of the approach of an elastic contact.
+        let (mut approach, mut speed, dt) = (1e-5, 1.0, 1e-5);
+        let mut strongest = [0.0; 2];
+        while speed > 0.0 {
+            let root = f64::sqrt(approach);
+            let force = root * (approach + 1.5 * tau * speed);
+            if force > strongest[0] {
+                strongest = [force, root + tau * speed / (2.0 * root)];
+            }
+            speed -= dt * force;
+            approach += dt * speed;
+        }
+        let hertz = rebound.maximal_contact.peak_pressure(rebound.maximal_force);
+        let expected = hertz * approach * strongest[1] / strongest[0];
+        let ratio = rebound.maximal_pressure / expected;
+        assert!((ratio - 1.0).abs() < 2e-3, "{e}: {ratio}");
+        assert!(rebound.maximal_pressure <= hertz);
+    }
+}
+
 /// Rings of like materials without spin end where the exact impact does: the error of their step law is taken off.
 #[test]
 fn rings_meet_the_exact_impact_where_nothing_couples() {
@@ -271,8 +297,7 @@ fn rings_meet_the_exact_impact_where_nothing_couples() {
         assert!((rings.motions[0].velocity.z / exact.motions[0].velocity.z - 1.0).abs() < 1e-9);
         let lost = exact.energy.before - exact.energy.after;
         let heat = (rings.energy.dissipated - exact.energy.dissipated).abs();
-        // The step law shares the loss out differently.
-        assert!(heat < 0.05 * lost, "{e} {:?} {:?}", rings.energy, exact.energy);
+        assert!(heat < 1e-3 * lost, "{e} {:?} {:?}", rings.energy, exact.energy);
     }
 }
 
@@ -296,8 +321,9 @@ fn an_almost_round_body_rebounds_like_a_ball() {
             let apart = (rebound.contact_velocity_after - exact.contact_velocity_after).norm();
             let allowed = rebound.error_estimate * exact.contact_velocity_before.norm();
             assert!(apart < allowed + 2.0 * stretch, "{e} {stretch}: {apart} {allowed}");
-            let energy = rebound.energy;
-            assert!(energy.dissipated > 0.0 && energy.lost > 0.0, "{energy:?}");
+            let lost = exact.energy.before - exact.energy.after;
+            let heat = rebound.energy.dissipated - exact.energy.dissipated;
+            assert!(heat.abs() < (1e-3 + stretch) * lost, "{e}: {:?} {:?}", rebound.energy, exact);
         }
     }
 }
