@@ -195,7 +195,7 @@ pub struct LogEntry {
     pub regime: Regime,
 }
 
-/// One instant of an impact, in contact axes.
+/// One instant of an impact, in contact axes; those of two balls turn with the line of centres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistoryPoint {
     /// Time since first contact.
@@ -212,6 +212,8 @@ pub struct HistoryPoint {
     pub stick_radius: Option<f64>,
     /// Regime; its sign is that of the traction on body 1 along the initial slip.
     pub regime: Regime,
+    /// The z axis of the contact in space. x and y turn with it on the shortest way from the first contact.
+    pub normal: Vector3<f64>,
 }
 
 impl HistoryPoint {
@@ -236,6 +238,9 @@ impl HistoryPoint {
         }),
         Column::text("regime", "", "sign: traction on body 1 along the first slip", |point| {
             point.regime.name().into()
+        }),
+        Column::vector("normal", "", "z axis of the contact in space, into body 1", |point| {
+            <[f64; 3]>::from(point.normal).into()
         }),
     ];
 }

@@ -7,17 +7,13 @@
 //! difference, from .012 on all of it, is added to the rebound, whatever the method that found it. What is left out counts in
 //! the estimate. Nothing jumps.
 
-use carom_laws::coulomb::Tolerance;
-use carom_laws::grains::{Grain, GrainContact, Heats, Meeting};
-use carom_laws::shift_law::ShiftLaw;
 use carom_special::RangeError;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Rotation3, Vector3};
 
+use super::balls::{Balls, Followed, Moment, STEPS, moment_at};
 use super::{Collision, CollisionError, velocity_at};
-use crate::body::Body;
-use crate::coupled::TurningLaw;
 use crate::motion::Motion;
-use crate::outcome::Rebound;
+use crate::outcome::{HistoryPoint, Rebound};
 use crate::viscoelastic::ViscousLoss;
 use crate::warning::Warning;
 
@@ -25,55 +21,10 @@ use crate::warning::Warning;
 const ANGLES: [f64; 2] = [7e-3, 1.2e-2];
 /// With radii this many times as large the axes are as good as kept.
 const KEPT: f64 = 64.0;
-/// Steps of an elastic impact, in two runs.
-const STEPS: [usize; 2] = [48, 96];
-/// Steps of a contact, at most, over those of an elastic impact.
-const PATIENCE: usize = 64;
+/// What the axes turn in a contact over how much more than with large radii.
+const WHOLE: f64 = KEPT / (KEPT - 1.0);
 /// The share of the change that may be wrong: the contact law of the change neglects coupling and spin about the normal.
 const LEFT: f64 = 0.03;
-
-/// Two balls in contact, as a code for particles has them.
-struct Balls<'a> {
-    collision: &'a Collision,
-    radii: [f64; 2],
-    relaxation: f64,
-}
-
-/// Motions after a contact, what it gave body 1, and heats.
-#[derive(Clone, Copy)]
-struct Followed {
-    motions: [Motion; 2],
-    impulse: Vector3<f64>,
-    friction_heat: f64,
-}
-
-impl Followed {
-    fn combined(&self, part: f64, other: &Self) -> Self {
-        let sum = |one: &Vector3<f64>, two: &Vector3<f64>| one + part * (two - one);
-        let motion = |i: usize| Motion {
-            velocity: sum(&self.motions[i].velocity, &other.motions[i].velocity),
-            spin: sum(&self.motions[i].spin, &other.motions[i].spin),
-        };
-        Self {
-            motions: [motion(0), motion(1)],
-            impulse: sum(&self.impulse, &other.impulse),
-            friction_heat: self.friction_heat + part * (other.friction_heat - self.friction_heat),
-        }
-    }
-
-    fn less(&self, other: &Self) -> Self {
-        let zero = self.combined(1.0, self);
-        let motion = |i: usize| Motion {
-            velocity: zero.motions[i].velocity - other.motions[i].velocity,
-            spin: zero.motions[i].spin - other.motions[i].spin,
-        };
-        Self {
-            motions: [motion(0), motion(1)],
-            impulse: self.impulse - other.impulse,
-            friction_heat: self.friction_heat - other.friction_heat,
-        }
-    }
-}
 
 /// What the contact axes of two balls do during an impact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -134,41 +85,104 @@ impl Collision {
         Ok(turned)
     }
 
-    fn turned(&self, rebound: Rebound) -> Result<Rebound, CollisionError> {
+    fn turned(&self, mut rebound: Rebound) -> Result<Rebound, CollisionError> {
         let angle = self.turn_of_centres(rebound.duration);
-        let counts = self.axes == Axes::Turning && angle > 0.0;
-        let Some(radii) = self.radii().filter(|_| counts) else { return Ok(rebound) };
-        let part = ((angle - ANGLES[0]) / (ANGLES[1] - ANGLES[0])).clamp(0.0, 1.0);
+        let part = self.part_of_turn(rebound.duration);
+        let Some(radii) = self.radii().filter(|_| self.axes == Axes::Turning) else {
+            return Ok(rebound);
+        };
         // What is left out of the normal velocity: v_t^2 T/(R_1 + R_2).
         let across = angle * (radii[0] + radii[1]) / rebound.duration;
-        let mut rebound = rebound;
-        rebound.error_estimate += (1.0 - part) * angle * across / self.velocity().norm();
+        let whole = angle * across / self.velocity().norm();
+        rebound.error_estimate += (1.0 - part) * whole;
         if part == 0.0 {
             return Ok(rebound);
         }
-        let pulse = self.pulse(self.velocity().z)?;
-        let loss = self.normal_restitution.viscous(self.wave_share(&pulse), &pulse)?;
-        let unit = pulse.time_unit() * libm::pow(1.25, -0.4);
-        // What the turn changes is taken as in a Kelvin-Voigt material of the same restitution.
-        let loss = loss.map(|loss| ViscousLoss::of_restitution(loss.restitution())).transpose()?;
-        let relaxation = loss.map_or(0.0, |loss| unit * loss.relaxation());
-        let balls = Balls { collision: self, radii, relaxation };
-        let dt = pulse.duration();
+        let (balls, free) = (self.balls(radii)?, self.pulse(self.velocity().z)?.duration());
         let change = |steps: usize| -> Result<Followed, RangeError> {
-            let dt = dt / steps as f64;
-            Ok(balls.followed(1.0, dt)?.less(&balls.followed(KEPT, dt)?))
+            let dt = free / steps as f64;
+            let run = |scale| balls.followed(scale, dt, |_, _, _| ());
+            Ok(run(1.0)?.less(&run(KEPT)?))
         };
         let [coarse, fine] = STEPS.map(change);
         let (Ok(coarse), Ok(fine)) = (coarse, fine) else {
             // Sizes beyond those of particles: the turn is left out, and counts.
-            rebound.error_estimate += part * angle * across / self.velocity().norm();
+            rebound.error_estimate += part * whole;
             return Ok(rebound);
         };
-        // With large radii the axes turn by a 64th.
         let limit = coarse.combined(4.0 / 3.0, &fine);
         let spread = self.contact_velocity(&fine.motions) - self.contact_velocity(&coarse.motions);
-        let part = part * KEPT / (KEPT - 1.0) * self.normal_restitution.part_of_yield();
-        Ok(self.changed(rebound, (&limit, part), spread.norm()))
+        self.changed(rebound, (&limit, part * WHOLE), spread.norm())
+    }
+
+    /// How much of the turn in this time counts, from 0 to 1.
+    fn part_of_turn(&self, duration: f64) -> f64 {
+        let angle = self.turn_of_centres(duration);
+        match self.axes {
+            Axes::Turning => ((angle - ANGLES[0]) / (ANGLES[1] - ANGLES[0])).clamp(0.0, 1.0),
+            Axes::Kept => 0.0,
+        }
+    }
+
+    /// The contact whose axes turn; what the turn changes is taken as in a Kelvin-Voigt material of the same restitution.
+    fn balls(&self, radii: [f64; 2]) -> Result<Balls<'_>, RangeError> {
+        let speed = self.velocity().z;
+        let unit = self.pulse(speed)?.time_unit() * libm::pow(1.25, -0.4);
+        let loss = self.viscous_loss(speed)?;
+        let loss = loss.map(|loss| ViscousLoss::of_restitution(loss.restitution())).transpose()?;
+        let relaxation = loss.map_or(0.0, |loss| unit * loss.relaxation());
+        Ok(Balls { collision: self, radii, relaxation })
+    }
+
+    /// A history in axes that turn with the centres, from that with axes that are kept.
+    pub(super) fn in_turning_axes(
+        &self,
+        points: Vec<HistoryPoint>,
+    ) -> Result<Vec<HistoryPoint>, CollisionError> {
+        let duration = points.last().map_or(0.0, |last| last.time);
+        let part = self.part_of_turn(duration);
+        let Some(radii) = self.radii().filter(|_| part > 0.0) else { return Ok(points) };
+        let (balls, free) = (self.balls(radii)?, self.pulse(self.velocity().z)?.duration());
+        let course = |scale: f64, steps: usize| balls.moments(scale, free / steps as f64);
+        let [coarse, fine] = STEPS.map(|steps| [course(1.0, steps), course(KEPT, steps)]);
+        let ([Ok(one), Ok(two)], [Ok(three), Ok(four)]) = (coarse, fine) else {
+            // Sizes beyond those of particles.
+            return Ok(points);
+        };
+        let change = |share: f64| {
+            let [one, two, three, four] =
+                [&one, &two, &three, &four].map(|moments| moment_at(moments, share));
+            let (coarse, fine) = (one.plus(-1.0, &two), three.plus(-1.0, &four));
+            coarse.plus(4.0 / 3.0, &fine.plus(-1.0, &coarse))
+        };
+        let turned = |point: HistoryPoint| {
+            let change = change(point.time / duration);
+            self.moved(point, &Moment::default().plus(part * WHOLE, &change))
+        };
+        points.into_iter().map(turned).collect()
+    }
+
+    fn moved(
+        &self,
+        mut point: HistoryPoint,
+        change: &Moment,
+    ) -> Result<HistoryPoint, CollisionError> {
+        point.time += change.time;
+        point.shift += change.shift;
+        point.velocity += change.velocity;
+        point.force += change.force;
+        point.shift.z = point.shift.z.max(0.0);
+        point.force.z = point.force.z.max(0.0);
+        let friction = self.static_friction.map_or(self.friction, |both| both.threshold());
+        let (pull, limit) = (point.force.xy().norm(), friction.get() * point.force.z);
+        if pull > limit {
+            point.force.x *= limit / pull;
+            point.force.y *= limit / pull;
+        }
+        point.semi_axes = self.semi_axes(point.shift.z)?;
+        point.stick_radius = point.stick_radius.map(|radius| radius.min(point.semi_axes[0]));
+        point.normal = Rotation3::new(change.turn) * self.frame().z();
+        Ok(point)
     }
 
     /// The velocity of body 2 against body 1 at the first contact point.
@@ -176,7 +190,23 @@ impl Collision {
         velocity_at(motions, &self.levers, self.frame())
     }
 
-    fn changed(&self, mut next: Rebound, (change, part): (&Followed, f64), spread: f64) -> Rebound {
+    fn changed(
+        &self,
+        mut next: Rebound,
+        (change, whole): (&Followed, f64),
+        spread: f64,
+    ) -> Result<Rebound, CollisionError> {
+        let [heat, duration, approach, force] = change.numbers.map(|number| whole * number);
+        next.duration += duration;
+        let pressed = next.maximal_contact.peak_pressure(next.maximal_force);
+        next.maximal_approach = (next.maximal_approach + approach).max(f64::MIN_POSITIVE);
+        next.maximal_force = (next.maximal_force + force).max(0.0);
+        next.maximal_contact = self.hertz.ellipse(next.maximal_approach)?;
+        if pressed > 0.0 {
+            next.maximal_pressure *=
+                next.maximal_contact.peak_pressure(next.maximal_force) / pressed;
+        }
+        let part = whole * self.normal_restitution.part_of_yield();
         // The spin about the first normal is left to the torsional impact.
         let z = self.frame().z();
         for (motion, by) in next.motions.iter_mut().zip(&change.motions) {
@@ -184,7 +214,7 @@ impl Collision {
             motion.spin += part * (by.spin - z * by.spin.dot(&z));
         }
         next.impulse += part * change.impulse;
-        self.book(&mut next, part * change.friction_heat);
+        self.book(&mut next, self.normal_restitution.part_of_yield() * heat);
         let after = self.contact_velocity(&next.motions);
         let before = self.velocity();
         next.contact_velocity_after = self.frame().to_space(&after);
@@ -193,7 +223,7 @@ impl Collision {
         }
         let size = self.contact_velocity(&change.motions).norm();
         next.error_estimate += (spread + LEFT * size) / before.norm();
-        next
+        Ok(next)
     }
 
     /// Energies after a change of the motions; without any loss the relative speed is that which keeps the energy.
@@ -228,76 +258,6 @@ impl Collision {
         let part = (1.0 + missing / energy).max(0.0).sqrt();
         for motion in motions {
             motion.velocity = middle + part * (motion.velocity - middle);
-        }
-    }
-}
-
-impl Balls<'_> {
-    fn contact(&self) -> Result<GrainContact, RangeError> {
-        // The cheapest law: only the change by the turn is taken from it.
-        let (stiffness, law) = (self.collision.hertz.stiffness(), TurningLaw::FixedDirection);
-        let law = match self.collision.static_friction {
-            Some(friction) => {
-                ShiftLaw::with_static_friction(law, stiffness, friction, Tolerance::default())
-            }
-            None => ShiftLaw::with_fixed_direction(stiffness, self.collision.friction),
-        };
-        GrainContact::new(law, self.relaxation)
-    }
-
-    /// The contact in leapfrog steps, with radii `scale` times as large and spins as much slower, so that all velocities
-    /// and mobilities at the contact are the same.
-    fn followed(&self, scale: f64, dt: f64) -> Result<Followed, RangeError> {
-        let collision = self.collision;
-        let bodies = &collision.bodies;
-        let mut grains = [0, 1].map(|i| self.grain(i, scale));
-        let inverse = bodies.each_ref().map(|body| body.inertia().inverse_mass());
-        let tensors: [Matrix3<f64>; 2] =
-            [0, 1].map(|i| collision.levers[i].inverse_tensor() / (scale * scale));
-        let mut contact = self.contact()?;
-        let (mut impulse, mut heats) = (Vector3::zeros(), Heats::default());
-        for _ in 0..PATIENCE * STEPS[1] {
-            for grain in &mut grains {
-                for k in 0..3 {
-                    grain.place[k] += dt * grain.velocity[k];
-                }
-            }
-            let meeting = Meeting::of_spheres(&grains[0], &grains[1], [0.5; 2])?;
-            // Without a loss of the material the balance of energies tells the heat.
-            let load = match self.relaxation > 0.0 {
-                true => contact.advance_accounted(&meeting, dt, &mut heats)?,
-                false => contact.advance(&meeting, dt)?,
-            };
-            if meeting.is_apart() && impulse != Vector3::zeros() {
-                break;
-            }
-            let force = Vector3::from(load.force);
-            impulse += dt * force;
-            for (i, sign) in [1.0, -1.0].into_iter().enumerate() {
-                let velocity = Vector3::from(grains[i].velocity) + force * (sign * dt * inverse[i]);
-                let turn = tensors[i] * Vector3::from(load.torques[i]) * dt;
-                grains[i].velocity = velocity.into();
-                grains[i].spin = (Vector3::from(grains[i].spin) + turn).into();
-            }
-        }
-        let motions = grains.map(|grain| Motion {
-            velocity: grain.velocity.into(),
-            spin: Vector3::from(grain.spin) * scale,
-        });
-        Ok(Followed { motions, impulse, friction_heat: heats.friction })
-    }
-
-    // Body 2 lies at the origin.
-    fn grain(&self, i: usize, scale: f64) -> Grain {
-        let body: &Body = &self.collision.bodies[i];
-        let [one, two] = self.radii;
-        let away = if i == 0 { scale * (one + two) } else { 0.0 };
-        Grain {
-            place: (self.collision.frame().z() * away).into(),
-            velocity: body.motion().velocity.into(),
-            spin: (body.motion().spin / scale).into(),
-            radius: scale * self.radii[i],
-            mass: body.inertia().mass(),
         }
     }
 }

@@ -13,6 +13,10 @@ impl Collision {
     /// without an impact. Exact for spheres and planes; for other bodies interpolated linearly between
     /// computed steps.
     ///
+    /// The axes of two balls turn with their line of centres ([`HistoryPoint::normal`]), unless they are kept
+    /// ([`Collision::keeping_axes`]). The last velocity is then that of the motions after the impact, at the contact point of
+    /// that instant, within the estimated error of the outcome.
+    ///
     /// # Errors
     /// As [`Collision::solve`]; [`RangeError`] for fewer than two instants.
     pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, CollisionError> {
@@ -33,9 +37,12 @@ impl Collision {
                 semi_axes: self.semi_axes(sample.shift.z)?,
                 stick_radius: self.is_symmetric().then(radius).transpose()?,
                 regime,
+                normal: self.frame().z(),
             })
         };
-        impact.traced(&direction, &times)?.into_iter().map(point).collect()
+        let points: Result<_, CollisionError> =
+            impact.traced(&direction, &times)?.into_iter().map(point).collect();
+        self.in_turning_axes(points?)
     }
 
     /// `count` equally spaced instants of an impact that was computed elsewhere, interpolated linearly
@@ -54,7 +61,7 @@ impl Collision {
             return Ok(Vec::new());
         };
         let mut from = 0;
-        instants(last.time, count)
+        let points: Result<_, CollisionError> = instants(last.time, count)
             .map(|time| {
                 while from + 2 < computed.len() && computed[from + 1].time < time {
                     from += 1;
@@ -62,7 +69,8 @@ impl Collision {
                 let to = (from + 1).min(computed.len() - 1);
                 self.between(&computed[from], &computed[to], time, initial)
             })
-            .collect()
+            .collect();
+        self.in_turning_axes(points?)
     }
 
     /// The regimes of an impact that was computed elsewhere, each with the first step in which it occurs;
@@ -94,10 +102,11 @@ impl Collision {
             semi_axes: self.semi_axes(shift.z)?,
             stick_radius: None,
             regime: stage.regime(force.xy().dot(&initial.xy()) >= 0.0),
+            normal: self.frame().z(),
         })
     }
 
-    fn semi_axes(&self, approach: f64) -> Result<[f64; 2], RangeError> {
+    pub(super) fn semi_axes(&self, approach: f64) -> Result<[f64; 2], RangeError> {
         if approach <= 0.0 {
             return Ok([0.0; 2]);
         }

@@ -1,6 +1,7 @@
 //! The collision of two bodies of any smooth shape, position and motion: contact point and rebound.
 
 mod aftermath;
+mod balls;
 mod columns;
 mod glancing;
 mod history;

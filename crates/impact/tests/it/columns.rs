@@ -158,6 +158,7 @@ fn columns_of_a_course_show_its_fields() {
             ("semi_axis_b", "m", Value::Number(p.semi_axes[1])),
             ("stick_radius", "m", Value::Number(0.789)),
             ("regime", "", p.regime.name().into()),
+            ("normal", "", vector(p.normal)),
         ],
     );
     let torsion =

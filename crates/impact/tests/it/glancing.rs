@@ -2,11 +2,12 @@
 
 use carom_halfspace::Material;
 use carom_impact::{
-    AnalyticOrRings, Body, Collision, CollisionSolver, Motion, NormalRestitution, Rebound,
+    AnalyticOrRings, Body, Collision, CollisionSolver, HistoryPoint, Motion, NormalRestitution,
+    Rebound,
 };
 use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
-use nalgebra::Vector2;
+use nalgebra::{Rotation3, Vector2, Vector3};
 
 use crate::draw::Draw;
 
@@ -110,100 +111,227 @@ fn nothing_jumps_where_the_turn_begins_to_count() {
     }
 }
 
-/// Two balls in a plane whose contact is a row of springs, in axes that turn with the centres: shares no code with the
-/// library. Returns velocities and spins.
-struct Springs {
-    place: Vec<f64>,
-    bent: Vec<f64>,
-    touched: Vec<bool>,
+/// The restitution of the normal motion of Kelvin-Voigt springs with this relaxation time, in units of m = K = v = 1.
+fn restitution(tau: f64) -> f64 {
+    let (mut zeta, mut speed, dt) = (0.0_f64, 1.0_f64, 1e-3);
+    loop {
+        zeta += dt * speed;
+        let pressed = zeta + tau * speed.min(0.0);
+        if pressed <= 0.0 {
+            return -speed;
+        }
+        let grows = 1.5 * tau * zeta.max(0.0).sqrt() * speed.max(0.0);
+        speed -= dt * (pressed.powf(1.5) + grows);
+    }
 }
 
-fn integrated(
-    pair: &Pair,
-    collision: &Collision,
-    friction: f64,
-    steps: usize,
-) -> [(Vector2<f64>, f64); 2] {
+fn relaxation(e: f64) -> f64 {
+    let mut bounds = [0.0, 4.0];
+    for _ in 0..30 {
+        let middle = 0.5 * (bounds[0] + bounds[1]);
+        bounds[usize::from(restitution(middle) < e)] = middle;
+    }
+    if e < 1.0 { bounds[0] } else { 0.0 }
+}
+
+/// An instant of the springs: time, approach, forces along and across the line of centres, its angle from the first one.
+#[derive(Clone, Copy)]
+struct Instant {
+    time: f64,
+    zeta: f64,
+    force: Vector2<f64>,
+    angle: f64,
+}
+
+/// Velocities and spins after an integration of springs, and its instants.
+struct Known {
+    after: [(Vector2<f64>, f64); 2],
+    course: Vec<Instant>,
+}
+
+/// Two balls in a plane whose contact is a row of springs with dashpots beside them, in axes that turn with the centres:
+/// shares no code with the library. Springs lie at x = sqrt(depth of touch): F_z = c_z int (zeta - x^2) dx.
+fn integrated(pair: &Pair, collision: &Collision, [friction, e]: [f64; 2], steps: usize) -> Known {
     let ContactStiffness { c_x, c_z, .. } = collision.hertz().stiffness();
     let (radius, mass) = (pair.radius, pair.mass);
     let inertia = 0.4 * mass * radius * radius;
-    let bodies = collision.bodies();
     let plane = |i: usize| {
-        let motion = bodies[i].motion();
+        let motion = collision.bodies()[i].motion();
         (Vector2::new(motion.velocity.x, motion.velocity.z), motion.spin.y)
     };
     let mut at = [Vector2::new(0.0, 2.0 * radius), Vector2::zeros()];
     let mut state = [plane(0), plane(1)];
-    // Springs at x = sqrt(depth of touch): F_z = c_z int (zeta - x^2) dx.
+    let speed = collision.velocity().z;
+    let unit = ((0.5 * mass) / (2.0 / 3.0 * c_z)).powf(0.4) * speed.powf(-0.2);
+    let (tau, greatest) = (unit * relaxation(e), 1.5 * unit * speed);
     let count = 400;
-    let duration = rebound(collision).duration;
-    let greatest = 1.3 * rebound(collision).maximal_approach;
     let dx = greatest.sqrt() / count as f64;
     let place: Vec<f64> = (0..count).map(|i| ((i as f64 + 0.5) * dx).powi(2)).collect();
-    let mut row = Springs { bent: vec![0.0; count], touched: vec![false; count], place };
-    let dt = duration / steps as f64;
-    for _ in 0..20 * steps {
+    let (mut bent, mut has_left) = (vec![0.0; count], vec![false; count]);
+    let dt = 3.3 * unit / steps as f64;
+    let mut course = Vec::new();
+    for step in 1..=20 * steps {
         for i in 0..2 {
             at[i] += dt * state[i].0;
         }
         let apart = at[0] - at[1];
         let normal = apart / apart.norm();
         let zeta = 2.0 * radius - apart.norm();
-        if zeta <= 0.0 {
-            break;
-        }
         // x, y, z right-handed with z up: a spin about y moves the lower side of body 1 against x.
         let tangent = Vector2::new(normal.y, -normal.x);
-        let slip = (state[1].0 - state[0].0).dot(&tangent) + radius * (state[0].1 + state[1].1);
+        let moves = state[1].0 - state[0].0;
+        let slip = moves.dot(&tangent) + radius * (state[0].1 + state[1].1);
         let (mut f_x, mut f_z) = (0.0, 0.0);
         for i in 0..count {
-            let depth = zeta - row.place[i];
-            if depth <= 0.0 {
-                (row.bent[i], row.touched[i]) = (0.0, false);
+            let depth = zeta - place[i];
+            let pressed = c_z * (depth + tau * moves.dot(&normal));
+            if depth <= 0.0 || pressed <= 0.0 {
+                has_left[i] |= pressed <= 0.0 && depth > 0.0;
+                bent[i] = 0.0;
                 continue;
             }
-            let share = if row.touched[i] { 1.0 } else { (depth / (dt * 1e-30 + depth)).min(1.0) };
-            row.touched[i] = true;
-            let limit = friction * c_z * depth;
-            let force = (c_x * (row.bent[i] + share * slip * dt)).clamp(-limit, limit);
-            row.bent[i] = force / c_x;
+            if has_left[i] {
+                continue;
+            }
+            let limit = friction * pressed;
+            let force = (c_x * (bent[i] + (dt + tau) * slip)).clamp(-limit, limit);
+            bent[i] += dt * (force / c_x - bent[i]) / (dt + tau);
             f_x += force * dx;
-            f_z += c_z * depth * dx;
+            f_z += pressed * dx;
+        }
+        course.push(Instant {
+            time: step as f64 * dt,
+            zeta,
+            force: Vector2::new(f_x, f_z),
+            angle: normal.x.atan2(normal.y),
+        });
+        if f_z == 0.0 && step > steps / 10 {
+            break;
         }
         let force = normal * f_z + tangent * f_x;
-        let torque = radius * f_x;
         for (i, sign) in [1.0, -1.0].into_iter().enumerate() {
             state[i].0 += force * (sign * dt / mass);
-            state[i].1 -= torque * dt / inertia;
+            state[i].1 -= radius * f_x * dt / inertia;
         }
     }
-    state
+    Known { after: state, course }
 }
 
-#[test]
-fn drawn_pairs_leave_as_an_integration_of_springs_says() {
+/// A drawn pair that meets at 60 to 89.9 degrees, with friction, spins and a restitution.
+fn drawn(draw: &mut Draw) -> (Pair, Collision, [f64; 2]) {
+    let young = 10.0_f64.powf(7.0 + 4.0 * draw.next());
+    let pair = Pair::of_density(4.5e-3, 2500.0, young, 0.5 * draw.next());
+    let speed = (0.2 + draw.next()) * (young / 1e9).powf(0.4);
+    let (degrees, friction) = (60.0 + 29.9 * draw.next(), 0.5 * draw.next());
+    let spin = |draw: &mut Draw| (2.0 * draw.next() - 1.0) * speed / pair.radius;
+    let spins = [spin(draw), spin(draw)];
+    let e = (0.3 + 0.9 * draw.next()).min(1.0);
+    let collision = pair.collision(speed, degrees, friction, spins);
+    let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+    (pair, lossy, [friction, e])
+}
+
+/// The largest error of the velocities of so many drawn pairs, over the greatest velocity before; and how many the estimate
+/// covers.
+fn compared(count: usize, steps: usize) -> (f64, usize) {
     let mut draw = Draw(0x0061_a9c1);
-    let (mut covered, count) = (0, 24);
+    let (mut covered, mut greatest) = (0, 0.0_f64);
     for _ in 0..count {
-        let young = 10.0_f64.powf(7.0 + 4.0 * draw.next());
-        let pair = Pair::of_density(4.5e-3, 2500.0, young, 0.5 * draw.next());
-        let speed = (0.2 + draw.next()) * (young / 1e9).powf(0.4);
-        let (degrees, friction) = (60.0 + 29.5 * draw.next(), 0.5 * draw.next());
-        let spin = |draw: &mut Draw| (2.0 * draw.next() - 1.0) * speed / pair.radius;
-        let spins = [spin(&mut draw), spin(&mut draw)];
-        let collision = pair.collision(speed, degrees, friction, spins);
+        let (pair, collision, [friction, e]) = drawn(&mut draw);
         let rebound = rebound(&collision);
-        let known = integrated(&pair, &collision, friction, 4000);
+        let known = integrated(&pair, &collision, [friction, e], steps);
         let mut worst = 0.0_f64;
-        for (motion, (velocity, spin)) in rebound.motions.iter().zip(known) {
+        for (motion, (velocity, spin)) in rebound.motions.iter().zip(known.after) {
             let off = Vector2::new(motion.velocity.x, motion.velocity.z) - velocity;
             worst = worst.max(off.norm()).max(pair.radius * (motion.spin.y - spin).abs());
         }
         let before = rebound.contact_velocity_before.norm();
-        assert!(worst < 4e-3 * before, "{degrees} {friction}: {worst} of {before}");
-        covered += usize::from(worst <= rebound.error_estimate * before + 1e-3 * before);
+        let speed = collision.bodies()[0].motion().velocity.norm();
+        greatest = greatest.max(worst / speed.max(before));
+        covered += usize::from(worst <= rebound.error_estimate * before + 1e-4 * before);
     }
-    assert!(covered * 100 >= 95 * count, "{covered} of {count}");
+    (greatest, covered)
+}
+
+#[test]
+fn drawn_pairs_leave_as_an_integration_of_springs_says() {
+    let (greatest, covered) = compared(40, 4000);
+    assert!(greatest < 4e-3 && covered >= 38, "{greatest}: {covered} of 40");
+}
+
+#[test]
+#[ignore = "a minute; 40 of the pairs run always"]
+fn five_hundred_drawn_pairs_leave_as_an_integration_of_springs_says() {
+    let (greatest, covered) = compared(500, 8000);
+    assert!(greatest < 4e-3 && covered >= 475, "{greatest}: {covered} of 500");
+}
+
+/// The largest differences of a history from an integration of springs: approach, forces, turn of the axes, each over its
+/// largest value.
+fn course_off(points: &[HistoryPoint], known: &[Instant]) -> [f64; 3] {
+    let size = |of: fn(&Instant) -> f64| known.iter().map(of).fold(0.0, f64::max);
+    let (deepest, strongest) = (size(|at| at.zeta), size(|at| at.force.norm()));
+    let widest = size(|at| at.angle.abs());
+    let mut off = [0.0_f64; 3];
+    for point in points {
+        let after = known.partition_point(|at| at.time < point.time).min(known.len() - 1);
+        let (Some(from), to) = (after.checked_sub(1).map(|i| known[i]), known[after]) else {
+            continue;
+        };
+        let part = ((point.time - from.time) / (to.time - from.time)).clamp(0.0, 1.0);
+        let between = |one: f64, two: f64| one + part * (two - one);
+        let force = Vector2::new(point.force.x, point.force.z) - from.force.lerp(&to.force, part);
+        let angle = point.normal.x.atan2(point.normal.z) - between(from.angle, to.angle);
+        off[0] = off[0].max((point.shift.z - between(from.zeta, to.zeta)).abs() / deepest);
+        off[1] = off[1].max(force.norm() / strongest);
+        off[2] = off[2].max(angle.abs() / widest);
+    }
+    off
+}
+
+/// The velocity of body 2 against body 1 after an impact where the balls touch last, in axes that turned with the centres.
+fn velocity_at_the_end(pair: &Pair, rebound: &Rebound, normal: Vector3<f64>) -> Vector3<f64> {
+    let [one, two] = rebound.motions;
+    let slip = (pair.radius * (one.spin + two.spin)).cross(&normal);
+    let axes = Rotation3::rotation_between(&Vector3::z(), &normal).unwrap();
+    axes.inverse() * (two.velocity - one.velocity + slip)
+}
+
+/// The history of glancing balls is in axes that turn with the centres, and ends where the outcome does.
+#[test]
+fn histories_turn_with_the_centres() {
+    let mut draw = Draw(0x0061_a9c2);
+    let mut whole = 0;
+    for _ in 0..40 {
+        let (pair, collision, given) = drawn(&mut draw);
+        let points = collision.history(101).unwrap();
+        let (first, last) = (points[0], points[100]);
+        assert_eq!(first.normal, Vector3::z());
+        assert_eq!((first.velocity, first.force), (collision.velocity(), Vector3::zeros()));
+        let rebound = rebound(&collision);
+        assert!((last.time / rebound.duration - 1.0).abs() < 1e-6, "{last:?} {rebound:?}");
+        let apart = last.velocity - velocity_at_the_end(&pair, &rebound, last.normal);
+        let before = rebound.contact_velocity_before.norm();
+        let estimate = rebound.error_estimate * before;
+        assert!(apart.norm() <= estimate + 1e-12 * before, "{given:?}: {apart} {estimate}");
+        for point in &points {
+            assert!(point.force.x.abs() <= given[0] * point.force.z * (1.0 + 1e-6), "{point:?}");
+        }
+        let across = collision.bodies()[0].motion().velocity.x;
+        let kept = AnalyticOrRings.solve(&collision.clone().keeping_axes()).unwrap();
+        if across * kept.rebound().unwrap().duration / (2.0 * pair.radius) > 0.012 {
+            whole += 1;
+            let off = course_off(&points, &integrated(&pair, &collision, given, 4000).course);
+            assert!(off[0] < 2e-3 && off[1] < 0.02 && off[2] < 5e-3, "{given:?} {off:?}");
+            let most = |of: fn(&HistoryPoint) -> f64| points.iter().map(of).fold(0.0, f64::max);
+            let ratios = [
+                most(|point| point.shift.z) / rebound.maximal_approach,
+                most(|point| point.force.z) / rebound.maximal_force,
+            ];
+            assert!(ratios.iter().all(|ratio| (ratio - 1.0).abs() < 5e-3), "{ratios:?}");
+        }
+    }
+    assert!(whole > 10, "{whole}");
 }
 
 /// Exchanged bodies, and axes that are turned in space, give the same rebound.
@@ -236,7 +364,7 @@ fn bodies_may_be_exchanged_and_axes_turned() {
         let off = exchanged.motions[1 - i].velocity - own.motions[i].velocity;
         assert!(off.norm() < 1e-8, "{off}");
         let [x, y, z] = own.motions[i].velocity.into();
-        let off = turned.motions[i].velocity - nalgebra::Vector3::new(z, x, y);
+        let off = turned.motions[i].velocity - Vector3::new(z, x, y);
         assert!(off.norm() < 1e-8, "{off}");
     }
 }
