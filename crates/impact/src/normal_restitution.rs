@@ -9,6 +9,7 @@
 //! takes `s Q`, Q the heat of the elastic impact, and the material `s (1 - s) J.D.J/2`, D the mobility.
 
 use crate::normal::NormalImpact;
+use crate::restitution_by_speed::RestitutionBySpeed;
 use crate::viscoelastic::{Rheology, ViscousLoss};
 use carom_special::{RangeError, WordError};
 use nalgebra::Vector3;
@@ -34,10 +35,10 @@ use nalgebra::Vector3;
 /// assert!((energy.lost - 0.5 * 0.03 * (2.0 * 2.0 - 1.6 * 1.6)).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct NormalRestitution(Cause);
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 enum Cause {
     /// The restitution of a viscous material.
     Viscous(ViscousLoss),
@@ -47,6 +48,8 @@ enum Cause {
     Relaxation(f64),
     /// The restitution of bodies that yield.
     Yield(f64),
+    /// One of each speed of approach.
+    BySpeed(LossCause, RestitutionBySpeed),
 }
 
 /// What makes bodies lose energy along the normal, where the restitution is given.
@@ -174,6 +177,29 @@ impl NormalRestitution {
         }
     }
 
+    /// The coefficient e by this cause at each speed of approach.
+    ///
+    /// # Errors
+    /// [`RangeError`] as [`NormalRestitution::by`], for each restitution.
+    pub fn by_speed(cause: LossCause, table: RestitutionBySpeed) -> Result<Self, RangeError> {
+        if !matches!(cause, LossCause::Viscous | LossCause::Yield) {
+            table.restitutions().try_for_each(|e| Self::by(cause, e).map(|_| ()))?;
+        }
+        Ok(Self(Cause::BySpeed(cause, table)))
+    }
+
+    /// That of impacts with this speed of approach along the normal, m/s; the same at all speeds, unless it was given by
+    /// speed.
+    ///
+    /// # Errors
+    /// As [`NormalRestitution::by`].
+    pub fn at(&self, speed: f64) -> Result<Self, RangeError> {
+        match &self.0 {
+            Cause::BySpeed(cause, table) => Self::by(*cause, table.at(speed)),
+            _ => Ok(self.clone()),
+        }
+    }
+
     /// The coefficient e of a material whose stress relaxes so. Others than Kelvin's and Voigt's are for impacts in which
     /// nothing couples normal and tangential motion, and e from 0.1.
     ///
@@ -228,8 +254,8 @@ impl NormalRestitution {
     }
 
     /// Whether no energy is lost.
-    pub(crate) fn is_elastic(self) -> bool {
-        self == Self::ELASTIC
+    pub(crate) fn is_elastic(&self) -> bool {
+        *self == Self::ELASTIC
     }
 
     /// The loss of a viscous material in an impact; `pulse` is its elastic normal motion without friction. None without
@@ -238,11 +264,12 @@ impl NormalRestitution {
     /// # Errors
     /// [`RangeError`] if the relaxation takes longer than the impact by far.
     pub(crate) fn viscous(
-        self,
+        &self,
         wave_share: f64,
         pulse: &NormalImpact,
     ) -> Result<Option<ViscousLoss>, RangeError> {
         let loss = match self.0 {
+            Cause::BySpeed(..) => return self.at(pulse.velocity())?.viscous(wave_share, pulse),
             Cause::Yield(_) => return Ok(None),
             Cause::Viscous(loss) => loss,
             Cause::Waves => ViscousLoss::of_restitution((1.0 - wave_share).max(0.0).sqrt())?,
@@ -258,15 +285,16 @@ impl NormalRestitution {
     }
 
     /// Whether it is stated what loses the energy, beside how much.
-    pub(crate) fn is_cause_known(self) -> bool {
+    pub(crate) fn is_cause_known(&self) -> bool {
         match self.0 {
             Cause::Viscous(loss) => loss.rheology() != Rheology::KelvinVoigt,
+            Cause::BySpeed(cause, _) => cause != LossCause::Viscous,
             Cause::Waves | Cause::Relaxation(_) | Cause::Yield(_) => true,
         }
     }
 
     /// (1 + e)/2 of bodies that yield, 1 of others.
-    pub(crate) fn part_of_yield(self) -> f64 {
+    pub(crate) fn part_of_yield(&self) -> f64 {
         match self.0 {
             Cause::Yield(e) => 0.5 * (1.0 + e),
             _ => 1.0,
@@ -274,7 +302,7 @@ impl NormalRestitution {
     }
 
     /// The reduction of an impact of bodies that yield, with these elastic normal velocities before and after.
-    pub(crate) fn damped(self, [before, after]: [f64; 2]) -> Damped {
+    pub(crate) fn damped(&self, [before, after]: [f64; 2]) -> Damped {
         match self.0 {
             Cause::Yield(e) => Damped { part: (before - e * after) / (before - after) },
             _ => Damped { part: 1.0 },

@@ -2,7 +2,7 @@
 
 use carom::impact::{
     Body as Colliding, Collision, HistoryPoint, ImpactFriction, LossCause, NormalRestitution,
-    Outcome, TorsionMode,
+    Outcome, RestitutionBySpeed, TorsionMode,
 };
 use carom::numerical::CollisionLaw;
 use carom::special::{RangeError, WordError};
@@ -24,8 +24,11 @@ use crate::told::{Told, of_impacts};
 /// Least number of impacts for a thread: an exact impact takes some microseconds, a stepped one much longer.
 const SHARE: usize = 8;
 
+/// Speeds and restitutions of a restitution by speed.
+type Table = (Vec<f64>, Vec<f64>);
+
 /// Options of a collision.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Way {
     normal: Option<[f64; 3]>,
     torsion: TorsionMode,
@@ -35,30 +38,46 @@ struct Way {
 }
 
 /// What the number of a loss in the material is.
-#[derive(Clone, Copy)]
 enum Loss {
     Waves,
     Relaxation,
     Restitution(LossCause),
+    BySpeed(NormalRestitution),
 }
 
 impl Loss {
-    fn new(cause: &str) -> PyResult<Self> {
-        let of = |cause: &str| cause.parse().map(Self::Restitution);
+    fn new(cause: &str, table: Option<Table>) -> PyResult<Self> {
+        let of = |cause: &str| cause.parse::<LossCause>();
         match cause {
-            "waves" => Ok(Self::Waves),
-            "relaxation" => Ok(Self::Relaxation),
-            cause => of(cause).map_err(|error| PyValueError::new_err(error.to_string())),
+            "waves" => return Ok(Self::Waves),
+            "relaxation" => return Ok(Self::Relaxation),
+            _ => {}
         }
+        let cause = of(cause).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let Some(table) = table else { return Ok(Self::Restitution(cause)) };
+        let by_speed = by_speed(&table).and_then(|table| NormalRestitution::by_speed(cause, table));
+        Ok(Self::BySpeed(by_speed.map_err(Fault::from)?))
     }
 
-    fn with(self, value: f64) -> Result<NormalRestitution, RangeError> {
+    fn with(&self, value: f64) -> Result<NormalRestitution, RangeError> {
         match self {
             Self::Waves => Ok(NormalRestitution::by_waves()),
             Self::Relaxation => NormalRestitution::viscoelastic(value),
-            Self::Restitution(cause) => NormalRestitution::by(cause, value),
+            Self::Restitution(cause) => NormalRestitution::by(*cause, value),
+            Self::BySpeed(loss) => Ok(loss.clone()),
         }
     }
+}
+
+fn by_speed((speeds, restitutions): &Table) -> Result<RestitutionBySpeed, RangeError> {
+    RestitutionBySpeed::new(speeds, restitutions)
+}
+
+/// The restitutions of a restitution by speed, at these speeds.
+#[pyfunction]
+pub(crate) fn restitution_by_speed(table: Table, speeds: Vec<f64>) -> PyResult<Vec<f64>> {
+    let table = by_speed(&table).map_err(Fault::from)?;
+    Ok(speeds.into_iter().map(|speed| table.at(speed)).collect())
 }
 
 impl Way {
@@ -76,7 +95,7 @@ impl Way {
     }
 
     /// The same with a loss in the material.
-    const fn losing(self, loss: NormalRestitution) -> Self {
+    fn losing(self, loss: NormalRestitution) -> Self {
         Self { loss, ..self }
     }
 
@@ -90,7 +109,7 @@ impl Way {
             Some(normal) => Collision::along(one, two, normal, friction)?,
             None => Collision::touching(one, two, friction)?,
         };
-        collision = collision.with_normal_restitution(self.loss);
+        collision = collision.with_normal_restitution(self.loss.clone());
         if let Some(tolerance) = self.tolerance {
             collision = collision.within(tolerance)?;
         }
@@ -129,9 +148,10 @@ pub(crate) fn collide<'py>(
     torsion: Option<bool>,
     law: &str,
     tolerance: Option<In<Tolerance>>,
-    loss: (String, f64),
+    loss: (String, f64, Option<Table>),
 ) -> PyResult<(Bound<'py, PyDict>, Told, String)> {
-    let lost = Loss::new(&loss.0)?.with(loss.1).map_err(Fault::from)?;
+    let (cause, value, table) = loss;
+    let lost = Loss::new(&cause, table)?.with(value).map_err(Fault::from)?;
     let way = Way::new(normal, torsion, law, tolerance)?.losing(lost);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve = || -> Result<(Outcome, String), Fault> {
@@ -160,10 +180,11 @@ pub(crate) fn collide_many<'py>(
     torsion: Option<bool>,
     law: &str,
     tolerance: Option<In<Tolerance>>,
-    loss: (String, Numbers<'py>),
+    loss: (String, Numbers<'py>, Option<Table>),
 ) -> PyResult<(Bound<'py, PyDict>, Told)> {
     let way = Way::new(normal, torsion, law, tolerance)?;
-    let (cause, values) = (Loss::new(&loss.0)?, loss.1.as_slice()?);
+    let (cause, values, table) = loss;
+    let (cause, values) = (Loss::new(&cause, table)?, values.as_slice()?);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
     let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];
@@ -174,15 +195,15 @@ pub(crate) fn collide_many<'py>(
     same_length("normal_restitution", values.len(), friction.len())?;
     // One material for all is made once.
     let first = values.first().map(|value| cause.with(*value)).transpose().map_err(Fault::from)?;
-    let lost = |value: f64| match first {
-        Some(lost) if value == values[0] => Ok(lost),
+    let lost = |value: f64| match &first {
+        Some(lost) if value == values[0] => Ok(lost.clone()),
         _ => cause.with(value),
     };
     let [v_1, w_1, v_2, w_2] = rows;
     let outcomes = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
-        let way = way.losing(lost(values[i])?);
+        let way = way.clone().losing(lost(values[i])?);
         Ok(way.law.solve(&way.collision(one, two, checked(friction[i], beside)?)?)?)
     })?;
     told(py, &outcomes)
@@ -206,8 +227,11 @@ pub(crate) fn history<'py>(
     normal: Option<Row<Normal, 3>>,
     law: &str,
     tolerance: Option<In<Tolerance>>,
+    loss: (String, f64, Option<Table>),
 ) -> PyResult<(Bound<'py, PyDict>, Told, String)> {
-    let way = Way::new(normal, None, law, tolerance)?;
+    let (cause, value, table) = loss;
+    let lost = Loss::new(&cause, table)?.with(value).map_err(Fault::from)?;
+    let way = Way::new(normal, None, law, tolerance)?.losing(lost);
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let trace = || -> Result<(Vec<HistoryPoint>, Outcome, String), Fault> {

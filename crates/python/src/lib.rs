@@ -44,7 +44,7 @@ mod _carom {
         case_solve, case_stress,
     };
     #[pymodule_export]
-    use super::collide::{collide, collide_many, history};
+    use super::collide::{collide, collide_many, history, restitution_by_speed};
     #[pymodule_export]
     use super::contact::Contact;
     #[pymodule_export]

@@ -157,6 +157,8 @@ CALLS = {
     ],
     "MaterialPair": [Call(carom.MaterialPair, {"material_1": STEEL, "material_2": carom.RIGID})],
     "Plate": [Call(carom.Plate, {"a": In(1.0, "m"), "b": In(2.0, "m"), "thickness": In(0.1, "m"), "theory": "mindlin"})],
+    "RestitutionBySpeed": [Call(carom.RestitutionBySpeed, {"speed": In([0.5, 1.0], "m/s"), "restitution": none([0.9, 0.8])})],
+    "RestitutionBySpeed.at": [Call(carom.RestitutionBySpeed([0.5, 1.0], [0.9, 0.8]).at, {"speed": In([1.0, 2.0], "m/s")})],
     "ShiftTwist": [Call(carom.ShiftTwist, {"hertz": HERTZ, "friction": none(0.3)}, lambda **given: state(carom.ShiftTwist(**given)))],
     "ShiftTwist.advance": [
         Call(carom.ShiftTwist.advance, {name: In(one.value[1], one.unit) for name, one in PATH.items()},
@@ -221,7 +223,7 @@ CALLS = {
     "hertz_of_spheres": [
         Call(carom.hertz_of_spheres, {"radius_1": In(0.1, "m"), "radius_2": In(0.2, "m"), "material_1": STEEL, "material_2": STEEL}),
     ],
-    "history": [Call(carom.history, COLLIDE_HISTORY := {name: one for name, one in COLLIDE.items() if name != "torsion"} | {"points": none(5)})],
+    "history": [Call(carom.history, COLLIDE_HISTORY := {name: one for name, one in COLLIDE.items() if name != "torsion"} | LOST | {"points": none(5)})],
     "lubkin_stick_radius": [Call(carom.lubkin_stick_radius, {"twist": none([0.1, 1.0])})],
     "lubkin_torque": [Call(carom.lubkin_torque, {"twist": none(0.1)})],
     "plane": [Call(carom.plane, {"material": STEEL})],

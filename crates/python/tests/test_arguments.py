@@ -84,7 +84,8 @@ CALLS = {
        for body, laws in ((BALL, ("auto", "coulomb", "fixed-direction", "rings", "numerical")), (EGG, ("auto", "coulomb", "numerical")))
        for plane in (STEEL, GLASS) for law in laws},
     "history": (lambda friction=0.3, **given: carom.history(BALL, carom.plane(STEEL), friction, **given),
-                {"friction": 0.31, "points": 7, "static_friction": 0.4, "normal": (0, 0.1, 1), "law": "numerical"}),
+                {"friction": 0.31, "points": 7, "static_friction": 0.4, "normal": (0, 0.1, 1), "law": "numerical", "normal_restitution": 0.8,
+                 "wave_loss": True, "relaxation": 1e-6}),
     **{f"roll {fixed}": (roll(**fixed), {"friction": 0.31, "direction": 30.0, "step": 2e-5, "spin_offset": 0.5, "speed": 2.0, "tolerance": 1e-4,
                                          "creepage_across": 1e-3})
        for fixed in ({}, {"distance": 5e-5})},

@@ -91,6 +91,43 @@ def test_other_materials_have_their_own_names():
         carom.collide(unlike, carom.plane(material), 0.35, normal_restitution=0.8, loss="maxwell")
 
 
+def test_a_restitution_by_speed_is_that_of_its_speed():
+    body_1, body_2 = ball_and_floor()
+    by_speed = carom.RestitutionBySpeed([0.2, 1.0], [0.9, 0.5])
+    e = by_speed.at(0.6105571226)
+    assert e == pytest.approx(np.interp(0.6105571226, [0.2, 1.0], [0.9, 0.5]))
+    one = carom.collide(body_1, body_2, 0.35, normal_restitution=by_speed)
+    assert one.R_x == pytest.approx(carom.collide(body_1, body_2, 0.35, normal_restitution=e).R_x, abs=1e-12)
+    speeds = np.array([0.1, 0.4, 3.0])
+    many = carom.collide_many(
+        body_1, body_2, 0.35, body_1_velocity=[(0.4, 0, -v) for v in speeds], normal_restitution=by_speed, loss="yield"
+    )
+    np.testing.assert_allclose(many.body_1_velocity[:, 2] / speeds, [0.9, 0.8, 0.5], rtol=1e-12)
+    with pytest.raises(ValueError, match="mutually exclusive"):
+        carom.collide(body_1, body_2, 0.35, normal_restitution=by_speed, relaxation=1e-6)
+    for speed, restitution, named in [([1.0], [0.5], "speed"), ([1, 2], [0.5, 1.5], "restitution"), ([2, 1], [0.5, 0.5], "speed")]:
+        with pytest.raises(carom.RangeError, match=named):
+            carom.RestitutionBySpeed(speed, restitution)
+
+
+def test_a_history_has_the_loss():
+    body_1, body_2 = ball_and_floor()
+    course = carom.history(body_1, body_2, 0.35, normal_restitution=0.5)
+    rebound = carom.collide(body_1, body_2, 0.35, normal_restitution=0.5)
+    np.testing.assert_allclose(course.v[-1], rebound.contact_velocity_after, atol=1e-9)
+    assert course.F[:, 2].max() == pytest.approx(rebound.maximal_force, rel=1e-2)
+    np.testing.assert_array_equal(course.normal, np.tile([0.0, 0.0, 1.0], (101, 1)))
+
+
+def test_a_history_of_glancing_balls_turns():
+    soft = carom.Material(1e7, 0.3)
+    comes = carom.sphere(4.5e-3, soft, 9.5e-4, velocity=(0.48, 0, -0.13))
+    course = carom.history(comes, carom.sphere(4.5e-3, soft, 9.5e-4), 0.0, 51)
+    turn = np.arctan2(course.normal[:, 0], course.normal[:, 2])
+    assert turn[0] == 0 and np.all(np.diff(turn) > 0)
+    assert turn[-1] == pytest.approx(0.48 * course.time[-1] / 9e-3, rel=0.05)
+
+
 def test_glancing_balls_turn_their_line_of_centres():
     resin = carom.Material(5.84e9, 0.34)
     for degrees, known in [(80, 0.4540), (85, 0.1849), (88, 0.0213)]:

@@ -6,7 +6,7 @@ use super::range::Range;
 use super::section::Section;
 use super::unit::Dimension;
 use carom_impact::coupled::TurningLaw;
-use carom_impact::{ImpactFriction, LossCause, NormalRestitution, TorsionMode};
+use carom_impact::{ImpactFriction, LossCause, NormalRestitution, RestitutionBySpeed, TorsionMode};
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_laws::static_friction::StaticFriction;
@@ -107,6 +107,25 @@ pub(super) const NORMAL_RESTITUTION: Field = Field::number(
      material dissipates energy",
 )
 .default(Default::Number(1.0));
+const SPEED: Field = Field::new(
+    "speed",
+    Form::List(Range::NonNegativeSpeed.of(Dimension::Speed)),
+    "speeds of approach along the normal, growing; two or more",
+)
+.such_as("[0.1, 1, 10]");
+const RESTITUTION: Field = Field::new(
+    "restitution",
+    Form::List(Range::Part.pure()),
+    "the normal restitution at each of them; straight between them, and constant before the first and after the last",
+)
+.such_as("[0.95, 0.9, 0.7]");
+/// The table in place of the number `normal_restitution`.
+pub(super) const RESTITUTION_BY_SPEED: Field = Field::new(
+    NORMAL_RESTITUTION.name,
+    Form::Table(&[SPEED, RESTITUTION]),
+    "normal restitution by the speed at which the bodies meet along the normal, instead of a number",
+)
+.may("`normal_restitution` is a number");
 const fn word(loss: LossCause) -> (&'static str, &'static str) {
     (loss.name(), loss.meaning())
 }
@@ -157,12 +176,20 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
         return NormalRestitution::viscoelastic(relaxation).map_err(|error| section.refused(error));
     }
     if !section.switch(&WAVE_LOSS)? {
-        let coefficient = section.number(&NORMAL_RESTITUTION)?;
         if section.has(&LOSS) && !section.has(&NORMAL_RESTITUTION) {
             return Err(section.missing(&NORMAL_RESTITUTION));
         }
         let cause = section.word(&LOSS)?.parse().unwrap_or_default();
-        return NormalRestitution::by(cause, coefficient).map_err(|error| section.refused(error));
+        if section.means(&RESTITUTION_BY_SPEED) {
+            let table = section.section(&RESTITUTION_BY_SPEED)?;
+            let by_speed =
+                RestitutionBySpeed::new(&table.list(&SPEED)?, &table.list(&RESTITUTION)?)
+                    .map_err(|error| table.refused(error))?;
+            return NormalRestitution::by_speed(cause, by_speed)
+                .map_err(|error| section.refused(error));
+        }
+        return NormalRestitution::by(cause, section.number(&NORMAL_RESTITUTION)?)
+            .map_err(|error| section.refused(error));
     }
     for other in [&NORMAL_RESTITUTION, &LOSS] {
         if section.has(other) {
@@ -234,7 +261,7 @@ pub(super) fn turning_law(word: &str) -> TurningLaw {
 }
 
 /// Friction, law and torsion of an impact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
     /// The friction, constant or by the slip speed.
     pub friction: ImpactFriction,

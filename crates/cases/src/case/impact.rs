@@ -151,8 +151,8 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
         None => meet(one),
         Some(approach) => approach.meet(&one, touch.is_approach(), meet),
     };
-    let collision =
-        collision.map_err(at_fault)?.with_normal_restitution(contact.normal_restitution);
+    let loss = contact.normal_restitution.clone();
+    let collision = collision.map_err(at_fault)?.with_normal_restitution(loss);
     let collision = collision.with_torsion_mode(contact.torsion);
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }

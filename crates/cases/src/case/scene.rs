@@ -3,7 +3,8 @@
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
     FRICTION, FRICTION_BY_SPEED, LAW_OF_SCENE, LOSS_OF_WALL, NORMAL_RESTITUTION, RELAXATION,
-    STATIC_FRICTION, TORSION, WAVE_LOSS, impact_friction, normal_restitution, torsion_mode,
+    RESTITUTION_BY_SPEED, STATIC_FRICTION, TORSION, WAVE_LOSS, impact_friction, normal_restitution,
+    torsion_mode,
 };
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Schema};
@@ -58,6 +59,7 @@ const WALL: Field = Field::new(
         FRICTION_BY_SPEED,
         STATIC_FRICTION,
         NORMAL_RESTITUTION,
+        RESTITUTION_BY_SPEED,
         LOSS_OF_WALL,
         WAVE_LOSS,
         RELAXATION,

@@ -2,8 +2,8 @@
 
 use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII};
 use super::contact::{
-    FRICTION, FRICTION_BY_SPEED, LAW, LOSS, NORMAL_RESTITUTION, RELAXATION, STATIC_FRICTION,
-    TORSION, WAVE_LOSS,
+    FRICTION, FRICTION_BY_SPEED, LAW, LOSS, NORMAL_RESTITUTION, RELAXATION, RESTITUTION_BY_SPEED,
+    STATIC_FRICTION, TORSION, WAVE_LOSS,
 };
 use super::error::{CaseError, CaseFault};
 use super::field::{AXES, Default, Field, Form};
@@ -42,6 +42,7 @@ pub(super) const CONTACT: Field = Field::new(
         LAW,
         TORSION,
         NORMAL_RESTITUTION,
+        RESTITUTION_BY_SPEED,
         LOSS,
         WAVE_LOSS,
         RELAXATION,

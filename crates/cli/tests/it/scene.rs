@@ -59,7 +59,10 @@ fn it_comes_to_rest(case: &str, method: &str, coupling: f64) {
         let warns = bounce["warnings"].to_string().contains("dissimilar materials");
         assert_eq!(warns, method == "uncoupled");
         if bounce["wall"] == "floor" {
-            let taken = 0.75 + normal("velocity") / normal("velocity_before");
+            // Straight between 0.8 at 1 m/s and 0.74 at 5 m/s.
+            let speed = -normal("velocity_before");
+            let e = 0.8 - 0.06 * (speed - 1.0).clamp(0.0, 4.0) / 4.0;
+            let taken = e - normal("velocity") / speed;
             assert!(taken > -1e-12 && taken < coupling, "{taken}");
         }
         let taken = number("energy_dissipated") + number("energy_lost");

@@ -294,6 +294,9 @@ impl Collision {
     /// a loss by yield, duration, greatest force and history are those of the elastic impact.
     #[must_use]
     pub fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
+        // What cannot be had at this speed is refused where it is asked for.
+        let here = normal_restitution.at(self.velocity().z);
+        let normal_restitution = here.unwrap_or(normal_restitution);
         Self { normal_restitution, ..self }
     }
 

@@ -178,7 +178,7 @@ impl Scene {
         Collision::along(body, Body::plane(wall.material()), (*normal).into(), wall.friction())
             .map(|collision| {
                 collision
-                    .with_normal_restitution(wall.normal_restitution())
+                    .with_normal_restitution(wall.normal_restitution().clone())
                     .with_torsion_mode(self.torsion)
             })
             .map_err(|source| SceneError::Collision { wall: index, source })

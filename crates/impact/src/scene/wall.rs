@@ -23,7 +23,7 @@ use crate::normal_restitution::NormalRestitution;
 /// assert_eq!(table.corners(), None);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Wall {
     point: Vector3<f64>,
     normal: Vector3<f64>,
@@ -114,7 +114,7 @@ impl Wall {
 
     /// A wall off which the ball bounces with a loss in the material, [`NormalRestitution`].
     #[must_use]
-    pub const fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
+    pub fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
         Self { normal_restitution, ..self }
     }
 
@@ -148,10 +148,10 @@ impl Wall {
         self.friction
     }
 
-    /// The coefficient of normal restitution of a bounce.
+    /// The loss in the material of a bounce.
     #[must_use]
-    pub const fn normal_restitution(&self) -> NormalRestitution {
-        self.normal_restitution
+    pub const fn normal_restitution(&self) -> &NormalRestitution {
+        &self.normal_restitution
     }
 
     /// The corners of a rectangle, in order around it; None for an infinite plane.

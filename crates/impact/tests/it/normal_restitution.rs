@@ -5,7 +5,9 @@ use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
 use carom_impact::closed_form::wave_loss;
 use carom_impact::scene::{Ball, Ending, Limits, Scene, Wall};
-use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound};
+use carom_impact::{
+    Body, Collision, LossCause, Motion, NormalRestitution, Outcome, Rebound, RestitutionBySpeed,
+};
 use carom_laws::friction::Friction;
 use carom_laws::validity::Limit;
 use proptest::prelude::*;
@@ -220,6 +222,61 @@ fn viscoelastic_bodies_rebound_as_their_equation_of_motion_says() {
         }
         assert!((got + v / speed).abs() < 2e-4, "{speed}: {got} {}", -v / speed);
     }
+}
+
+/// An impact at a speed of the table is that of the number, below and above it that of its ends, in between of the straight
+/// line; by any cause.
+#[test]
+fn a_restitution_by_speed_is_that_of_its_speed() {
+    let table = RestitutionBySpeed::new(&[0.5, 2.0, 4.0], &[0.9, 0.6, 0.7]).unwrap();
+    for cause in LossCause::ALL {
+        let by_speed = NormalRestitution::by_speed(cause, table.clone()).unwrap();
+        for (speed, e) in [(0.1, 0.9), (0.5, 0.9), (1.0, 0.8), (3.0, 0.65), (4.0, 0.7), (40.0, 0.7)]
+        {
+            let impact = on_floor(ball([0.2, 0.0, -speed], [0.0; 3]), 0.3);
+            let solved = |loss: NormalRestitution| {
+                impact.clone().with_normal_restitution(loss).solve().unwrap()
+            };
+            let number = NormalRestitution::by(cause, e).unwrap();
+            let [one, other] = [solved(by_speed.clone()), solved(number)];
+            let off = one.motions()[0].velocity - other.motions()[0].velocity;
+            assert!(off.norm() < 1e-12 * speed, "{} {speed} {off}", cause.name());
+            let uncertain = |outcome: &Outcome| outcome.rebound().unwrap().model_uncertainty;
+            assert!((uncertain(&one) - uncertain(&other)).abs() < 1e-9);
+        }
+    }
+}
+
+/// A ball that falls on a floor rises at each bounce by the restitution of its speed.
+#[test]
+fn a_ball_rises_by_the_restitution_of_its_speed() {
+    let table = RestitutionBySpeed::new(&[1.0, 3.0], &[0.9, 0.5]).unwrap();
+    let loss = NormalRestitution::by_speed(LossCause::Viscous, table.clone()).unwrap();
+    let floor = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, Friction::NONE).unwrap();
+    let scene = Scene::new([0.0, 0.0, -9.81]).unwrap().with(floor.with_normal_restitution(loss));
+    let falls = ball([0.0; 3], [0.0; 3]).at([0.0, 0.0, 0.5]).unwrap();
+    let limits = Limits::new(10.0, 8).unwrap();
+    let path = scene.run(&Ball::new(falls).unwrap(), limits).unwrap();
+    let speeds: Vec<f64> = path.bounces().iter().map(|bounce| -bounce.before.velocity.z).collect();
+    assert!(speeds.len() == 8 && speeds[0] > 2.5 && speeds[7] < 1.0, "{speeds:?}");
+    for pair in speeds.windows(2) {
+        assert!((pair[1] / (table.at(pair[0]) * pair[0]) - 1.0).abs() < 1e-9, "{pair:?}");
+    }
+}
+
+#[test]
+fn a_bad_restitution_by_speed_is_refused_by_name() {
+    let field = |speeds: &[f64], e: &[f64]| RestitutionBySpeed::new(speeds, e).unwrap_err().field;
+    assert_eq!(field(&[1.0], &[0.5]), "speed");
+    assert_eq!(field(&[1.0, 1.0], &[0.5, 0.4]), "speed");
+    assert_eq!(field(&[-1.0, 1.0], &[0.5, 0.4]), "speed");
+    assert_eq!(field(&[1.0, f64::NAN], &[0.5, 0.4]), "speed");
+    assert_eq!(field(&[1.0, 2.0], &[0.5]), "restitution");
+    assert_eq!(field(&[1.0, 2.0], &[0.5, 1.0 + 1e-9]), "restitution");
+    assert_eq!(field(&[1.0, 2.0], &[f64::NAN, 0.5]), "restitution");
+    let table = RestitutionBySpeed::new(&[1.0, 2.0], &[0.5, 0.05]).unwrap();
+    let refused = NormalRestitution::by_speed(LossCause::Maxwell, table);
+    assert_eq!(refused.unwrap_err().field, "normal_restitution");
 }
 
 #[test]

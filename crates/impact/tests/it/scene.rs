@@ -142,7 +142,7 @@ fn impossible_scenes_are_refused() {
         assert!(Wall::new(point, normal, rubber(), f).is_err());
     }
     let plane = rigid_wall([0.0; 3], UP, 0.1);
-    assert_eq!(plane.rectangle(UP, [1.0, 1.0]).unwrap_err().field, "along");
+    assert_eq!(plane.clone().rectangle(UP, [1.0, 1.0]).unwrap_err().field, "along");
     assert_eq!(plane.rectangle([1.0, 0.0, 0.0], [1.0, 0.0]).unwrap_err().field, "half length");
     let rigid = Body::sphere(RADIUS, Material::RIGID, MASS).unwrap();
     let rigid = Ball::new(rigid.at([0.0, 0.0, 1.0]).unwrap()).unwrap();
@@ -185,7 +185,7 @@ fn a_normal_of_any_length_is_a_direction() {
 fn a_ball_rests_below_a_plate_if_gravity_presses_it_upwards() {
     let plate = rigid_wall([0.0; 3], UP, 0.3).rectangle([1.0, 0.0, 0.0], [0.1, 0.1]).unwrap();
     for side in [1.0, -1.0] {
-        let scene = Scene::new([0.0, 0.0, -9.81 * side]).unwrap().with(plate);
+        let scene = Scene::new([0.0, 0.0, -9.81 * side]).unwrap().with(plate.clone());
         let still = ball([0.0, 0.0, RADIUS * side], [0.0; 3], [0.0; 3]);
         let path = scene.run(&still, limits(1.0, 9)).unwrap();
         assert_eq!(path.ending(), Ending::Rest { wall: 0 }, "{side}");
@@ -220,11 +220,11 @@ fn nothing_bounces_or_rests_by_rounding() {
         for e in [1.0, 0.5, 0.0] {
             let restitution = NormalRestitution::new(e).unwrap();
             let wall = |normal: [f64; 3]| {
-                rigid_wall([0.0; 3], seen(normal), 0.3).with_normal_restitution(restitution)
+                rigid_wall([0.0; 3], seen(normal), 0.3).with_normal_restitution(restitution.clone())
             };
             let run = |gravity: [f64; 3], walls: &[Wall], place: [f64; 3], velocity: [f64; 3]| {
                 let scene = Scene::new(seen(gravity)).unwrap();
-                let scene = walls.iter().fold(scene, |scene, wall| scene.with(*wall));
+                let scene = walls.iter().fold(scene, |scene, wall| scene.with(wall.clone()));
                 scene.run(&ball(seen(place), seen(velocity), [0.0; 3]), limits(1.0, 50)).unwrap()
             };
             let weight = [0.0, 0.0, -9.81];

@@ -385,7 +385,7 @@ fn the_uncertainty_by_the_cause_covers_other_materials() {
     let ball = Body::sphere(1e-3, glass, mass).unwrap().moving(motion);
     let collision = Collision::new(ball, Body::plane(glass), Friction::new(0.35).unwrap()).unwrap();
     let e = NormalRestitution::new(0.5).unwrap();
-    let rebound = collision.clone().with_normal_restitution(e).solve().unwrap();
+    let rebound = collision.clone().with_normal_restitution(e.clone()).solve().unwrap();
     let uncertainty = rebound.rebound().unwrap().model_uncertainty;
     assert!((uncertainty - 0.27).abs() < 5e-3, "{uncertainty}");
     // Nothing is lost; nothing rubs; all slides.

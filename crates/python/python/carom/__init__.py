@@ -86,6 +86,7 @@ from ._contact_theory import (
 from ._creep import creep_coefficients, fastsim
 from ._friction import SlipSpeedFriction
 from ._impact import collide, collide_many, history, plane, sphere
+from ._loss import RestitutionBySpeed
 from ._mistakes import help_calls
 from ._records import (
     Bounce,
@@ -157,6 +158,7 @@ __all__ = [
     "RangeError",
     "Rebound",
     "Rebounds",
+    "RestitutionBySpeed",
     "RollState",
     "RollStates",
     "ShiftTwist",

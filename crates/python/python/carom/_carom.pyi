@@ -11,6 +11,8 @@ from ._types import Array, Vector as _Vector
 _Columns = dict[str, Any]
 # The texts of warnings, and whether results leave the theory.
 _Told = tuple[list[str], bool]
+# Speeds and restitutions.
+_Table = tuple[list[float], list[float]]
 # Whether a load is given, and the value; shift, fields and cells of a state.
 _Given = tuple[bool, float]
 _State = tuple[list[float], list[Array], NDArray[np.int8]]
@@ -292,6 +294,7 @@ def stress(
     z: Array,
 ) -> tuple[Array, _Told]: ...
 def slip_speed_friction(by_speed: _Vector, speeds: Array) -> list[float]: ...
+def restitution_by_speed(table: _Table, speeds: Array) -> list[float]: ...
 def collide(
     body_1: Body,
     body_2: Body,
@@ -301,7 +304,7 @@ def collide(
     torsion: bool | None,
     law: str,
     tolerance: float | None,
-    loss: tuple[str, float],
+    loss: tuple[str, float, _Table | None],
 ) -> tuple[_Columns, _Told, str]: ...
 def collide_many(
     body_1: Body,
@@ -313,7 +316,7 @@ def collide_many(
     torsion: bool | None,
     law: str,
     tolerance: float | None,
-    loss: tuple[str, Array],
+    loss: tuple[str, Array, _Table | None],
 ) -> tuple[_Columns, _Told]: ...
 def history(
     body_1: Body,
@@ -324,6 +327,7 @@ def history(
     normal: _Vector | None,
     law: str,
     tolerance: float | None,
+    loss: tuple[str, float, _Table | None],
 ) -> tuple[_Columns, _Told, str]: ...
 
 class Solver:

@@ -9,6 +9,7 @@ from . import _carom
 from ._arrays import counted, line, number, numbers, rows, spread
 from ._carom import Body, Material
 from ._friction import SlipSpeedFriction, by_speed
+from ._loss import RestitutionBySpeed, loss_of, losses_of
 from ._records import HistoryPoints, Rebound, Rebounds
 from ._types import Array, Vector
 from ._validity import warn
@@ -52,33 +53,6 @@ def _along(body_1: Body, body_2: Body, normal: Vector | None) -> Vector | None:
     return normal
 
 
-def _loss(normal_restitution: float, loss: str | None, wave_loss: bool, relaxation: float) -> tuple[str, float]:
-    """The cause of the loss in the material, and its coefficient or relaxation time."""
-    if normal_restitution is None:
-        raise TypeError("normal_restitution: must be a number; for the loss by waves pass wave_loss=True")
-    normal_restitution = number("normal_restitution", normal_restitution)
-    relaxation = number("relaxation", relaxation, "s")
-    cause, values = _losses(normal_restitution, loss, wave_loss, relaxation)
-    return cause, float(values)
-
-
-def _losses(
-    normal_restitution: ArrayLike, loss: str | None, wave_loss: bool, relaxation: ArrayLike
-) -> tuple[str, Array]:
-    """The same for many impacts: a number, or one for each."""
-    coefficients, times = numbers("normal_restitution", normal_restitution), numbers("relaxation", relaxation, "s")
-    is_given, relaxes = bool(np.any(coefficients != 1.0)), bool(np.any(times != 0.0))
-    if loss is not None and not is_given:
-        raise ValueError("loss: is the cause of a normal_restitution below 1, which is missing")
-    given = [("normal_restitution", is_given), ("wave_loss=True", wave_loss), ("relaxation", relaxes)]
-    causes = [name for name, is_there in given if is_there]
-    if len(causes) > 1:
-        raise ValueError(f"{causes[0]} and {causes[1]} are mutually exclusive")
-    if wave_loss:
-        return "waves", np.zeros(())
-    return ("relaxation", times) if relaxes else (loss or "viscous", coefficients)
-
-
 def _beside(
     friction: object, static_friction: float | None
 ) -> tuple[tuple[float, float, float] | None, float | None]:
@@ -104,7 +78,7 @@ def collide(
     torsion: bool | None = None,
     law: str = "auto",
     tolerance: float | None = None,
-    normal_restitution: float = 1.0,
+    normal_restitution: float | RestitutionBySpeed = 1.0,
     loss: str | None = None,
     wave_loss: bool = False,
     relaxation: float = 0.0,
@@ -133,8 +107,9 @@ def collide(
     A `normal_restitution` below 1 dissipates energy in the material, beyond the elastic theory: the material is viscous
     (Kelvin and Voigt), along the normal and across. `loss="maxwell"`, "standard-solid" (which relaxes to a tenth) and
     "constant-loss-tangent" are other materials, for like spheres and planes without spin and e from 0.1.
-    `loss="yield"` takes bodies that yield: the elastic impulse times (1 + e)/2. A `relaxation` time (s) of both bodies together gives the viscous material, whose restitution falls as the
-    speed grows; `wave_loss=True` dissipates what elastic waves carry away.
+    `loss="yield"` takes bodies that yield: the elastic impulse times (1 + e)/2. A `RestitutionBySpeed` in place of the number
+    depends on the speed of approach along the normal. A `relaxation` time (s) of both bodies together gives the viscous
+    material, whose restitution falls as the speed grows; `wave_loss=True` dissipates what elastic waves carry away.
 
     A fixed body that moves, like a racket, does work on the other: then the energies do not balance.
 
@@ -148,7 +123,7 @@ def collide(
     >>> bool(abs(lost - rebound.energy_dissipated) < 1e-9 * rebound.energy_before)
     True
     """
-    along, lost = _along(body_1, body_2, normal), _loss(normal_restitution, loss, wave_loss, relaxation)
+    along, lost = _along(body_1, body_2, normal), loss_of(normal_restitution, loss, wave_loss, relaxation)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
     columns, exceeded, missed = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, lost)
@@ -170,7 +145,7 @@ def collide_many(
     torsion: bool | None = None,
     law: str = "auto",
     tolerance: float | None = None,
-    normal_restitution: ArrayLike = 1.0,
+    normal_restitution: ArrayLike | RestitutionBySpeed = 1.0,
     loss: str | None = None,
     wave_loss: bool = False,
     relaxation: ArrayLike = 0.0,
@@ -197,7 +172,7 @@ def collide_many(
     beside = _beside(friction, static_friction)
     coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]
-    cause, lost = _losses(normal_restitution, loss, wave_loss, relaxation)
+    cause, lost, table = losses_of(normal_restitution, loss, wave_loss, relaxation)
     counts += [len(given) for given in (coefficients, lost) if given.ndim == 1]
     if len(set(counts)) > 1:
         raise ValueError(f"motions, friction and loss: must have the same length, not {sorted(set(counts))}")
@@ -205,7 +180,7 @@ def collide_many(
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", coefficients, (count,)))
     what = "relaxation" if cause == "relaxation" else "normal_restitution"
-    losses = (cause, line(spread(what, lost, (count,))))
+    losses = (cause, line(spread(what, lost, (count,))), table)
     columns, exceeded = _carom.collide_many(
         body_1, body_2, frictions, beside, motions, _along(body_1, body_2, normal), torsion, law, tolerance, losses
     )
@@ -223,9 +198,16 @@ def history(
     normal: Vector | None = UP,
     law: str = "auto",
     tolerance: float | None = None,
+    normal_restitution: float | RestitutionBySpeed = 1.0,
+    loss: str | None = None,
+    wave_loss: bool = False,
+    relaxation: float = 0.0,
 ) -> HistoryPoints:
-    """The history of a collision of elastic bodies at equally spaced times from first contact to
-    separation.
+    """The history of a collision at equally spaced times from first contact to separation, in contact axes. The arguments are
+    those of `collide`.
+
+    The axes of two balls turn with their line of centres, which is in `normal`. With `loss="yield"` the history is that of the
+    elastic impact.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
@@ -238,6 +220,9 @@ def history(
     along = _along(body_1, body_2, normal)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns, exceeded, missed = _carom.history(body_1, body_2, coefficient, beside, points, along, law, tolerance)
+    lost = loss_of(normal_restitution, loss, wave_loss, relaxation)
+    columns, exceeded, missed = _carom.history(
+        body_1, body_2, coefficient, beside, points, along, law, tolerance, lost
+    )
     warn(exceeded)
     return HistoryPoints._shaped(columns, (len(columns["time"]),))._noting(missed)

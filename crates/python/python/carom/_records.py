@@ -391,6 +391,7 @@ class HistoryPoint(Record):
     semi_axis_b   semi-axis of the contact along y, m
     stick_radius  radius of the stick area of spheres, m
     regime        sign: traction on body 1 along the first slip
+    normal        z axis of the contact in space, into body 1
     """
 
     time: float
@@ -403,10 +404,11 @@ class HistoryPoint(Record):
     semi_axis_b: float
     stick_radius: float
     regime: str
+    normal: Array
 
-    units = {'time': 's', 'xi': 'm', 'eta': 'm', 'zeta': 'm', 'v': 'm/s', 'F': 'N', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_radius': 'm', 'regime': ''}
-    meanings = {'time': 'since first contact', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'semi-axis of the contact along x', 'semi_axis_b': 'semi-axis of the contact along y', 'stick_radius': 'radius of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip'}
-    _vectors = frozenset(['v', 'F'])
+    units = {'time': 's', 'xi': 'm', 'eta': 'm', 'zeta': 'm', 'v': 'm/s', 'F': 'N', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_radius': 'm', 'regime': '', 'normal': ''}
+    meanings = {'time': 'since first contact', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'semi-axis of the contact along x', 'semi_axis_b': 'semi-axis of the contact along y', 'stick_radius': 'radius of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip', 'normal': 'z axis of the contact in space, into body 1'}
+    _vectors = frozenset(['v', 'F', 'normal'])
     _axis = 'time'
 
 
@@ -423,6 +425,7 @@ class HistoryPoints(Records[HistoryPoint], one=HistoryPoint):
     semi_axis_b: Array
     stick_radius: Array
     regime: list[str]
+    normal: Array
 
 
 class HistoryStep(Record):
