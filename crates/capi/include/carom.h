@@ -263,7 +263,7 @@ typedef struct carom_heats {
   /* Friction heat, including the energy released at a receding edge, and what a contact loses
    * where it simplifies its memory; a step may lower it a little. */
   double friction;
-  /* Energy dissipated by the viscous material: the rest of the work. While a contact slides, the heat of friction is
+  /* Energy dissipated by the viscous material: the rest of the work. While a contact slips in part, the heat of friction is
    * ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
    * the motion has ended it is not. */
   double damping;

@@ -137,6 +137,12 @@ pub trait ContactLaw: Clone {
         false
     }
 
+    /// The sum of the magnitudes of the tractions over the limit of friction, from 0 to 1, of a law whose tractions have
+    /// several directions: its load may be below the limit though all slides. None if the load tells it.
+    fn used_friction(&self) -> Option<f64> {
+        None
+    }
+
     /// Whether a contact that slides as a whole would slide on if the shift went on at these rates. None if it does not
     /// slide, or if the end of sliding does not change its friction. An integration in time ends a step where sliding
     /// ends.

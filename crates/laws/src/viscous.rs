@@ -166,7 +166,11 @@ impl<L: ContactLaw> ViscousLaw<L> {
 
     fn keep_sliding(&self, to: Shift, deeper: f64, by: &mut [f64; 2]) {
         let ContactLoad { f_x, f_y, f_z, .. } = self.law.load();
-        if let Some(slides) = Slides::of([f_x, f_y], self.friction * f_z, || self.slides_by) {
+        let limit = match self.law.used_friction() {
+            Some(used) => libm::hypot(f_x, f_y) / used,
+            None => self.friction * f_z,
+        };
+        if let Some(slides) = Slides::of([f_x, f_y], limit, || self.slides_by) {
             let truly = [to.xi - self.shift.xi, to.eta - self.shift.eta];
             *by = slides.on(truly, [to.zeta - self.shift.zeta, deeper], *by);
         }
@@ -196,12 +200,13 @@ impl Slides {
         Some(Self { along, least })
     }
 
-    /// The growth of the effective shift: where the true shift goes on to slide, the effective one does. `deeper` are the
-    /// growths of the true approach and of the effective one.
+    /// The growth of the effective shift: where the true shift goes on to slide, the effective one slides as far, so that
+    /// friction heats as much. `deeper` are the growths of the true approach and of the effective one.
     pub(crate) fn on(&self, truly: [f64; 2], deeper: [f64; 2], mut by: [f64; 2]) -> [f64; 2] {
         let part = |by: [f64; 2]| self.along[0] * by[0] + self.along[1] * by[1];
-        let missing = self.least * deeper[1] - part(by);
-        if part(truly) > self.least * deeper[0] && missing > 0.0 {
+        let slip = part(truly) - self.least * deeper[0];
+        if slip > 0.0 {
+            let missing = self.least * deeper[1] + slip - part(by);
             by[0] += missing * self.along[0];
             by[1] += missing * self.along[1];
         }

@@ -48,7 +48,7 @@ impl Correction for Extrapolated {
             Some(_) => {
                 let alike = level.passage(&problem.alike())?;
                 passage.friction_heat += exact.friction_heat - alike.friction_heat;
-                problem.taken_from_viscous_law(&alike, exact)
+                problem.without_viscous_law(level, &mut passage, (&alike, exact))?
             }
         };
         let first = self.last.is_none();
@@ -70,6 +70,28 @@ impl Correction for Extrapolated {
 }
 
 impl Problem {
+    /// Takes off what the step law of a viscous material errs in the like impact, apart from rings and steps, which err as
+    /// much in an elastic one; less where spin uses up the friction. Returns its size over f v_z: as much may be left.
+    fn without_viscous_law(
+        &self,
+        level: &Level,
+        passage: &mut Passage,
+        (alike, exact): (&Passage, &Exact),
+    ) -> Result<f64, RingImpactError> {
+        let elastic = Self { loss: None, ..*self };
+        let (stepped, known) = (level.passage(&elastic.alike())?, elastic.exact()?);
+        let [speed, _, _, omega] = self.motion.before;
+        let over = self.scale() * speed;
+        let rim = self.constants.radius * passage.maximal_approach.sqrt() * omega / over;
+        let part = 1.0 / (1.0 + rim * rim);
+        let off =
+            |i: usize| (exact.rates[i] - alike.after[i]) - (known.rates[i] - stepped.after[i]);
+        for i in [1, 2] {
+            passage.after[i] += part * off(i);
+        }
+        Ok(libm::hypot(off(1), off(2)) / over)
+    }
+
     /// Rates after the impact with what more rings would change, as far as friction and energy allow.
     fn possible(&self, after: &Rates, beyond: &Rates) -> Rates {
         let before = self.motion.before;

@@ -5,6 +5,7 @@ mod closed_form;
 mod collision;
 mod collision_solver;
 mod columns;
+mod continuity;
 mod coupled;
 mod coupled_extremes;
 mod draw;

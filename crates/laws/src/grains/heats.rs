@@ -7,7 +7,7 @@ pub struct Heats {
     /// Friction heat, including the energy released at a receding edge, and what a contact loses
     /// where it simplifies its memory; a step may lower it a little.
     pub friction: f64,
-    /// Energy dissipated by the viscous material: the rest of the work. While a contact slides, the heat of friction is
+    /// Energy dissipated by the viscous material: the rest of the work. While a contact slips in part, the heat of friction is
     /// ahead by the force times the lead of the shift, and this one behind by as much, which may make it negative; where
     /// the motion has ended it is not.
     pub damping: f64,

@@ -279,6 +279,19 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         limits.map(|(j, limit)| S::weight(j) * of(limit)).sum::<f64>() / S::ANGLES as f64
     }
 
+    /// The sum of the magnitudes of the tractions over that of their limits.
+    pub(super) fn used_friction<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> f64 {
+        let (mut used, mut whole) = (0.0, 0.0);
+        for (j, [radial, around]) in self.tractions.z.iter().enumerate() {
+            for (i, area) in pair.layout.area.iter().enumerate() {
+                let weight = S::weight(j) * area;
+                used += weight * libm::hypot(radial[i], around[i]);
+                whole += weight * self.tractions.limit[j][i];
+            }
+        }
+        if whole > 0.0 { used / whole } else { 0.0 }
+    }
+
     /// Loads, and the energy stored by the tangential tractions.
     pub(super) fn sums<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Sums {
         let mut sums = Sums::default();

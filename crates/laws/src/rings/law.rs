@@ -264,6 +264,11 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> ContactLaw for RingLaw<N, M
     fn load(&self) -> ContactLoad {
         self.memory.load(&self.rings())
     }
+
+    fn used_friction(&self) -> Option<f64> {
+        let pair = self.rings().pair?;
+        Some(self.memory.contact.used_friction(pair))
+    }
 }
 
 impl<const N: usize, const M: usize, S: Symmetry<M>> Checked for RingLaw<N, M, S> {

@@ -255,6 +255,14 @@ impl ContactLaw for NumericalLaw {
     fn load(&self) -> ContactLoad {
         self.load
     }
+
+    fn used_friction(&self) -> Option<f64> {
+        let limit = self.shared.friction.get() * self.load.f_z;
+        let state = &self.touching.as_ref()?.state;
+        let tractions = state.traction_x.values().iter().zip(state.traction_y.values());
+        let sum: f64 = tractions.map(|(x, y)| libm::hypot(*x, *y)).sum();
+        Some(sum * state.pressure.grid().cell_area() / limit)
+    }
 }
 
 impl std::fmt::Debug for NumericalLaw {
