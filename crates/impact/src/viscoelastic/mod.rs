@@ -340,10 +340,12 @@ impl ViscoelasticImpact {
         [self.groups.chi(), self.groups.psi().clamp(SLOWEST, FASTEST)]
     }
 
-    // The work of friction is that of its impulse at the mean of the rates before and after.
+    // The work of friction is that of its impulse at the mean of the rates before and after. The springs are bent by f kappa
+    // times what they are pressed, so that the material takes as much of it as of the normal motion, times f^2 kappa.
     fn slid(&self, restitution: f64) -> Found {
-        let (chi, psi) = (self.groups.chi(), self.groups.psi());
-        let heat = 0.5 * (1.0 + restitution) * (1.0 - restitution) * psi.min(FASTEST).powi(2) / chi;
+        let (chi, psi, e) = (self.groups.chi(), self.groups.psi(), self.loss.restitution);
+        let work = (1.0 + restitution) * (1.0 - restitution) * psi.min(FASTEST).powi(2) / chi;
+        let heat = 0.5 * (work - (1.0 - e) * (1.0 + e)).max(0.0);
         Found { restitution, heat, error: 0.0, steps: 0 }
     }
 

@@ -148,6 +148,13 @@ fn sliding_and_bodies_without_rebound_are_closed_forms() {
         let border = kappa.max(3.5 * (1.0 + e) - kappa * e) * (1.0 - 1e-9);
         let (r_x, _) = rebound(kappa, border, e, 1e-4);
         assert!((r_x - (3.5 * (1.0 + e) / border - 1.0)).abs() < 1e-4, "{kappa} {e} {r_x}");
+        let heat = |lambda: f64| {
+            let groups = Groups::of_spheres(kappa, lambda).unwrap();
+            let loss = ViscousLoss::of_restitution(e).unwrap();
+            ViscoelasticImpact::new(groups, loss).solve(1e-4).friction_heat
+        };
+        let apart = heat(border) - heat(border * (1.0 + 2e-9));
+        assert!(apart.abs() < 1e-3 * heat(border), "{kappa} {e}: {apart}");
     }
     for lambda in [0.5, 2.0, 3.0, 3.6, 5.0] {
         let (r_x, _) = rebound(1.2, lambda, 0.0, 1e-4);
