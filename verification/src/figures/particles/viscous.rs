@@ -17,7 +17,8 @@ const LOSSES: [f64; 5] = [0.95, 0.9, 0.7, 0.5, 0.3];
 const CLAIMED: f64 = 1e-4;
 const DRAWN: f64 = 1e-3;
 
-fn viscous(kappa: f64, lambda: f64, e: f64, tolerance: f64) -> Result<f64, Failure> {
+/// R_x of viscous solid spheres with this restitution along the normal.
+pub(super) fn viscous(kappa: f64, lambda: f64, e: f64, tolerance: f64) -> Result<f64, Failure> {
     let groups = Groups::of_spheres(kappa, lambda)?;
     let loss = ViscousLoss::of_restitution(e)?;
     Ok(ViscoelasticImpact::new(groups, loss).solve(tolerance).restitution)
