@@ -32,7 +32,8 @@ def apart(one, other, drift=0.0, steps=2000):
     return np.abs(off).max() / DIAMETER
 
 
-FEW = [(2, "off", 0.0, "none"), (2, "on", 0.0, "none"), (1, "on", 0.5, "none")]
+ALONE = (1, "on", 0.5, "none")
+FEW = [(2, "off", 0.0, "none"), (2, "on", 0.0, "none"), ALONE]
 MANY = [*FEW, (4, "on", 0.5, "none"), (2, "off", 0.5, "shift"), (2, "off", 0.5, "rcb")]
 
 
@@ -50,17 +51,18 @@ def copies(settled, folder, cases, steps=2000):
 
 
 def test_ranks_and_borders(settled, tmp_path):
-    """On 1, 2 and 4 ranks, newton on and off. The bed still trembles, and round-off grows: by another order of the
-    sums copies are apart by 7e-16 after 100 steps, 6e-14, 4e-13 and 3e-12 after 300, 500 and 1000, and 1e-10 after
-    2000. Where a contact's memory is full and two of its vertices cost all but the same, round-off tells which goes, so
-    that some copies part by more than others."""
+    """On 1, 2 and 4 ranks, newton on and off. The bed still trembles, and round-off grows, in a chain of contacts that slip
+    and stick by a factor that the path decides: after 2000 steps copies on one rank, where only the origin moves, were
+    apart by 7e-11 with one rule of sliding and by 1.1e-8 with another. So the copies on several ranks are held against that one:
+    at most 30 times as far (10 seen). A touch that lost its history at a border would show from 1e-6 on."""
     assert max(copies(settled, tmp_path, FEW, steps=300)) < 2e-11
-    off = list(copies(settled, tmp_path, MANY))
     later = tmp_path / "later"
     later.mkdir()
     lmp(GO_ON + "write_restart later.bin\n", later, **{"from": settled, "tag": "later", "n": 3000})
-    off += copies(later / "later.bin", later, FEW)
-    assert np.median(off) < 1e-9 and max(off) < 1e-8
+    for start, folder, cases in ((settled, tmp_path, MANY), (later / "later.bin", later, FEW)):
+        off = list(copies(start, folder, cases))
+        alone = off[cases.index(ALONE)]
+        assert max(off) < min(30 * alone, 1e-6)
 
 
 @pytest.fixture(scope="module")
@@ -75,19 +77,11 @@ def twisting(tmp_path_factory):
 
 @pytest.mark.slow
 def test_ranks_and_borders_with_torsion(twisting, tmp_path):
-    """A thousand steps are the same to 1e-12 diameters. Later a step of one pair's torque comes out otherwise by
-    round-off, a choice within the law of twists, and stays so: 4e-10 diameters after the second thousand."""
-    off = {}
+    """As without torsion, by copies on one rank. By round-off a step of one pair's torque comes out otherwise, a choice within
+    the law of twists, and stays so."""
     for steps in (1000, 2000):
-        variables = {"from": twisting, "n": steps}
-        lmp(GO_ON, tmp_path, tag="one", **variables)
-        one = dump(tmp_path / "dump.one")
-        for ranks, newton, drift in ((2, "off", 0.0), (4, "on", 0.5)):
-            lmp(GO_ON, tmp_path, ranks=ranks, tag="other", newton=newton, drift=drift, **variables)
-            off[steps, ranks] = apart(one, dump(tmp_path / "dump.other"), drift, steps)
-    print("torsion, diameters by steps and ranks:", off)
-    assert max(off[1000, 2], off[1000, 4]) < 1e-12
-    assert max(off[2000, 2], off[2000, 4]) < 1e-8
+        off = list(copies(twisting, tmp_path, [ALONE, FEW[0], (4, "on", 0.5, "none")], steps))
+        assert max(off) < min(30 * off[0], 1e-6)
 
 
 CLUSTER = """newton off
