@@ -164,3 +164,32 @@ fn work_since_the_start_is_stored_or_heat() {
     assert!(last.dissipated > 0.05 * work && stored > 0.0, "{last:?}");
     assert!((work - stored - last.dissipated).abs() < 0.01 * work, "{work} {stored} {last:?}");
 }
+
+/// The differences of x^2/(2 R) between n cells of side d are d/R times -(n - 2)/2 to (n - 2)/2 cells, whose mean square is
+/// n (n - 2)/12.
+#[test]
+fn pressure_over_slope_has_both_slopes_and_the_whole_window() {
+    let (nx, ny, dx, dy) = (24_usize, 20_usize, 0.12, 0.14);
+    let grid = Grid::new(nx, ny, dx, dy).unwrap();
+    let bodies = [(2.0, 0.3), (5.0, 0.2)].map(|(g, nu)| Material::from_shear(g, nu).unwrap());
+    let pair = MaterialPair::new(bodies[0], bodies[1]).unwrap();
+    let (radius_x, radius_y) = (1.0, 2.0);
+    let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x / radius_x + y * y / radius_y)).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3).unwrap()).unwrap();
+    let method = Frictional::default();
+    let (apart, mut state) = (ContactState::apart(grid), ContactState::apart(grid));
+    let drive = Drive::by_shift(Shift { zeta: 0.3, ..Shift::default() });
+    let mut scratch = method.scratch(&problem).unwrap();
+    let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+    let step = StepSummary::default().next(&problem, [&apart, &state], &went).unwrap();
+
+    let square =
+        |n: usize, d: f64, radius: f64| d * d / (radius * radius) * (n * (n - 2)) as f64 / 12.0;
+    let slope = (square(nx, dx, radius_x) + square(ny, dy, radius_y)).sqrt();
+    // 1/E* = (1 - nu_1)/(2 G_1) + (1 - nu_2)/(2 G_2).
+    let modulus = 1.0 / (0.7 / 4.0 + 0.8 / 10.0);
+    let window = nx as f64 * dx * ny as f64 * dy;
+    let wanted = step.load.f_z / window / (modulus * slope);
+    assert!(step.load.f_z > 0.0);
+    assert!((step.pressure_over_slope / wanted - 1.0).abs() < 1e-12, "{step:?} {wanted}");
+}
