@@ -1,6 +1,7 @@
 //! Errors of reading or computing a case.
 
 use crate::case::CaseError;
+use crate::contact::Fault;
 use crate::history::StepsError;
 use crate::solve::ChosenError;
 use carom_classic::DirectError;
@@ -81,6 +82,9 @@ pub enum ErrorKind {
     /// A rolling contact could not be solved.
     #[error(transparent)]
     Rolling(#[from] RollingError),
+    /// An input of CONTACT has an error, or asks for what carom does not do.
+    #[error(transparent)]
+    Contact(#[from] Fault),
     /// A file of steps has an error.
     #[error(transparent)]
     Steps(#[from] StepsError),
@@ -209,6 +213,7 @@ impl Error {
             | ErrorKind::Border(_)
             | ErrorKind::Problem(_)
             | ErrorKind::Scene(_)
+            | ErrorKind::Contact(_)
             | ErrorKind::Steps(_)
             | ErrorKind::Input(_)
             | ErrorKind::Refused(_)

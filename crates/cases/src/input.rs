@@ -169,7 +169,10 @@ impl CaseFile {
 fn of_ending(path: &Path) -> String {
     match path.extension().and_then(|ending| ending.to_str()) {
         None | Some("toml" | "txt") => String::new(),
-        Some("inp") => "; .inp is an input of CONTACT, a case ends in .toml".to_owned(),
+        Some("inp") => {
+            "; .inp is an input of CONTACT, which `carom contact` solves; a case ends in .toml"
+                .to_owned()
+        }
         Some(ending) => format!("; a case ends in .toml, not in .{ending}"),
     }
 }

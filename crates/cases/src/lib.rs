@@ -16,6 +16,7 @@
 //! ```
 
 pub mod case;
+pub mod contact;
 mod error;
 pub mod heights;
 pub mod hertz;

@@ -16,6 +16,7 @@ mod fastsim;
 mod method;
 mod steady;
 mod transient;
+mod transient_method;
 mod way;
 
 use carom_halfspace::Offset;
@@ -29,6 +30,7 @@ pub use fastsim::{Fastsim, FastsimForces};
 pub use method::SteadyMethod;
 pub use steady::{SteadyContact, SteadyRolling, roll_steadily};
 pub use transient::RollingContact;
+pub use transient_method::TransientMethod;
 pub use way::Way;
 
 use carom_solver::{ContactProblem, ContactState, FrictionalError, ProblemError};

@@ -6,6 +6,7 @@ mod run;
 
 pub use creep::{CREEP, Creep};
 pub use row::{COLUMNS, Row};
+pub(crate) use run::of_one_line;
 pub use run::{Rows, Run, RunError};
 
 use crate::case::{Border, GridCase, RollCase};

@@ -82,7 +82,8 @@ impl Run {
         observer: &mut dyn FnMut(Progress),
     ) -> Result<Rows, RunError> {
         let make = |grid: Grid| {
-            make(self.of_one_line(grid).map_err(OperatorError::from).map_err(ProblemError::from)?)
+            let grid = of_one_line(self.grid, grid).map_err(OperatorError::from);
+            make(grid.map_err(ProblemError::from)?)
         };
         let history = NestedHistory::new(self.method, self.grid, make);
         let mut history = history.map_err(|error| match error {
@@ -165,20 +166,19 @@ impl Run {
         Ok(Rows { rows, state, too_large })
     }
 
-    /// A coarser grid; a single line of cells keeps its width.
-    fn of_one_line(&self, coarser: Grid) -> Result<Grid, RangeError> {
-        let own = self.grid;
-        let keep = |count: usize, width: f64, own: f64| if count == 1 { own } else { width };
-        let dx = keep(own.nx(), coarser.dx(), own.dx());
-        let dy = keep(own.ny(), coarser.dy(), own.dy());
-        Grid::new(coarser.nx(), coarser.ny(), dx, dy)
-    }
-
     /// Checks that a contact between bodies without an end does not reach the border of the grid.
     fn check_border(&self, row: usize, state: &ContactState) -> Result<(), RunError> {
         let side = if self.cut { None } else { crate::solve::border(state) };
         side.map_or(Ok(()), |side| Err(RunError::Border { row, side }))
     }
+}
+
+/// A coarser grid than `own`; a single line of cells keeps its width.
+pub(crate) fn of_one_line(own: Grid, coarser: Grid) -> Result<Grid, RangeError> {
+    let keep = |count: usize, width: f64, own: f64| if count == 1 { own } else { width };
+    let dx = keep(own.nx(), coarser.dx(), own.dx());
+    let dy = keep(own.ny(), coarser.dy(), own.dy());
+    Grid::new(coarser.nx(), coarser.ny(), dx, dy)
 }
 
 /// The creepages of a steady state, which takes them for its shifts.

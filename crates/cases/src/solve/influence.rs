@@ -44,16 +44,49 @@ pub(super) fn operator(
         }
         _ => {
             let text = case.table(file)?;
-            let units = InflcfUnits::new(MILLIMETRE, materials.shear_modulus());
-            let units = units.map_err(|error| refused(error.to_string()))?;
-            let kernel = TabulatedKernel::from_inflcf(grid, &text, units).map_err(told)?;
+            let kernel = of_contact(&text, grid, materials, MILLIMETRE).map_err(told)?;
             (kernel, text.into_bytes())
         }
     };
-    let kernel = kernel.reciprocal().map_err(told)?;
-    let operator = KernelOperator::new(kernel, Threads::for_grid(grid)).map_err(told)?;
-    operator.check_definite(blocks).map_err(told)?;
-    Ok((operator, read))
+    Ok((checked(kernel, blocks).map_err(told)?, read))
+}
+
+/// The same of a file of CONTACT, in its units: lengths in mm, moduli in N/mm^2.
+///
+/// # Errors
+/// As [`operator`].
+pub(crate) fn influence_of_contact(
+    case: &CaseFile,
+    influence: &InfluenceFile,
+    grid: Grid,
+    materials: MaterialPair,
+    blocks: Blocks,
+) -> Result<KernelOperator, Error> {
+    let text = case.table(&influence.file)?;
+    let kernel = of_contact(&text, grid, materials, 1.0);
+    kernel
+        .and_then(|kernel| checked(kernel, blocks))
+        .map_err(|error| Error::input(error.to_string()).of_file(&case.beside(&influence.file)))
+}
+
+/// The numbers of a file of CONTACT, whose millimetre has this length.
+fn of_contact(
+    text: &str,
+    grid: Grid,
+    materials: MaterialPair,
+    millimetre: f64,
+) -> Result<TabulatedKernel, OperatorError> {
+    // CONTACT's modulus of a pair is that of each of two equal bodies.
+    let units = InflcfUnits::new(millimetre, 2.0 * materials.shear_modulus())?;
+    TabulatedKernel::from_inflcf(grid, text, units)
+}
+
+/// The operator of numbers that obey Betti's theorem and do positive work.
+fn checked(kernel: TabulatedKernel, blocks: Blocks) -> Result<KernelOperator, OperatorError> {
+    let threads = Threads::for_grid(kernel.grid());
+    let operator = KernelOperator::new(kernel.reciprocal()?, threads)?;
+    operator.check_definite(blocks)?;
+    Ok(operator)
 }
 
 /// The arrays of an NPZ, as `numpy.savez` writes it.

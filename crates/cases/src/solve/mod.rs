@@ -9,6 +9,7 @@ mod warnings;
 pub use bodies::Bodies;
 pub use classic::{Chosen, ChosenError, Working};
 pub use follow::{Followed, Found, Run, Saved, border};
+pub(crate) use influence::influence_of_contact;
 pub use warnings::few_cells;
 
 use crate::Error;

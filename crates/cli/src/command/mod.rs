@@ -4,6 +4,7 @@
 mod case_arguments;
 mod check;
 mod completions;
+mod contact;
 mod hertz;
 mod history;
 mod impact;
@@ -78,6 +79,7 @@ enum Command {
     Stress(stress::Arguments),
     Surface(surface::Arguments),
     Shell(shell::Arguments),
+    Contact(contact::Arguments),
     Compare(solve::compare::Arguments),
     New(new::Arguments),
     Check(check::Arguments),
@@ -122,6 +124,7 @@ impl Command {
             Self::Compare(arguments) => Some(&arguments.case),
             Self::Check(arguments) => Some(&arguments.case),
             Self::Surface(arguments) => Some(&arguments.file),
+            Self::Contact(arguments) => Some(&arguments.file),
             _ => self.given().map(|(_, given)| given.case.as_path()),
         }
     }
@@ -174,6 +177,7 @@ fn run_one(
         Command::Stress(arguments) => stress::run(arguments),
         Command::Surface(arguments) => surface::run(arguments),
         Command::Shell(arguments) => shell::run(arguments),
+        Command::Contact(arguments) => contact::run(arguments, messages),
         Command::Compare(arguments) => solve::compare::run(arguments, messages),
         Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),
