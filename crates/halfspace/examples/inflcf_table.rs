@@ -1,8 +1,8 @@
 //! Writes the influence numbers of a steel wheel on a rail in the format of the program CONTACT,
 //! `examples/roll_inflcf.txt`: of half-spaces, to be replaced by those of the real bodies.
 //!
-//! Lengths are in millimetres, the numbers are displacements times the shear modulus over tractions, offsets are
-//! receiver minus source: those >= 0 along x for each one along y, in the order n, x, y.
+//! Lengths are in millimetres, the numbers are displacements of both bodies times the shear modulus of one over tractions,
+//! offsets are receiver minus source: those >= 0 along x for each one along y, in the order n, x, y.
 
 use carom_halfspace::operator::{HalfSpaceOperator, SurfaceOperator};
 use carom_halfspace::{Grid, Material, MaterialPair};
@@ -27,12 +27,16 @@ fn main() -> Result<(), Box<dyn Error>> {
          {mx} {my} {WIDTH} {WIDTH}  % cells and their widths\n"
     );
     for iy in 1 - my..my {
-        writeln!(text, "% offset {iy} along y: ix, x, n-, x- and y-displacement by p_n, p_x, p_y")?;
+        // CONTACT skips two lines before each offset.
+        writeln!(
+            text,
+            "% offset {iy} along y\n% ix, x, n-, x- and y-displacement by p_n, p_x, p_y"
+        )?;
         for ix in 0..mx {
             let rows = operator.coefficients(-ix, -iy).rows;
             write!(text, "{ix} {}", f64::from(ix) * WIDTH)?;
             for (of, by) in [2, 0, 1].into_iter().flat_map(|of| [2, 0, 1].map(|by| (of, by))) {
-                write!(text, " {:.6e}", pair.shear_modulus() * rows[of][by])?;
+                write!(text, " {:.6e}", 2.0 * pair.shear_modulus() * rows[of][by])?;
             }
             text.push('\n');
         }

@@ -97,7 +97,8 @@ impl Row {
             ceta: motion(1, state.shift.eta),
             cphi: case.drive.spin,
             approach: state.shift.zeta,
-            pmax: state.peak_pressure(),
+            // Of the cells: carom's own greatest pressure may lie between them.
+            pmax: state.pressure.values().iter().copied().fold(0.0, f64::max),
             counts: [case.area.count(), stick + slip, adhesion, stick + slip - adhesion],
             estimates,
         }

@@ -50,15 +50,11 @@ pub fn solved(
         let placed = |error: Error| error.at("case", case.number);
         let contact = Contact::new(file, case).map_err(placed)?;
         let (solved, state) = contact.follow(last.as_ref()).map_err(placed)?;
-        (all, last) = (pushed(all, solved), Some(state));
+        all.push(solved);
+        last = Some(state);
         observer();
     }
     Ok(all)
-}
-
-fn pushed(mut all: Vec<Solved>, solved: Solved) -> Vec<Solved> {
-    all.push(solved);
-    all
 }
 
 /// The contact after a case.
@@ -259,7 +255,13 @@ impl<'a> Contact<'a> {
         let row = Row::of(case, state, history.estimates(), slipped, stored.total());
         let below = extremes(case, state, &self.area)?;
         let mut notes = case.notes.clone();
-        if let Some(side) = border(state).filter(|_| !self.is_padded()) {
+        // A line of cells is as long as the bodies.
+        let [columns, rows] = case.area.cells;
+        let side = border(state).filter(|side| match *side {
+            "left" | "right" => columns > 1,
+            _ => rows > 1,
+        });
+        if let Some(side) = side.filter(|_| !self.is_padded()) {
             notes.push(format!("the contact reaches the {side} border of its cells"));
         }
         let coarse = history.coarse_states().map(|state| state.cloned());

@@ -45,7 +45,8 @@ fn csv() -> String {
 fn inflcf() -> String {
     let grid = Grid::new(CELLS[0], CELLS[1], WIDTHS[0], WIDTHS[1]).unwrap();
     let operator = HalfSpaceOperator::new(pair(), grid).unwrap();
-    let scale = 1e3 * pair().shear_modulus();
+    // The modulus of each of two equal bodies.
+    let scale = 1e3 * 2.0 * pair().shear_modulus();
     let [nx, ny] = CELLS.map(|count| count as i32);
     let mut text = format!("1 2 % matrices\n0 312\n1 0\n{nx} {ny} 0.1 0.125\n");
     for iy in 1 - ny..ny {

@@ -9,6 +9,7 @@ mod common;
 mod compare;
 mod contact;
 mod contact_point;
+mod contact_program;
 mod curves;
 mod fields;
 mod heights;

@@ -27,7 +27,7 @@ fn table_of(operator: &dyn SurfaceOperator) -> TabulatedKernel {
 fn inflcf(grid: Grid, more: usize) -> String {
     let (mx, my) = (grid.nx() + more, grid.ny() + more);
     let larger = Grid::new(mx, my, grid.dx(), grid.dy()).unwrap();
-    let (own, shear) = (half_space(larger), dissimilar().shear_modulus());
+    let (own, shear) = (half_space(larger), 2.0 * dissimilar().shear_modulus());
     let [dx, dy] = [grid.dx(), grid.dy()].map(|width| 1e3 * width);
     let mut text = format!(
         "% influence of cells\n 1  2  0 0 0 0 % nmatrix, iaconvex\n 0 312 0 0\n\n 1 0 % symmetry\n {mx} {my} {dx} {dy} 0\n"
@@ -50,7 +50,7 @@ fn inflcf(grid: Grid, more: usize) -> String {
 }
 
 fn units() -> InflcfUnits {
-    InflcfUnits::new(1e-3, dissimilar().shear_modulus()).unwrap()
+    InflcfUnits::new(1e-3, 2.0 * dissimilar().shear_modulus()).unwrap()
 }
 
 fn assert_same(one: &TabulatedKernel, other: &dyn SurfaceOperator, tolerance: f64) {

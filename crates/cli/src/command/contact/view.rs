@@ -7,6 +7,8 @@ use carom_table::{Column, Value, labels};
 
 /// The end of the name of an error.
 const ERROR: &str = "_error";
+/// An error below this part of its number is that of a given one.
+const NO_ERROR: f64 = 1e-9;
 
 /// The table of the cases.
 pub(super) fn table(page: Page, rows: &[Row]) -> String {
