@@ -73,6 +73,8 @@ const FLOW: &[Choice] = &[
     choice(4, "more of it", Ignores),
     choice(5, "more of it", Ignores),
     choice(6, "more of it", Ignores),
+    choice(7, "more of it", Ignores),
+    choice(8, "more of it", Ignores),
     choice(9, "all of it", Ignores),
 ];
 

@@ -204,7 +204,11 @@ fn number(word: &str, form: Form) -> Option<f64> {
     let unsigned = |text: &str| text.strip_prefix(['+', '-']).unwrap_or(text).to_owned();
     let (mantissa, exponent) = match word.find(['e', 'E', 'd', 'D']) {
         Some(place) => (&word[..place], &word[place + 1..]),
-        None => (word, "0"),
+        // Fortran reads .1-07 as .1e-07.
+        None => match word.rfind(['+', '-']).filter(|&place| place > 0) {
+            Some(place) => word.split_at(place),
+            None => (word, "0"),
+        },
     };
     let plain = unsigned(mantissa).replacen('.', "", 1);
     if !digits(&plain) || !digits(&unsigned(exponent)) {
@@ -221,9 +225,14 @@ mod tests {
     #[test]
     fn numbers_are_those_of_fortran() {
         let plain = |word| number(word, Form::Number);
-        for (word, value) in
-            [("1.0d-3", 1e-3), (".5", 0.5), ("-5.", -5.0), ("+2E+2", 200.0), ("7", 7.0)]
-        {
+        for (word, value) in [
+            ("1.0d-3", 1e-3),
+            (".5", 0.5),
+            ("-5.", -5.0),
+            ("+2E+2", 200.0),
+            ("7", 7.0),
+            (".1-07", 1e-8),
+        ] {
             assert_eq!(plain(word), Some(value), "{word}");
         }
         for word in ["", ".", "e5", "1e", "1d+", "nan", "inf", "1.2.3", "--1", "0x1", "1e999", "é"]

@@ -1,6 +1,6 @@
 //! `carom contact` beside what the program CONTACT prints.
 
-use crate::common::{carom, folder, json};
+use crate::common::{carom, example, folder, json};
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,7 +11,10 @@ const CONFORMAL: &str = include_str!("../data/contact/conformal_rows.txt");
 const EPS: f64 = 1e-6;
 
 fn data(name: &str) -> String {
-    let path = format!("{}/tests/data/contact/{name}.inp", env!("CARGO_MANIFEST_DIR"));
+    let path = match name {
+        "cattaneo" => example("contact_cattaneo.inp"),
+        _ => format!("{}/tests/data/contact/{name}.inp", env!("CARGO_MANIFEST_DIR")),
+    };
     std::fs::read_to_string(path).unwrap()
 }
 
@@ -50,7 +53,8 @@ fn compare(name: &str, text: &str) {
     for line in lines {
         let printed: Vec<&str> = line.split(' ').collect();
         let rows = results["cases"].as_array().unwrap();
-        let row = rows.iter().find(|row| row["case"].to_string() == printed[0]).unwrap();
+        let case: u64 = printed[0].parse().unwrap();
+        let row = rows.iter().find(|row| row["case"] == case).unwrap();
         let limit = (row["FX"].as_f64().unwrap() / row["FX_REL"].as_f64().unwrap()).abs();
         for (head, printed) in heads.iter().zip(&printed).skip(1).filter(|(_, text)| **text != "-")
         {

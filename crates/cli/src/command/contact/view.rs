@@ -20,10 +20,15 @@ pub(super) fn table(page: Page, rows: &[Row]) -> String {
     let text = |row: &Row| -> Vec<String> {
         let cells = values.iter().map(|column| column.cell(Some(row))).collect();
         let texts = to_read(cells).into_iter().zip(&values);
-        let with_error = |(text, column): (String, &Column<Row>)| match error_of(column)
-            .map(|error| error.value(row))
-        {
-            Some(Value::Number(error)) if error > 0.0 => format!("{text} ± {error:.0e}"),
+        let with_error = |(text, column): (String, &Column<Row>)| match (
+            column.value(row),
+            error_of(column).map(|error| error.value(row)),
+        ) {
+            (Value::Number(number), Some(Value::Number(error)))
+                if error > NO_ERROR * number.abs() && number != 0.0 =>
+            {
+                format!("{text} ± {error:.0e}")
+            }
             _ => text,
         };
         texts.map(with_error).collect()

@@ -1,6 +1,7 @@
 //! The book: its commands run and draw its pictures, and its case reference agrees with the tables of fields.
 //! `cargo xtask generate` writes both.
 
+mod contact_digits;
 mod gallery;
 
 use crate::common::{Folder, folder, stdout};
