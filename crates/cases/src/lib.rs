@@ -4,8 +4,8 @@
 //! A case is a TOML file that describes a computation: bodies, materials, friction, motions. [`case`] reads
 //! it strictly, in SI units or with units of its own; [`input`] reads files of limited size.
 //! Each kind has a module that computes a case: [`impact::followed`], [`hertz::followed`], [`history::followed`],
-//! [`scene::followed`], [`solve::solved`], [`roll::rolled`], [`stress::solved`], [`shell::solved`]. [`theory`] tells where
-//! results leave the theory. The command `carom` and the Python module are built on this crate.
+//! [`scene::followed`], [`solve::solved`], [`roll::rolled`], [`stress::solved`], [`shell::solved`]. [`contact`]
+//! computes inputs of the program CONTACT. [`theory`] tells where results leave the theory. The command `carom` and the Python module are built on this crate.
 //!
 //! ```
 //! use carom_cases::case::{Case as _, CaseKind, ImpactFile};

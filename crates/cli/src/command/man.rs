@@ -30,6 +30,7 @@ const NAMES: &[&str] = &[
     "stress",
     "surface",
     "shell",
+    "contact",
     "compare",
     "new",
     "check",
