@@ -87,6 +87,22 @@ fn single_examples_agree_in_all_printed_digits() {
     }
 }
 
+/// Cases of all kinds from the tests of CONTACT, and the extremes that it prints below the second and third.
+#[test]
+fn a_mixture_of_cases_agrees() {
+    let rows: String = (20..=60).map(|part| format!(" .{part} .{part}\n")).collect();
+    let text = data("testbank").replace("ROWS\n", &rows).replace("SLIP", &" 0 0".repeat(225));
+    compare("testbank", &text);
+    let all = &solved("testbank", &text)["below"];
+    let printed = [
+        [-0.565, 0.639, 0.696, 0.007, -0.960, -0.367, -0.367, -0.960],
+        [-0.703, 1.133, 1.183, 0.012, -1.457, -0.757, -0.367, -0.985],
+    ];
+    for (place, printed) in printed.concat().into_iter().enumerate() {
+        assert!((all[place]["value"].as_f64().unwrap() - printed).abs() <= 5e-4, "{}", all[place]);
+    }
+}
+
 /// A case of an input: the module number, then its lines.
 fn add(text: &mut String, lines: &[&str]) {
     writeln!(text, "3\n {}", lines.join("\n ")).unwrap();

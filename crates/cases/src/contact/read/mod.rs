@@ -1,9 +1,10 @@
 //! Reads the cases of an input of CONTACT in the order of the file.
 
-use super::block::Block;
+mod motion;
 mod sequence;
 
-use super::case::{Asked, ContactCase, ContactDrive, Motion, Rolling};
+use super::block::Block;
+use super::case::{Asked, ContactCase, ContactDrive, Rolling};
 use super::digits::Digits;
 use super::fault::Fault;
 use super::lines::{Given, Lines};
@@ -21,8 +22,6 @@ const MODULI: [f64; 2] = [1e-5, 1e20];
 const FACPHI: f64 = 1.0 / 6.0;
 /// Relative difference of FSTAT and FKIN that counts as none.
 const SAME_FRICTION: f64 = 1e-3;
-/// How close CHI must be to a direction of the solvers of steady rolling.
-const SAME_ANGLE: f64 = 0.01;
 
 /// Reads all cases of a file.
 ///
@@ -355,36 +354,6 @@ impl<'a> Reader<'a> {
             eps: self.eps,
             notes,
         })
-    }
-
-    fn motion(&self, area: Potential, notes: &mut Vec<String>) -> Result<Motion, Fault> {
-        match (self.tang(), self.rolling) {
-            (0, _) => Ok(Motion::None),
-            (1, _) => Ok(Motion::Shift),
-            (tang, None) => Err(self.digit("T (TANG)", tang, "0 or 1 before CHI and DQ are given")),
-            (2, Some(rolling)) => Ok(Motion::Step(rolling)),
-            (_, Some(rolling)) => Ok(Motion::Steady(self.steadily(rolling, area, notes))),
-        }
-    }
-
-    /// CONTACT's solvers of steady rolling, but ConvexGS, roll along x in steps of a cell.
-    fn steadily(&self, given: Rolling, area: Potential, notes: &mut Vec<String>) -> Rolling {
-        let (mut rolling, dx) = (given, area.size[0]);
-        if self.solver == 2 {
-            return rolling;
-        }
-        let back = std::f64::consts::PI;
-        if given.chi.abs() > SAME_ANGLE && (given.chi - back).abs() > SAME_ANGLE {
-            rolling.chi = 0.0;
-            notes.push(format!("CHI = 0 instead of {}, as CONTACT does", given.chi));
-        }
-        if (given.dq - dx).abs() > 1e-9 * dx {
-            rolling.dq = dx;
-            if (given.dq - dx).abs() > 0.01 * dx {
-                notes.push(format!("DQ = DX = {dx} instead of {}, as CONTACT does", given.dq));
-            }
-        }
-        rolling
     }
 }
 
