@@ -17,9 +17,29 @@ const MOST_OF_TABLE: u64 = 64 << 20;
 /// Largest map of heights, in bytes.
 pub const MOST_OF_MAP: u64 = 4 << 30;
 const TEXT: &str = "a text file";
-const CASE: &str = "a case in TOML, a text file";
-const NO_CASE: &str =
-    "; a case in TOML is expected there: `carom new` prints one, and - is standard input";
+
+/// What a file of cases must be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Expected {
+    what: &'static str,
+    most: u64,
+    hint: &'static str,
+}
+
+impl Expected {
+    /// A case in TOML.
+    pub const CASE: Self = Self {
+        what: "a case in TOML, a text file",
+        most: MOST_OF_CASE,
+        hint: "; a case in TOML is expected there: `carom new` prints one, and - is standard input",
+    };
+    /// An input of CONTACT.
+    pub const CONTACT: Self = Self {
+        what: "an input of CONTACT, a text file",
+        most: MOST_OF_TABLE,
+        hint: "; an input of CONTACT is expected there, and - is standard input",
+    };
+}
 
 /// Decides whether a file may be read; a file that the same run writes may not.
 pub type Guard =
@@ -47,25 +67,29 @@ impl CaseFile {
     /// # Errors
     /// As [`CaseFile::read_guarded`].
     pub fn read(path: &Path) -> Result<Self, Error> {
-        Self::read_unguarded(path, None)
+        Self::read_unguarded(path, Expected::CASE, None)
     }
 
     /// Reads a case file if the guard allows it; files that the case names are checked by the guard too.
     ///
     /// # Errors
-    /// If the guard does not allow it, or it cannot be read, is a device or a pipe, is larger than 1 MiB, or
-    /// is not UTF-8.
-    pub fn read_guarded(path: &Path, guard: Guard) -> Result<Self, Error> {
+    /// If the guard does not allow it, or it cannot be read, is a device or a pipe, is larger than 1 MiB (an
+    /// input of CONTACT: 64 MiB), or is not UTF-8.
+    pub fn read_guarded(path: &Path, expected: Expected, guard: Guard) -> Result<Self, Error> {
         guard(path).map_err(ErrorKind::Refused)?;
-        Self::read_unguarded(path, Some(guard))
+        Self::read_unguarded(path, expected, Some(guard))
     }
 
-    fn read_unguarded(path: &Path, guard: Option<Guard>) -> Result<Self, Error> {
+    fn read_unguarded(
+        path: &Path,
+        Expected { what, most, hint }: Expected,
+        guard: Option<Guard>,
+    ) -> Result<Self, Error> {
         let text = if path == Path::new(STANDARD_INPUT) {
-            let bytes = bounded(std::io::stdin().lock(), path, MOST_OF_CASE, CASE)?;
-            text(bytes, path, MOST_OF_CASE, CASE)?
+            let bytes = bounded(std::io::stdin().lock(), path, most, what)?;
+            text(bytes, path, most, what)?
         } else {
-            read_text(path, MOST_OF_CASE, CASE).map_err(|error| error.hinting(NO_CASE))?
+            read_text(path, most, what).map_err(|error| error.hinting(hint))?
         };
         Ok(Self { path: path.to_owned(), text, guard })
     }

@@ -12,7 +12,7 @@ use crate::identity::{Identity, folder, resolved};
 use crate::output::{Format, is_open};
 pub use crate::place::Place;
 use carom_cases::Error;
-use carom_cases::input::CaseFile;
+use carom_cases::input::{CaseFile, Expected};
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -132,8 +132,16 @@ impl Outputs {
     /// # Errors
     /// As [`CaseFile::read_guarded`] and [`Outputs::check_input`].
     pub fn read_case(self, path: &Path) -> Result<CaseFile, CliError> {
+        self.read_expected(path, Expected::CASE)
+    }
+
+    /// The same for a file of other cases.
+    ///
+    /// # Errors
+    /// As [`Outputs::read_case`].
+    pub fn read_expected(self, path: &Path, expected: Expected) -> Result<CaseFile, CliError> {
         let guard = move |input: &Path| self.check_input(input).map_err(Into::into);
-        Ok(CaseFile::read_guarded(path, Arc::new(guard))?)
+        Ok(CaseFile::read_guarded(path, expected, Arc::new(guard))?)
     }
 
     /// Checks that no output goes to `input`, so that it may be read.

@@ -67,7 +67,7 @@ impl Row {
         let [stick, slip] = [CellState::Stick, CellState::Slip].map(|cell| state.count(cell));
         let adhesion = if case.motion == Motion::None { stick + slip } else { stick };
         // carom's torque has the sign of y t_x - x t_y about the middle of the cells.
-        let mz = -(load.m_z + y * load.f_x - x * load.f_y);
+        let mz = x * load.f_y - y * load.f_x - load.m_z;
         let limit = scale * load.f_z;
         let told = |value: f64| if value.abs() < 0.5 * case.eps * limit { 0.0 } else { value };
         let relative = |force: f64| if limit > 0.0 { told(force) / limit } else { 0.0 };

@@ -121,7 +121,9 @@ fn motions(case: &ContactCase, names: [&str; 4], text: &mut String) -> Result<()
     }
     for (i, load) in ["F_x", "F_y"].into_iter().enumerate() {
         let _ = match (case.drive.along[i], force) {
-            (Asked::Creepage(given), _) => writeln!(text, "{} = {}", names[i + 1], -given * length),
+            (Asked::Creepage(given), _) => {
+                writeln!(text, "{} = {}", names[i + 1], 0.0 - given * length)
+            }
             (Asked::Force(part), Some(force)) => writeln!(text, "{load} = {}", part * force),
             (Asked::Force(_), None) => return Err("relative forces at a given approach (N = 0)"),
         };

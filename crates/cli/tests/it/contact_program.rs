@@ -351,7 +351,84 @@ fn what_carom_does_not_do_is_refused_by_digit_and_name() {
         assert!(error.contains(said), "{error}");
     }
     assert!(refused("").contains("line 1: MODULE is missing"));
-    assert!(refused("3\n").contains("line 2: control digits is missing"));
+    let output = carom(&["contact", "no.inp"]);
+    assert!(String::from_utf8(output.stderr).unwrap().contains("an input of CONTACT is expected"));
+    assert!(refused("3\n").contains("line 2: the line of control digits is missing"));
+}
+
+/// One contact, stated in several ways.
+#[test]
+fn other_words_for_a_contact_do_not_change_it() {
+    let case = |digits: &str, drive: &str, rolling: &str, area: &str| {
+        let head = "3\n 203100\n 022020\n 0000241\n 200 100 30 1 1e-9\n";
+        let head = head.replace("203100", digits);
+        format!("{head} {drive}\n .3 .3\n {rolling} .25 .3 8e4 7e4\n {area}\n0\n")
+    };
+    let shape = "1 1\n .01 0 .02 0 0 0";
+    let area = |first: &str| format!("{first}\n {shape}");
+    let cells = |height: fn(f64, f64) -> f64| {
+        let middle = |i: i32| 0.05 * f64::from(i);
+        let all = (-8..=8).flat_map(|y| (-12..=12).map(move |x| height(middle(x), middle(y))));
+        all.fold(String::new(), |text, height| format!("{text} {height:e}\n"))
+    };
+    let rows: String =
+        (-9..=9).map(|y| format!(" {}\n", 0.02 * (0.05 * f64::from(y)).powi(2))).collect();
+    let (drive, rolling) = ("200 -.001 .0005 .0002", "180d .05 1000\n");
+    let plain = case("203100", drive, rolling, &area("1\n 25 17 -.625 -.425 .05 .05"));
+    let plain = &solved("plain", &plain)["cases"][0];
+    let places = "1\n 25 17 -.625 -.425 .05 .05";
+    let by_circles = format!("{places}\n 2 1\n 19 0 50 -.45 .05\n{rows}");
+    let by_cells = format!("{places}\n 9 1\n{}", cells(|x, y| 0.01 * x * x + 0.02 * y * y));
+    let by_plan = format!("{places}\n 1 2\n .01 0 .02 0 0 0\n 1 0 1 0 0 -.35");
+    let in_radians = format!("{} .05 1000\n", std::f64::consts::PI);
+    let pressed = format!("{} -.001 .0005 .0002", plain["APPROACH"]);
+    let with_forces = format!("200 {} {} .0002", plain["FX_REL"], plain["FY_REL"]);
+    for (digits, drive, rolling, area) in [
+        ("203100", drive, rolling, &area("2\n 25 17 -.625 -.425 .625 .425")),
+        ("203100", drive, rolling, &area("3\n 25 17 -.6 -.4 .05 .05")),
+        ("203100", drive, rolling, &area("4\n 25 17 -.6 -.4 .6 .4")),
+        ("203100", drive, rolling, &by_circles),
+        ("203100", drive, rolling, &by_cells),
+        ("203100", drive, rolling, &by_plan),
+        ("203100", drive, in_radians.as_str(), &area(places)),
+        ("203000", pressed.as_str(), rolling, &area(places)),
+        ("203120", with_forces.as_str(), rolling, &area(places)),
+    ] {
+        let text = case(digits, drive, rolling, area);
+        let other = &solved("other", &text)["cases"][0];
+        for name in ["FN", "FX", "FY", "MZ", "CKSI", "CETA", "APPROACH", "PMAX", "NCON", "NADH"] {
+            let [a, b] = [plain, other].map(|row| row[name].as_f64().unwrap());
+            assert!((a - b).abs() <= 1e-6 * a.abs(), "{name} is {a} and {b} of\n{text}");
+        }
+    }
+    // Radii, and the semi-axes of a circle of which CONTACT prints them.
+    let hertz = |way: &str| {
+        let text =
+            case("200100", "82000 0 0 0", "", way).replace(".25 .3 8e4 7e4", ".28 .28 8.2e4 8.2e4");
+        solved("hertz", &text)["cases"][0]["APPROACH"].as_f64().unwrap()
+    };
+    for way in ["-1\n 40 40 .004219 .004219 1.1", "-2\n 40 40 .004219 1 1.1", "-3\n 40 40 4 4 1.1"]
+    {
+        assert!((hertz(way) - 0.1350).abs() < 1e-4, "{way}: {}", hertz(way));
+    }
+}
+
+#[test]
+fn influence_numbers_of_half_spaces_are_those_of_half_spaces() {
+    let file = example("roll_inflcf.txt");
+    let [plain, other] = [("2", String::new()), ("9", format!("\n '{file}'"))].map(|(c, name)| {
+        let head = format!("3\n 203100\n 02{c}020\n 0000041\n 200 100 30 1 1e-6");
+        let text = format!(
+            "{head}\n 1e4 -.001 0 0\n .3 .3\n 0 1 30000{name}\n .28 .28 80468.75 80468.75\n \
+             1\n 24 16 -12 -8 1 1\n 1 1\n .001 0 .001 0 0 0\n0\n"
+        );
+        solved("influence", &text)["cases"][0].clone()
+    });
+    for name in ["FX", "APPROACH", "PMAX", "ELAST_EN", "FRIC_POWER", "NADH"] {
+        let [a, b] = [&plain, &other].map(|row| row[name].as_f64().unwrap());
+        // The file has seven digits.
+        assert!((a - b).abs() < 1e-6 * a.abs(), "{name} is {a} and {b}");
+    }
 }
 
 #[test]

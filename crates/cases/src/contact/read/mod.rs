@@ -136,7 +136,7 @@ impl<'a> Reader<'a> {
     fn case(&mut self) -> Result<(ContactCase, u8), Fault> {
         self.number += 1;
         for line in 0..3 {
-            let words = self.lines.expect("control digits")?;
+            let words = self.lines.expect("the line of control digits")?;
             if line == 0 {
                 self.line = self.lines.last();
             }

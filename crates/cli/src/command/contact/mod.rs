@@ -10,6 +10,7 @@ use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
 use crate::progress::Progress;
 use carom_cases::contact::{BELOW, Below, COLUMNS, Row, Solved, cases, solved};
+use carom_cases::input::Expected;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -52,7 +53,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     let format = arguments.printing.format();
     let outputs = Outputs::of_command(format)?;
     outputs.check_input(&arguments.file)?;
-    let file = outputs.read_case(&arguments.file)?;
+    let file = outputs.read_expected(&arguments.file, Expected::CONTACT)?;
     let given = cases(file.text()).map_err(carom_cases::Error::from)?;
     if let Some(number) = arguments.to_toml {
         let text = carom_cases::contact::toml(&given, number)?;
