@@ -1,9 +1,10 @@
-//! Any text as a case of every kind, read as `carom check` does; contacts in closed form are computed too.
+//! Any text as a case of every kind, read as `carom check` does, and as an input of CONTACT; contacts in closed
+//! form are computed too.
 #![no_main]
 
 use carom_cases::case::{Case as _, CaseKind, HertzCase, HistoryCase, Steps};
 use carom_cases::input::CaseFile;
-use carom_cases::{hertz, history};
+use carom_cases::{contact, hertz, history};
 use carom_fuzz::Folder;
 use libfuzzer_sys::fuzz_target;
 use std::sync::LazyLock;
@@ -13,6 +14,11 @@ static FOLDER: LazyLock<Folder> = LazyLock::new(|| Folder::new("case"));
 const MOST: usize = 20;
 
 fuzz_target!(|text: &str| {
+    if let Ok(cases) = contact::cases(text) {
+        for case in cases.iter().take(MOST) {
+            let _ = contact::toml(&cases, case.number);
+        }
+    }
     if let Ok(kind) = CaseKind::of(text) {
         read(kind, text);
     }
@@ -64,7 +70,7 @@ fn file(text: &str) -> CaseFile {
 fn pressed(file: &CaseFile) {
     let Ok(followed) = hertz::followed(file) else { return };
     for state in &followed.states {
-        let numbers = [state.approach, state.force, state.peak_pressure, state.normal_stiffness];
+        let numbers = [state.approach(), state.force(), state.peak_pressure(), state.widest()];
         assert!(numbers.iter().all(|number| !number.is_nan()), "{state:?}");
     }
     let _ = followed.validity_report();

@@ -125,8 +125,12 @@ fn chosen(lines: &mut Lines<'_>, names: [&'static str; 3]) -> Result<Places, Fau
 }
 
 fn listed(lines: &mut Lines<'_>, name: &'static str, count: usize) -> Result<Places, Fault> {
-    let mut cells: Vec<usize> =
-        lines.list(name, count)?.into_iter().map(|cell| cell.max(0.0) as usize).collect();
+    let all = lines.list(name, count)?;
+    if let Some(part) = all.iter().find(|cell| cell.fract() != 0.0) {
+        return Err(Fault::new(lines.last(), name, part, "whole numbers"));
+    }
+    // CONTACT leaves out those outside the cells.
+    let mut cells: Vec<usize> = all.into_iter().map(|cell| cell.max(0.0) as usize).collect();
     cells.sort_unstable();
     cells.dedup();
     cells.retain(|cell| *cell > 0);
