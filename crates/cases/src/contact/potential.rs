@@ -11,7 +11,7 @@ use carom_solver::{Driven, Window};
 use carom_special::RangeError;
 
 /// The most cells of a case.
-const MOST_CELLS: i32 = 1 << 18;
+const MOST_CELLS: i32 = 1 << 19;
 
 /// A rectangle of cells: how many, how large, and where its lower left corner is. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]

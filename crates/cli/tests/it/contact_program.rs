@@ -338,7 +338,7 @@ fn what_carom_does_not_do_is_refused_by_digit_and_name() {
         (".28 .28 8", ".28 .7 8", "line 9: POISS2 is 0.7, must be from 0 to 0.5"),
         (" 3\n 55", " 7\n 55", "line 10: IPOTCN is 7, must be a whole number from -6 to 4"),
         (" .04 200", " 0 200", "line 11: DX is 0, must be > 0"),
-        (" 55 1 ", " 5500 100 ", "line 11: MY is 100, must be such that MX MY is at most 262144"),
+        (" 55 1 ", " 5500 100 ", "line 11: MY is 100, must be such that MX MY is at most 524288"),
         (" 1 1\n", " 1 4\n", "line 12: IPLAN is 4, must be 1, 2 or 3"),
         (".3 .3", ".3 .2", "line 7: FKIN is 0.2, must be FSTAT = 0.3: CONTACT has one coefficient"),
         (".3 .3", ".3 % .3", "line 8: FKIN is followed by 0.0401,"),
