@@ -24,7 +24,7 @@
  *   4. Contacts with given shifts
  *   5. Impacts
  *   6. R_x of spheres
- *   7. Creep coefficients of a rolling contact
+ *   7. Creep forces of a rolling contact
  *   8. Limits of the theory */
 
 #ifndef CAROM_H
@@ -861,10 +861,10 @@ carom_status carom_restitution_dissimilar(double kappa,
                                           uint32_t *method,
                                           struct carom_error *error);
 
-/* ---- 7. Creep coefficients of a rolling contact -------------------------------
+/* ---- 7. Creep forces of a rolling contact -------------------------------------
  *
  * carom_creep_coefficients gives the forces of a wheel on a rail, or of any rolling bodies, at small
- * creepage. */
+ * creepage, carom_creep_force at any creepage and spin. */
 
 /* Creep coefficients of two equal bodies of shear modulus G, on an elliptical contact with semi-axes a along
  * the direction of rolling and b across it: forces on body 1 at creepages xi, eta (sliding velocity of body 2
@@ -880,6 +880,18 @@ typedef struct carom_creep {
   double c33;
 } carom_creep;
 
+/* Forces of steady rolling on body 1. */
+typedef struct carom_creep_force_result {
+  /* Along the direction of rolling, N. */
+  double f_x;
+  /* Across it, N. */
+  double f_y;
+  /* Torque about the normal, N m. */
+  double m_z;
+  /* How far each force may be off, N; the torque by sqrt(ab) times as much. */
+  double error;
+} carom_creep_force_result;
+
 /* Kalker's creep coefficients, from a table, in less than a microsecond.
  *
  * `axis_ratio` is a/b, from 0.05 to 20, with a along the direction of rolling; `poisson` that of both bodies,
@@ -889,6 +901,23 @@ carom_status carom_creep_coefficients(double axis_ratio,
                                       double poisson,
                                       struct carom_creep *coefficients,
                                       struct carom_error *error);
+
+/* Creep forces of an elliptical contact of two bodies of like materials at any creepage and spin, from a table, in
+ * microseconds and without allocation.
+ *
+ * `semi_axes` are a along the direction of rolling and b across it in m, a/b from 0.1 to 10; `shear_modulus` in Pa and
+ * `poisson`, from 0 to 0.5, are those of each body; `friction` and `normal_force` in N are > 0. `creepages` are those of body 2
+ * against body 1: along, across, and spin in rad/m.
+ *
+ * `semi_axes` must have 2 and `creepages` 3 entries. */
+carom_status carom_creep_force(const double *semi_axes,
+                               double shear_modulus,
+                               double poisson,
+                               double friction,
+                               double normal_force,
+                               const double *creepages,
+                               struct carom_creep_force_result *force,
+                               struct carom_error *error);
 
 /* ---- 8. Limits of the theory --------------------------------------------------
  *

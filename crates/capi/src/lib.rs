@@ -56,7 +56,7 @@ pub use contact::{
     CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
     carom_contact_load, carom_contact_pack, carom_contact_unpack,
 };
-pub use creep::{CaromCreep, carom_creep_coefficients};
+pub use creep::{CaromCreep, CaromCreepForce, carom_creep_coefficients, carom_creep_force};
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,

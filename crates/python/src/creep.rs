@@ -1,8 +1,10 @@
 //! Creep coefficients and the forces of FASTSIM over arrays.
 
 use carom::laws::creep::CreepCoefficients;
+use carom::laws::creep::force::{CreepContact, CreepForce};
 use carom::rolling::{Creepage, Fastsim, FastsimForces};
 use carom::special::RangeError;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -26,6 +28,43 @@ pub(crate) fn creep_coefficients<'py>(
     same_length("poisson", poisson.len(), ratio.len())?;
     let found = map(py, ratio.len(), |i| Ok(CreepCoefficients::by_table(ratio[i], poisson[i])?))?;
     arrays(py, CreepCoefficients::COLUMNS, &found)
+}
+
+/// Forces by the table of creep forces in a Hertz contact, and warnings: for friction, normal force, and creepage along, across and
+/// by spin.
+#[pyfunction]
+pub(crate) fn creep_force<'py>(
+    py: Python<'py>,
+    contact: Hertz,
+    numbers: [Numbers<'py>; 5],
+) -> PyResult<(Bound<'py, PyDict>, Told)> {
+    let [friction, force, along, across, spin] = &numbers;
+    let [friction, force, along, across, spin] = [
+        friction.as_slice()?,
+        force.as_slice()?,
+        along.as_slice()?,
+        across.as_slice()?,
+        spin.as_slice()?,
+    ];
+    for other in [force, along, across, spin] {
+        same_length("an argument", other.len(), friction.len())?;
+    }
+    let hertz = contact.0;
+    let materials = hertz.materials();
+    if !materials.is_uncoupled() {
+        let text = "contact: the table is for bodies of like materials; carom.roll takes others";
+        return Err(PyValueError::new_err(text));
+    }
+    let found = map_by(SHARE, py, friction.len(), |i| {
+        let state = hertz.at_force(RangeError::positive("F_z", force[i])?)?;
+        let ellipse = state.ellipse;
+        let semi_axes = [ellipse.semi_axis_a(), ellipse.semi_axis_b()];
+        let own =
+            CreepContact::new(semi_axes, 2.0 * materials.shear_modulus(), materials.poisson())?;
+        Ok((state, own.force(friction[i], force[i], [along[i], across[i], spin[i]])?))
+    })?;
+    let (states, found): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    Ok((arrays(py, CreepForce::COLUMNS, &found)?, of_loads(&contact, &states)))
 }
 
 /// The forces of FASTSIM in a Hertz contact, and warnings: for friction, normal force, and creepage along, across and by spin.

@@ -50,7 +50,7 @@ mod _carom {
     #[pymodule_export]
     use super::contacts::Contacts;
     #[pymodule_export]
-    use super::creep::{creep_coefficients, fastsim};
+    use super::creep::{creep_coefficients, creep_force, fastsim};
     #[pymodule_export]
     use super::error::{CaromError, RangeError};
     #[pymodule_export]

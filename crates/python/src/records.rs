@@ -42,6 +42,7 @@ pub(crate) fn columns(
         "BellowsResponse" => Ok(about(RESPONSE_COLUMNS)),
         "BellowsState" => Ok(about(BellowsRow::COLUMNS)),
         "CreepCoefficients" => Ok(about(roll::CREEP)),
+        "CreepForce" => Ok(about(carom::laws::creep::force::CreepForce::COLUMNS)),
         "DissimilarRestitution" => Ok(about(DissimilarRestitution::COLUMNS)),
         "FastsimForce" => Ok(about(FastsimForces::COLUMNS)),
         "FlangeSummary" => Ok(about(FlangeSummary::COLUMNS)),

@@ -1,11 +1,13 @@
 //! Rolling contact on a grid: gaps and drives in, forces, creepages and fields out.
 
 use carom::halfspace::Field;
+use carom::laws::slip_speed::SlipSpeedFriction;
 use carom::laws::validity::PressureLimits;
 use carom::prelude::{ContactProblem, Driven, Gap, Grid};
-use carom::rolling::{RollingDrive, SteadyMethod};
+use carom::rolling::{RollingDrive, RollingFriction, SteadyMethod};
 use carom::special::RangeError;
 use carom_cases::roll::{COLUMNS, Rows, Run};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
@@ -34,6 +36,7 @@ pub(crate) fn roll<'py>(
     heights: Numbers<'py>,
     materials: Pair,
     friction: Numbers<'py>,
+    by_slip: Option<[f64; 3]>,
     given: [Given<'py>; 4],
     direction: f64,
     spin_offset: f64,
@@ -50,7 +53,18 @@ pub(crate) fn roll<'py>(
     let gap = Gap::new(heights).map_err(Fault::from)?;
     let friction = surface(grid, friction.as_slice()?)?;
     let drives = drives(&given)?;
-    let run = Run { grid, method: method(direction, spin_offset, step, tolerance)?, speed, cut };
+    let mut method = method(direction, spin_offset, step, tolerance)?;
+    if let Some([a, b, c]) = by_slip {
+        if distance.is_some() {
+            let text =
+                "distance: friction that falls with the slip speed supports the steady state only";
+            return Err(PyValueError::new_err(text));
+        }
+        let law = SlipSpeedFriction::new(a, b, c).map_err(Fault::from)?;
+        let friction = RollingFriction::new(law, speed).map_err(Fault::from)?;
+        method = method.with_friction_by_slip(friction);
+    }
+    let run = Run { grid, method, speed, cut };
     let table = influence::operator(py, grid, &influence, &friction)?;
     let make = |grid: Grid| {
         let gap =

@@ -212,6 +212,10 @@ CALLS = {
         Call(carom.collide_many, {"body_1": BALL, "body_2": FLOOR, "friction": none([0.2, 0.3]), "relaxation": In(1e-7, "s")}),
     ],
     "creep_coefficients": [Call(carom.creep_coefficients, {"axis_ratio": none([0.5, 1.0]), "poisson": none(0.3)})],
+    "creep_force": [
+        Call(carom.creep_force, {"contact": HERTZ, "friction": none(0.3), "F_z": In(10.0, "N"), "creepage": none([1e-4, 1e-3]),
+                                 "creepage_across": none(1e-4), "spin": In(0.1, "rad/m")}),
+    ],
     "fastsim": [
         Call(carom.fastsim, {"contact": HERTZ, "friction": none(0.3), "F_z": In(10.0, "N"), "creepage": none([1e-4, 1e-3]),
                              "creepage_across": none(1e-4), "spin": In(0.1, "rad/m"), "mesh": none((20, 20))}),
@@ -253,7 +257,7 @@ CALLS = {
     **{
         f"cases.{kind}": [Call(getattr(carom.cases, kind), {"path": case(kind)} | beside)]
         for kind, beside in {
-            "hertz": {}, "history": {}, "impact": {}, "roll": {"coefficients": False, "fastsim": True}, "scene": {"points": none(2)},
+            "hertz": {}, "history": {}, "impact": {}, "roll": {"coefficients": False, "fastsim": True, "table": True}, "scene": {"points": none(2)},
             "shell": {}, "solve": {"accuracy": none(0.05)}, "stress": {},
         }.items()
     },

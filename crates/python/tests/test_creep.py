@@ -127,3 +127,47 @@ def test_what_springs_cannot_take_is_refused_by_name(change, told):
     given = {"contact": LONG, "friction": 0.3, "F_z": 1000.0} | change
     with pytest.raises(ValueError, match=told):
         carom.fastsim(given.pop("contact"), given.pop("friction"), **given)
+
+
+def test_the_table_is_near_to_the_solver_and_keeps_shapes():
+    size = (5e-3, 2.6e-3)
+    x, y = carom.cells((48, 48), size)
+    drive = {"creepage": [5e-4, 1e-3, 2e-3, 8e-3], "creepage_across": 5e-4, "spin": 0.5}
+    table = carom.creep_force(LONG, 0.3, F_z=1000.0, **drive)
+    spread = {name: np.broadcast_to(value, 4) for name, value in drive.items()}
+    solved = carom.roll(35.0 * x**2 + 100.0 * y**2, size, STEEL, 0.3, F_z=1000.0, **spread).rows
+    for force in ("F_x", "F_y"):
+        off = abs(getattr(table, force) - getattr(solved, force))
+        assert (off < table.error + 2 * getattr(solved, f"{force}_error")).all(), off
+    assert (table.error < 0.01 * 300.0).all()
+    assert carom.creep_force(LONG, [[0.1], [0.3]], F_z=[500.0, 1000.0, 2000.0]).F_x.shape == (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"F_z": 0.0}, "F_z = 0"),
+        ({"friction": -0.1}, "friction = -0.1"),
+        ({"spin": [0.0, np.inf]}, "spin"),
+        ({"contact": carom.Hertz(STEEL, 1.0, 1e4)}, "axis_ratio"),
+        ({"contact": carom.Hertz(carom.MaterialPair(carom.Material(G, 0.2), carom.Material(2 * G, 0.3)), 35.0, 100.0)}, "like"),
+    ],
+)
+def test_what_the_table_does_not_hold_is_refused_by_name(change, told):
+    given = {"contact": LONG, "friction": 0.3, "F_z": 1000.0} | change
+    with pytest.raises(ValueError, match=told):
+        carom.creep_force(given.pop("contact"), given.pop("friction"), **given)
+
+
+def test_friction_may_fall_with_the_slip_speed():
+    size = (5e-3, 2.6e-3)
+    x, y = carom.cells((32, 32), size)
+    gap = 35.0 * x**2 + 100.0 * y**2
+    falls = carom.SlipSpeedFriction(0.1, 0.2, 50.0)
+    drive = {"F_z": 1000.0, "creepage": [1e-6, 1e-3, 0.2], "speed": 2.0}
+    own, constant = (carom.roll(gap, size, STEEL, f, **drive).rows.F_x for f in (falls, 0.3))
+    assert own[0] == pytest.approx(constant[0], rel=1e-3)
+    assert 0.3 * constant[1] < own[1] < constant[1]
+    assert own[2] == pytest.approx(100.0, rel=2e-3)
+    with pytest.raises(ValueError, match="steady state"):
+        carom.roll(gap, size, STEEL, falls, F_z=1000.0, creepage=1e-3, distance=1e-3)

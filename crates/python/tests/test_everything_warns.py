@@ -48,6 +48,7 @@ OUTSIDE = {
     "collide_many": lambda _: carom.collide_many(BALL, FLOOR, [0.1, 0.5]),
     "history": lambda _: carom.history(BALL, FLOOR, 0.5),
     "hertz": lambda _: carom.hertz(HARD, force=[1.0, 2.0]),
+    "creep_force": lambda _: carom.creep_force(HARD, 0.3, F_z=10.0),
     "fastsim": lambda _: carom.fastsim(HARD, 0.3, F_z=10.0),
     "line_contact": lambda _: carom.line_contact(LEAD, 5e-3, 20e-3, force=1e3),
     "stress": lambda _: carom.stress((1e-3, 1e-3), LEAD, 1e9, 0.0, 0.0, 1e-3),

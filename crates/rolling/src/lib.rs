@@ -14,6 +14,7 @@ mod creep;
 mod drive;
 mod fastsim;
 mod method;
+mod slip_speed;
 mod steady;
 mod transient;
 mod transient_method;
@@ -21,13 +22,15 @@ mod way;
 
 use carom_halfspace::Offset;
 use carom_halfspace::operator::OperatorError;
+use carom_laws::curvature::CurvatureError;
 use carom_special::RangeError;
 
 pub use carom_laws::creep::CreepCoefficients;
-pub use creep::{creep_coefficients, creep_coefficients_on, creep_table_entry};
+pub use creep::{ContinuumForces, creep_coefficients, creep_coefficients_on, creep_table_entry};
 pub use drive::RollingDrive;
 pub use fastsim::{Fastsim, FastsimForces};
 pub use method::SteadyMethod;
+pub use slip_speed::RollingFriction;
 pub use steady::{SteadyContact, SteadyRolling, roll_steadily};
 pub use transient::RollingContact;
 pub use transient_method::TransientMethod;
@@ -60,6 +63,9 @@ pub enum RollingError {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
+    /// The contact is no ellipse.
+    #[error(transparent)]
+    Contact(#[from] CurvatureError),
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
@@ -74,6 +80,17 @@ pub enum RollingError {
     Singular {
         /// Its size.
         unknowns: usize,
+    },
+    /// Friction by the slip speed did not settle.
+    #[error(
+        "friction by the slip speed still changes by {change:.1e} of the limit after {passes} solves: the contact is \
+         about to begin to slide as a whole; give another creepage, or friction that falls less with speed"
+    )]
+    SlipSpeed {
+        /// Solves.
+        passes: usize,
+        /// The greatest change by the last one, over the greatest friction limit.
+        change: f64,
     },
     /// Static friction exceeds kinetic friction.
     #[error(

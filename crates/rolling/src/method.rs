@@ -5,7 +5,7 @@ use carom_laws::law::Shift;
 use carom_solver::{ContactProblem, ContactState, Convergence, Drive, MeshOrder, Method, Observer};
 use carom_special::RangeError;
 
-use super::{RollingDrive, RollingError, SteadyContact, Way};
+use super::{RollingDrive, RollingError, RollingFriction, SteadyContact, Way};
 
 /// Steady rolling as a [`Method`], so that errors of the mesh are estimated on nested grids
 /// ([`carom_solver::NestedHistory`]) and a grid is chosen for an accuracy
@@ -47,6 +47,8 @@ pub struct SteadyMethod {
     step: Option<f64>,
     /// None for the solver's own.
     tolerance: Option<f64>,
+    /// None for the friction of the problem.
+    friction: Option<RollingFriction>,
 }
 
 impl SteadyMethod {
@@ -84,6 +86,18 @@ impl SteadyMethod {
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         carom_solver::Frictional::default().within(tolerance)?;
         Ok(Self { tolerance: Some(tolerance), ..self })
+    }
+
+    /// The same with friction by the slip speed, as [`SteadyContact::with_friction_by_slip`].
+    #[must_use]
+    pub fn with_friction_by_slip(self, friction: RollingFriction) -> Self {
+        Self { friction: Some(friction), ..self }
+    }
+
+    /// Friction by the slip speed; none for that of the problem.
+    #[must_use]
+    pub const fn friction(&self) -> Option<RollingFriction> {
+        self.friction
     }
 
     /// The direction chi of rolling.
@@ -127,6 +141,10 @@ impl Method for SteadyMethod {
 
     fn scratch(&self, problem: &ContactProblem) -> Result<SteadyContact, RollingError> {
         let contact = SteadyContact::new(problem, self.way(problem.grid())?)?;
+        let contact = match self.friction {
+            Some(friction) => contact.with_friction_by_slip(friction),
+            None => contact,
+        };
         match self.tolerance {
             Some(tolerance) => contact.within(tolerance),
             None => Ok(contact),

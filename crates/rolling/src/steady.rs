@@ -7,10 +7,12 @@ use carom_halfspace::operator::{DisplacementField, RolledOperator, TractionField
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
-use super::{Creepage, RollingDrive, RollingError, Way, check_friction, check_room};
+use super::{
+    Creepage, RollingDrive, RollingError, RollingFriction, Way, check_friction, check_room,
+};
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Convergence, Driven, Frictional, FrictionalScratch,
-    Method as _, Observer,
+    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictional,
+    FrictionalScratch, Method as _, Observer,
 };
 
 /// Steady rolling.
@@ -68,6 +70,7 @@ pub struct SteadyContact {
     heat: f64,
     /// Creepages along and across of each cell, beyond those of a drive.
     local: Option<[Field; 2]>,
+    by_slip: Option<RollingFriction>,
 }
 
 impl SteadyContact {
@@ -87,7 +90,17 @@ impl SteadyContact {
         let method = Frictional::default();
         let scratch = method.scratch(&rolled)?;
         let (problem, last) = (problem.clone(), ContactState::apart(problem.grid()));
-        Ok(Self { problem, rolled, way, method, scratch, last, heat: 0.0, local: None })
+        Ok(Self {
+            problem,
+            rolled,
+            way,
+            method,
+            scratch,
+            last,
+            heat: 0.0,
+            local: None,
+            by_slip: None,
+        })
     }
 
     /// The same with this tolerance: violations of the normal conditions relative to the greatest
@@ -97,6 +110,12 @@ impl SteadyContact {
     /// [`RollingError::Range`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RollingError> {
         Ok(Self { method: self.method.within(tolerance)?, ..self })
+    }
+
+    /// The same with friction by the slip speed of each cell instead of that of the problem.
+    #[must_use]
+    pub fn with_friction_by_slip(self, friction: RollingFriction) -> Self {
+        Self { by_slip: Some(friction), ..self }
     }
 
     /// The same with creepages along and across that vary over the surface, in addition to those of
@@ -157,14 +176,11 @@ impl SteadyContact {
     ) -> Result<SteadyRolling, RollingError> {
         drive.check_about(&self.way)?;
         let mut state = ContactState::apart(self.problem.grid());
-        let convergence = self.method.step(
-            &self.rolled,
-            &self.last,
-            &drive.step(&self.way, Shift::default()),
-            &mut state,
-            &mut self.scratch,
-            observer,
-        )?;
+        let drive = drive.step(&self.way, Shift::default());
+        let convergence = match self.by_slip {
+            None => self.solve(&drive, &mut state, observer)?,
+            Some(friction) => self.settle(friction, &drive, &mut state, observer)?,
+        };
         check_room(&self.problem, &state, &self.way)?;
         self.heat = self.heat_of(&state)?;
         self.remember(&state);
@@ -172,6 +188,35 @@ impl SteadyContact {
         self.displace(&mut state)?;
         let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
         Ok(SteadyRolling { state, creepage, heat: self.heat, convergence, slides })
+    }
+
+    fn solve(
+        &mut self,
+        drive: &Drive,
+        state: &mut ContactState,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, RollingError> {
+        let Self { method, rolled, last, scratch, .. } = self;
+        Ok(method.step(rolled, last, drive, state, scratch, observer)?)
+    }
+
+    /// Solves until the friction of each cell is that of its slip.
+    fn settle(
+        &mut self,
+        friction: RollingFriction,
+        drive: &Drive,
+        state: &mut ContactState,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, RollingError> {
+        let mut settling = friction.at_rest(&self.way, self.problem.grid())?;
+        loop {
+            self.rolled = self.rolled.clone().with_friction(settling.friction())?;
+            let went = self.solve(drive, state, observer)?;
+            if let Some(all) = settling.follow(state, &self.last, went)? {
+                return Ok(all);
+            }
+            self.remember(state);
+        }
     }
 
     /// Friction heat of the last solution per distance rolled; 0 before the first.

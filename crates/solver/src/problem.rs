@@ -136,6 +136,14 @@ impl ContactProblem {
         self.gap.grid()
     }
 
+    /// The same problem with another friction.
+    ///
+    /// # Errors
+    /// [`ProblemError::OtherGrid`] unless the friction is uniform or has the grid of the gap.
+    pub fn with_friction(self, friction: impl Into<SurfaceFriction>) -> Result<Self, ProblemError> {
+        Self::new(self.gap, self.operator, friction)
+    }
+
     /// The same problem without friction.
     #[must_use]
     pub fn without_friction(self) -> Self {

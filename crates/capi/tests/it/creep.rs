@@ -36,6 +36,30 @@ fn creep_coefficients_are_those_printed() {
     assert_eq!(status, CaromStatus::Ok);
 }
 
+/// The forces of the library, without a number changed.
+#[test]
+fn creep_forces_are_those_of_the_library() {
+    let (axes, creepages) = ([6.8e-3, 5.1e-3], [1e-3, -2e-4, 0.1]);
+    // SAFETY: plain numbers.
+    let (mut found, mut error): (CaromCreepForce, CaromError) = unsafe { zeroed() };
+    let mut call = |axes: *const f64, friction: f64, found: &mut CaromCreepForce| {
+        let creepages = creepages.as_ptr();
+        // SAFETY: all pointers are references or null.
+        unsafe { carom_creep_force(axes, 82e9, 0.28, friction, 80e3, creepages, found, &mut error) }
+    };
+    assert_eq!(call(axes.as_ptr(), 0.3, &mut found), CaromStatus::Ok);
+    let contact = carom_laws::creep::force::CreepContact::new(axes, 82e9, 0.28).unwrap();
+    let wanted = contact.force(0.3, 80e3, creepages).unwrap();
+    assert_eq!(
+        [found.f_x, found.f_y, found.m_z, found.error],
+        [wanted.f_x, wanted.f_y, wanted.m_z, wanted.error]
+    );
+    let before = found;
+    assert_eq!(call(axes.as_ptr(), -0.3, &mut found), CaromStatus::OutOfRange);
+    assert_eq!(call(std::ptr::null(), 0.3, &mut found), CaromStatus::NullPointer);
+    assert_eq!(found, before);
+}
+
 #[test]
 fn bad_numbers_and_pointers_are_named() {
     for (ratio, poisson, name) in [

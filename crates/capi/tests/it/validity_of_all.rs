@@ -16,6 +16,7 @@ const NEED_NOT: &[&str] = &[
     "carom_law_name",
     "carom_restitution",
     "carom_creep_coefficients",
+    "carom_creep_force",
     "carom_status_text",
     "carom_warning_text",
     "carom_version",

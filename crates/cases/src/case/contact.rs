@@ -24,16 +24,16 @@ pub(super) const FRICTION: Field =
     Field::number("friction", Range::Friction.pure(), "coefficient of friction f; inf: no slip")
         .such_as("0.2")
         .usually(Usual::FRICTION);
-const A: Field =
+pub(super) const A: Field =
     Field::number("a", Range::NonNegative.pure(), "coefficient of friction at high slip speeds")
         .such_as("0.1");
-const B: Field = Field::number(
+pub(super) const B: Field = Field::number(
     "b",
     Range::Finite.pure(),
     "how much friction at rest exceeds that at high slip speeds; a + b >= 0",
 )
 .such_as("0.2");
-const C: Field = Field::number(
+pub(super) const C: Field = Field::number(
     "c",
     Range::NonNegative.of(Dimension::PerSpeed),
     "how fast friction changes with the slip speed",
@@ -208,15 +208,21 @@ pub(super) fn impact_friction(section: &Section<'_>) -> Result<ImpactFriction, C
             let reason = "friction by the slip speed has one coefficient at rest, a + b";
             return Err(section.conflict(&STATIC_FRICTION, &FRICTION_BY_SPEED, reason));
         }
-        let table = section.section(&FRICTION_BY_SPEED)?;
-        let [a, b, c] = [table.number(&A)?, table.number(&B)?, table.number(&C)?];
-        return SlipSpeedFriction::new(a, b, c)
-            .map(ImpactFriction::from)
-            .map_err(|error| table.refused(error));
+        return friction_by_speed(section, &FRICTION_BY_SPEED).map(ImpactFriction::from);
     }
     let friction = static_friction(section, &STATIC_FRICTION)?;
     let is_one = !section.has(&STATIC_FRICTION);
     Ok(if is_one { friction.kinetic().into() } else { friction.into() })
+}
+
+/// Reads the table of friction by the slip speed.
+pub(super) fn friction_by_speed(
+    section: &Section<'_>,
+    field: &'static Field,
+) -> Result<SlipSpeedFriction, CaseError> {
+    let table = section.section(field)?;
+    let [a, b, c] = [table.number(&A)?, table.number(&B)?, table.number(&C)?];
+    SlipSpeedFriction::new(a, b, c).map_err(|error| table.refused(error))
 }
 
 /// Reads a coefficient of friction, and that of static friction beside it, which is the same without its field.

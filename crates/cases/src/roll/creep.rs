@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::case::{Elliptical, RollCase};
+use carom_laws::creep::force::{CreepContact, CreepForce};
 use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, FastsimForces, RollingError, creep_coefficients,
 };
@@ -39,14 +40,14 @@ pub const CREEP: &[Column<Creep>] = &[
 fn ellipse(case: &RollCase) -> Result<&Elliptical, Error> {
     let ellipse = case.ellipse.as_ref().ok_or_else(|| {
         Error::input(
-            "creep coefficients and FASTSIM are for an elliptical contact: give \
+            "creep coefficients, FASTSIM and the table are for an elliptical contact: give \
              `contact.semi_axes` or `contact.radii` instead of `gap`",
         )
     })?;
     match case.method.direction() == 0.0 {
         true => Ok(ellipse),
         false => Err(Error::input(
-            "creep coefficients and FASTSIM are for rolling along x: remove `rolling.direction`",
+            "creep coefficients, FASTSIM and the table are for rolling along x: remove `rolling.direction`",
         )),
     }
 }
@@ -80,4 +81,35 @@ pub(super) fn springs(
         mesh: SPRINGS,
     };
     Ok(fastsim.forces(creepage)?)
+}
+
+/// A contact in the table of creep forces.
+pub(super) struct Tabulated {
+    contact: CreepContact,
+    friction: f64,
+    force: f64,
+}
+
+impl Tabulated {
+    /// The contact of a case.
+    ///
+    /// # Errors
+    /// [`crate::ErrorKind::Input`] unless it is elliptical, of like bodies that roll along x; [`crate::ErrorKind::Range`]
+    /// if the table does not hold it.
+    pub(super) fn of(case: &RollCase) -> Result<Self, Error> {
+        let Elliptical { hertz, loaded } = ellipse(case)?;
+        let materials = hertz.materials();
+        if !materials.is_uncoupled() {
+            return Err(Error::input("the table of creep forces is for bodies of like materials"));
+        }
+        let semi_axes = [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()];
+        let contact =
+            CreepContact::new(semi_axes, 2.0 * materials.shear_modulus(), materials.poisson())?;
+        Ok(Self { contact, friction: case.friction.motion, force: loaded.force })
+    }
+
+    pub(super) fn force(&self, creepage: Creepage) -> Result<CreepForce, Error> {
+        let Creepage { along, across, spin } = creepage;
+        Ok(self.contact.force(self.friction, self.force, [along, across, spin])?)
+    }
 }

@@ -38,6 +38,8 @@ pub struct Wanted {
     pub coefficients: bool,
     /// The forces of FASTSIM, in the steady state; not from rest.
     pub springs: bool,
+    /// Those of the table of creep forces, likewise.
+    pub table: bool,
 }
 
 /// Computes a rolling contact. `observer` is told how many rows there are, and of each one.
@@ -61,7 +63,13 @@ fn rows_of(
     wanted: Wanted,
     observer: &mut dyn FnMut(Progress),
 ) -> Result<Rolled, Error> {
+    if (wanted.springs || wanted.table) && case.method.friction().is_some() {
+        return Err(Error::input(
+            "FASTSIM and the table of creep forces have one coefficient of friction",
+        ));
+    }
     let creep = (wanted.coefficients || wanted.springs).then(|| creep::of(case)).transpose()?;
+    let table = wanted.table.then(|| creep::Tabulated::of(case)).transpose()?;
     let bodies =
         Bodies::of_half_spaces(file, case.materials, &case.gap, case.grid, &case.friction)?
             .with_influence(file, case.influence.as_ref())?;
@@ -90,6 +98,11 @@ fn rows_of(
     if let Some(creep) = creep.as_ref().filter(|_| wanted.springs) {
         for row in &mut rows {
             row.springs = Some(creep::springs(case, creep.coefficients, row.creepage)?);
+        }
+    }
+    if let Some(table) = &table {
+        for row in &mut rows {
+            row.table = Some(table.force(row.creepage)?);
         }
     }
     let creep = creep.filter(|_| wanted.coefficients);
@@ -148,9 +161,14 @@ const SATURATED: f64 = 0.999;
 
 /// What is told of rows in which the whole contact slides. With spin the slip has all directions, so that the force is below
 /// the limit and still grows with the creepage.
-fn sliding(rows: &[Row]) -> Option<String> {
+fn sliding(case: &RollCase, rows: &[Row]) -> Option<String> {
     let all = rows.len();
     let sliding = rows.iter().filter(|row| row.slides).count();
+    if case.method.friction().is_some() && sliding > 0 {
+        return Some(format!(
+            "full sliding in {sliding} of {all} rows: there friction is that of the slip speed, not that at rest"
+        ));
+    }
     let saturated =
         rows.iter().filter(|row| row.slides && row.pull() >= SATURATED * row.limit).count();
     match (sliding, saturated) {
@@ -171,7 +189,7 @@ fn sliding(rows: &[Row]) -> Option<String> {
 pub fn warnings(case: &RollCase, rolled: &Rolled, wanted: Wanted) -> Vec<String> {
     let rows = &rolled.rows;
     let mut warnings = Vec::new();
-    warnings.extend(sliding(rows));
+    warnings.extend(sliding(case, rows));
     if let Some((row, warning)) = rolled.too_large {
         warnings.push(format!("row {row}: {warning}"));
     }

@@ -1,5 +1,6 @@
 //! The rows and columns of a rolling contact.
 
+use carom_laws::creep::force::CreepForce;
 use carom_laws::law::ContactLoad;
 use carom_rolling::{Creepage, FastsimForces};
 use carom_solver::{CellState, ContactProblem, ContactState, Convergence, Estimated, Estimates};
@@ -32,6 +33,8 @@ pub struct Row {
     pub slides: bool,
     /// Forces by FASTSIM.
     pub springs: Option<FastsimForces>,
+    /// Forces by the table of creep forces.
+    pub table: Option<CreepForce>,
     /// Residuals and cost.
     pub convergence: Convergence,
     /// Discretisation errors, if they were estimated; shifts stand for creepages.
@@ -66,6 +69,7 @@ impl Row {
             stick_area: area * stick,
             slides: stick == 0.0 && slip > 0.0,
             springs: None,
+            table: None,
             convergence,
             estimates: None,
         }
@@ -164,6 +168,18 @@ pub const COLUMNS: &[Column<Row>] = &[
             row.springs.map(off).into()
         },
     ),
+    Column::new("F_x_table", "N", "F_x of the table of creep forces, with --table", |row| {
+        row.table.map(|table| table.f_x).into()
+    }),
+    Column::new("F_y_table", "N", "F_y of the table", |row| {
+        row.table.map(|table| table.f_y).into()
+    }),
+    Column::new("M_z_table", "N m", "M_z of the table", |row| {
+        row.table.map(|table| table.m_z).into()
+    }),
+    Column::new("table_error", "N", "how far each force of the table may be off", |row| {
+        row.table.map(|table| table.error).into()
+    }),
     Column::new("residual_normal", "", "residual of the contact conditions", |row| {
         row.convergence.residuals.normal.into()
     }),
@@ -218,6 +234,7 @@ mod tests {
             stick_area: 0.0,
             slides: false,
             springs: None,
+            table: None,
             convergence: Convergence { iterations: 0, products, residuals, stop: Stop::Converged },
             estimates: None,
         }

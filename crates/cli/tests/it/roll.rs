@@ -85,6 +85,61 @@ fn the_wheel_on_the_rail_comes_near_to_fastsim() {
     }
 }
 
+/// Two methods: the solver, with the error of its mesh, and the stored solutions of the continuum.
+#[test]
+fn the_wheel_on_the_rail_is_in_the_table_of_creep_forces() {
+    let rows = json(&["roll", &example("roll_wheel_on_rail.toml"), "--table"]);
+    for row in rows.as_array().unwrap() {
+        let value = |name: &str| row[name].as_f64().unwrap();
+        for force in ["F_x", "F_y"] {
+            // The grid is coarse, and its error estimated from coarser ones.
+            let allowed = 2.0 * value(&format!("{force}_error")) + value("table_error");
+            close(&row[force], value(&format!("{force}_table")), allowed);
+        }
+        assert!(value("table_error") < 0.01 * 0.3 * value("F_z"));
+    }
+    let unlike = CASE.replacen("poisson = 0.25", "poisson = 0.4", 1).replace("CREEP", "");
+    for (file, part) in [
+        (with("roll_way_table.toml", "creepage = 1e-3\ndistance = 0.001"), "steady state"),
+        (case("roll_unlike_table.toml", &unlike), "like materials"),
+    ] {
+        let output = carom(&["roll", &file, "--table"]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains(part), "{said}");
+    }
+}
+
+/// Friction of each cell by its own slip speed: at rest as with the number a + b, at high speed with a.
+#[test]
+fn friction_may_fall_with_the_slip_speed() {
+    let friction = |text: &str, creep: &str| {
+        let text = CASE.replace("friction = 0.3", text).replace("CREEP", creep);
+        json(&["roll", &case("roll_by_slip.toml", &text)])
+    };
+    let by_slip = "friction = { a = 0.1, b = 0.2, c = \"50 s/m\" }";
+    for (creep, number) in
+        [("creepage = 1e-6", "friction = 0.3"), ("creepage = 0.2", "friction = 0.1")]
+    {
+        let [own, constant] = [by_slip, number].map(|text| friction(text, creep));
+        close(&own[0]["F_x"], constant[0]["F_x"].as_f64().unwrap(), 0.002 * 300.0);
+    }
+    let [own, constant] = [by_slip, "friction = 0.3"].map(|text| friction(text, "creepage = 2e-3"));
+    let [own, constant] = [own, constant].map(|rows| rows[0]["F_x"].as_f64().unwrap());
+    assert!(own < 0.98 * constant && own > 0.3 * constant, "{own} {constant}");
+    for (text, part) in [
+        (CASE.replace("friction = 0.3", by_slip).replace("CREEP", "distance = 0.001"), "from rest"),
+        (
+            CASE.replace("friction = 0.3", "friction = { a = 0, b = 0.2, c = 1 }")
+                .replace("CREEP", ""),
+            "positive",
+        ),
+    ] {
+        let output = carom(&["roll", &case("roll_by_slip_bad.toml", &text)]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains(part), "{said}");
+    }
+}
+
 #[test]
 fn what_cannot_roll_is_refused_by_name() {
     for (old, new, parts) in [

@@ -1,5 +1,6 @@
 //! Kalker's creep coefficients: the forces of a rolling contact at vanishing creepage, from a table.
 
+pub mod force;
 mod interpolation;
 pub mod nodes;
 mod stored;

@@ -10,6 +10,7 @@ mod coulomb_estimate;
 mod coulomb_known;
 mod coulomb_slip;
 mod creep;
+mod creep_force;
 mod energy_balance;
 mod energy_known;
 mod extremes;

@@ -83,7 +83,7 @@ from ._contact_theory import (
     stress,
     von_mises,
 )
-from ._creep import creep_coefficients, fastsim
+from ._creep import creep_coefficients, creep_force, fastsim
 from ._friction import SlipSpeedFriction
 from ._impact import collide, collide_many, history, plane, sphere
 from ._loss import RestitutionBySpeed
@@ -115,6 +115,8 @@ from ._records import (
     SurfaceMeasures,
     LineState,
     LineStates,
+    CreepForce,
+    CreepForces,
 )
 from ._roll import roll
 from ._solver import Solver, cells
@@ -134,6 +136,8 @@ __all__ = [
     "Contact",
     "Contacts",
     "CreepCoefficients",
+    "CreepForce",
+    "CreepForces",
     "DissimilarRestitution",
     "DissimilarRestitutions",
     "FastsimForce",
@@ -175,6 +179,7 @@ __all__ = [
     "collide",
     "collide_many",
     "creep_coefficients",
+    "creep_force",
     "fastsim",
     "hertz",
     "hertz_of_spheres",

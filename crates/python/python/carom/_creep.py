@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from . import _carom
 from ._arrays import counts, line, numbers
 from ._carom import Hertz
-from ._records import FastsimForce, FastsimForces, LinearCreep, LinearCreeps
+from ._records import CreepForce, CreepForces, FastsimForce, FastsimForces, LinearCreep, LinearCreeps
 from ._types import Number, Several
 from ._validity import warn
 
@@ -176,3 +176,54 @@ def fastsim(
     columns, exceeded = _carom.fastsim(contact, [line(array) for array in arrays], pair)
     warn(exceeded)
     return FastsimForces._either(columns, arrays[0].shape)  # type: ignore[no-any-return]
+
+
+@overload
+def creep_force(
+    contact: Hertz,
+    friction: Number,
+    *,
+    F_z: Number,
+    creepage: Number = 0.0,
+    creepage_across: Number = 0.0,
+    spin: Number = 0.0,
+) -> CreepForce: ...
+@overload
+def creep_force(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+) -> CreepForce | CreepForces: ...
+def creep_force(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+) -> CreepForce | CreepForces:
+    """Forces of steady rolling by a table of solutions, in microseconds, for two bodies of like materials.
+
+    `contact` rolls along x, its semi-axis a; a/b from 0.1 to 10. Arguments and loads are those of `fastsim`; arrays are
+    broadcast. `error` says how far F_x and F_y may be off the continuum (M_z by sqrt(ab) times as much). `roll` solves the
+    contact itself.
+
+    >>> import carom
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> wheel = carom.Hertz.of_radii(carom.MaterialPair(steel), (0.46, float("inf")), (float("inf"), 0.3), 0.0)
+    >>> forces = carom.creep_force(wheel, 0.3, F_z=80e3, creepage=[1e-4, 1e-3, 1e-2])
+    >>> bool((abs(forces.F_x) <= 0.3 * 80e3).all()), len(forces)
+    (True, 3)
+    """
+    names = ("friction", "F_z", "creepage", "creepage_across", "spin")
+    units = ("", "N", "", "", "rad/m")
+    given = zip(names, (friction, F_z, creepage, creepage_across, spin), units, strict=True)
+    arrays = np.broadcast_arrays(*(numbers(name, values, unit) for name, values, unit in given))
+    columns, exceeded = _carom.creep_force(contact, [line(values) for values in arrays])
+    warn(exceeded)
+    return CreepForces._either(columns, arrays[0].shape)  # type: ignore[no-any-return]

@@ -16,7 +16,7 @@ from ._types import Array, Number, Numbers, Several
 class SlipSpeedFriction:
     """Friction f = a + b exp(-c v) that depends on the slip speed v: a + b at rest, a at high speeds. c in s/m.
 
-    `collide`, `collide_many` and `history` take it as `friction`. The slip speed is the tangential speed of the contact
+    `collide`, `collide_many`, `history` and `roll` take it as `friction`. In an impact the slip speed is the tangential speed of the contact
     point at the first touch; the coefficient is then constant during the impact.
 
     >>> import carom

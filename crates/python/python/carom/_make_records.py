@@ -10,6 +10,7 @@ RESULTS = (
     ("BellowsState", "BellowsStates", "load", "A bellows under one load; forces, lengths and energies of all corrugations."),
     ("Bounce", "Bounces", "bounce", "A bounce of a ball off a wall."),
     ("CreepCoefficients", "", "contact", "Kalker's creep coefficients of an elliptical contact."),
+    ("CreepForce", "CreepForces", "row", "Forces of the table on body 1, which rolls along x."),
     ("FastsimForce", "FastsimForces", "row", "Forces of FASTSIM on body 1, which rolls along x."),
     ("FlangeSummary", "", "flange", "Greatest absolute values of a flange around, and what tells of their accuracy."),
     ("DissimilarRestitution", "DissimilarRestitutions", "impact", "R_x of spheres of dissimilar materials."),

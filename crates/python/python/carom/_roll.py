@@ -12,6 +12,7 @@ from . import _carom
 from ._arrays import blocks, line, number, numbers, two
 from ._carom import Material, MaterialPair
 from ._case_results import Rolled, gridded
+from ._friction import SlipSpeedFriction, by_speed
 from ._records import RollStates
 from ._validity import warn
 
@@ -23,7 +24,7 @@ def roll(
     gap: ArrayLike,
     size: tuple[float, float],
     materials: MaterialPair | Material,
-    friction: ArrayLike,
+    friction: ArrayLike | SlipSpeedFriction,
     *,
     zeta: ArrayLike | None = None,
     F_z: ArrayLike | None = None,
@@ -51,7 +52,8 @@ def roll(
 
     `step` is the distance at which the surfaces are compared, by default the width of a cell; `spin_offset` the place in
     it at which a spin shifts them, from 0 at its end to 1 at its start. With a `distance` (m) the contact rolls from rest
-    by one value of each motion.
+    by one value of each motion. With a `SlipSpeedFriction` each cell has the friction of its own slip at the `speed`, in the
+    steady state that is reached from rest.
 
     A steel ball, braked by a given force:
 
@@ -68,7 +70,8 @@ def roll(
     if heights.ndim != 2:
         raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
     ny, nx = heights.shape
-    fine = numbers("friction", friction)
+    by_slip = by_speed(friction)
+    fine = numbers("friction", friction if by_slip is None else by_slip[0] + by_slip[1])
     if fine.shape not in ((), (ny, nx)):
         raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
     width, height = two("size", size, "m")
@@ -82,6 +85,7 @@ def roll(
         line(heights),
         materials,
         line(fine),
+        by_slip,
         given,
         math.radians(number("direction", direction, "deg")),
         number("spin_offset", spin_offset),

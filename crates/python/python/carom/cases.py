@@ -226,11 +226,14 @@ def scene(path: Path, *, points: int = 0) -> Scene:
     )
 
 
-def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Rolled:
+def roll(
+    path: Path, *, coefficients: bool = False, fastsim: bool = False, table: bool = False
+) -> Rolled:
     """A rolling contact: creep forces in the steady state, or step by step from rest.
 
     `coefficients` also computes Kalker's creep coefficients of the contact, `fastsim` the forces of FASTSIM in the
-    steady state, `rows.F_x_springs` and `rows.F_y_springs`. `carom.plot` draws the last contact.
+    steady state, `rows.F_x_springs` and `rows.F_y_springs`, `table` those of the table of `carom.creep_force`,
+    `rows.F_x_table` to `rows.table_error`. `carom.plot` draws the last contact.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "wheel.toml"
@@ -240,7 +243,7 @@ def roll(path: Path, *, coefficients: bool = False, fastsim: bool = False) -> Ro
     (True, dtype('bool'))
     """
     rows, creep, axes, (fields, cells), (exceeded, is_outside), others = _carom.case_roll(
-        _file(path), coefficients, fastsim
+        _file(path), coefficients, fastsim, table
     )
     warn((exceeded + others, is_outside))
     return Rolled(

@@ -86,6 +86,7 @@ pub(crate) fn case_roll<'py>(
     path: PathBuf,
     coefficients: bool,
     fastsim: bool,
+    table: bool,
 ) -> PyResult<(
     Bound<'py, PyDict>,
     Option<Bound<'py, PyDict>>,
@@ -94,11 +95,12 @@ pub(crate) fn case_roll<'py>(
     Told,
     Vec<String>,
 )> {
-    let wanted = Wanted { coefficients, springs: fastsim };
+    let wanted = Wanted { coefficients, springs: fastsim, table };
     let file = CaseFile::read(&path).map_err(raised)?;
     let case = file.parse::<RollCase>().map_err(raised)?;
-    if fastsim && case.distance.is_some() {
-        let text = "fastsim: supports the steady state only: the case must have no `distance`";
+    if (fastsim || table) && case.distance.is_some() {
+        let text =
+            "fastsim and table: support the steady state only: the case must have no `distance`";
         return Err(PyValueError::new_err(text));
     }
     let rolled = beside(py, || roll::rolled(&file, &case, wanted, &mut |_| ()));

@@ -1,6 +1,7 @@
 //! Kalker's creep coefficients: steady rolling with vanishing creepage and complete adhesion.
 
 mod adhesion;
+mod continuum;
 mod entry;
 mod strips;
 
@@ -10,6 +11,7 @@ use carom_special::RangeError;
 
 use super::RollingError;
 use adhesion::{Adhesion, Motion};
+pub use continuum::ContinuumForces;
 pub use entry::creep_table_entry;
 use strips::Strips;
 

@@ -5,6 +5,7 @@ use crate::catalogue::Entry;
 mod bentall;
 mod coefficients;
 mod conformal;
+mod creep_table;
 mod curves;
 mod growth;
 mod onset;
@@ -19,6 +20,8 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("rolling.curves", "Forces by creepage and spin").slowly_by(curves::draw),
     Entry::check("rolling.tractcurv", "CONTACT's shipped cases: a traction curve")
         .by(tractcurv::draw),
+    Entry::check("rolling.creep_table", "CONTACT's published table of creep forces")
+        .by(creep_table::draw),
     Entry::check("rolling.bentall", "CONTACT's shipped cases: dissimilar cylinders")
         .by(bentall::draw),
     Entry::check("rolling.shipped", "CONTACT's shipped cases: spin, and polymer cylinders")

@@ -54,9 +54,9 @@ const GROUPS: &[Group] = &[
         modules: &["restitution"],
     },
     Group {
-        title: "Creep coefficients of a rolling contact",
+        title: "Creep forces of a rolling contact",
         about: "carom_creep_coefficients gives the forces of a wheel on a rail, or of any rolling bodies, at small\n\
-                creepage.",
+                creepage, carom_creep_force at any creepage and spin.",
         modules: &["creep"],
     },
     Group {

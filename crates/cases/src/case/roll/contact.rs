@@ -1,16 +1,20 @@
 //! What touches: an elliptical contact or any gap, and its grid.
 
 use super::ANY_GAP;
+use crate::case::contact::{A, B, C, friction_by_speed};
 use crate::case::error::{CaseError, CaseFault};
 use crate::case::field::{Default, Field, Form, Usual};
 use crate::case::range::Range;
 use crate::case::section::Section;
-use crate::case::solve::{ACCURACY, Border, CELLS, CUT, FRICTION_MAP, GridCase, SIZE, TOLERANCE};
+use crate::case::solve::{
+    ACCURACY, Border, CELLS, CUT, FRICTION_MAP, FrictionCase, GridCase, SIZE, TOLERANCE,
+};
 use crate::case::unit::{Dimension, Measure};
 use carom_halfspace::{Grid, MaterialPair};
 use carom_laws::curvature::{CurvatureError, RelativeCurvature};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::hertz::{Hertz, HertzState};
+use carom_laws::slip_speed::SlipSpeedFriction;
 
 const PAIR: &str = "two lengths [along x, along y]";
 const LENGTH: Measure = Range::Positive.of(Dimension::Length);
@@ -33,17 +37,46 @@ const FORCE: Field = Field::number(
 .or("`rolling.F_z` beside `gap`")
 .such_as("8e4");
 /// The coefficient of friction.
-pub(super) const FRICTION: Field =
+const FRICTION: Field =
     Field::number("friction", Range::Positive.pure(), "coefficient of friction f")
         .such_as("0.3")
         .usually(Usual::FRICTION);
+/// The table in place of the number `friction`.
+pub(super) const FRICTION_BY_SLIP: Field = Field::new(
+    "friction",
+    Form::Table(&[A, B, C]),
+    "friction by the slip speed v of each cell, f = a + b exp(-c v), instead of a number; without memory, the \
+     state that is reached from rest",
+)
+.may("`friction` is a number");
 /// The field `contact` of a case.
 pub(super) const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[SEMI_AXES, RADII, FORCE, FRICTION, FRICTION_MAP, TOLERANCE]),
+    Form::Table(&[SEMI_AXES, RADII, FORCE, FRICTION, FRICTION_BY_SLIP, FRICTION_MAP, TOLERANCE]),
     "an elliptical contact under load, or the friction of a gap",
 )
 .begun(&[(&SEMI_AXES, ""), (&FORCE, "")]);
+
+/// Reads the friction of a contact; where it falls with the slip speed, that at rest, and the law.
+pub(super) fn read_friction(
+    contact: &Section<'_>,
+    grid: GridCase,
+) -> Result<(FrictionCase, Option<SlipSpeedFriction>), CaseError> {
+    if !contact.means(&FRICTION_BY_SLIP) {
+        return Ok((FrictionCase::read_one(contact, &FRICTION, grid)?, None));
+    }
+    if contact.has(&FRICTION_MAP) {
+        let reason = "a map has factors of one coefficient";
+        return Err(contact.conflict(&FRICTION_MAP, &FRICTION_BY_SLIP, reason));
+    }
+    let law = friction_by_speed(contact, &FRICTION_BY_SLIP)?;
+    let [a, b, _] = law.coefficients();
+    if a + b <= 0.0 || a <= 0.0 {
+        let table = contact.section(&FRICTION_BY_SLIP)?;
+        return Err(table.out_of_range(&A, a, "positive, and so a + b"));
+    }
+    Ok((FrictionCase { rest: a + b, motion: a + b, map: None }, Some(law)))
+}
 
 const ELEMENTS_ACROSS: f64 = 40.0;
 const ELEMENTS: Field = Field::number(

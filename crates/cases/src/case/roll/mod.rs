@@ -14,9 +14,9 @@ use super::solve::influence::{self, INFLUENCE};
 use super::solve::{FrictionCase, GAP, GapCase, GridCase, InfluenceFile, TOLERANCE};
 use carom_halfspace::MaterialPair;
 use carom_laws::validity::PressureLimits;
-use carom_rolling::{RollingDrive, SteadyMethod};
+use carom_rolling::{RollingDrive, RollingFriction, SteadyMethod};
 use carom_solver::Shape;
-use contact::{CONTACT, FRICTION, GRID};
+use contact::{CONTACT, GRID};
 use rolling::ROLLING;
 
 const BODY_1: Field =
@@ -44,7 +44,8 @@ pub struct RollCase {
     pub influence: Option<InfluenceFile>,
     /// The grid.
     pub grid: GridCase,
-    /// Coefficients of friction, equal at rest and in motion.
+    /// Coefficients of friction, equal at rest and in motion; by the slip speed that at rest, and the law is in the
+    /// method.
     pub friction: FrictionCase,
     /// Rolling speed, m/s.
     pub speed: f64,
@@ -80,7 +81,7 @@ impl Case<'_> for RollCase {
             let reason = "influence numbers belong to the cells of a grid; give `gap` and `grid`";
             return Err(case.conflict([&BODIES, &INFLUENCE], &CONTACT, reason));
         }
-        let friction = FrictionCase::read_one(&contact, &FRICTION, grid)?;
+        let (friction, by_slip) = contact::read_friction(&contact, grid)?;
         let tolerance = contact.maybe(&TOLERANCE)?;
         let rolling = case.section(&ROLLING)?;
         let normal = ellipse.as_ref().map(|ellipse| ellipse.loaded.force);
@@ -90,7 +91,21 @@ impl Case<'_> for RollCase {
         }
         let distance = rolling::distance(&rolling, &drives, ellipse.as_ref(), grid)?;
         let speed = rolling::speed(&rolling)?;
-        let method = rolling::method(&rolling, tolerance)?;
+        let mut method = rolling::method(&rolling, tolerance)?;
+        if let Some(law) = by_slip {
+            if distance.is_some() {
+                let reason = "from rest, friction that falls with the slip speed lets cells stick and slip in turn, and no \
+                              grid settles it; the steady state has it";
+                return Err(case.conflict(
+                    [&CONTACT, &contact::FRICTION_BY_SLIP],
+                    &ROLLING,
+                    reason,
+                ));
+            }
+            let friction = RollingFriction::new(law, speed);
+            let friction = friction.map_err(|error| rolling.refused(error))?;
+            method = method.with_friction_by_slip(friction);
+        }
         Ok(Self {
             materials,
             ellipse,

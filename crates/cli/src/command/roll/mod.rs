@@ -32,9 +32,13 @@ pub(super) struct Arguments {
     /// Also give Kalker's creep coefficients of the contact; as CSV they replace the rows.
     #[arg(long)]
     coefficients: bool,
-    /// Also give the forces of FASTSIM, an elastic foundation model, beside those of the solver.
+    /// Also give the forces of FASTSIM, an elastic foundation model.
     #[arg(long)]
     fastsim: bool,
+    /// Also give the forces of the table of creep forces, and how far they may be off. The table takes bodies of like
+    /// materials.
+    #[arg(long)]
+    table: bool,
 }
 
 fn help() -> String {
@@ -53,12 +57,16 @@ struct Both<'a> {
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
     let Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse::<RollCase>()?;
-    if arguments.fastsim && case.distance.is_some() {
+    if (arguments.fastsim || arguments.table) && case.distance.is_some() {
         return Err(CliError::Options(
-            "--fastsim supports the steady state only: remove `distance`",
+            "--fastsim and --table support the steady state only: remove `distance`",
         ));
     }
-    let wanted = Wanted { coefficients: arguments.coefficients, springs: arguments.fastsim };
+    let wanted = Wanted {
+        coefficients: arguments.coefficients,
+        springs: arguments.fastsim,
+        table: arguments.table,
+    };
     let rolled = watched(&file, &case, wanted, messages)?;
     let Rolled { rows, creep, .. } = &rolled;
     let format = arguments.given.format();

@@ -122,6 +122,12 @@ pub(super) fn draw(case: &RollCase, rolled: &Rolled) -> Result<Picture, CliError
                 });
                 forces.add(Series::dashed(format!("{name}, FASTSIM"), springs).coloured(colour));
             }
+            if is_curve && sorted.iter().all(|(_, row)| row.table.is_some()) {
+                let table = points(&|row| {
+                    row.table.map_or(0.0, |both| [both.f_x, both.f_y][i]) / row.limit
+                });
+                forces.add(Series::dotted(format!("{name}, table"), table).coloured(colour));
+            }
         }
         panels.push(forces);
         let twist = twist(rows);

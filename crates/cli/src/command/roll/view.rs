@@ -11,6 +11,9 @@ pub(super) fn columns(rows: &[Row], is_to_read: bool) -> Vec<Column<Row>> {
         "F_x_springs" | "F_y_springs" | "springs_error" => {
             rows.iter().any(|row| row.springs.is_some())
         }
+        "F_x_table" | "F_y_table" | "M_z_table" | "table_error" => {
+            rows.iter().any(|row| row.table.is_some())
+        }
         "error" => rows.iter().any(|row| row.estimates.is_some()),
         "residual_normal" | "residual_tangential" | "iterations" | "contact_area" => !is_to_read,
         name if name.ends_with("_error") => {

@@ -129,8 +129,20 @@ pub(super) fn creep(world: &mut World) -> CaromStatus {
     let (ratio, poisson) = (world.number(0.05, 20.0), world.number(0.0, 0.5));
     let (error, mut place) = (world.error(), MaybeUninit::<CaromCreep>::uninit());
     let to = world.point(place.as_mut_ptr());
-    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe { carom_creep_coefficients(ratio, poisson, to, error) }
+    if world.chance(0.5) {
+        // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+        return unsafe { carom_creep_coefficients(ratio, poisson, to, error) };
+    }
+    let axes = [ratio, world.number(0.5, 2.0)];
+    let creepages = [(); 3].map(|()| world.number(-1e-3, 1e-3));
+    let [modulus, friction, force] =
+        [world.number(1e9, 1e11), world.number(0.1, 0.5), world.number(1.0, 1e5)];
+    let mut place = MaybeUninit::<CaromCreepForce>::uninit();
+    let to = world.point(place.as_mut_ptr());
+    let axes = world.point(axes.as_ptr().cast_mut());
+    let creepages = world.point(creepages.as_ptr().cast_mut());
+    // SAFETY: each pointer is null, misaligned or that of something that may be read or written, and none twice.
+    unsafe { carom_creep_force(axes, modulus, poisson, friction, force, creepages, to, error) }
 }
 
 pub(super) fn words(world: &mut World, which: usize) -> CaromStatus {

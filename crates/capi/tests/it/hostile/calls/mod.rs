@@ -39,7 +39,7 @@ pub(crate) const NAMES: [&str; 34] = [
     "carom_encounters_validity",
     "carom_law_impact_time",
     "carom_validity_text",
-    "carom_creep_coefficients",
+    "carom_creep_coefficients, carom_creep_force",
     "carom_status_text",
     "carom_version",
     "carom_warning_text",

@@ -1,0 +1,140 @@
+//! The table of creep forces: symmetries, limits, Kalker's slopes.
+
+use carom_laws::creep::force::{CreepContact, CreepForce};
+use std::f64::consts::PI;
+
+fn contact(ratio: f64, poisson: f64) -> CreepContact {
+    CreepContact::new([ratio.sqrt(), 1.0 / ratio.sqrt()], 1.0, poisson).unwrap()
+}
+
+fn forces(contact: &CreepContact, creepage: [f64; 3]) -> [f64; 3] {
+    let CreepForce { f_x, f_y, m_z, .. } = contact.force(0.3, 1e-3, creepage).unwrap();
+    [f_x, f_y, m_z].map(|force| force / 3e-4)
+}
+
+/// Draws numbers from -1 to 1.
+fn random(state: &mut u64) -> f64 {
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    *state ^= *state << 17;
+    (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// A contact with a random axis ratio and Poisson's ratio, and creepages of any size.
+fn drawn(state: &mut u64) -> (CreepContact, [f64; 3]) {
+    let ratio = 10_f64.powf(random(state));
+    let contact = contact(ratio, 0.25 + 0.25 * random(state));
+    let size = 1e-4 * 10_f64.powf(2.0 * random(state));
+    (contact, [(); 3].map(|()| size * random(state)))
+}
+
+/// Reversed creepages have reversed forces; a mirror turns what is across, and the spin.
+#[test]
+fn both_symmetries_hold() {
+    let mut state = 7;
+    for _ in 0..2000 {
+        let (contact, [x, y, phi]) = drawn(&mut state);
+        let [f_x, f_y, m_z] = forces(&contact, [x, y, phi]);
+        for (creepage, wanted) in
+            [([-x, -y, -phi], [-f_x, -f_y, -m_z]), ([x, -y, -phi], [f_x, -f_y, -m_z])]
+        {
+            let found = forces(&contact, creepage);
+            assert!((0..3).all(|i| (found[i] - wanted[i]).abs() < 1e-12), "{found:?} {wanted:?}");
+        }
+    }
+}
+
+#[test]
+fn forces_stay_within_friction_and_heat() {
+    let mut state = 11;
+    for _ in 0..5000 {
+        let (contact, creepage) = drawn(&mut state);
+        let found = forces(&contact, creepage);
+        assert!(found[0].hypot(found[1]) <= 1.0 + 1e-15);
+        let power: f64 = found.iter().zip(creepage).map(|(force, rate)| force * rate).sum();
+        assert!(power >= -1e-18, "{power}");
+    }
+}
+
+/// At small creepages the forces are Kalker's, to 1e-3 of the greatest slope of a row.
+#[test]
+fn slopes_at_rest_are_kalkers_coefficients() {
+    for (ratio, poisson) in [(0.1, 0.0), (0.3, 0.28), (1.0, 0.25), (2.7, 0.5), (10.0, 0.28)] {
+        let contact = contact(ratio, poisson);
+        let c = contact.coefficients();
+        let rows = contact.derivatives(0.3, 1e-3, [0.0; 3]).unwrap();
+        let wanted = [[c.c11, 0.0, 0.0], [0.0, c.c22, -c.c23], [0.0, c.c32, c.c33]];
+        for (row, wanted) in rows.iter().zip(wanted) {
+            let scale = wanted.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+            for (found, wanted) in row.iter().zip(wanted) {
+                assert!(
+                    (found - wanted).abs() < 2e-3 * scale,
+                    "{ratio} {poisson}: {rows:?} {wanted:?}"
+                );
+            }
+        }
+    }
+}
+
+/// In rigid sliding without spin the force is the friction limit against the slip; in pure spin of a circle the torque is that
+/// of the pressure, 3 pi/16 of f F_z a.
+#[test]
+fn rigid_sliding_ends_the_table() {
+    for ratio in [0.1, 0.7, 4.0] {
+        let contact = contact(ratio, 0.3);
+        for (x, y) in [(1.0, 0.0), (0.0, -1.0), (-0.6, 0.8)] {
+            let [f_x, f_y, m_z] = forces(&contact, [1e3 * x, 1e3 * y, 0.0]);
+            assert!(
+                (f_x - x).abs() < 2e-3 && (f_y - y).abs() < 2e-3 && m_z.abs() < 2e-3,
+                "{ratio} {x} {y}: {f_x} {f_y} {m_z}"
+            );
+        }
+    }
+    let [f_x, f_y, m_z] = forces(&contact(1.0, 0.3), [0.0, 0.0, 1e4]);
+    assert!(
+        (m_z - 3.0 * PI / 16.0).abs() < 1e-3 && f_x.abs() + f_y.abs() < 1e-3,
+        "{f_x} {f_y} {m_z}"
+    );
+}
+
+/// Without spin the forces of similar contacts depend on the scaled creepage alone: units and sizes do not count.
+#[test]
+fn forces_scale() {
+    let one = contact(0.5, 0.28);
+    let other = CreepContact::new([5e-3, 1e-2], 82e9, 0.28).unwrap();
+    let small = one.force(0.3, 1e-3, [1e-4, 2e-4, 3e-4]).unwrap();
+    // G ab/(f F_z) and sqrt(ab) times spin are the same.
+    let (area, force) = (5e-5, 5e4);
+    let along = |creepage: f64| creepage * (1.0 / 3e-4) / (82e9 * area / (0.4 * force));
+    let creepage = [along(1e-4), along(2e-4), along(3e-4) / f64::sqrt(area)];
+    let great = other.force(0.4, force, creepage).unwrap();
+    let unit = 0.4 * force / 3e-4;
+    assert!((great.f_x / (unit * small.f_x) - 1.0).abs() < 1e-12);
+    assert!((great.f_y / (unit * small.f_y) - 1.0).abs() < 1e-12);
+    assert!((great.m_z / (unit * f64::sqrt(area) * small.m_z) - 1.0).abs() < 1e-12);
+    assert!((great.error / (unit * small.error) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_the_table_does_not_hold_is_refused() {
+    for (semi_axes, modulus, poisson) in [
+        ([0.099, 1.0], 1.0, 0.3),
+        ([1.0, 0.0999], 1.0, 0.3),
+        ([1.0, 1.0], 0.0, 0.3),
+        ([1.0, 1.0], 1.0, 0.51),
+        ([1.0, 1.0], 1.0, -0.1),
+        ([f64::NAN, 1.0], 1.0, 0.3),
+    ] {
+        assert!(CreepContact::new(semi_axes, modulus, poisson).is_err());
+    }
+    let contact = contact(1.0, 0.3);
+    for (friction, force, creepage) in [
+        (0.0, 1.0, [0.0; 3]),
+        (0.3, -1.0, [0.0; 3]),
+        (0.3, 1.0, [f64::NAN, 0.0, 0.0]),
+        (0.3, 1.0, [0.0, 0.0, f64::INFINITY]),
+    ] {
+        assert!(contact.force(friction, force, creepage).is_err());
+    }
+    assert_eq!(contact.force(0.3, 1.0, [0.0; 3]).unwrap().f_x, 0.0);
+}
