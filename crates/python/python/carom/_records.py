@@ -221,6 +221,35 @@ class CreepCoefficients(Record):
     _axis = 'contact'
 
 
+class CreepForce(Record):
+    """Forces of the table on body 1, which rolls along x.
+
+    F_x    force on body 1 along the direction of rolling, N
+    F_y    the same across it, N
+    M_z    torque on body 1, N m
+    error  how far each force may be off; M_z by sqrt(ab) times as much, N
+    """
+
+    F_x: float
+    F_y: float
+    M_z: float
+    error: float
+
+    units = {'F_x': 'N', 'F_y': 'N', 'M_z': 'N m', 'error': 'N'}
+    meanings = {'F_x': 'force on body 1 along the direction of rolling', 'F_y': 'the same across it', 'M_z': 'torque on body 1', 'error': 'how far each force may be off; M_z by sqrt(ab) times as much'}
+    _vectors = frozenset([])
+    _axis = 'row'
+
+
+class CreepForces(Records[CreepForce], one=CreepForce):
+    """Many results `CreepForce`: arrays of numbers, lists of texts."""
+
+    F_x: Array
+    F_y: Array
+    M_z: Array
+    error: Array
+
+
 class FastsimForce(Record):
     """Forces of FASTSIM on body 1, which rolls along x.
 
@@ -860,6 +889,10 @@ class RollState(Record):
     F_x_springs            F_x of FASTSIM, with --fastsim, N
     F_y_springs            F_y of FASTSIM, with --fastsim, N
     springs_error          FASTSIM's tangential force minus that here, over f F_z
+    F_x_table              F_x of the table of creep forces, with --table, N
+    F_y_table              F_y of the table, N
+    M_z_table              M_z of the table, N m
+    table_error            how far each force of the table may be off, N
     residual_normal        residual of the contact conditions
     residual_tangential    residual of the friction law
     iterations             linear systems or passes
@@ -899,6 +932,10 @@ class RollState(Record):
     F_x_springs: float
     F_y_springs: float
     springs_error: float
+    F_x_table: float
+    F_y_table: float
+    M_z_table: float
+    table_error: float
     residual_normal: float
     residual_tangential: float
     iterations: int
@@ -915,8 +952,8 @@ class RollState(Record):
     contact_area_error: float
     stick_area_error: float
 
-    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'F_x_table': 'N', 'F_y_table': 'N', 'M_z_table': 'N m', 'table_error': 'N', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'F_x_table': 'F_x of the table of creep forces, with --table', 'F_y_table': 'F_y of the table', 'M_z_table': 'M_z of the table', 'table_error': 'how far each force of the table may be off', 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'row'
 
@@ -946,6 +983,10 @@ class RollStates(Records[RollState], one=RollState):
     F_x_springs: Array
     F_y_springs: Array
     springs_error: Array
+    F_x_table: Array
+    F_y_table: Array
+    M_z_table: Array
+    table_error: Array
     residual_normal: Array
     residual_tangential: Array
     iterations: NDArray[np.int64]
