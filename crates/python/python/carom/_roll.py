@@ -71,7 +71,8 @@ def roll(
         raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
     ny, nx = heights.shape
     by_slip = by_speed(friction)
-    fine = numbers("friction", friction if by_slip is None else by_slip[0] + by_slip[1])
+    rest = friction.a + friction.b if isinstance(friction, SlipSpeedFriction) else friction
+    fine = numbers("friction", rest)
     if fine.shape not in ((), (ny, nx)):
         raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
     width, height = two("size", size, "m")
