@@ -191,6 +191,56 @@ def creep_force(
 @overload
 def creep_force(
     contact: Hertz,
+    friction: Several,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+) -> CreepForces: ...
+@overload
+def creep_force(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: Several,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+) -> CreepForces: ...
+@overload
+def creep_force(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: Several,
+    creepage_across: ArrayLike = 0.0,
+    spin: ArrayLike = 0.0,
+) -> CreepForces: ...
+@overload
+def creep_force(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: Several,
+    spin: ArrayLike = 0.0,
+) -> CreepForces: ...
+@overload
+def creep_force(
+    contact: Hertz,
+    friction: ArrayLike,
+    *,
+    F_z: ArrayLike,
+    creepage: ArrayLike = 0.0,
+    creepage_across: ArrayLike = 0.0,
+    spin: Several,
+) -> CreepForces: ...
+@overload
+def creep_force(
+    contact: Hertz,
     friction: ArrayLike,
     *,
     F_z: ArrayLike,

@@ -24,10 +24,10 @@ const TOLERANCE: f64 = 1e-5;
 ///
 /// ```
 /// use carom_rolling::ContinuumForces;
-/// // In the linear range F_x is x.
-/// let mut contact = ContinuumForces::new(1.0, 0.25, [12, 16, 24])?;
-/// let [f_x, f_y, _] = contact.forces([0.01, 0.0, 0.0])?;
-/// assert!((f_x / 0.01 - 1.0).abs() < 0.02 && f_y.abs() < 1e-6);
+/// // At small creepages F_x is nearly x: by Vermeulen and Johnson 1 - (1 - x/3)^3.
+/// let mut contact = ContinuumForces::new(1.0, 0.25, [24, 27, 48])?;
+/// let [f_x, f_y, _] = contact.forces([0.1, 0.0, 0.0])?;
+/// assert!((f_x / 0.1 - 0.97).abs() < 0.01 && f_y.abs() < 1e-4);
 /// # Ok::<(), carom_rolling::RollingError>(())
 /// ```
 #[derive(Clone)]
