@@ -93,14 +93,14 @@ impl Case {
 /// A way to a force, the least time of one, and how far it is off.
 struct Job {
     name: &'static str,
-    run: Box<dyn Fn(&Case) -> [f64; 2]>,
+    run: fn(&Case) -> [f64; 2],
     repeated: usize,
     seconds: f64,
 }
 
 impl Job {
-    fn new(name: &'static str, repeated: usize, run: impl Fn(&Case) -> [f64; 2] + 'static) -> Self {
-        Self { name, run: Box::new(run), repeated, seconds: f64::INFINITY }
+    fn new(name: &'static str, repeated: usize, run: fn(&Case) -> [f64; 2]) -> Self {
+        Self { name, run, repeated, seconds: f64::INFINITY }
     }
 
     fn measure(&mut self, cases: &[Case]) {
