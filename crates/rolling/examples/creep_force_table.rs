@@ -1,4 +1,4 @@
-//! Makes the table of creep forces anew, in three quarters of an hour on two cores.
+//! Makes the table of creep forces anew, in an hour on two free cores.
 //!
 //! `creep_force_table FOLDER` solves all nodes and keeps each contact in the folder, so that it goes on where it was
 //! stopped; `creep_force_table drawn COUNT SEED` prints fresh solutions to judge the table by.
