@@ -18,7 +18,7 @@ use carom_solver::{ContactProblem, Driven, Gap};
 
 const FRICTION: f64 = 0.3;
 const FORCE: f64 = 1e-3;
-const CONTACTS: usize = 200;
+const CONTACTS: usize = 40;
 
 /// A contact of shear modulus 1 and ab = 1 with a creepage.
 struct Case {

@@ -40,7 +40,7 @@ pub use kind::CaseKind;
 pub(crate) use kind::meant;
 pub use range::{End, Range};
 pub use reader::Case;
-pub use roll::{Elliptical, RollCase};
+pub use roll::{Elliptical, RollCase, Straight, Touching};
 pub use scene::SceneCase;
 pub(crate) use section::shortened;
 pub use section::{Numbers, Understood, likely};

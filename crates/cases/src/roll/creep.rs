@@ -1,7 +1,7 @@
-//! Creep coefficients of an elliptical contact, and the forces of FASTSIM with them.
+//! Creep coefficients of an elliptical contact, and forces without a solution: FASTSIM, the table, Carter's of a line.
 
 use crate::Error;
-use crate::case::{Elliptical, RollCase};
+use crate::case::{Elliptical, RollCase, Straight, Touching};
 use carom_laws::creep::force::{CreepContact, CreepForce};
 use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, FastsimForces, RollingError, creep_coefficients,
@@ -36,18 +36,27 @@ pub const CREEP: &[Column<Creep>] = &[
     Column::new("C33", "", "M_z = G (ab)^2 C33 spin", |c| c.coefficients.c33.into()),
 ];
 
-/// The elliptical contact, whose axis a lies along the direction of rolling.
-fn ellipse(case: &RollCase) -> Result<&Elliptical, Error> {
-    let ellipse = case.ellipse.as_ref().ok_or_else(|| {
+/// The contact, whose axis a lies along the direction of rolling.
+fn touching(case: &RollCase) -> Result<&Touching, Error> {
+    let touching = case.touching.as_ref().ok_or_else(|| {
         Error::input(
-            "creep coefficients, FASTSIM and the table are for an elliptical contact: give \
-             `contact.semi_axes` or `contact.radii` instead of `gap`",
+            "creep coefficients, FASTSIM and the table are for a contact in closed form: give \
+             `contact.semi_axes`, `contact.radii`, or `contact.radius` and `contact.length` instead of `gap`",
         )
     })?;
     match case.method.direction() == 0.0 {
-        true => Ok(ellipse),
+        true => Ok(touching),
         false => Err(Error::input(
             "creep coefficients, FASTSIM and the table are for rolling along x: remove `rolling.direction`",
+        )),
+    }
+}
+
+fn ellipse(case: &RollCase) -> Result<&Elliptical, Error> {
+    match touching(case)? {
+        Touching::Ellipse(ellipse) => Ok(ellipse),
+        Touching::Line(_) => Err(Error::input(
+            "creep coefficients and FASTSIM are for an elliptical contact; `--table` has Carter's closed form of a line",
         )),
     }
 }
@@ -83,33 +92,56 @@ pub(super) fn springs(
     Ok(fastsim.forces(creepage)?)
 }
 
-/// A contact in the table of creep forces.
+/// A contact whose creep forces need no solution: one in the table, or a line by Carter's closed form.
 pub(super) struct Tabulated {
-    contact: CreepContact,
+    of: Theory,
     friction: f64,
     force: f64,
+}
+
+enum Theory {
+    Table(CreepContact),
+    Carter(Straight),
 }
 
 impl Tabulated {
     /// The contact of a case.
     ///
     /// # Errors
-    /// [`crate::ErrorKind::Input`] unless it is elliptical, of like bodies that roll along x; [`crate::ErrorKind::Range`]
-    /// if the table does not hold it.
+    /// [`crate::ErrorKind::Input`] unless it is an ellipse or a line, of like bodies that roll along x; a line also unless it
+    /// creeps along x alone; [`crate::ErrorKind::Range`] if the table does not hold it.
     pub(super) fn of(case: &RollCase) -> Result<Self, Error> {
-        let Elliptical { hertz, loaded } = ellipse(case)?;
-        let materials = hertz.materials();
+        let touching = touching(case)?;
+        let materials = case.materials;
         if !materials.is_uncoupled() {
-            return Err(Error::input("the table of creep forces is for bodies of like materials"));
+            let text = "the table of creep forces and Carter's closed form are for bodies of like materials";
+            return Err(Error::input(text));
         }
-        let semi_axes = [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()];
-        let contact =
-            CreepContact::new(semi_axes, 2.0 * materials.shear_modulus(), materials.poisson())?;
-        Ok(Self { contact, friction: case.friction.motion, force: loaded.force })
+        let of = match touching {
+            Touching::Ellipse(Elliptical { loaded, .. }) => {
+                let semi_axes = [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()];
+                let shear_modulus = 2.0 * materials.shear_modulus();
+                Theory::Table(CreepContact::new(semi_axes, shear_modulus, materials.poisson())?)
+            }
+            Touching::Line(line) => Theory::Carter(line.clone()),
+        };
+        Ok(Self { of, friction: case.friction.motion, force: touching.force() })
     }
 
     pub(super) fn force(&self, creepage: Creepage) -> Result<CreepForce, Error> {
         let Creepage { along, across, spin } = creepage;
-        Ok(self.contact.force(self.friction, self.force, [along, across, spin])?)
+        match &self.of {
+            Theory::Table(contact) => {
+                Ok(contact.force(self.friction, self.force, [along, across, spin])?)
+            }
+            Theory::Carter(_) if across != 0.0 || spin != 0.0 => Err(Error::input(
+                "Carter's closed form is for creepage along x: remove `creepage_across`, `spin` and their forces, or `--table`",
+            )),
+            Theory::Carter(Straight { line, loaded }) => {
+                let part = line.carter(loaded, self.friction, along)?;
+                let f_x = part * self.friction * self.force;
+                Ok(CreepForce { f_x, f_y: 0.0, m_z: 0.0, error: 0.0 })
+            }
+        }
     }
 }

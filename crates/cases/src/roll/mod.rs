@@ -144,13 +144,12 @@ pub enum Progress {
     Row,
 }
 
-/// How far the contact is from the limits of the theory: an elliptical one by its smallest radius, any other by
+/// How far the contact is from the limits of the theory: an elliptical one and a line by the smallest radius, any other by
 /// the pressures of its rows.
 #[must_use]
 pub fn validity(case: &RollCase, rows: &[Row]) -> Validity {
-    if let Some(ellipse) = &case.ellipse {
-        let [x, y] = ellipse.relative_radii();
-        return Validity::of_hertz(&ellipse.hertz, &ellipse.loaded, x.min(y));
+    if let Some(touching) = &case.touching {
+        return touching.validity();
     }
     let peak = rows.iter().map(|row| row.greatest_pressure).fold(0.0, f64::max);
     case.pressure_limits().validity(peak)

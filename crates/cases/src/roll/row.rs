@@ -168,9 +168,12 @@ pub const COLUMNS: &[Column<Row>] = &[
             row.springs.map(off).into()
         },
     ),
-    Column::new("F_x_table", "N", "F_x of the table of creep forces, with --table", |row| {
-        row.table.map(|table| table.f_x).into()
-    }),
+    Column::new(
+        "F_x_table",
+        "N",
+        "F_x of the table of creep forces, of a line Carter's, with --table",
+        |row| row.table.map(|table| table.f_x).into(),
+    ),
     Column::new("F_y_table", "N", "F_y of the table", |row| {
         row.table.map(|table| table.f_y).into()
     }),

@@ -140,6 +140,37 @@ fn friction_may_fall_with_the_slip_speed() {
     }
 }
 
+/// Carter's force of two cylinders, with q = F_z/L: a^2 = 4 q R/(pi E*), F_x/(f F_z) = 1 - (1 - c R/(f a))^2.
+#[test]
+fn a_line_rolls_as_carter_says() {
+    let line = "radius = \"5 mm\"\nlength = \"20 mm\"";
+    let text = CASE.replace("semi_axes = [\"1 mm\", \"1 mm\"]", line).replace("elements = 16", "");
+    let with = |name: &str, creep: &str| case(name, &text.replace("CREEP", creep));
+    let creepages = [-2e-3_f64, -5e-4, 0.0, 1e-4, 2e-3, 1e-2];
+    let rows =
+        json(&["roll", &with("roll_line.toml", &format!("creepage = {creepages:?}")), "--table"]);
+    // E* = G/(1 - nu) of two like bodies.
+    let a = (4.0 * 1000.0 / 0.02 * 0.005 / (std::f64::consts::PI * 80e9 / 0.75)).sqrt();
+    for (row, creepage) in rows.as_array().unwrap().iter().zip(creepages) {
+        let part = (creepage.abs() * 0.005 / (0.3 * a)).min(1.0);
+        let wanted = 300.0 * (1.0 - (1.0 - part).powi(2)).copysign(creepage);
+        close(&row["F_x_table"], wanted, 1e-12 * 300.0);
+        close(&row["F_x"], wanted, (row["F_x_error"].as_f64().unwrap()).max(1e-9));
+        assert!(row["error"].as_f64().unwrap() < 0.01);
+        // The pressure of a row of cells is that in the middle of half-spaces pressed along the length.
+        close(&row["p_max"], 2.0 * 1000.0 / (std::f64::consts::PI * a * 0.02), 2e6);
+    }
+    for (name, creep, option, part) in [
+        ("roll_line_spin.toml", "spin = 1", "--table", "creepage along x"),
+        ("roll_line_springs.toml", "creepage = 1e-3", "--fastsim", "Carter"),
+        ("roll_line_coefficients.toml", "creepage = 1e-3", "--coefficients", "Carter"),
+    ] {
+        let output = carom(&["roll", &with(name, creep), option]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains(part), "{said}");
+    }
+}
+
 #[test]
 fn what_cannot_roll_is_refused_by_name() {
     for (old, new, parts) in [
@@ -162,9 +193,16 @@ fn what_cannot_roll_is_refused_by_name() {
         (
             "friction = 0.3",
             "friction = 0.3\nradii = [1, 1]",
-            vec!["contact.radii", "contact.semi_axes", "one of the two"],
+            vec!["contact.radii", "contact.semi_axes", "give one of"],
         ),
         ("semi_axes = [\"1 mm\", \"1 mm\"]", "", vec!["contact.semi_axes", "`radii`"]),
+        ("semi_axes = [\"1 mm\", \"1 mm\"]", "radius = 0.01", vec!["contact.length", "missing"]),
+        ("friction = 0.3", "friction = 0.3\nlength = 1", vec!["contact.length", "give one of"]),
+        (
+            "semi_axes = [\"1 mm\", \"1 mm\"]",
+            "radius = 1\nlength = 1e-4",
+            vec!["contact.F_z", "as wide as long"],
+        ),
     ] {
         let file = case("roll_bad.toml", &CASE.replace(old, new).replace("CREEP", ""));
         let output = carom(&["roll", &file]);

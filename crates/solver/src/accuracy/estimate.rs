@@ -9,6 +9,11 @@ use crate::state::{CellState, ContactState};
 /// Bounds on the ratio of successive differences when the cell width is halved: 4 is second order.
 const DIFFERENCE_RATIOS: [f64; 2] = [1.5, 4.0];
 
+/// The same in first order: 2 is its ratio, less that of values whose order is not reached yet.
+const FIRST_ORDER_RATIOS: [f64; 2] = [1.75, 2.0];
+/// A factor on estimates of first order.
+const FIRST_ORDER_SAFETY: f64 = 1.25;
+
 /// The least part of the error of one component in that of the other.
 const LEAST_PART: f64 = 0.25;
 
@@ -80,12 +85,17 @@ impl Estimated {
 }
 
 impl Estimated {
-    /// As [`Estimated::of`], for values that converge in first order: a difference is half of the one
-    /// before, and as large as all those that follow.
+    /// As [`Estimated::of`], for values that converge in first order or slower: a difference is half of the one before, and as
+    /// large as all those that follow. A quarter is added, since the order is not known well.
     #[must_use]
     pub fn of_first_order(values: [f64; 3]) -> Self {
         let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
-        Self { value: values[0], error: fine.max(0.5 * coarse) }
+        let fall = if fine > 0.0 {
+            (coarse / fine).clamp(FIRST_ORDER_RATIOS[0], FIRST_ORDER_RATIOS[1])
+        } else {
+            FIRST_ORDER_RATIOS[1]
+        };
+        Self { value: values[0], error: FIRST_ORDER_SAFETY * fine.max(0.5 * coarse) / (fall - 1.0) }
     }
 }
 
@@ -433,7 +443,8 @@ mod tests {
             ([great, given], [0.1, 0.0]),
             ([given, great], [0.0, 0.1]),
         ] {
-            let [x, y] = errors(components);
+            // A difference that does not fall counts 1.25/(1.75 - 1) times.
+            let [x, y] = errors(components).map(|error| 0.6 * error);
             assert!((x - expected[0]).abs() < 1e-12 && (y - expected[1]).abs() < 1e-12, "{x} {y}");
         }
     }

@@ -1,20 +1,24 @@
-//! What touches: an elliptical contact or any gap, and its grid.
+//! What touches: an elliptical contact, a line or any gap, and its grid.
 
 use super::ANY_GAP;
 use crate::case::contact::{A, B, C, friction_by_speed};
 use crate::case::error::{CaseError, CaseFault};
-use crate::case::field::{Default, Field, Form, Usual};
+use crate::case::field::{Field, Form, Usual};
 use crate::case::range::Range;
 use crate::case::section::Section;
 use crate::case::solve::{
     ACCURACY, Border, CELLS, CUT, FRICTION_MAP, FrictionCase, GridCase, SIZE, TOLERANCE,
 };
 use crate::case::unit::{Dimension, Measure};
+use crate::{PointOrLine, Pressed};
 use carom_halfspace::{Grid, MaterialPair};
 use carom_laws::curvature::{CurvatureError, RelativeCurvature};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::hertz::{Hertz, HertzState};
+use carom_laws::line::{LineContact, LineState};
 use carom_laws::slip_speed::SlipSpeedFriction;
+use carom_laws::validity::Validity;
+use carom_solver::Shape;
 
 const PAIR: &str = "two lengths [along x, along y]";
 const LENGTH: Measure = Range::Positive.of(Dimension::Length);
@@ -23,16 +27,27 @@ const SEMI_AXES: Field = Field::new(
     Form::Vector(&["x", "y"], LENGTH, PAIR),
     "semi-axes of the contact ellipse",
 )
-.or("`radii` or `gap`")
+.or("`radii`, `radius` and `length`, or `gap`")
 .such_as("[0.006, 0.004]");
 const RADII: Field =
     Field::new("radii", Form::Vector(&["x", "y"], LENGTH, PAIR), "relative radii of curvature")
-        .or("`semi_axes` or `gap`")
+        .or("`semi_axes`, `radius` or `gap`")
         .such_as("[0.46, 0.3]");
+const RADIUS: Field = Field::number(
+    "radius",
+    LENGTH,
+    "relative radius of cylinders with axes along y, which touch along `length`",
+)
+.or("`semi_axes`, `radii` or `gap`")
+.such_as("0.025");
+const LINE: Field =
+    Field::number("length", LENGTH, "length of the line along which cylinders touch")
+        .or("`semi_axes`, `radii` or `gap`")
+        .such_as("0.012");
 const FORCE: Field = Field::number(
     "F_z",
     Range::Positive.of(Dimension::Force),
-    "normal force of an elliptical contact",
+    "normal force of an elliptical contact, or of a line",
 )
 .or("`rolling.F_z` beside `gap`")
 .such_as("8e4");
@@ -52,8 +67,18 @@ pub(super) const FRICTION_BY_SLIP: Field = Field::new(
 /// The field `contact` of a case.
 pub(super) const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[SEMI_AXES, RADII, FORCE, FRICTION, FRICTION_BY_SLIP, FRICTION_MAP, TOLERANCE]),
-    "an elliptical contact under load, or the friction of a gap",
+    Form::Table(&[
+        SEMI_AXES,
+        RADII,
+        RADIUS,
+        LINE,
+        FORCE,
+        FRICTION,
+        FRICTION_BY_SLIP,
+        FRICTION_MAP,
+        TOLERANCE,
+    ]),
+    "an elliptical contact or a line under load, or the friction of a gap",
 )
 .begun(&[(&SEMI_AXES, ""), (&FORCE, "")]);
 
@@ -78,15 +103,17 @@ pub(super) fn read_friction(
     Ok((FrictionCase { rest: a + b, motion: a + b, map: None }, Some(law)))
 }
 
-const ELEMENTS_ACROSS: f64 = 40.0;
+/// Cells across an ellipse, and across a line, whose one row costs little.
+const ELEMENTS_ACROSS: [usize; 2] = [40, 320];
 const ELEMENTS: Field = Field::number(
     "elements",
     Range::Elements.pure(),
-    "cells across an elliptical contact, along both axes",
+    "cells across an elliptical contact, along both axes; across a line",
 )
-.default(Default::Number(ELEMENTS_ACROSS));
-const OF_GAP: &str = "`accuracy`, or an elliptical contact";
-/// The field `grid` of a case. An elliptical contact needs neither cells nor size.
+.may("40 across an ellipse, 320 across a line")
+.such_as("40");
+const OF_GAP: &str = "`accuracy`, or an elliptical contact or a line";
+/// The field `grid` of a case. An elliptical contact and a line need neither cells nor size.
 pub(super) const GRID: Field = Field::new(
     "grid",
     Form::Table(&[ELEMENTS, CELLS.may(OF_GAP), SIZE.may(OF_GAP), CUT, ACCURACY]),
@@ -106,6 +133,24 @@ pub struct Elliptical {
     pub loaded: HertzState,
 }
 
+/// Cylinders that touch along a line under their load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Straight {
+    /// Radius, length and materials.
+    pub line: LineContact,
+    /// The contact under the load of the case.
+    pub loaded: LineState,
+}
+
+/// A contact with a closed form of its pressures, under its load.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Touching {
+    /// Of bodies that touch at a point.
+    Ellipse(Elliptical),
+    /// Of cylinders with parallel axes along y.
+    Line(Straight),
+}
+
 impl Elliptical {
     /// Relative radii of curvature along x and along y.
     #[must_use]
@@ -113,41 +158,116 @@ impl Elliptical {
         let curvature = self.hertz.curvature();
         [0.5 / curvature.a(), 0.5 / curvature.b()]
     }
+}
 
-    /// A grid with this many cells across the contact, along both axes; both counts are multiples of
-    /// four, so that coarser grids have the same border.
-    fn grid(&self, elements: usize) -> Result<Grid, carom_special::RangeError> {
-        let ellipse = self.loaded.ellipse;
-        let [dx, dy] =
-            [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|half| 2.0 * half / elements as f64);
+impl Touching {
+    /// The normal force.
+    #[must_use]
+    pub const fn force(&self) -> f64 {
+        match self {
+            Self::Ellipse(ellipse) => ellipse.loaded.force,
+            Self::Line(line) => line.loaded.force,
+        }
+    }
+
+    /// Half of the contact's length along x.
+    #[must_use]
+    pub const fn semi_axis_a(&self) -> f64 {
+        match self {
+            Self::Ellipse(ellipse) => ellipse.loaded.ellipse.semi_axis_a(),
+            Self::Line(line) => line.loaded.half_width,
+        }
+    }
+
+    /// The gap before deformation.
+    #[must_use]
+    pub fn gap(&self) -> Shape {
+        let radii = match self {
+            Self::Ellipse(ellipse) => ellipse.relative_radii(),
+            Self::Line(line) => [line.line.radius(), f64::INFINITY],
+        };
+        Shape::Paraboloid { radii }
+    }
+
+    /// How far the contact is from the limits of the theory.
+    #[must_use]
+    pub fn validity(&self) -> Validity {
+        match self {
+            Self::Ellipse(ellipse) => {
+                let [x, y] = ellipse.relative_radii();
+                Validity::of_hertz(&ellipse.hertz, &ellipse.loaded, x.min(y))
+            }
+            Self::Line(Straight { line, loaded }) => {
+                Pressed::Line(*loaded).validity(&PointOrLine::Line(*line), line.radius())
+            }
+        }
+    }
+
+    /// A grid with this many cells across the contact: along both axes of an ellipse, whose both counts are multiples of
+    /// four, so that coarser grids have the same border; across a line one row, whose ends are those of the cylinders.
+    fn grid(&self, elements: usize) -> Result<GridCase, carom_special::RangeError> {
+        let width = 2.0 * self.semi_axis_a() / elements as f64;
         // An odd count stays odd, so that its cells end where the contact does.
         let cells = match elements % 2 {
             0 => (elements + 2 * BORDER).next_multiple_of(4),
             _ => elements + 2 * BORDER,
         };
-        Grid::new(cells, cells, dx, dy)
+        let (rows, height, border) = match self {
+            Self::Ellipse(ellipse) => {
+                let height = 2.0 * ellipse.loaded.ellipse.semi_axis_b() / elements as f64;
+                (cells, height, Border::Free)
+            }
+            Self::Line(line) => (1, line.line.length(), Border::Cut),
+        };
+        Ok(GridCase::Cells { grid: Grid::new(cells, rows, width, height)?, border })
     }
 }
 
-/// Reads the elliptical contact; none if the case gives a gap.
+/// Reads the contact under its load; none if the case gives a gap.
 pub(super) fn read(
     case: &Section<'_>,
     contact: &Section<'_>,
     materials: MaterialPair,
-) -> Result<Option<Elliptical>, CaseError> {
-    let given = contact.given([&SEMI_AXES, &RADII]);
+) -> Result<Option<Touching>, CaseError> {
     if case.has(&ANY_GAP) {
-        let beside = [&SEMI_AXES, &RADII, &FORCE].into_iter().find(|field| contact.has(*field));
+        let own = [&SEMI_AXES, &RADII, &RADIUS, &LINE, &FORCE];
+        let beside = own.into_iter().find(|field| contact.has(*field));
         let reason = "a gap takes its load as `rolling.F_z` or `rolling.zeta`";
         return beside.map_or(Ok(None), |field| {
             Err(contact.excluded(field, ANY_GAP.name.to_owned(), reason))
         });
     }
-    let field = match given.as_slice() {
-        [] => return Err(contact.missing(&SEMI_AXES)),
-        [field] => *field,
-        both => return Err(contact.several(both, "give one of the two")),
-    };
+    let given = contact.given([&SEMI_AXES, &RADII, &RADIUS, &LINE]);
+    match given.as_slice() {
+        [] => Err(contact.missing(&SEMI_AXES)),
+        [field] if [SEMI_AXES.name, RADII.name].contains(&field.name) => {
+            Ok(Some(Touching::Ellipse(read_ellipse(contact, field, materials)?)))
+        }
+        many if many.iter().any(|field| [SEMI_AXES.name, RADII.name].contains(&field.name)) => {
+            Err(contact
+                .several(many, "give one of `semi_axes`, `radii`, or `radius` with `length`"))
+        }
+        _ => Ok(Some(Touching::Line(read_line(contact, materials)?))),
+    }
+}
+
+fn read_line(contact: &Section<'_>, materials: MaterialPair) -> Result<Straight, CaseError> {
+    let (radius, length) = (contact.number(&RADIUS)?, contact.number(&LINE)?);
+    let force = contact.number(&FORCE)?;
+    let line = LineContact::new(radius, length, materials)
+        .map_err(|error| contact.out_of_range(&RADIUS, error.value, error.allowed))?;
+    let loaded = line.at_force(force).map_err(|_| {
+        let allowed = "such that the contact is at most as wide as long; give a `gap` and a `grid`";
+        contact.out_of_range(&FORCE, force, allowed)
+    })?;
+    Ok(Straight { line, loaded })
+}
+
+fn read_ellipse(
+    contact: &Section<'_>,
+    field: &Field,
+    materials: MaterialPair,
+) -> Result<Elliptical, CaseError> {
     let force = contact.number(&FORCE)?;
     let [x, y]: [f64; 2] = contact.vector(field)?;
     let made = if field.name == SEMI_AXES.name {
@@ -164,27 +284,32 @@ pub(super) fn read(
     let loaded = hertz
         .at_force(force)
         .map_err(|error| contact.out_of_range(&FORCE, error.value, error.allowed))?;
-    Ok(Some(Elliptical { hertz, loaded }))
+    Ok(Elliptical { hertz, loaded })
 }
 
-/// Reads the grid: elements across an ellipse, the cells of a gap, or an accuracy for both.
+/// Reads the grid: elements across an ellipse or a line, the cells of a gap, or an accuracy.
 pub(super) fn read_grid(
     case: &Section<'_>,
-    ellipse: Option<&Elliptical>,
+    touching: Option<&Touching>,
 ) -> Result<GridCase, CaseError> {
-    let Some(ellipse) = ellipse else {
+    let Some(touching) = touching else {
         let grid = case.section(&GRID)?;
         if grid.has(&ELEMENTS) {
-            let reason = "elements are counted across an ellipse; give `cells` and `size`";
+            let reason =
+                "elements are counted across an ellipse or a line; give `cells` and `size`";
             return Err(case.conflict([&GRID, &ELEMENTS], &ANY_GAP, reason));
         }
         return GridCase::read(&grid);
     };
-    let mut elements = ELEMENTS_ACROSS as usize;
+    let [of_ellipse, of_line] = ELEMENTS_ACROSS;
+    let mut elements = match touching {
+        Touching::Ellipse(_) => of_ellipse,
+        Touching::Line(_) => of_line,
+    };
     if case.has(&GRID) {
         let grid = case.section(&GRID)?;
         if let Some(field) = [&CELLS, &SIZE, &CUT].into_iter().find(|f| grid.has(*f)) {
-            let reason = "the grid of an elliptical contact follows from `elements`";
+            let reason = "the grid of an elliptical contact or a line follows from `elements`";
             return Err(grid.excluded(field, CONTACT.name.to_owned(), reason));
         }
         if grid.has(&ACCURACY) {
@@ -193,11 +318,10 @@ pub(super) fn read_grid(
             }
             return GridCase::read(&grid);
         }
-        elements = grid.count(&ELEMENTS)?;
+        elements = grid.maybe(&ELEMENTS)?.map_or(elements, |count| count as usize);
     }
-    let grid = ellipse.grid(elements).map_err(|error| {
+    touching.grid(elements).map_err(|error| {
         let force = case.section(&CONTACT).and_then(|contact| contact.number(&FORCE));
         case.out_of_range([&CONTACT, &FORCE], force.unwrap_or(error.value), error.allowed)
-    })?;
-    Ok(GridCase::Cells { grid, border: Border::Free })
+    })
 }

@@ -3,7 +3,7 @@
 mod contact;
 mod rolling;
 
-pub use contact::Elliptical;
+pub use contact::{Elliptical, Straight, Touching};
 
 use super::error::CaseError;
 use super::field::{Field, Form, Schema};
@@ -15,7 +15,6 @@ use super::solve::{FrictionCase, GAP, GapCase, GridCase, InfluenceFile, TOLERANC
 use carom_halfspace::MaterialPair;
 use carom_laws::validity::PressureLimits;
 use carom_rolling::{RollingDrive, RollingFriction, SteadyMethod};
-use carom_solver::Shape;
 use contact::{CONTACT, GRID};
 use rolling::ROLLING;
 
@@ -23,7 +22,8 @@ const BODY_1: Field =
     Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");
 const BODY_2: Field = Field::new("body_2", Form::Table(&[MATERIAL]), "the other body");
 /// The gap of `carom solve`, which an elliptical contact need not give.
-const ANY_GAP: Field = GAP.or("`contact.semi_axes` or `contact.radii`");
+const ANY_GAP: Field =
+    GAP.or("`contact.semi_axes`, `contact.radii`, or `contact.radius` and `contact.length`");
 
 const BODIES: Field = Field::new("bodies", Form::Table(&[INFLUENCE]), "what the bodies are")
     .may("both are half-spaces");
@@ -36,8 +36,8 @@ const FIELDS: &[Field] = &[BODY_1, BODY_2, BODIES, ANY_GAP, CONTACT, ROLLING, GR
 pub struct RollCase {
     /// Both bodies.
     pub materials: MaterialPair,
-    /// The elliptical contact under its load, if the case gives one instead of a gap.
-    pub ellipse: Option<Elliptical>,
+    /// The elliptical contact or the line under its load, if the case gives one instead of a gap.
+    pub touching: Option<Touching>,
     /// The gap between the bodies.
     pub gap: GapCase,
     /// The file of influence numbers; none for half-spaces.
@@ -68,28 +68,26 @@ impl Case<'_> for RollCase {
         let materials = MaterialPair::new(body(&BODY_1)?, body(&BODY_2)?)
             .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
         let contact = case.section(&CONTACT)?;
-        let ellipse = contact::read(&case, &contact, materials)?;
-        let grid = contact::read_grid(&case, ellipse.as_ref())?;
-        let gap = match &ellipse {
-            Some(ellipse) => {
-                GapCase::Formula(Shape::Paraboloid { radii: ellipse.relative_radii() })
-            }
+        let touching = contact::read(&case, &contact, materials)?;
+        let grid = contact::read_grid(&case, touching.as_ref())?;
+        let gap = match &touching {
+            Some(touching) => GapCase::Formula(touching.gap()),
             None => GapCase::read(&case, grid.given())?,
         };
         let influence = influence::read(&case, &BODIES, grid)?;
-        if influence.is_some() && ellipse.is_some() {
+        if influence.is_some() && touching.is_some() {
             let reason = "influence numbers belong to the cells of a grid; give `gap` and `grid`";
             return Err(case.conflict([&BODIES, &INFLUENCE], &CONTACT, reason));
         }
         let (friction, by_slip) = contact::read_friction(&contact, grid)?;
         let tolerance = contact.maybe(&TOLERANCE)?;
         let rolling = case.section(&ROLLING)?;
-        let normal = ellipse.as_ref().map(|ellipse| ellipse.loaded.force);
+        let normal = touching.as_ref().map(Touching::force);
         let drives = rolling::drives(&case, &rolling, normal)?;
         if friction.map.is_none() {
             rolling::check_friction(&rolling, &drives, friction.motion)?;
         }
-        let distance = rolling::distance(&rolling, &drives, ellipse.as_ref(), grid)?;
+        let distance = rolling::distance(&rolling, &drives, touching.as_ref(), grid)?;
         let speed = rolling::speed(&rolling)?;
         let mut method = rolling::method(&rolling, tolerance)?;
         if let Some(law) = by_slip {
@@ -108,7 +106,7 @@ impl Case<'_> for RollCase {
         }
         Ok(Self {
             materials,
-            ellipse,
+            touching,
             gap,
             influence,
             grid,

@@ -1,6 +1,6 @@
 //! What drives the contact: `[rolling]`.
 
-use super::contact::{CONTACT, Elliptical};
+use super::contact::{CONTACT, Touching};
 use crate::case::error::CaseError;
 use crate::case::field::{Default, Field, Form};
 use crate::case::range::Range;
@@ -24,14 +24,14 @@ const DIRECTION: Field = Field::number(
 .such_as("180");
 const ZETA: Field =
     Field::new("zeta", Form::Numbers(Range::Finite.of(Dimension::Length)), "approach of a gap")
-        .or("`F_z`, or `contact.F_z` of an elliptical contact")
+        .or("`F_z`, or `contact.F_z` of an elliptical contact or a line")
         .such_as("2e-5");
 const F_Z: Field = Field::new(
     "F_z",
     Form::Numbers(Range::Positive.of(Dimension::Force)),
     "normal force of a gap, instead of `zeta`",
 )
-.or("`zeta`, or `contact.F_z` of an elliptical contact")
+.or("`zeta`, or `contact.F_z` of an elliptical contact or a line")
 .such_as("8e4");
 const ALONG: Field = motion(
     "creepage",
@@ -224,7 +224,7 @@ pub(super) fn check_friction(
 pub(super) fn distance(
     rolling: &Section<'_>,
     drives: &[RollingDrive],
-    ellipse: Option<&Elliptical>,
+    touching: Option<&Touching>,
     grid: GridCase,
 ) -> Result<Option<f64>, CaseError> {
     let Some(distance) = rolling.maybe(&DISTANCE)? else { return Ok(None) };
@@ -240,12 +240,12 @@ pub(super) fn distance(
         let reason = "an accuracy needs the steady state; give a grid";
         return Err(rolling.excluded(&DISTANCE, "grid.accuracy".to_owned(), reason));
     };
-    let length = match ellipse {
-        Some(ellipse) => 2.0 * ellipse.loaded.ellipse.semi_axis_a(),
+    let length = match touching {
+        Some(touching) => 2.0 * touching.semi_axis_a(),
         None => (cells.nx() as f64 * cells.dx()).max(cells.ny() as f64 * cells.dy()),
     };
     if distance > MOST_LENGTHS * length {
-        let allowed = match ellipse {
+        let allowed = match touching {
             Some(_) => "at most 100 lengths of the contact",
             None => "at most 100 lengths of the grid",
         };

@@ -44,9 +44,76 @@ impl Stencil {
     }
 }
 
-/// The forces at an axis ratio, a Poisson's ratio and scaled creepages of any signs; `rates` are the creepages on which they
-/// work, in any unit.
-pub(super) fn at(ratio: f64, poisson: f64, scaled: [f64; 3], rates: [f64; 3]) -> Found {
+/// Where coefficients that hold for one axis ratio and one Poisson's ratio come from.
+pub(super) trait Mixed {
+    /// Those of a direction, for four neighbouring sizes from one on.
+    fn mixed(&self, direction: [usize; 2], first: usize) -> [[f64; 3]; 4];
+}
+
+/// The stored table, of which each read mixes four axis ratios and four Poisson's ratios.
+pub(super) struct Stored {
+    ratio: Stencil,
+    poisson: Stencil,
+}
+
+impl Stored {
+    pub(super) fn new(ratio: f64, poisson: f64) -> Self {
+        Self {
+            ratio: Stencil::of_spline(nodes::place_of_ratio(ratio), COUNTS[0] - 1),
+            poisson: Stencil::of_four(nodes::place_of_poisson(poisson)),
+        }
+    }
+}
+
+impl Mixed for Stored {
+    fn mixed(&self, [row, column]: [usize; 2], first: usize) -> [[f64; 3]; 4] {
+        let mut sum = [[0.0; 3]; 4];
+        for (i, part_of) in self.ratio.weights.iter().enumerate() {
+            let contact = (self.ratio.first + 1) as usize + i;
+            let direction = (contact * STORED[1] + row) * STORED[2] + column;
+            let begin = 3 * STORED[4] * (direction * STORED[3] + first);
+            let values = &TABLE[begin..begin + 12 * STORED[4]];
+            for (own, values) in sum.iter_mut().zip(values.chunks_exact(3 * STORED[4])) {
+                for (weight, values) in self.poisson.weights.iter().zip(values.chunks_exact(3)) {
+                    let weight = part_of * weight;
+                    (0..3).for_each(|part| own[part] += weight * f64::from(values[part]));
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// The table at one axis ratio and one Poisson's ratio, mixed once; the bits are those of [`Stored`].
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Prepared {
+    values: Vec<[f64; 3]>,
+}
+
+impl Prepared {
+    pub(super) fn new(stored: &Stored) -> Self {
+        let mut values = Vec::with_capacity(STORED[1] * STORED[2] * STORED[3]);
+        for direction in 0..STORED[1] * STORED[2] {
+            let direction = [direction / STORED[2], direction % STORED[2]];
+            values.extend((0..STORED[3]).map(|size| {
+                let first = size.min(STORED[3] - 4);
+                stored.mixed(direction, first)[size - first]
+            }));
+        }
+        Self { values }
+    }
+}
+
+impl Mixed for Prepared {
+    fn mixed(&self, [row, column]: [usize; 2], first: usize) -> [[f64; 3]; 4] {
+        let begin = (row * STORED[2] + column) * STORED[3] + first;
+        let values = &self.values[begin..begin + 4];
+        [values[0], values[1], values[2], values[3]]
+    }
+}
+
+/// The forces at an axis ratio and scaled creepages of any signs; `rates` are the creepages on which they work, in any unit.
+pub(super) fn at(table: &impl Mixed, ratio: f64, scaled: [f64; 3], rates: [f64; 3]) -> Found {
     // Beyond 1e6 the contact slides as a rigid one; infinities do not reach the table.
     let most = scaled.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
     if most == 0.0 {
@@ -55,43 +122,27 @@ pub(super) fn at(ratio: f64, poisson: f64, scaled: [f64; 3], rates: [f64; 3]) ->
     let scaled = if most > LARGEST { scaled.map(|part| part * (LARGEST / most)) } else { scaled };
     let ([x, y, phi], signs) = folded(scaled);
     let weight = nodes::weight(libm::hypot(libm::hypot(x, y), phi));
-    let [theta, psi, size] = nodes::places(ratio, [x, y, phi]);
-    let sum = summed(ratio, poisson, [theta, psi, size]);
+    let sum = summed(table, nodes::places(ratio, [x, y, phi]));
     let raw = [0, 1, 2].map(|part| signs[part] * weight * sum[part]);
     let forces = clipped(raw, rates);
     let clip = raw.iter().zip(forces).map(|(raw, own)| (raw - own).abs()).fold(0.0, f64::max);
     Found { forces, error: bound(weight) + clip }
 }
 
-/// The sum over the 4 x 16 x 4 x 4 coefficients about a place.
-fn summed(ratio: f64, poisson: f64, [theta, psi, size]: [f64; 3]) -> [f64; 3] {
-    let outer = Stencil::of_spline(nodes::place_of_ratio(ratio), COUNTS[0] - 1);
+/// The sum over the 4 x 4 x 4 coefficients about a place.
+fn summed(table: &impl Mixed, [theta, psi, size]: [f64; 3]) -> [f64; 3] {
     let theta = Stencil::of_spline(theta, COUNTS[1] - 1);
     let psi = Stencil::of_spline(psi, COUNTS[2] - 1);
     let size = Stencil::of_spline(size, COUNTS[3] - 1);
-    let poisson = Stencil::of_four(nodes::place_of_poisson(poisson));
-    let mut inner = [0.0; 16];
-    for (at, weight) in inner.iter_mut().enumerate() {
-        *weight = size.weights[at / 4] * poisson.weights[at % 4];
-    }
-    // A spline along sizes or axis ratios has one coefficient before its first node.
-    let along = 3 * STORED[4] * (size.first + 1) as usize;
     let mut sum = [0.0; 3];
     for at in 0..16 {
         let (k, l) = (at / 4, at % 4);
-        let ([row, column], signs) =
-            nodes::reflected(theta.first + k as isize, psi.first + l as isize);
+        let (direction, signs) = nodes::reflected(theta.first + k as isize, psi.first + l as isize);
+        // A spline along sizes or axis ratios has one coefficient before its first node.
+        let values = table.mixed(direction, (size.first + 1) as usize);
         let mut line = [0.0; 3];
-        for (i, part_of) in outer.weights.iter().enumerate() {
-            let contact = (outer.first + 1) as usize + i;
-            let direction = (contact * STORED[1] + row) * STORED[2] + column;
-            let first = direction * 3 * STORED[3] * STORED[4] + along;
-            let values = &TABLE[first..first + 48];
-            let mut own = [0.0; 3];
-            for (weight, values) in inner.iter().zip(values.chunks_exact(3)) {
-                (0..3).for_each(|part| own[part] += weight * f64::from(values[part]));
-            }
-            (0..3).for_each(|part| line[part] += part_of * own[part]);
+        for (weight, values) in size.weights.iter().zip(values) {
+            (0..3).for_each(|part| line[part] += weight * values[part]);
         }
         let weight = theta.weights[k] * psi.weights[l];
         (0..3).for_each(|part| sum[part] += weight * signs[part] * line[part]);
