@@ -6,6 +6,7 @@ use crate::case::HertzCase;
 use crate::input::CaseFile;
 use crate::theory::{ValidityReport, readable};
 use carom_laws::validity::Validity;
+use carom_table::Cell;
 
 /// The contact of a case under each of its loads.
 #[derive(Debug, Clone)]
@@ -22,6 +23,17 @@ impl Followed {
     pub fn validities(&self) -> Vec<Validity> {
         let HertzCase { contact, smallest_radius, .. } = &self.case;
         self.states.iter().map(|state| state.validity(contact, *smallest_radius)).collect()
+    }
+
+    /// The quantities under each load, and the peak pressure over its limit.
+    #[must_use]
+    pub fn cells(&self) -> Vec<Vec<Cell>> {
+        let row = |(state, validity): (&Pressed, Validity)| {
+            let mut cells = state.cells();
+            cells.push(Validity::OVER_YIELD.cell(Some(&validity)));
+            cells
+        };
+        self.states.iter().zip(self.validities()).map(row).collect()
     }
 
     /// What the contacts exceed.

@@ -1,6 +1,7 @@
 //! Rows of results in every output format, from their columns.
 
 use crate::error::CliError;
+use crate::format::Chosen;
 use crate::output::{Format, csv};
 use crate::page::Page;
 use crate::round_off::{clear_round_off, without_round_off};
@@ -96,7 +97,35 @@ pub fn rows<R>(format: Format, columns: &[Column<R>], records: &[R]) -> Result<S
             let text = |record: &R| to_read(row(columns, Some(record)));
             Ok(page.records(&labels(columns), &records.iter().map(text).collect::<Vec<_>>()))
         }
+        Format::Chosen(chosen) => {
+            let cells: Vec<Vec<Cell>> =
+                records.iter().map(|record| row(columns, Some(record))).collect();
+            chosen_rows(chosen, &heads(columns), &labels(columns), &cells)
+        }
         Format::Json | Format::None => Ok(String::new()),
+    }
+}
+
+/// The chosen ones of these columns.
+fn chosen_rows(
+    chosen: Chosen,
+    heads: &[String],
+    labels: &[String],
+    cells: &[Vec<Cell>],
+) -> Result<String, CliError> {
+    let places = chosen.places(heads)?;
+    let pick = |texts: &[String]| -> Vec<String> {
+        places.iter().map(|place| texts[*place].clone()).collect()
+    };
+    match chosen.page {
+        Some(page) => {
+            let rows: Vec<_> = cells.iter().map(|row| pick(&to_read(row.clone()))).collect();
+            Ok(page.records(&pick(labels), &rows))
+        }
+        None => {
+            let text = |row: &Vec<Cell>| pick(&texts_of(row, |value| value.to_string()));
+            csv(&pick(heads), &cells.iter().map(text).collect::<Vec<_>>())
+        }
     }
 }
 
@@ -115,6 +144,7 @@ pub fn cell_rows(format: Format, cells: &[Vec<Cell>]) -> Result<String, CliError
             let text = |row: &Vec<Cell>| to_read(row.clone());
             Ok(page.records(&labels(first), &cells.iter().map(text).collect::<Vec<_>>()))
         }
+        Format::Chosen(chosen) => chosen_rows(chosen, &heads(first), &labels(first), cells),
         Format::Json | Format::None => Ok(String::new()),
     }
 }

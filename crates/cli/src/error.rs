@@ -42,6 +42,16 @@ pub enum CliError {
     /// An option conflicts with another one or with the case.
     #[error("{0}")]
     Options(&'static str),
+    /// A column that the results do not have.
+    #[error("--columns: there is no column `{name}`{meant}\n  the columns are {columns}")]
+    Column {
+        /// What was asked for.
+        name: String,
+        /// What it is called now, or a similar name.
+        meant: String,
+        /// The heads that there are.
+        columns: String,
+    },
     /// The system cannot start this number of threads.
     #[error("cannot start {count} threads: {source}")]
     Threads {
@@ -77,7 +87,8 @@ impl CliError {
             Self::Messages { .. }
             | Self::Destination { .. }
             | Self::Option(_)
-            | Self::Options(_) => 2,
+            | Self::Options(_)
+            | Self::Column { .. } => 2,
             Self::Impact(_) | Self::Threads { .. } | Self::Format(_) | Self::Plot(_) => 1,
         }
     }

@@ -1,6 +1,10 @@
 //! The format of the results: the words of the command line and what they mean for a command.
 
+use crate::error::CliError;
 use crate::page::Page;
+use carom_cases::case::likely;
+use carom_table::renamed;
+use std::sync::OnceLock;
 
 /// Format of the results, as written on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -24,8 +28,19 @@ pub enum Format {
     Json,
     /// Comma-separated values with full precision.
     Csv,
+    /// The columns asked for, in that order.
+    Chosen(Chosen),
     /// No results: only the picture and the warnings.
     None,
+}
+
+/// The columns of `--columns`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Chosen {
+    /// Their heads. They live as long as the command.
+    pub names: &'static [String],
+    /// The page of a table to read; none for comma-separated values.
+    pub page: Option<Page>,
 }
 
 impl Format {
@@ -37,7 +52,7 @@ impl Format {
 }
 
 /// Options of every command that prints results.
-#[derive(Debug, Clone, Copy, Default, clap::Args)]
+#[derive(Debug, Clone, Default, clap::Args)]
 pub struct Printing {
     /// Format of the results [default: table, or none if a picture is drawn]
     #[arg(long, value_enum)]
@@ -45,28 +60,86 @@ pub struct Printing {
     /// Show all columns of a table, also those that are the same in every row.
     #[arg(long)]
     all: bool,
+    /// Only these columns of the rows, in this order, as a table or with --format csv; --help lists all.
+    #[arg(long, value_name = "NAME,..", value_delimiter = ',', conflicts_with = "all")]
+    columns: Vec<String>,
+    #[arg(skip)]
+    kept: OnceLock<&'static [String]>,
 }
 
 impl Printing {
     /// The format for a command without a picture.
     #[must_use]
-    pub fn format(self) -> Format {
+    pub fn format(&self) -> Format {
         self.or(FormatWord::Table)
     }
 
     /// The format for a command that draws a picture: only the picture, unless a format is given.
     #[must_use]
-    pub fn format_beside_picture(self) -> Format {
-        self.or(FormatWord::None)
+    pub fn format_beside_picture(&self) -> Format {
+        self.or(if self.columns.is_empty() { FormatWord::None } else { FormatWord::Table })
     }
 
-    fn or(self, default: FormatWord) -> Format {
-        match self.format.unwrap_or(default) {
-            FormatWord::Table if self.all => Format::Table(Page::of_terminal().whole()),
+    /// Checks that the options fit each other.
+    ///
+    /// # Errors
+    /// [`CliError::Options`] if columns are chosen of what has none.
+    pub fn check(&self) -> Result<(), CliError> {
+        match self.format {
+            Some(FormatWord::Json | FormatWord::None) if !self.columns.is_empty() => {
+                Err(CliError::Options("--columns chooses columns of a table or of --format csv"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn or(&self, default: FormatWord) -> Format {
+        let word = self.format.unwrap_or(default);
+        let page = Page::of_terminal().whole();
+        if !self.columns.is_empty() {
+            let names = self.kept.get_or_init(|| self.columns.clone().leak());
+            return Format::Chosen(Chosen {
+                names,
+                page: (word == FormatWord::Table).then_some(page),
+            });
+        }
+        match word {
+            FormatWord::Table if self.all => Format::Table(page),
             FormatWord::Table => Format::Table(Page::of_terminal()),
             FormatWord::Json => Format::Json,
             FormatWord::Csv => Format::Csv,
             FormatWord::None => Format::None,
         }
+    }
+}
+
+impl Chosen {
+    /// The places of the columns among these heads.
+    ///
+    /// # Errors
+    /// [`CliError::Column`] if one is not there.
+    pub fn places(&self, heads: &[String]) -> Result<Vec<usize>, CliError> {
+        let mut places = Vec::new();
+        for name in self.names {
+            // A vector stands for its components.
+            let is_of = |head: &String| {
+                head == name
+                    || head
+                        .strip_prefix(name.as_str())
+                        .is_some_and(|end| ["_x", "_y", "_z"].contains(&end))
+            };
+            let found = places.len();
+            places.extend((0..heads.len()).filter(|place| is_of(&heads[*place])));
+            if found == places.len() {
+                let valid: Vec<&str> = heads.iter().map(String::as_str).collect();
+                let meant = match renamed(name).filter(|new| valid.contains(new)) {
+                    Some(new) => format!(", which is now called `{new}`"),
+                    None => likely(name, &valid),
+                };
+                let columns = heads.join(", ");
+                return Err(CliError::Column { name: name.clone(), meant, columns });
+            }
+        }
+        Ok(places)
     }
 }

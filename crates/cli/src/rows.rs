@@ -2,6 +2,7 @@
 
 use crate::columns::to_read;
 use crate::error::CliError;
+use crate::format::Chosen;
 use crate::output::{Format, Results, csv_rows};
 use carom_table::{Cell, Column, heads, labels, texts};
 use rayon::prelude::*;
@@ -18,7 +19,9 @@ pub const BLOCK: usize = 1024;
 /// [`CliError::Options`] for more rows than a table to read may have.
 pub const fn check_count(format: Format, count: usize) -> Result<(), CliError> {
     match format {
-        Format::Table(_) if count > MOST_TO_READ => Err(CliError::Options(TOO_MANY_TO_READ)),
+        Format::Table(_) | Format::Chosen(Chosen { page: Some(_), .. }) if count > MOST_TO_READ => {
+            Err(CliError::Options(TOO_MANY_TO_READ))
+        }
         _ => Ok(()),
     }
 }
@@ -37,6 +40,8 @@ pub struct Rows {
     head: Vec<String>,
     /// Indices of the columns shown in a table.
     places: Vec<usize>,
+    /// How many columns a table leaves out.
+    left_out: usize,
     is_begun: bool,
     table_rows: Vec<Vec<String>>,
 }
@@ -51,6 +56,7 @@ impl Rows {
             chosen: None,
             head: Vec::new(),
             places: Vec::new(),
+            left_out: 0,
             is_begun: false,
             table_rows: Vec::new(),
         }
@@ -102,8 +108,18 @@ impl Rows {
                 self.table_rows.par_extend(rows.par_iter().map(|row| pick(to_read(cells(row)))));
                 Ok(())
             }
-            Format::Csv => {
-                let text = |row: &R| texts(&cells(row), |value| value.to_string());
+            Format::Chosen(Chosen { page: Some(_), .. }) => {
+                check_count(self.format, self.table_rows.len() + rows.len())?;
+                let pick = |texts: Vec<String>| picked(&texts, &self.places);
+                self.table_rows.par_extend(rows.par_iter().map(|row| pick(to_read(cells(row)))));
+                Ok(())
+            }
+            Format::Csv | Format::Chosen(_) => {
+                let all = self.format == Format::Csv;
+                let text = |row: &R| {
+                    let texts = texts(&cells(row), |value| value.to_string());
+                    if all { texts } else { picked(&texts, &self.places) }
+                };
                 let made = parts(rows, |rows: &[R]| {
                     csv_rows(None::<&[&str]>, &rows.iter().map(text).collect::<Vec<_>>())
                 })?;
@@ -130,8 +146,19 @@ impl Rows {
                 let heads = heads(first);
                 let places = (0..heads.len()).filter(|place| is_chosen(&heads[*place]));
                 self.places = places.collect();
+                self.left_out = heads.len() - self.places.len();
                 let labels = labels(first);
                 self.head = self.places.iter().map(|place| labels[*place].clone()).collect();
+                Ok(())
+            }
+            Format::Chosen(chosen) => {
+                let (all, labels) = (heads(first), labels(first));
+                self.places = chosen.places(&all)?;
+                if chosen.page.is_none() {
+                    let head = picked(&all, &self.places);
+                    return results.put(csv_rows(Some(head.as_slice()), &[])?.as_bytes());
+                }
+                self.head = picked(&labels, &self.places);
                 Ok(())
             }
             Format::Json | Format::None => Ok(()),
@@ -145,12 +172,29 @@ impl Rows {
     pub fn finish(self) -> Result<String, CliError> {
         match self.format {
             Format::None => Ok(String::new()),
-            Format::Table(page) => Ok(page.records(&self.head, &self.table_rows)),
-            Format::Csv if self.is_begun => Ok(String::new()),
-            Format::Csv => csv_rows(Some(self.head.as_slice()), &[]),
+            Format::Table(page) => {
+                let table = page.records(&self.head, &self.table_rows);
+                Ok(match self.left_out {
+                    0 => table,
+                    count => table + &page.fold(&format!("{count} {FURTHER}\n")),
+                })
+            }
+            Format::Chosen(Chosen { page: Some(page), .. }) => {
+                Ok(page.records(&self.head, &self.table_rows))
+            }
+            Format::Csv | Format::Chosen(_) if self.is_begun => Ok(String::new()),
+            Format::Csv | Format::Chosen(_) => csv_rows(Some(self.head.as_slice()), &[]),
             Format::Json => Ok(self.list.end()),
         }
     }
+}
+
+/// What is told of columns that a table leaves out.
+const FURTHER: &str = "further columns: choose with --columns, or see all with --format csv";
+
+/// The texts at these places.
+fn picked(texts: &[String], places: &[usize]) -> Vec<String> {
+    places.iter().map(|place| texts[*place].clone()).collect()
 }
 
 /// Rows formatted by one thread at a time.

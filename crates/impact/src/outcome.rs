@@ -48,6 +48,8 @@ impl Outcome {
 pub struct Rebound {
     /// Motions afterwards, of body 1 and body 2.
     pub motions: [Motion; 2],
+    /// The normal of the contact at the first touch, from body 2 into body 1.
+    pub normal: Vector3<f64>,
     /// The impulse that body 2 gave body 1.
     pub impulse: Vector3<f64>,
     /// Relative velocity of the contact points before the impact.
@@ -72,7 +74,7 @@ pub struct Rebound {
     /// The pressure in the middle of the contact at the greatest force; 0 where the bodies only graze. It is the greatest of
     /// an elastic contact. A viscous one falls from then on; a Kelvin-Voigt body is pressed harder at the first touch, without
     /// limit.
-    pub maximal_pressure: f64,
+    pub peak_pressure: f64,
     /// Kinetic energies, and the energies dissipated by friction and lost in the material.
     pub energy: EnergyBudget,
     /// The torsional impact; `None` if the spin about the normal was not changed.

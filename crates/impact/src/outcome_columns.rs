@@ -2,10 +2,12 @@
 
 use std::marker::PhantomData;
 
+use carom_laws::validity::Validity;
 use carom_table::{Column, Value};
 
 use crate::motion::Motion;
 use crate::outcome::{Outcome, Rebound};
+use crate::uncertain::Quantity;
 
 /// The state of two bodies after a collision, or without one.
 pub(crate) trait Ended {
@@ -69,6 +71,24 @@ impl<E: Ended + 'static> Columns<E> {
         Column::vector("body_2_spin", "rad/s", "angular velocity, afterwards", |ended| {
             <[f64; 3]>::from(ended.motions()[1].spin).into()
         }),
+        Column::new("body_1_speed", "m/s", "of the centre of mass, afterwards", |ended| {
+            quantity(ended, Quantity::Speed(0))
+        }),
+        Column::new(
+            "body_1_angle",
+            "deg",
+            "rebound angle: of that velocity from the normal away from body 2",
+            |ended| quantity(ended, Quantity::Angle(0)),
+        ),
+        Column::new("body_2_speed", "m/s", "of the centre of mass, afterwards", |ended| {
+            quantity(ended, Quantity::Speed(1))
+        }),
+        Column::new(
+            "body_2_angle",
+            "deg",
+            "of that velocity from the normal away from body 1",
+            |ended| quantity(ended, Quantity::Angle(1)),
+        ),
         Column::vector("impulse", "N s", "on body 1", |ended| {
             of(ended, |rebound| <[f64; 3]>::from(rebound.impulse))
         }),
@@ -89,8 +109,11 @@ impl<E: Ended + 'static> Columns<E> {
         Column::new("maximal_semi_axis_b", "m", "semi-axis of the contact along y", |ended| {
             of(ended, |rebound| rebound.maximal_contact.semi_axis_b())
         }),
-        Column::new("maximal_pressure", "Pa", "in its middle at the greatest force", |ended| {
-            of(ended, |rebound| rebound.maximal_pressure)
+        Column::new("peak_pressure", "Pa", "in its middle at the greatest force", |ended| {
+            of(ended, |rebound| rebound.peak_pressure)
+        }),
+        Column::new(Validity::OVER_YIELD.name(), "", Validity::OVER_YIELD_MEANS, |ended| {
+            of(ended, |rebound| Validity::OVER_YIELD.value(&rebound.validity))
         }),
         Column::new("energy_before", "J", "kinetic, without fixed bodies", |ended| {
             of(ended, |rebound| rebound.energy.before)
@@ -137,6 +160,16 @@ impl<E: Ended + 'static> Columns<E> {
             })
         }),
     ];
+}
+
+/// A quantity of which studies compute statistics; absent without an impact.
+fn quantity(ended: &impl Ended, quantity: Quantity) -> Value {
+    let of_rebound = |rebound: &Rebound| match quantity {
+        // A body at rest has no direction.
+        Quantity::Angle(body) if rebound.motions[body].velocity.norm() == 0.0 => Value::Absent,
+        _ => quantity.of(rebound).map_or(Value::Undefined, Value::Number),
+    };
+    ended.rebound().map_or(Value::Absent, of_rebound)
 }
 
 fn of<T: Into<Value>>(ended: &impl Ended, value: impl FnOnce(&Rebound) -> T) -> Value {

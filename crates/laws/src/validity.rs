@@ -5,7 +5,7 @@ use std::ffi::CStr;
 use std::fmt::{self, Display, Formatter};
 
 use carom_halfspace::{Material, MaterialPair};
-use carom_table::short;
+use carom_table::{Column, Value, short};
 
 use crate::coupling::coupling_bound;
 use crate::friction::Friction;
@@ -211,6 +211,17 @@ impl Validity {
     /// Mises and for nu = 0.3 the equivalent stress is greatest on the axis, .62 of the greatest pressure
     /// at the depth .48 a, and 1/.62 = 1.6. A line contact bears 1.67 Y by Tresca, 1.79 Y by von Mises.
     pub const YIELDS_AT: f64 = 1.6;
+
+    /// What [`Self::OVER_YIELD`] means.
+    pub const OVER_YIELD_MEANS: &str =
+        "peak_pressure over 1.6 times the yield stress, if that is known: from 1 on a body yields";
+
+    /// [`Self::pressure_over_yield`] as a column; absent if no yield stress is known.
+    pub const OVER_YIELD: Column<Self> =
+        Column::new("pressure_over_yield", "", Self::OVER_YIELD_MEANS, |validity| {
+            let over = validity.pressure_over_yield;
+            (over > 0.0).then_some(over).map_or(Value::Absent, Value::Number)
+        });
 
     /// A contact of this larger semi-axis, approach and greatest pressure, between bodies of this smaller
     /// yield stress ([`carom_halfspace::MaterialPair::yield_stress`]; infinite if unknown) and smallest radius of curvature.

@@ -62,7 +62,7 @@ mod _carom {
     #[pymodule_export]
     use super::materials::{Material, MaterialPair};
     #[pymodule_export]
-    use super::mistakes::meant;
+    use super::mistakes::{meant, renamed};
     #[pymodule_export]
     use super::plate::Plate;
     #[pymodule_export]

@@ -11,6 +11,12 @@ pub(crate) fn meant(name: &str, valid: Vec<String>) -> String {
     likely(name, &valid)
 }
 
+/// What a quantity of this name is called now; None if it was not renamed.
+#[pyfunction]
+pub(crate) fn renamed(name: &str) -> Option<&'static str> {
+    carom::table::renamed(name)
+}
+
 /// Refuses arguments by name that the method of a class does not have; without a method, the class itself.
 pub(crate) fn refuse(
     class: &Bound<'_, PyType>,

@@ -2,6 +2,7 @@
 
 import copy
 import inspect
+import json
 import pickle
 
 import carom
@@ -43,7 +44,7 @@ def results():
 def test_a_copy_is_equal_even_where_it_is_nan_and_another_is_not(result):
     for other in (pickle.loads(pickle.dumps(result)), copy.copy(result), copy.deepcopy(result)):
         assert other == result and not other != result
-    name, values = next((n, v) for n, v in result.to_dict().items() if not isinstance(v, (str, list)))
+    name, values = next((n, v) for n, v in result._values().items() if not isinstance(v, (str, list)))
     changed = type(result)({**result.to_dict(), name: np.nan_to_num(values) + np.ones_like(values)})
     assert changed != result and result != "a text" and result != result.to_dict()
     with pytest.raises(AttributeError, match="cannot be changed"):
@@ -151,3 +152,25 @@ def test_axes_have_names():
     found = carom.restitution_of_dissimilar([[1.2], [1.3]], [1.0, 12.0], 0.1, 0.2).to_xarray()
     assert found["method"].dims == ("impact_0", "impact_1") and found["method"].values[0, 1] == "rings"
     assert many(7).to_pandas().index.name == "impact"
+
+
+@pytest.mark.parametrize("result", results(), ids=lambda result: type(result).__name__)
+def test_a_result_cannot_be_changed_in_place_and_is_taken_by_json(result):
+    for name, values in result._values().items():
+        if isinstance(values, np.ndarray):
+            with pytest.raises(ValueError, match="read-only"):
+                values[...] = 0
+        assert json.loads(json.dumps(result.to_dict()))[name] is not Ellipsis
+    with pytest.raises(AttributeError, match="has no R_y"):
+        _ = result.R_y
+
+
+def test_an_old_name_tells_the_new_one():
+    steel = carom.Material(208e9, 0.3)
+    ball = carom.sphere(0.01, steel, mass=0.03, velocity=(0.1, 0, -0.2))
+    rebound = carom.collide(ball, carom.plane(steel), 0.2)
+    with pytest.raises(AttributeError, match="Rebound.maximal_pressure is now called peak_pressure"):
+        _ = rebound.maximal_pressure
+    with pytest.raises(AttributeError, match="did you mean `peak_pressure`"):
+        _ = rebound.peak_presure
+    assert not hasattr(rebound, "anything")

@@ -112,6 +112,6 @@ def test_yield_is_judged_by_the_greatest_pressure_of_all_rows(forces):
     pair = carom.MaterialPair(carom.Material(208e9, 0.3, yield_stress=1e8))
     with pytest.warns(carom.OutsideTheoryWarning, match="yields: ") as told:
         rolled = carom.roll(gap(), SIZE, pair, 0.3, F_z=forces)
-    over = rolled.rows.p_max.max() / 1.6e8
-    assert over > 1 > rolled.rows.p_max.min() / 1.6e8
+    over = rolled.rows.peak_pressure.max() / 1.6e8
+    assert over > 1 > rolled.rows.peak_pressure.min() / 1.6e8
     assert f"it is {float(f'{over:.2e}'):g} times that" in str(told[0].message) and len(told) == 1

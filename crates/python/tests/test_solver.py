@@ -24,7 +24,7 @@ def test_hertz():
     exact = carom.hertz(carom.hertz_of_spheres(0.01, np.inf, STEEL), force=10.0)
     assert step.F_z == pytest.approx(10.0, rel=1e-8)
     assert step.zeta == pytest.approx(exact.approach, rel=1e-3)
-    assert step.p_max == pytest.approx(exact.peak_pressure, rel=1e-2)
+    assert step.peak_pressure == pytest.approx(exact.peak_pressure, rel=1e-2)
     assert step.stored_energy == pytest.approx(0.4 * 10.0 * exact.approach, rel=2e-3)
     assert solver.pressure.shape == (64, 64)
     assert solver.pressure.sum() * SIZE[0] * SIZE[1] / 64**2 == pytest.approx(10.0, rel=1e-8)
@@ -220,7 +220,7 @@ def test_errors_and_warnings_are_those_of_the_command(tmp_path, cells):
         solver = carom.Solver(gap, SIZE, PAIR, 0.3)
         steps = [solver.step(F_z=10.0), solver.step(F_x=1.0)]
     for i, step in enumerate(steps):
-        for name in ("zeta", "xi", "F_z", "F_x", "p_max", "contact_area"):
+        for name in ("zeta", "xi", "F_z", "F_x", "peak_pressure", "contact_area"):
             own, other = getattr(step, f"{name}_error"), getattr(solved.steps, f"{name}_error")[i]
             assert own == pytest.approx(other, rel=1e-6, abs=1e-12 if name[0] == "F" else 1e-20) and np.isfinite(own)
     # The error is that of the grid: Hertz's approach is within it.

@@ -79,6 +79,16 @@ pub trait Quantity {
     }
 }
 
+/// What a quantity is called now that had this name before version 0.1.
+#[must_use]
+pub fn renamed(name: &str) -> Option<&'static str> {
+    match name {
+        "maximal_pressure" | "p_max" => Some("peak_pressure"),
+        "p_max_error" => Some("peak_pressure_error"),
+        _ => None,
+    }
+}
+
 /// A quantity of one record, with its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {

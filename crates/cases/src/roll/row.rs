@@ -143,7 +143,7 @@ pub const COLUMNS: &[Column<Row>] = &[
         |row| row.power().into(),
     ),
     Column::new(
-        "p_max",
+        "peak_pressure",
         "Pa",
         "greatest pressure: the vertex of parabolas through the highest cell and its neighbours",
         |row| row.greatest_pressure.into(),
@@ -208,7 +208,7 @@ pub const COLUMNS: &[Column<Row>] = &[
     Column::new("F_y_error", "N", "of F_y", |row| row.error(|all| &all.f_y)),
     Column::new("F_z_error", "N", "of F_z", |row| row.error(|all| &all.f_z)),
     Column::new("M_z_error", "N m", "of M_z", |row| row.error(|all| &all.m_z)),
-    Column::new("p_max_error", "Pa", "of p_max", |row| row.error(|all| &all.peak)),
+    Column::new("peak_pressure_error", "Pa", "of peak_pressure", |row| row.error(|all| &all.peak)),
     Column::new("contact_area_error", "m2", "of contact_area, at most", |row| {
         row.error(|all| &all.contact_area)
     }),

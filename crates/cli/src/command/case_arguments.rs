@@ -67,6 +67,7 @@ impl CaseArguments {
         &self,
         claims: impl FnOnce(&mut Outputs) -> Result<T, CliError>,
     ) -> Result<(Given, T), CliError> {
+        self.printing.check()?;
         let mut outputs = Outputs::of_command(self.format())?;
         // Checked first, so that no other error is written to a stream that goes to the case file.
         outputs.check_input(&self.case)?;

@@ -37,6 +37,7 @@ struct Checked<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    arguments.printing.check()?;
     let format = arguments.printing.format();
     let outputs = Outputs::of_command(format)?;
     let file = outputs.read_case(&arguments.case)?;

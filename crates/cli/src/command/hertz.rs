@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let (Followed { case, states }, validities) = (&followed, followed.validities());
     columns::check_rows(states, [0, states.len()], Pressed::cells)?;
     let format = arguments.given.format();
-    let cells: Vec<Vec<Cell>> = states.iter().map(Pressed::cells).collect();
+    let cells = followed.cells();
     let loads = columns::cell_rows(format, &cells)?;
     let contact = case.contact.cells();
     let text = match format {
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             json(&Report { contact: &contact, loads: &rows })?
         }
         Format::Table(page) => columns::upright(page, &contact) + &loads,
-        Format::Csv | Format::None => loads,
+        Format::Csv | Format::Chosen(_) | Format::None => loads,
     };
     let picture = match plot {
         Some(to) => Some((to, draw(case, states).map_err(Error::from)?)),

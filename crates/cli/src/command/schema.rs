@@ -30,6 +30,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         return Ok(Answer { text: arguments.kind.json_schema(), ..Answer::default() });
     }
     let entries = arguments.kind.entries();
+    arguments.printing.check()?;
     let text = match arguments.printing.format() {
         Format::Json => json(&Records(Entry::COLUMNS, &entries))?,
         Format::Table(page) => columns::texts(page, Entry::readable(), &entries),

@@ -158,7 +158,7 @@ fn a_line_rolls_as_carter_says() {
         close(&row["F_x"], wanted, (row["F_x_error"].as_f64().unwrap()).max(1e-9));
         assert!(row["error"].as_f64().unwrap() < 0.01);
         // The pressure of a row of cells is that in the middle of half-spaces pressed along the length.
-        close(&row["p_max"], 2.0 * 1000.0 / (std::f64::consts::PI * a * 0.02), 2e6);
+        close(&row["peak_pressure"], 2.0 * 1000.0 / (std::f64::consts::PI * a * 0.02), 2e6);
     }
     for (name, creep, option, part) in [
         ("roll_line_spin.toml", "spin = 1", "--table", "creepage along x"),

@@ -43,7 +43,7 @@ fn the_cylinders_agree_with_contact() {
         (-5.392e-4, 103.3e6, 106.0),
     ]) {
         close(&row["creepage"], creepage, 0.5e-7);
-        close(&row["p_max"], p_max, 0.05e6);
+        close(&row["peak_pressure"], p_max, 0.05e6);
         close(&row["stick_area"], 1e-6 * stick, 1e-12);
         // A cell of half the width: the error is its estimate, not that of the whole grid.
         assert!(number(row, "creepage_error") < 2e-5, "{row}");
@@ -173,7 +173,7 @@ fn a_gap_rolls_as_the_ellipse_that_it_is() {
     let by_force = gap("drives_gap.toml", "F_z = \"1 kN\"", "");
     let ellipse = driven("drives_ellipse.toml", "creepage = 0.0008\nspin = 2");
     // The grids differ: within the estimates of both.
-    for name in ["F_x", "F_y", "M_z", "zeta", "p_max"] {
+    for name in ["F_x", "F_y", "M_z", "zeta", "peak_pressure"] {
         let error = format!("{name}_error");
         let most = number(&by_force, &error) + number(&ellipse, &error);
         close(&by_force[name], number(&ellipse, name), most);
@@ -249,7 +249,7 @@ fn the_wear_number_is_the_heat() {
     let rows = json(&["roll", &case("drives_slide.toml", &sliding)]);
     let [one, other] = [0, 1].map(|row| number(&rows[row], "wear_number"));
     let stretch = 0.38 / (2.0 * 23e9) - 0.44 / (2.0 * 82e9);
-    let peak = number(&rows[0], "p_max");
+    let peak = number(&rows[0], "peak_pressure");
     let half_width: f64 = 2.0 * 16201.9 / (std::f64::consts::PI * peak);
     let work = stretch * 4.0 / 3.0 * peak * peak * half_width;
     assert!(rows[0]["slides"] == "yes" && rows[1]["slides"] == "yes");

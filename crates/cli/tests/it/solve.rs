@@ -16,7 +16,7 @@ fn a_ball_is_pressed_as_hertz_says() {
         let pressure = 1.5 * force / (std::f64::consts::PI * radius * zeta);
         close(&steps[i]["F_z"], force, 1e-8);
         close(&steps[i]["zeta"], zeta, 2e-3 * zeta);
-        close(&steps[i]["p_max"], pressure, 5e-3 * pressure);
+        close(&steps[i]["peak_pressure"], pressure, 5e-3 * pressure);
         close(&steps[i]["stored_energy"], 0.4 * force * zeta, 4e-3 * force * zeta);
     }
 }
@@ -28,7 +28,8 @@ fn stresses_below_a_ball_are_those_of_huber() {
     // The rigid body has none.
     assert_eq!(rows.len(), 101);
     let last = &both["steps"][3];
-    let (pressure, zeta) = (last["p_max"].as_f64().unwrap(), last["zeta"].as_f64().unwrap());
+    let (pressure, zeta) =
+        (last["peak_pressure"].as_f64().unwrap(), last["zeta"].as_f64().unwrap());
     let radius = f64::sqrt(0.01 * zeta);
     // s_zz = -p_max/(1 + z^2/a^2) on the axis; the greatest pressure is in a cell beside it.
     for row in rows.iter().skip(5) {

@@ -98,7 +98,7 @@ impl Collision {
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
         let pressing = self.viscous_loss(before.z)?.map_or(1.0, |loss| loss.pressing());
-        let maximal_pressure = maximal_contact.peak_pressure(pressing * outcome.maximal_force);
+        let peak_pressure = maximal_contact.peak_pressure(pressing * outcome.maximal_force);
         let spin_share = match torsion {
             Some(_) => 0.0,
             None => self.normal_spin(before.z).greatest_loss().unwrap_or(0.0),
@@ -116,7 +116,7 @@ impl Collision {
             spin_share,
             spin_on_shift,
             coupling,
-            ..self.validity(&outcome, (&maximal_contact, maximal_pressure), share)
+            ..self.validity(&outcome, (&maximal_contact, peak_pressure), share)
         };
         let r_x = match known.r_x {
             Some(elastic) => Some(elastic),
@@ -130,6 +130,7 @@ impl Collision {
         let warnings = warnings.collect();
         self.with_turning_centres(Rebound {
             motions,
+            normal: self.frame().z(),
             impulse: self.frame().to_space(&impulse),
             contact_velocity_before: self.frame().to_space(&before),
             contact_velocity_after: self.frame().to_space(&after),
@@ -138,7 +139,7 @@ impl Collision {
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
             maximal_contact,
-            maximal_pressure,
+            peak_pressure,
             energy,
             torsion,
             friction: self.friction,

@@ -203,8 +203,7 @@ impl Collision {
         next.maximal_force = (next.maximal_force + force).max(0.0);
         next.maximal_contact = self.hertz.ellipse(next.maximal_approach)?;
         if pressed > 0.0 {
-            next.maximal_pressure *=
-                next.maximal_contact.peak_pressure(next.maximal_force) / pressed;
+            next.peak_pressure *= next.maximal_contact.peak_pressure(next.maximal_force) / pressed;
         }
         let part = whole * self.normal_restitution.part_of_yield();
         // The spin about the first normal is left to the torsional impact.

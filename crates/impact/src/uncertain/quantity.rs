@@ -21,12 +21,14 @@ pub enum Quantity {
     Duration,
     /// Maximum normal force.
     MaximalForce,
+    /// The greatest pressure.
+    PeakPressure,
     /// Energy dissipated.
     Dissipated,
 }
 
 impl Quantity {
-    const COUNT: usize = 20;
+    const COUNT: usize = 21;
 
     /// All quantities.
     pub const ALL: [Self; Self::COUNT] = [
@@ -49,6 +51,7 @@ impl Quantity {
         Self::Spin(1, 2),
         Self::Duration,
         Self::MaximalForce,
+        Self::PeakPressure,
         Self::Dissipated,
     ];
 
@@ -75,24 +78,26 @@ impl Quantity {
             Self::Spin(_, _) => "body_2_spin_z",
             Self::Duration => "duration",
             Self::MaximalForce => "maximal_force",
+            Self::PeakPressure => "peak_pressure",
             Self::Dissipated => "energy_dissipated",
         }
     }
 
-    /// Its value in a rebound along `normal`, from body 2 into body 1; None if it has none.
-    pub(super) fn of(self, rebound: &Rebound, normal: &Vector3<f64>) -> Option<f64> {
+    /// Its value in a rebound; None if it has none.
+    pub(crate) fn of(self, rebound: &Rebound) -> Option<f64> {
         let motion = |body: usize| &rebound.motions[body.min(1)];
         Some(match self {
             Self::Restitution => return rebound.r_x,
             Self::Speed(body) => motion(body).velocity.norm(),
             Self::Angle(body) => {
                 let sign = if body == 0 { 1.0 } else { -1.0 };
-                from_normal(&motion(body).velocity, &(sign * normal))
+                from_normal(&motion(body).velocity, &(sign * rebound.normal))
             }
             Self::Velocity(body, axis) => motion(body).velocity[axis.min(2)],
             Self::Spin(body, axis) => motion(body).spin[axis.min(2)],
             Self::Duration => rebound.duration,
             Self::MaximalForce => rebound.maximal_force,
+            Self::PeakPressure => rebound.peak_pressure,
             Self::Dissipated => rebound.energy.dissipated,
         })
     }

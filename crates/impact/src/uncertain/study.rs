@@ -2,7 +2,6 @@
 
 use carom_laws::validity::Limit;
 use carom_special::{RangeError, Readable};
-use nalgebra::Vector3;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 
@@ -145,9 +144,9 @@ struct Sampled {
 }
 
 impl Sampled {
-    fn of(rebound: &Rebound, normal: &Vector3<f64>) -> Self {
+    fn of(rebound: &Rebound) -> Self {
         Self {
-            numbers: Quantity::ALL.map(|quantity| quantity.of(rebound, normal)),
+            numbers: Quantity::ALL.map(|quantity| quantity.of(rebound)),
             method: rebound.method.name(),
             error_estimate: rebound.error_estimate,
             neglects_coupling: rebound.validity.excess(Limit::Coupling).is_some(),
@@ -159,14 +158,10 @@ fn fate<S: CollisionSolver>(
     solver: &S,
     collision: Result<Collision, CollisionError>,
 ) -> Fate<S::Error> {
-    let followed = collision
-        .map_err(S::Error::from)
-        .and_then(|collision| Ok((collision.frame().z(), solver.solve(&collision)?)));
+    let followed = collision.map_err(S::Error::from).and_then(|collision| solver.solve(&collision));
     match followed {
-        Ok((normal, Outcome::Rebound(rebound))) => {
-            Fate::Rebound(Box::new(Sampled::of(&rebound, &normal)))
-        }
-        Ok((_, Outcome::NoImpact { .. })) => Fate::NoImpact,
+        Ok(Outcome::Rebound(rebound)) => Fate::Rebound(Box::new(Sampled::of(&rebound))),
+        Ok(Outcome::NoImpact { .. }) => Fate::NoImpact,
         Err(error) => match S::out_of_range(&error) {
             Some(error) => Fate::OutOfRange(error),
             None => Fate::Failed(error),

@@ -54,7 +54,7 @@ fn full_cases_of_two_spheres() {
         let radius = 1.0 / (1.0 / number("R1") + 1.0 / number("R2"));
         let modulus = number("G") / (1.0 - number("nu"));
         let pressure = 2.0 * modulus * number("a_max") / (std::f64::consts::PI * radius);
-        assert!((rebound.maximal_pressure / pressure - 1.0).abs() < 1e-12);
+        assert!((rebound.peak_pressure / pressure - 1.0).abs() < 1e-12);
     }
 }
 

@@ -56,6 +56,7 @@ fn columns_of_a_rebound_show_its_fields() {
     rebound.energy.lost = 0.123;
     rebound.r_x = Some(0.456);
     rebound.model_uncertainty = 0.0789;
+    rebound.validity.pressure_over_yield = 0.654;
     let r: &mut Rebound = &mut rebound;
     let regimes: Vec<&'static str> = r.log.iter().map(|entry| entry.regime.name()).collect();
     r.warnings = vec![
@@ -64,6 +65,17 @@ fn columns_of_a_rebound_show_its_fields() {
     ];
     r.compressions = 7;
     let outcome = Outcome::Rebound(Box::new(r.clone()));
+    // Body 1 lies on the side to which the normal points.
+    let normal = Vector3::new(0.3, 0.5, 0.8).normalize();
+    let angle = |velocity: Vector3<f64>, away: Vector3<f64>| {
+        velocity.cross(&away).norm().atan2(velocity.dot(&away)).to_degrees()
+    };
+    let [one, two] = r.motions.map(|motion| motion.velocity);
+    let near = |index: usize, value: f64| {
+        let Value::Number(found) = Rebound::COLUMNS[index].value(r) else { panic!("a number") };
+        assert!((found - value).abs() < 1e-12 * value, "{found} {value}");
+        Value::Number(found)
+    };
     let expected = [
         ("outcome", "", "rebound".into()),
         ("R_x", "", Value::Number(0.456)),
@@ -71,6 +83,10 @@ fn columns_of_a_rebound_show_its_fields() {
         ("body_1_spin", "rad/s", vector(r.motions[0].spin)),
         ("body_2_velocity", "m/s", vector(r.motions[1].velocity)),
         ("body_2_spin", "rad/s", vector(r.motions[1].spin)),
+        ("body_1_speed", "m/s", near(6, one.norm())),
+        ("body_1_angle", "deg", near(7, angle(one, normal))),
+        ("body_2_speed", "m/s", near(8, two.norm())),
+        ("body_2_angle", "deg", near(9, angle(two, -normal))),
         ("impulse", "N s", vector(r.impulse)),
         ("contact_velocity_before", "m/s", vector(r.contact_velocity_before)),
         ("contact_velocity_after", "m/s", vector(r.contact_velocity_after)),
@@ -79,7 +95,8 @@ fn columns_of_a_rebound_show_its_fields() {
         ("maximal_approach", "m", Value::Number(r.maximal_approach)),
         ("maximal_semi_axis_a", "m", Value::Number(r.maximal_contact.semi_axis_a())),
         ("maximal_semi_axis_b", "m", Value::Number(r.maximal_contact.semi_axis_b())),
-        ("maximal_pressure", "Pa", Value::Number(r.maximal_pressure)),
+        ("peak_pressure", "Pa", Value::Number(r.peak_pressure)),
+        ("pressure_over_yield", "", Value::Number(0.654)),
         ("energy_before", "J", Value::Number(r.energy.before)),
         ("energy_after", "J", Value::Number(r.energy.after)),
         ("energy_dissipated", "J", Value::Number(r.energy.dissipated)),
@@ -96,6 +113,11 @@ fn columns_of_a_rebound_show_its_fields() {
     are(Outcome::COLUMNS, &outcome, &expected);
     r.r_x = None;
     assert_eq!(Rebound::COLUMNS[1].value(r), Value::Undefined);
+    // Without a yield stress, and at rest.
+    r.validity.pressure_over_yield = 0.0;
+    r.motions[1].velocity = Vector3::zeros();
+    assert_eq!(Rebound::COLUMNS[19].value(r), Value::Absent);
+    assert_eq!(Rebound::COLUMNS[9].value(r), Value::Absent);
     let [motion, _] = rebound.motions;
     are(
         Motion::COLUMNS,

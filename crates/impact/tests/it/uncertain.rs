@@ -223,6 +223,7 @@ fn each_quantity_is_that_of_the_rebound_that_its_name_says() {
             }
             _ if name == "duration" => rebound.duration,
             _ if name == "maximal_force" => rebound.maximal_force,
+            _ if name == "peak_pressure" => rebound.peak_pressure,
             _ => rebound.energy.dissipated,
         };
         assert!(want != 0.0, "{name}");

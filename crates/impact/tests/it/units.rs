@@ -58,7 +58,7 @@ pub(crate) fn numbers(r: &Rebound) -> Vec<(&'static str, f64, [i32; 3])> {
         ("maximal approach", r.maximal_approach, [1, 0, 0]),
         ("semi-axis a", r.maximal_contact.semi_axis_a(), [1, 0, 0]),
         ("semi-axis b", r.maximal_contact.semi_axis_b(), [1, 0, 0]),
-        ("maximal pressure", r.maximal_pressure, [-1, 1, -2]),
+        ("maximal pressure", r.peak_pressure, [-1, 1, -2]),
         ("energy before", r.energy.before, [2, 1, -2]),
         ("energy after", r.energy.after, [2, 1, -2]),
         ("dissipated", r.energy.dissipated, [2, 1, -2]),

@@ -50,7 +50,7 @@ fn a_steel_ball_yields_from_its_yield_velocity_on() {
         // p grows as v^(2/5).
         let fast = fall(materials, 32.0 * velocity);
         assert!((yields(&fast).unwrap() / 4.0 - 1.0).abs() < 1e-12);
-        assert_eq!(fast.validity.pressure_over_yield, fast.maximal_pressure / (1.6 * stress));
+        assert_eq!(fast.validity.pressure_over_yield, fast.peak_pressure / (1.6 * stress));
     }
 }
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 import numpy as np
 
 from . import _show
+from ._carom import meant, renamed
 from ._types import Array
 
 if TYPE_CHECKING:
@@ -27,6 +28,11 @@ def same(one: Any, other: Any) -> bool:
     return bool(one == other) or bool(one != one and other != other)
 
 
+def _plain(value: Any) -> Any:
+    """Numbers and lists of Python in place of those of numpy."""
+    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+
+
 class Result:
     """Named quantities. Two results are equal if all their quantities are; NaN equals NaN."""
 
@@ -37,7 +43,22 @@ class Result:
 
     def __init__(self, columns: dict[str, Any]) -> None:
         for name in self.units:
-            object.__setattr__(self, name, columns[name])
+            value = columns[name]
+            if isinstance(value, np.ndarray):
+                # A view: the array of the caller stays writable.
+                value = value.view()
+                value.flags.writeable = False
+            object.__setattr__(self, name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        # Only names that are not there come here.
+        own = type(self).__name__
+        if name.startswith("_"):
+            raise AttributeError(f"{own} has no attribute {name}")
+        new = renamed(name)
+        if new in self.units:
+            raise AttributeError(f"{own}.{name} is now called {new}")
+        raise AttributeError(f"{own} has no {name}{meant(name, list(self.units))}")
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{name}: results cannot be changed")
@@ -54,14 +75,18 @@ class Result:
             object.__setattr__(self, "_note", note)
         return self
 
-    def to_dict(self) -> dict[str, Any]:
+    def _values(self) -> dict[str, Any]:
         """The quantities by name."""
         return {name: getattr(self, name) for name in self.units}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The quantities by name, as numbers, texts and lists, which `json.dumps` takes; NaN where one has no value."""
+        return {name: _plain(value) for name, value in self._values().items()}
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
             return NotImplemented
-        return all(same(value, getattr(other, name)) for name, value in self.to_dict().items())
+        return all(same(value, getattr(other, name)) for name, value in self._values().items())
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -70,7 +95,7 @@ class Result:
 
     def _rows(self) -> list[_show.Row]:
         """Name, value, unit and meaning of each quantity that has a value."""
-        told = ((name, value) for name, value in self.to_dict().items() if not _show.is_nothing(value))
+        told = ((name, value) for name, value in self._values().items() if not _show.is_nothing(value))
         return [(name, _show.short(value), self.units[name], self.meanings[name]) for name, value in told]
 
     def __repr__(self) -> str:
@@ -103,7 +128,7 @@ class Record(Result):
     def _cells(self) -> dict[str, Any]:
         """The columns by name, flat; vectors are split into components."""
         cells: dict[str, Any] = {}
-        for name, values in self.to_dict().items():
+        for name, values in self._values().items():
             if name in self._vectors:
                 for axis, part in zip("xyz", np.moveaxis(values, -1, 0), strict=True):
                     cells[f"{name}_{axis}"] = part.reshape(-1)
@@ -137,7 +162,7 @@ class Record(Result):
             about = {"units": self.units[name], "long_name": self.meanings[name]}
             return xarray.Variable(dims, array, about)
 
-        variables = {name: variable(name, values) for name, values in self.to_dict().items()}
+        variables = {name: variable(name, values) for name, values in self._values().items()}
         coordinates = {"axis": xarray.Variable(["axis"], list("xyz"))} if self._vectors else {}
         return xarray.Dataset(variables, coordinates)
 
@@ -179,7 +204,7 @@ class Records(Record, Generic[One]):
         return cls._shaped(columns, shape) if shape else cls._one._of(columns)
 
     def _shape(self) -> tuple[int, ...]:
-        name, values = next((n, v) for n, v in self.to_dict().items() if isinstance(v, np.ndarray))
+        name, values = next((n, v) for n, v in self._values().items() if isinstance(v, np.ndarray))
         shape: tuple[int, ...] = values.shape
         return shape[:-1] if name in self._vectors else shape
 
@@ -200,7 +225,7 @@ class Records(Record, Generic[One]):
         place = np.arange(int(np.prod(shape))).reshape(shape)[index]
         taken = {
             name: [values[i] for i in np.ravel(place)] if isinstance(values, list) else values[index]
-            for name, values in self.to_dict().items()
+            for name, values in self._values().items()
         }
         if np.ndim(place):
             swept = self._swept and (*self._swept[:2], self._swept[2][index])
@@ -238,7 +263,7 @@ class Records(Record, Generic[One]):
         columns = {} if self._swept is None else {self._swept[0]: (self._swept[1], "swept", self._swept[2])}
         columns |= {
             name: (self.units[name], self.meanings[name], values)
-            for name, values in self.to_dict().items()
+            for name, values in self._values().items()
             if not _show.is_nothing(values)
         }
         return _show.html_table(self._title(), columns, shape[0])

@@ -111,7 +111,8 @@ class Bounce(Record):
     maximal_approach         of distant points, m
     maximal_semi_axis_a      semi-axis of the contact along x, m
     maximal_semi_axis_b      semi-axis of the contact along y, m
-    maximal_pressure         in its middle at the greatest force, Pa
+    peak_pressure            in its middle at the greatest force, Pa
+    pressure_over_yield      peak_pressure over 1.6 times the yield stress, if that is known: from 1 on a body yields
     energy_before            kinetic, without fixed bodies, J
     energy_after             kinetic, without fixed bodies, J
     energy_dissipated        by friction, J
@@ -141,7 +142,8 @@ class Bounce(Record):
     maximal_approach: float
     maximal_semi_axis_a: float
     maximal_semi_axis_b: float
-    maximal_pressure: float
+    peak_pressure: float
+    pressure_over_yield: float
     energy_before: float
     energy_after: float
     energy_dissipated: float
@@ -154,8 +156,8 @@ class Bounce(Record):
     model_uncertainty: float
     warnings: str
 
-    units = {'time': 's', 'position': 'm', 'velocity_before': 'm/s', 'spin_before': 'rad/s', 'velocity': 'm/s', 'spin': 'rad/s', 'wall': '', 'R_x': '', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'model_uncertainty': '', 'warnings': ''}
-    meanings = {'time': 'since the start', 'position': 'of the centre', 'velocity_before': 'of the centre', 'spin_before': '', 'velocity': 'of the centre afterwards', 'spin': 'afterwards', 'wall': 'name of the wall', 'R_x': 'tangential restitution', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in its middle at the greatest force', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'model_uncertainty': 'of R_x, by the unknown cause of a loss', 'warnings': 'limits of validity that the impact exceeds'}
+    units = {'time': 's', 'position': 'm', 'velocity_before': 'm/s', 'spin_before': 'rad/s', 'velocity': 'm/s', 'spin': 'rad/s', 'wall': '', 'R_x': '', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'peak_pressure': 'Pa', 'pressure_over_yield': '', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'model_uncertainty': '', 'warnings': ''}
+    meanings = {'time': 'since the start', 'position': 'of the centre', 'velocity_before': 'of the centre', 'spin_before': '', 'velocity': 'of the centre afterwards', 'spin': 'afterwards', 'wall': 'name of the wall', 'R_x': 'tangential restitution', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'peak_pressure': 'in its middle at the greatest force', 'pressure_over_yield': 'peak_pressure over 1.6 times the yield stress, if that is known: from 1 on a body yields', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'model_uncertainty': 'of R_x, by the unknown cause of a loss', 'warnings': 'limits of validity that the impact exceeds'}
     _vectors = frozenset(['position', 'velocity_before', 'spin_before', 'velocity', 'spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
     _axis = 'bounce'
 
@@ -179,7 +181,8 @@ class Bounces(Records[Bounce], one=Bounce):
     maximal_approach: Array
     maximal_semi_axis_a: Array
     maximal_semi_axis_b: Array
-    maximal_pressure: Array
+    peak_pressure: Array
+    pressure_over_yield: Array
     energy_before: Array
     energy_after: Array
     energy_dissipated: Array
@@ -546,7 +549,7 @@ class SolverStep(Record):
     F_y                  the same along y, N
     F_z                  normal force, N
     M_z                  torque on body 1, N m
-    p_max                greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
+    peak_pressure        greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
     contact_area         of all cells in contact, m2
     stick_area           of those that stick, m2
     stored_energy        elastic energy of both bodies, J
@@ -568,7 +571,7 @@ class SolverStep(Record):
     F_y_error            of F_y, N
     F_z_error            of F_z, N
     M_z_error            of M_z, N m
-    p_max_error          of p_max, Pa
+    peak_pressure_error  of peak_pressure, Pa
     contact_area_error   of contact_area, at most, m2
     stick_area_error     of stick_area, at most, m2
     """
@@ -582,7 +585,7 @@ class SolverStep(Record):
     F_y: float
     F_z: float
     M_z: float
-    p_max: float
+    peak_pressure: float
     contact_area: float
     stick_area: float
     stored_energy: float
@@ -604,12 +607,12 @@ class SolverStep(Record):
     F_y_error: float
     F_z_error: float
     M_z_error: float
-    p_max_error: float
+    peak_pressure_error: float
     contact_area_error: float
     stick_area_error: float
 
-    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'contact_share': '', 'mean_gap': 'm', 'patches': '', 'pressure_over_slope': '', 'energy_gap': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'contact_share': 'part of the window in contact', 'mean_gap': 'mean distance of the surfaces over the window', 'patches': 'connected parts of the contact', 'pressure_over_slope': 'mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces', 'energy_gap': 'the pressure is proven to be this near to the least energy for its force', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'peak_pressure': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'contact_share': '', 'mean_gap': 'm', 'patches': '', 'pressure_over_slope': '', 'energy_gap': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'peak_pressure_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'peak_pressure': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'contact_share': 'part of the window in contact', 'mean_gap': 'mean distance of the surfaces over the window', 'patches': 'connected parts of the contact', 'pressure_over_slope': 'mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces', 'energy_gap': 'the pressure is proven to be this near to the least energy for its force', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'peak_pressure_error': 'of peak_pressure', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'step'
 
@@ -626,7 +629,7 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     F_y: Array
     F_z: Array
     M_z: Array
-    p_max: Array
+    peak_pressure: Array
     contact_area: Array
     stick_area: Array
     stored_energy: Array
@@ -648,7 +651,7 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     F_y_error: Array
     F_z_error: Array
     M_z_error: Array
-    p_max_error: Array
+    peak_pressure_error: Array
     contact_area_error: Array
     stick_area_error: Array
 
@@ -882,7 +885,7 @@ class RollState(Record):
     wear_number            friction heat per distance rolled, in the steady state, N
     heating                friction heat per time, in the steady state, W
     power                  work rate of the loads on the creepage; bodies of one material turn it into heat, W
-    p_max                  greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
+    peak_pressure          greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
     contact_area           of all cells in contact, m2
     stick_area             of all cells that stick, m2
     slides                 whether the whole contact slides
@@ -905,7 +908,7 @@ class RollState(Record):
     F_y_error              of F_y, N
     F_z_error              of F_z, N
     M_z_error              of M_z, N m
-    p_max_error            of p_max, Pa
+    peak_pressure_error    of peak_pressure, Pa
     contact_area_error     of contact_area, at most, m2
     stick_area_error       of stick_area, at most, m2
     """
@@ -925,7 +928,7 @@ class RollState(Record):
     wear_number: float
     heating: float
     power: float
-    p_max: float
+    peak_pressure: float
     contact_area: float
     stick_area: float
     slides: bool
@@ -948,12 +951,12 @@ class RollState(Record):
     F_y_error: float
     F_z_error: float
     M_z_error: float
-    p_max_error: float
+    peak_pressure_error: float
     contact_area_error: float
     stick_area_error: float
 
-    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'F_x_table': 'N', 'F_y_table': 'N', 'M_z_table': 'N m', 'table_error': 'N', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'p_max': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'F_x_table': "F_x of the table of creep forces, of a line Carter's, with --table", 'F_y_table': 'F_y of the table', 'M_z_table': 'M_z of the table', 'table_error': 'how far each force of the table may be off', 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    units = {'distance': 'm', 'time': 's', 'creepage': '', 'creepage_across': '', 'spin': 'rad/m', 'zeta': 'm', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'used': '', 'adhesion': '', 'wear_number': 'N', 'heating': 'W', 'power': 'W', 'peak_pressure': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'slides': '', 'F_x_springs': 'N', 'F_y_springs': 'N', 'springs_error': '', 'F_x_table': 'N', 'F_y_table': 'N', 'M_z_table': 'N m', 'table_error': 'N', 'residual_normal': '', 'residual_tangential': '', 'iterations': '', 'error': '', 'zeta_error': 'm', 'creepage_error': '', 'creepage_across_error': '', 'spin_error': 'rad/m', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'peak_pressure_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'distance': 'rolled from rest, if the case gives one', 'time': 'since rest', 'creepage': 'along x, given or found', 'creepage_across': 'along y', 'spin': 'about the normal', 'zeta': 'approach', 'F_x': 'force on body 1 along x', 'F_y': 'force on body 1 along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'used': 'tangential force over f F_z', 'adhesion': 'tangential force over F_z', 'wear_number': 'friction heat per distance rolled, in the steady state', 'heating': 'friction heat per time, in the steady state', 'power': 'work rate of the loads on the creepage; bodies of one material turn it into heat', 'peak_pressure': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of all cells that stick', 'slides': 'whether the whole contact slides', 'F_x_springs': 'F_x of FASTSIM, with --fastsim', 'F_y_springs': 'F_y of FASTSIM, with --fastsim', 'springs_error': "FASTSIM's tangential force minus that here, over f F_z", 'F_x_table': "F_x of the table of creep forces, of a line Carter's, with --table", 'F_y_table': 'F_y of the table', 'M_z_table': 'M_z of the table', 'table_error': 'how far each force of the table may be off', 'residual_normal': 'residual of the contact conditions', 'residual_tangential': 'residual of the friction law', 'iterations': 'linear systems or passes', 'error': 'estimated by the mesh: the greatest of those of F_x and F_y over f F_z, and of the creepages over their size', 'zeta_error': 'estimated error of zeta by the mesh', 'creepage_error': 'the same of creepage', 'creepage_across_error': 'of creepage_across', 'spin_error': 'of spin', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'peak_pressure_error': 'of peak_pressure', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'row'
 
@@ -976,7 +979,7 @@ class RollStates(Records[RollState], one=RollState):
     wear_number: Array
     heating: Array
     power: Array
-    p_max: Array
+    peak_pressure: Array
     contact_area: Array
     stick_area: Array
     slides: NDArray[np.bool_]
@@ -999,7 +1002,7 @@ class RollStates(Records[RollState], one=RollState):
     F_y_error: Array
     F_z_error: Array
     M_z_error: Array
-    p_max_error: Array
+    peak_pressure_error: Array
     contact_area_error: Array
     stick_area_error: Array
 
@@ -1013,6 +1016,10 @@ class Rebound(Record):
     body_1_spin              angular velocity, afterwards, rad/s
     body_2_velocity          of the centre of mass, afterwards, m/s
     body_2_spin              angular velocity, afterwards, rad/s
+    body_1_speed             of the centre of mass, afterwards, m/s
+    body_1_angle             rebound angle: of that velocity from the normal away from body 2, deg
+    body_2_speed             of the centre of mass, afterwards, m/s
+    body_2_angle             of that velocity from the normal away from body 1, deg
     impulse                  on body 1, N s
     contact_velocity_before  of body 2 against body 1, m/s
     contact_velocity_after   of body 2 against body 1, m/s
@@ -1021,7 +1028,8 @@ class Rebound(Record):
     maximal_approach         of distant points, m
     maximal_semi_axis_a      semi-axis of the contact along x, m
     maximal_semi_axis_b      semi-axis of the contact along y, m
-    maximal_pressure         in its middle at the greatest force, Pa
+    peak_pressure            in its middle at the greatest force, Pa
+    pressure_over_yield      peak_pressure over 1.6 times the yield stress, if that is known: from 1 on a body yields
     energy_before            kinetic, without fixed bodies, J
     energy_after             kinetic, without fixed bodies, J
     energy_dissipated        by friction, J
@@ -1041,6 +1049,10 @@ class Rebound(Record):
     body_1_spin: Array
     body_2_velocity: Array
     body_2_spin: Array
+    body_1_speed: float
+    body_1_angle: float
+    body_2_speed: float
+    body_2_angle: float
     impulse: Array
     contact_velocity_before: Array
     contact_velocity_after: Array
@@ -1049,7 +1061,8 @@ class Rebound(Record):
     maximal_approach: float
     maximal_semi_axis_a: float
     maximal_semi_axis_b: float
-    maximal_pressure: float
+    peak_pressure: float
+    pressure_over_yield: float
     energy_before: float
     energy_after: float
     energy_dissipated: float
@@ -1062,8 +1075,8 @@ class Rebound(Record):
     model_uncertainty: float
     warnings: str
 
-    units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'maximal_pressure': 'Pa', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'model_uncertainty': '', 'warnings': ''}
-    meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'maximal_pressure': 'in its middle at the greatest force', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'model_uncertainty': 'of R_x, by the unknown cause of a loss', 'warnings': 'limits of validity that the impact exceeds'}
+    units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'body_1_speed': 'm/s', 'body_1_angle': 'deg', 'body_2_speed': 'm/s', 'body_2_angle': 'deg', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'peak_pressure': 'Pa', 'pressure_over_yield': '', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'friction': '', 'method': '', 'compressions': '', 'error_estimate': '', 'model_uncertainty': '', 'warnings': ''}
+    meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'body_1_speed': 'of the centre of mass, afterwards', 'body_1_angle': 'rebound angle: of that velocity from the normal away from body 2', 'body_2_speed': 'of the centre of mass, afterwards', 'body_2_angle': 'of that velocity from the normal away from body 1', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from first contact to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'semi-axis of the contact along x', 'maximal_semi_axis_b': 'semi-axis of the contact along y', 'peak_pressure': 'in its middle at the greatest force', 'pressure_over_yield': 'peak_pressure over 1.6 times the yield stress, if that is known: from 1 on a body yields', 'energy_before': 'kinetic, without fixed bodies', 'energy_after': 'kinetic, without fixed bodies', 'energy_dissipated': 'by friction', 'energy_lost': 'in the material of the bodies', 'regimes': 'in order; sign: traction on body 1 along the first slip', 'friction': 'coefficient that was used; none if the bodies do not slip', 'method': 'solution method', 'compressions': 'number of compression phases', 'error_estimate': 'of the contact velocity, over that before', 'model_uncertainty': 'of R_x, by the unknown cause of a loss', 'warnings': 'limits of validity that the impact exceeds'}
     _vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])
     _axis = 'impact'
 
@@ -1077,6 +1090,10 @@ class Rebounds(Records[Rebound], one=Rebound):
     body_1_spin: Array
     body_2_velocity: Array
     body_2_spin: Array
+    body_1_speed: Array
+    body_1_angle: Array
+    body_2_speed: Array
+    body_2_angle: Array
     impulse: Array
     contact_velocity_before: Array
     contact_velocity_after: Array
@@ -1085,7 +1102,8 @@ class Rebounds(Records[Rebound], one=Rebound):
     maximal_approach: Array
     maximal_semi_axis_a: Array
     maximal_semi_axis_b: Array
-    maximal_pressure: Array
+    peak_pressure: Array
+    pressure_over_yield: Array
     energy_before: Array
     energy_after: Array
     energy_dissipated: Array

@@ -222,7 +222,7 @@ impl StepSummary {
         Column::new("F_z", "N", "normal force", |step| step.load.f_z.into()),
         Column::new("M_z", "N m", "torque on body 1", |step| step.load.m_z.into()),
         Column::new(
-            "p_max",
+            "peak_pressure",
             "Pa",
             "greatest pressure: the vertex of parabolas through the highest cell and its neighbours",
             |step| step.greatest_pressure.into(),
@@ -286,7 +286,9 @@ impl StepSummary {
         Column::new("F_y_error", "N", "of F_y", |step| step.error(|all| &all.f_y)),
         Column::new("F_z_error", "N", "of F_z", |step| step.error(|all| &all.f_z)),
         Column::new("M_z_error", "N m", "of M_z", |step| step.error(|all| &all.m_z)),
-        Column::new("p_max_error", "Pa", "of p_max", |step| step.error(|all| &all.peak)),
+        Column::new("peak_pressure_error", "Pa", "of peak_pressure", |step| {
+            step.error(|all| &all.peak)
+        }),
         Column::new("contact_area_error", "m2", "of contact_area, at most", |step| {
             step.error(|all| &all.contact_area)
         }),

@@ -75,7 +75,7 @@ fn columns_and_kept_numbers_show_each_field_in_its_place() {
         ("F_y", "N"),
         ("F_z", "N"),
         ("M_z", "N m"),
-        ("p_max", "Pa"),
+        ("peak_pressure", "Pa"),
         ("contact_area", "m2"),
         ("stick_area", "m2"),
         ("stored_energy", "J"),

@@ -50,6 +50,7 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
+    arguments.printing.check()?;
     let format = arguments.printing.format();
     let outputs = Outputs::of_command(format)?;
     outputs.check_input(&arguments.file)?;

@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         Ok(())
     })?;
     let text = match (format, radii) {
-        (Format::Csv, 1..) => tractions.finish()?,
+        (Format::Csv | Format::Chosen(_), 1..) => tractions.finish()?,
         (Format::Table(_), 1..) => steps.finish()? + &tractions.finish()?,
         _ => steps.finish()?,
     };

@@ -100,7 +100,7 @@ fn single(
     columns::check_rows(&[&cells[1..]], [0, 1], |cells| cells.to_vec())?;
     let text = match (format, &record.history) {
         (Format::Json, _) => json(&record)?,
-        (Format::Csv, Some(points)) => {
+        (Format::Csv | Format::Chosen(_), Some(points)) => {
             let mut rows = Rows::new(format).of(HistoryPoint::COLUMNS);
             for points in points.chunks(BLOCK) {
                 let cells = |point: &HistoryPoint| row(HistoryPoint::COLUMNS, Some(point));
@@ -108,7 +108,7 @@ fn single(
             }
             rows.finish()?
         }
-        (Format::Csv, None) => columns::cell_rows(format, &[cells])?,
+        (Format::Csv | Format::Chosen(_), None) => columns::cell_rows(format, &[cells])?,
         (Format::Table(page), _) => table::one(page, &record)?,
         (Format::None, _) => String::new(),
     };

@@ -10,14 +10,17 @@ use carom_impact::{HistoryPoint, ImpactFriction, LogEntry, Motion};
 use carom_table::{Cell, row};
 
 /// Columns of a sweep in a table, beside the swept number.
-pub(super) const OF_SWEEP: [&str; 8] = [
+pub(super) const OF_SWEEP: [&str; 11] = [
     "outcome",
     "R_x",
     "body_1_velocity_x",
     "body_1_velocity_z",
     "body_1_spin_y",
-    "maximal_force",
-    "energy_dissipated",
+    "body_1_speed",
+    "body_1_angle",
+    "duration",
+    "peak_pressure",
+    "pressure_over_yield",
     "regimes",
 ];
 

@@ -189,7 +189,7 @@ pub(super) fn render_text(report: &Report, format: Format) -> Result<String, Cli
     match format {
         Format::Json => json(report),
         Format::None => Ok(String::new()),
-        Format::Csv => columns::cell_rows(format, &rows(report, |_| true)),
+        Format::Csv | Format::Chosen(_) => columns::cell_rows(format, &rows(report, |_| true)),
         Format::Table(page) => {
             // Quantities that are always zero are omitted.
             let moves = |spread: &Spread| spread.minimum != 0.0 || spread.maximum != 0.0;

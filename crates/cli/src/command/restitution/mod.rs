@@ -106,6 +106,7 @@ pub(super) fn run(
     results: &mut Results,
 ) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments)?;
+    arguments.printing.check()?;
     let mut outputs = Outputs::of_command(arguments.format())?;
     let mut to = |option, path: &Option<PathBuf>| {
         let to = |path: &PathBuf| outputs.picture(option, path, arguments.format());

@@ -105,7 +105,9 @@ fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, C
         (Format::Json, Some(creep)) => {
             json(&Both { coefficients: Record::new(CREEP, creep), rows: Records(COLUMNS, rows) })
         }
-        (Format::Csv, Some(creep)) => columns::rows(format, CREEP, std::slice::from_ref(creep)),
+        (Format::Csv | Format::Chosen(_), Some(creep)) => {
+            columns::rows(format, CREEP, std::slice::from_ref(creep))
+        }
         (Format::Table(page), creep) => {
             let creep = creep.map(|creep| columns::upright(page, &row(CREEP, Some(creep))));
             Ok(creep.unwrap_or_default()

@@ -58,13 +58,13 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         bounces.put(&met, cells, json, results)
     })?;
     let mut text = match (format, points) {
-        (Format::Csv, Some(_)) => String::new(),
+        (Format::Csv | Format::Chosen(_), Some(_)) => String::new(),
         _ => bounces.finish()?,
     };
     match format {
         Format::Json => text.push_str(&view::end(&case, &end)?),
         Format::Table(page) => text.push_str(&page.fold(&read_end(&case, &end))),
-        Format::Csv | Format::None => {}
+        Format::Csv | Format::Chosen(_) | Format::None => {}
     }
     if let (Some(count), true) = (points, format != Format::None) {
         if format == Format::Json {

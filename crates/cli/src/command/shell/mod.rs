@@ -97,7 +97,9 @@ fn of_bellows(
             let head = columns::upright(page, &row(RESPONSE_COLUMNS, Some(response)));
             Ok(head + &columns::rows(format, BellowsRow::COLUMNS, rows)?)
         }
-        Format::Csv | Format::None => columns::rows(format, BellowsRow::COLUMNS, rows),
+        Format::Csv | Format::Chosen(_) | Format::None => {
+            columns::rows(format, BellowsRow::COLUMNS, rows)
+        }
     }
 }
 
@@ -118,6 +120,8 @@ fn of_flange(
         Format::Table(page) => {
             Ok(columns::upright(page, &row(FlangeSummary::COLUMNS, Some(summary))))
         }
-        Format::Csv | Format::None => columns::rows(format, FlangeSummary::COLUMNS, rows),
+        Format::Csv | Format::Chosen(_) | Format::None => {
+            columns::rows(format, FlangeSummary::COLUMNS, rows)
+        }
     }
 }

@@ -141,6 +141,7 @@ pub(in crate::command) fn run(
     arguments: &Arguments,
     messages: &Messages,
 ) -> Result<Answer, CliError> {
+    arguments.printing.check()?;
     let outputs = Outputs::of_command(arguments.printing.format())?;
     let file = outputs.read_case(&arguments.case)?;
     // The method that the case requests is one of those compared.

@@ -20,7 +20,7 @@ pub(super) fn errors(steps: &[StepSummary]) -> String {
         ("F_y", all.f_y, "N"),
         ("F_z", all.f_z, "N"),
         ("M_z", all.m_z, "N m"),
-        ("p_max", all.peak, "Pa"),
+        ("peak_pressure", all.peak, "Pa"),
         ("stick_area", all.stick_area, "m2"),
     ];
     let errors = errors.iter().filter(|(_, one, _)| one.error > 1e-12 * one.value.abs());

@@ -73,7 +73,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
                 + "greatest shear stress, searched likewise:\n"
                 + &columns::upright(page, &row(StressPoint::COLUMNS, Some(greatest_shear)))
         }
-        Format::Csv | Format::None => columns::rows(format, StressPoint::COLUMNS, points)?,
+        Format::Csv | Format::Chosen(_) | Format::None => {
+            columns::rows(format, StressPoint::COLUMNS, points)?
+        }
     };
     let picture = match plot {
         Some(to) => Some((to, draw(&solved).map_err(CliError::from)?)),

@@ -105,6 +105,7 @@ fn length(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    arguments.printing.check()?;
     let format = arguments.format();
     let mut outputs = Outputs::of_command(format)?;
     let picture = |path: &PathBuf| outputs.picture("plot", path, format);
@@ -127,7 +128,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             page.fold(&headline(&prepared))
                 + &columns::upright(page, &row(Measures::COLUMNS, Some(&measures)))
         }
-        Format::Csv | Format::None => columns::rows(format, Measures::COLUMNS, &[measures])?,
+        Format::Csv | Format::Chosen(_) | Format::None => {
+            columns::rows(format, Measures::COLUMNS, &[measures])?
+        }
     };
     let picture = match to {
         Some(to) => Some((to, plot::draw(map, spectrum.as_ref(), &far)?)),
