@@ -5,7 +5,7 @@ use crate::case::SceneCase;
 use crate::input::CaseFile;
 use crate::theory::ValidityReport;
 use carom_impact::Rebound;
-use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
+use carom_impact::scene::{Bounce, Ending, Event, Leg, PathPoint};
 use carom_special::RangeError;
 use carom_special::interrupt::is_wanted;
 use carom_table::Column;
@@ -30,8 +30,12 @@ impl End {
         match self.ending {
             Ending::Time => "the time is over".to_owned(),
             Ending::Bounces => "the last bounce is done".to_owned(),
-            Ending::Rest { wall } => format!("it stays on {}", name(wall)),
+            Ending::Rest { wall } => format!("it rests on {}", name(wall)),
             Ending::Edge { wall } => format!("it meets an edge of {}", name(wall)),
+            Ending::Carried { wall } => format!("it is carried by {}", name(wall)),
+            Ending::Wedged { wall, other } => {
+                format!("it lies between {} and {}", name(wall), name(other))
+            }
         }
     }
 }
@@ -69,6 +73,8 @@ pub struct Followed {
     pub case: SceneCase,
     /// All bounces, in their order.
     pub bounces: Vec<Bounce>,
+    /// Bounces, highest points, where it begins to slide or to roll, and the end.
+    pub events: Vec<Event>,
     /// Instants of every flight.
     pub points: Vec<PathPoint>,
     /// The end of the path.
@@ -82,16 +88,23 @@ pub struct Followed {
 pub fn followed(file: &CaseFile, count: usize) -> Result<Followed, Error> {
     let case = file.parse::<SceneCase>()?;
     RangeError::check("points", count as f64, count != 1, ">= 2")?;
-    let (mut bounces, mut points) = (Vec::new(), Vec::new());
+    let (mut bounces, mut events, mut points) = (Vec::new(), Vec::new(), Vec::new());
     let visit = |legs: &[Leg]| -> Result<(), Error> {
         bounces.extend(legs.iter().filter_map(Leg::bounce).cloned());
+        events.extend(legs.iter().flat_map(Leg::events));
         for leg in legs.iter().filter(|_| count > 0) {
             points.extend(leg.points(count)?);
         }
         Ok(())
     };
     let end = file.follow(|| follow(&case, visit))?;
-    Ok(Followed { case, bounces, points, end })
+    Ok(Followed { case, bounces, events, points, end })
+}
+
+/// The name of the wall of an event; empty in flight.
+#[must_use]
+pub fn wall_name(case: &SceneCase, event: &Event) -> String {
+    event.kind.wall().map_or_else(String::new, |wall| case.names[wall].clone())
 }
 
 /// The columns of the impact of a bounce, without those that [`Bounce::COLUMNS`] has: the ball is body 1, and walls

@@ -12,6 +12,9 @@ pub struct GlobalOptions {
     /// Print errors only: no warnings and no progress on standard error.
     #[arg(long, short, global = true)]
     quiet: bool,
+    /// End with exit code 3 if there is a warning; results are written all the same.
+    #[arg(long, global = true)]
+    strict: bool,
     /// Colours of help and messages; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", value_enum, default_value_t, global = true)]
     color: ColorChoice,
@@ -31,12 +34,21 @@ impl GlobalOptions {
         }
     }
 
+    /// Whether a warning ends the command with [`STRICT`].
+    #[must_use]
+    pub const fn is_strict(&self) -> bool {
+        self.strict
+    }
+
     /// The number of threads; `None` for the number of cores.
     #[must_use]
     pub fn threads(&self) -> Option<usize> {
         self.threads.map(usize::from)
     }
 }
+
+/// The exit code of a command with `--strict` that warns.
+pub const STRICT: u8 = 3;
 
 /// The colour option among the arguments, before they are parsed: help and errors of the parser are
 /// coloured too.

@@ -91,6 +91,12 @@ impl Picture {
 }
 
 impl Answer {
+    /// Whether something is told beside the results.
+    #[must_use]
+    pub const fn has_warnings(&self) -> bool {
+        self.caution.is_some() || !self.warnings.is_empty()
+    }
+
     /// Adds a warning that must be read first: above the results in a table to read, otherwise as
     /// the first warning.
     #[must_use]

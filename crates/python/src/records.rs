@@ -1,7 +1,7 @@
 //! Results as columns; their names, units and meanings come from the tables beside the Rust results.
 
 use carom::impact::restitution::DissimilarRestitution;
-use carom::impact::scene::{Bounce, PathPoint};
+use carom::impact::scene::{Bounce, Event, PathPoint};
 use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::creep::CreepCoefficients;
 use carom::laws::hertz::HertzState;
@@ -52,6 +52,11 @@ pub(crate) fn columns(
         "LinearCreep" => Ok(about(CreepCoefficients::COLUMNS)),
         "LineState" => Ok(about(carom::laws::line::LineState::COLUMNS)),
         "PathPoint" => Ok(about(PathPoint::COLUMNS)),
+        "PathEvent" => {
+            let mut all = about(Event::COLUMNS);
+            all.push(("wall", "", "name of the wall; empty in flight", "text"));
+            Ok(all)
+        }
         "Rebound" => Ok(about(Outcome::COLUMNS)),
         "RingPlace" => Ok(about(RingPlace::COLUMNS)),
         "RollState" => Ok(about(roll::COLUMNS)),

@@ -1,5 +1,6 @@
 #include "fix_wall_carom.h"
 
+#include "conduction.h"
 #include "find_pair.h"
 
 #include "atom.h"
@@ -17,15 +18,15 @@
 
 using namespace LAMMPS_NS;
 
-// Number of values of the whole wall in a restart file: position; heats and work, force and torque.
-static constexpr int SUMS = 10;
+// Number of values of the whole wall in a restart file: position; heats and work, force and torque, heat conducted.
+static constexpr int SUMS = 11;
 static constexpr int KEPT = carom::WallShape::NUMBERS + SUMS;
 
 // Constants of curved walls beyond this number are computed again: grains of as many radii.
 static constexpr std::size_t MOST_CURVED = 100000;
 
 // Values of compute_vector(), from f_ID[1] on.
-enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, ROLLING, TORQUE_X, TORQUE_Y, TORQUE_Z, OUTPUTS };
+enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, ROLLING, TORQUE_X, TORQUE_Y, TORQUE_Z, CONDUCTED, OUTPUTS };
 
 FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
@@ -38,17 +39,26 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
       has_tolerance = has_tolerance || (words > 0 && word == "tolerance");
       has_torsion = has_torsion || (words > 0 && word == "torsion");
     }
+    if (words == 0 && word == "temperature") {
+      if (narg - k < 2) error->all(FLERR, who() + ": temperature requires a value");
+      temperature = carom::numeric(lmp, who(), arg + k, 1);
+      if (!std::isfinite(temperature)) error->all(FLERR, who() + ": temperature is out of range: must be finite");
+      has_temperature = true;
+      words = 2;
+    }
     if (words == 0) words = wall.take(lmp, who(), narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
                             "': only plane, cylinder, cone, sphere, stl, scale, smooth, edges, between, velocity, omega and center (with all their "
-                            "values), young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, restitution, rolling, law, tolerance and torsion");
+                            "values), young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, restitution, rolling, conductivity, temperature, law, tolerance and torsion");
     k += words;
   }
   material.check(lmp, who());
   wall.check(lmp, who());
   if (!material.has_body) error->all(FLERR, who() + ": young (or shear) and poisson, or rigid, are missing");
   if (material.friction < 0.0) error->all(FLERR, who() + ": friction is missing");
+  if (has_temperature != (material.conductivity > 0.0))
+    error->all(FLERR, who() + (has_temperature ? ": temperature requires conductivity" : ": conductivity requires the temperature of the wall"));
   restart_global = restart_peratom = 1;
   create_attribute = 1;
   maxexchange = maxsize_restart() - 1;
@@ -86,6 +96,7 @@ void FixWallCarom::init()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, who() + " requires atom_style sphere");
+  if (has_temperature) carom::need_temperatures(lmp, who());
   for (int axis = 0; axis < 3; axis++)
     if (domain->periodicity[axis] && !wall.extends_along(axis))
       error->all(FLERR, who() + ": the box is periodic across the wall");
@@ -178,6 +189,17 @@ carom_grain_load FixWallCarom::step(int i, Contact &contact, carom::WallShape::N
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
   book(i, made);
   return load;
+}
+
+// The wall keeps its temperature. Its curvature is above 0 where it is convex.
+void FixWallCarom::conduct(int i, const carom::WallShape::Near &near, double duration)
+{
+  const double radius = atom->radius[i];
+  const double curvature = 1.0 / radius + 0.5 * (near.curvature[0] + near.curvature[1]);
+  const double heat = carom::conducted(material.conductivity, curvature, radius - near.height,
+                                       temperature - atom->temperature[i]);
+  atom->heatflow[i] += heat;
+  sums_.conducted += heat * duration;
 }
 
 void FixWallCarom::book(int i, const carom_heats &made)
@@ -280,6 +302,7 @@ void FixWallCarom::assign(int i, int count)
 void FixWallCarom::touch(int i, Contact &contact, carom::WallShape::Near &near, double duration, Reaction &sum)
 {
   const carom_grain_load load = step(i, contact, near, duration);
+  if (has_temperature) conduct(i, near, duration);
   const double *f = load.force, *center = wall.center(), *x = atom->x[i];
   const double arm[3] = {x[0] - center[0], x[1] - center[1], x[2] - center[2]};
   for (int axis = 0; axis < 3; axis++) {
@@ -334,6 +357,7 @@ double FixWallCarom::compute_vector(int n)
     case DAMPING: mine = sums_.damping; break;
     case WORK: mine = sums_.work; break;
     case ROLLING: mine = sums_.rolling; break;
+    case CONDUCTED: mine = sums_.conducted; break;
     case TORQUE_X: case TORQUE_Y: case TORQUE_Z: mine = torque_on_wall[n - TORQUE_X]; break;
     default: mine = force_on_wall[n];
   }
@@ -348,6 +372,7 @@ void FixWallCarom::write_restart(FILE *fp)
   double mine[SUMS] = {sums_.friction, sums_.damping, sums_.work, sums_.rolling};
   memcpy(mine + 4, force_on_wall, sizeof force_on_wall);
   memcpy(mine + 7, torque_on_wall, sizeof torque_on_wall);
+  mine[10] = sums_.conducted;
   double all[KEPT];
   wall.write(all + SUMS);
   MPI_Reduce(mine, all, SUMS, MPI_DOUBLE, MPI_SUM, 0, world);
@@ -363,7 +388,7 @@ void FixWallCarom::restart(char *buffer)
   if (!std::all_of(all, all + SUMS, [](double number) { return std::isfinite(number); }) || !wall.read(all + SUMS))
     damaged("the position or a sum of the wall is not a finite number");
   if (comm->me != 0) return;
-  sums_ = {all[0], all[1], all[2], all[3]};
+  sums_ = {all[0], all[1], all[2], all[3], all[10]};
   memcpy(force_on_wall, all + 4, sizeof force_on_wall);
   memcpy(torque_on_wall, all + 7, sizeof torque_on_wall);
 }

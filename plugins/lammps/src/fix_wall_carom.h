@@ -51,7 +51,7 @@ class FixWallCarom : public Fix {
   double stored_energy();
   // Sums of this rank: heats, and the work that the moving wall did.
   struct Sums {
-    double friction, damping, work, rolling = 0.0;
+    double friction, damping, work, rolling = 0.0, conducted = 0.0;
   };
   const Sums &sums() const { return sums_; }
 
@@ -66,6 +66,8 @@ class FixWallCarom : public Fix {
   carom::Law law;                       // those of its values that were given
   bool has_law = false, has_tolerance = false, has_torsion = false;
   bool has_told = false;    // of coupling, in the log
+  bool has_temperature = false;
+  double temperature = 0.0;    // of the wall
   carom::WallShape wall;
   std::vector<carom::MadeLaw> flat;    // by type of grain, without curvature; null if the type has no material
   // Those of a curved wall, by type, radius of the grain and the two curvatures.
@@ -101,6 +103,7 @@ class FixWallCarom : public Fix {
   double energy_of(int i, Contact &contact);
   void let_go(int i, Contact &contact);
   void book(int i, const carom_heats &made);
+  void conduct(int i, const carom::WallShape::Near &near, double duration);
   void drop_all(int i);
   Contact &free_contact(int i);
   // Number of values that are kept of a contact behind its numbers: how the wall was where it began.

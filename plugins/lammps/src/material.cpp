@@ -1,5 +1,6 @@
 #include "material.h"
 
+#include "atom.h"
 #include "comm.h"
 #include "error.h"
 #include "lammps.h"
@@ -15,6 +16,12 @@ namespace carom {
 void fail(LAMMPS *lmp, const std::string &who, const carom_error &error)
 {
   lmp->error->one(FLERR, who + ": " + error.text);
+}
+
+void need_temperatures(LAMMPS *lmp, const std::string &who)
+{
+  if (!lmp->atom->temperature_flag || !lmp->atom->heatflow_flag)
+    lmp->error->all(FLERR, who + ": conductivity requires fix property/atom temperature heatflow ghost yes, and fix heat/flow");
 }
 
 static void out_of_range(LAMMPS *lmp, const std::string &who, const char *field, double value,
@@ -115,6 +122,10 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     static_friction = number(lmp, who, narg, arg);
     if (!(static_friction >= 0.0 && static_friction < INFINITY))
       out_of_range(lmp, who, "static_friction", static_friction, "finite and at least friction");
+  } else if (word == "conductivity") {
+    conductivity = number(lmp, who, narg, arg);
+    if (!(conductivity >= 0.0 && conductivity < INFINITY))
+      out_of_range(lmp, who, "conductivity", conductivity, "finite and >= 0");
   } else if (word == "damping") {
     damping = number(lmp, who, narg, arg);
     if (!(damping >= 0.0 && damping < INFINITY))
@@ -147,13 +158,14 @@ bool Material::come_from_file()
   const bool none = !is_set && !has_body;
   const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
   const bool strength = yield >= 0.0 && yield < INFINITY;
+  const bool conducts = conductivity >= 0.0 && conductivity < INFINITY;
   const bool rebounds = restitution >= 0.01 && restitution <= 1.0;
   const bool grips = static_friction == 0.0 || (static_friction >= friction && static_friction < INFINITY && !slips());
   const bool slows = friction + slip_b >= 0.0 && friction + slip_b < INFINITY && slip_c >= 0.0 && slip_c < INFINITY;
   const bool resists = std::isfinite(rolling.stiffness + rolling.damping + rolling.friction) &&
       rolling.stiffness >= 0.0 && rolling.damping >= 0.0 && rolling.friction >= 0.0;
   return is_flag(is_set) && is_flag(has_body) &&
-      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength && rebounds &&
+      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY && strength && rebounds && conducts &&
                 resists && grips && slows));
 }
 

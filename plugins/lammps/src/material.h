@@ -21,8 +21,8 @@ int flag(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
 
 // young E poisson NU
 // shear G poisson NU
-// rigid, yield Y, friction F, static_friction F, slip_friction A B C, damping A, restitution E, rolling K C F; plain data,
-// written to restart files unchanged.
+// rigid, yield Y, friction F, static_friction F, slip_friction A B C, damping A, restitution E, rolling K C F, conductivity K;
+// plain data, written to restart files unchanged.
 struct Material {
   int is_set = 0;      // whether any keyword was given
   int has_body = 0;    // whether there are moduli, or rigid
@@ -33,6 +33,7 @@ struct Material {
   double damping = 0.0;
   double restitution = 1.0;    // elastic
   double yield = 0.0;        // not known
+  double conductivity = 0.0;    // no heat is conducted
   carom_rolling rolling = {0.0, 0.0, 0.0};    // none
 
   // Reads a keyword and its value; returns the number of words read, 0 for an unknown keyword.
@@ -76,6 +77,9 @@ MadeLaw law_at_curved_wall(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const
 
 // Logs how much the coupling of dissimilar materials may matter where the law neglects it.
 void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const MadeLaw &law);
+
+// Raises an error unless grains have temperatures and heat flows, by fix property/atom of the host.
+void need_temperatures(LAMMPS_NS::LAMMPS *lmp, const std::string &who);
 
 // Raises an error of the host with the message of the library.
 [[noreturn]] void fail(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_error &error);

@@ -1,5 +1,6 @@
 #include "pair_carom.h"
 
+#include "conduction.h"
 #include "fix_carom_keep.h"
 #include "fix_wall_carom.h"
 #include "host.h"
@@ -126,7 +127,7 @@ void PairCarom::coeff(int narg, char **arg)
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
                             "': only young, shear, poisson, yield, friction, static_friction, slip_friction, damping, "
-                            "restitution and rolling");
+                            "restitution, rolling and conductivity");
     k += words;
   }
   if (std::isinf(material.young))
@@ -150,6 +151,9 @@ void PairCarom::init_style()
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "pair carom requires atom_style sphere");
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
+  conducts = std::any_of(coefficients.begin(), coefficients.end(),
+                         [](const carom::Material &material) { return material.conductivity > 0.0; });
+  if (conducts) carom::need_temperatures(lmp, "pair carom");
   frozen = 0;
   for (const Fix *fix : modify->get_fix_by_style("^freeze$")) frozen |= fix->groupbit;
   masses.start(modify);
@@ -381,12 +385,29 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const double force_2[3] = {-force_1[0], -force_1[1], -force_1[2]};
     all.add(one, force_1, met.load.torque_1);
     all.add(two, force_2, met.load.torque_2);
+    if (conducts) conduct(met, one, two, all.moved);
     if (evflag) {
       const double energy = eflag ? energy_of(touches.with_flag(*pair.flag), one, two) : 0.0;
       tally(pair, energy, force_1, pair.i_is_1 ? 1.0 : -1.0);
     }
     if (pair.apart) end(pair);
   }
+}
+
+// Heat of the warmer grain goes to the other one; a grain of another rank gets its heat there, unless newton is on.
+void PairCarom::conduct(const carom_encounter &met, int one, int two, std::size_t moved)
+{
+  const int low = std::min(atom->type[one], atom->type[two]), high = std::max(atom->type[one], atom->type[two]);
+  const double conductivity = coefficients[place(low, high)].conductivity;
+  if (conductivity == 0.0) return;
+  double square = 0.0;
+  for (int k = 0; k < 3; k++) square += std::pow(met.one.place[k] - met.two.place[k], 2);
+  const double overlap = met.one.radius + met.two.radius - std::sqrt(square);
+  const double *temperature = atom->temperature;
+  const double heat = carom::conducted(conductivity, 1.0 / met.one.radius + 1.0 / met.two.radius, overlap,
+                                       temperature[two] - temperature[one]);
+  if (static_cast<std::size_t>(one) < moved) atom->heatflow[one] += heat;
+  if (static_cast<std::size_t>(two) < moved) atom->heatflow[two] -= heat;
 }
 
 // The step of one contact, with heats if requested, or the load after the last step.
@@ -573,7 +594,7 @@ void PairCarom::read_restart_settings(FILE *fp)
 // Of the contacts, by the library, and of what this style writes beside them.
 static uint32_t file_version()
 {
-  constexpr uint32_t OF_STYLE = 5;
+  constexpr uint32_t OF_STYLE = 6;
   return 1000 * OF_STYLE + carom_state_version();
 }
 

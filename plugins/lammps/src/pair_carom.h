@@ -102,6 +102,8 @@ class PairCarom : public Pair {
   Bodies bodies() const;
   int frozen = 0;    // the groups of fix freeze
   bool weighs = false;    // whether a restitution needs the masses
+  bool conducts = false;    // whether contacts conduct heat
+  void conduct(const carom_encounter &met, int one, int two, std::size_t moved);
   // A grain that does not move, as one of a great mass, so that two of them have a reduced mass.
   static constexpr double HEAVY = 1e12;
   carom_touch *touch_of(double *slot, int body_1, int body_2);

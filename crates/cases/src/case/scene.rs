@@ -7,13 +7,13 @@ use super::contact::{
     torsion_mode,
 };
 use super::error::CaseError;
-use super::field::{Default, Field, Form, Schema};
+use super::field::{Default, Field, Form, Rows, Schema};
 use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::reader::Case;
 use super::section::{Section, parse};
 use super::unit::{Dimension, Measure};
-use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
+use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall, WallMotion};
 use carom_numerical::CollisionLaw;
 use carom_special::RangeError;
 
@@ -45,6 +45,51 @@ const LENGTH: Field =
 const WIDTH: Field = Field::number("width", LENGTH_ABOVE_0, "width of a rectangle, across `along`")
     .may(WHOLE_PLANE)
     .such_as("0.5");
+const ROLLING_RESISTANCE: Field = Field::number(
+    "rolling_resistance",
+    Range::NonNegative.pure(),
+    "mu_r of the torque mu_r R F_z against the spin of a ball that moves on the wall",
+)
+.default(Default::Number(0.0));
+const AMPLITUDE: Field = Field::vector(
+    "amplitude",
+    Range::Finite.of(Dimension::Length),
+    "the greatest displacement, along each axis",
+)
+.such_as("[0, 0, 0.001]");
+const PERIOD: Field =
+    Field::number("period", Range::Positive.of(Dimension::Time), "time of one oscillation")
+        .such_as("0.02");
+const PHASE: Field = Field::number(
+    "phase",
+    Range::Finite.of(Dimension::Degrees),
+    "the displacement is amplitude sin(360 t/period + phase)",
+)
+.default(Default::Number(0.0));
+const OSCILLATION: Field = Field::new(
+    "oscillation",
+    Form::Table(&[AMPLITUDE, PERIOD, PHASE]),
+    "how an infinite wall oscillates about its place",
+)
+.may("the wall is fixed, or `positions` says how it moves");
+const POSITIONS: Field = Field::new(
+    "positions",
+    Form::Rows(Rows {
+        parts: &["time", "x", "y", "z"],
+        measures: &[
+            Range::Finite.of(Dimension::Time),
+            Range::Finite.of(Dimension::Length),
+            Range::Finite.of(Dimension::Length),
+            Range::Finite.of(Dimension::Length),
+        ],
+        optional: 0,
+        least: 2,
+        words: "a list of at least two rows [time, x, y, z]",
+    }),
+    "displacements of an infinite wall from its place at these times, straight between them",
+)
+.may("the wall is fixed, or `oscillation` says how it moves")
+.such_as("[[0, 0, 0, 0], [1, 0, 0, 0.1]]");
 const WALL: Field = Field::new(
     "wall",
     Form::Tables(&[
@@ -63,8 +108,11 @@ const WALL: Field = Field::new(
         LOSS_OF_WALL,
         WAVE_LOSS,
         RELAXATION,
+        ROLLING_RESISTANCE,
+        OSCILLATION,
+        POSITIONS,
     ]),
-    "a fixed wall, plane or rectangular",
+    "a wall, plane or rectangular",
 );
 const START: Field =
     Field::vector("start", Range::Finite.of(Dimension::Length), "centre of the ball at the start")
@@ -183,13 +231,41 @@ fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
     let (point, normal) = (wall.vector(&POINT)?, wall.vector(&NORMAL)?);
     let plane = Wall::new(point, normal, material::read(wall)?, impact_friction(wall)?)
         .map_err(at(wall))?
-        .with_normal_restitution(normal_restitution(wall)?);
+        .with_normal_restitution(normal_restitution(wall)?)
+        .with_rolling_resistance(wall.number(&ROLLING_RESISTANCE)?)
+        .map_err(at(wall))?;
+    let motion = read_motion(wall)?;
     if wall.given([&ALONG, &LENGTH, &WIDTH]).is_empty() {
-        return Ok(plane);
+        return match motion {
+            Some(motion) => plane.with_motion(motion).map_err(at(wall)),
+            None => Ok(plane),
+        };
+    }
+    if motion.is_some() {
+        let moves = if wall.has(&OSCILLATION) { &OSCILLATION } else { &POSITIONS };
+        return Err(wall.conflict(moves, &LENGTH, "a wall that moves is infinite"));
     }
     // A rectangle has length, width and direction.
     let half = [0.5 * wall.number(&LENGTH)?, 0.5 * wall.number(&WIDTH)?];
     plane.rectangle(wall.vector(&ALONG)?, half).map_err(at(wall))
+}
+
+fn read_motion(wall: &Section<'_>) -> Result<Option<WallMotion>, CaseError> {
+    if wall.has(&POSITIONS) {
+        if wall.has(&OSCILLATION) {
+            return Err(wall.conflict(&POSITIONS, &OSCILLATION, "give one of them"));
+        }
+        let rows: Vec<[f64; 4]> = wall.rows(&POSITIONS)?;
+        return WallMotion::positions(&rows).map(Some).map_err(at(wall));
+    }
+    if !wall.has(&OSCILLATION) {
+        return Ok(None);
+    }
+    let table = wall.section(&OSCILLATION)?;
+    let phase = table.number(&PHASE)?.to_radians();
+    WallMotion::oscillation(table.vector(&AMPLITUDE)?, table.number(&PERIOD)?, phase)
+        .map(Some)
+        .map_err(at(&table))
 }
 
 /// Reports a value that the library rejects at the field with the same name.

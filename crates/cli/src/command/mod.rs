@@ -60,6 +60,12 @@ R_x of a ball without a case file; kappa = 1.21 for Poisson's ratio 0.3:
 ";
 
 impl Carom {
+    /// Whether a warning is to be an exit code.
+    #[must_use]
+    pub const fn is_strict(&self) -> bool {
+        self.options.is_strict()
+    }
+
     /// The message writer for the given options.
     #[must_use]
     pub fn messages(&self) -> Messages {

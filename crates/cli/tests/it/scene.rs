@@ -51,7 +51,11 @@ fn it_comes_to_rest(case: &str, method: &str, coupling: f64) {
     let report = report(path.to_str().unwrap(), &[]);
     let bounces = report["bounces"].as_array().unwrap();
     assert!(bounces.len() > 8);
-    assert_eq!(report["ending"], "it stays on floor");
+    // It no longer rises, and rolls on.
+    assert_eq!(report["ending"], "the time is over");
+    let events = report["events"].as_array().unwrap();
+    let [.., rolls, _] = &events[..] else { panic!("{events:?}") };
+    assert_eq!((&rolls["event"], &rolls["wall"]), (&"rolls".into(), &"floor".into()));
     for bounce in bounces {
         let number = |name: &str| bounce[name].as_f64().unwrap();
         let normal = |name: &str| bounce[name][2].as_f64().unwrap();

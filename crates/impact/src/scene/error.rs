@@ -1,5 +1,6 @@
 //! Errors of a scene.
 
+use carom_special::ode::OdeError;
 use carom_special::{RangeError, Readable};
 
 use crate::collision::CollisionError;
@@ -11,6 +12,9 @@ pub enum SceneError<E = CollisionError> {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
+    /// The motion of the ball on a wall cannot be followed.
+    #[error(transparent)]
+    OnWall(#[from] OdeError),
     /// The body is not a sphere.
     #[error(
         "the ball must be a sphere, not a {shape}: a scene computes the flight of spheres only"
@@ -42,6 +46,7 @@ impl SceneError {
     pub(super) fn of_solver<E: From<CollisionError>>(self) -> SceneError<E> {
         match self {
             Self::Range(error) => SceneError::Range(error),
+            Self::OnWall(error) => SceneError::OnWall(error),
             Self::NotASphere { shape } => SceneError::NotASphere { shape },
             Self::Inside { wall, gap } => SceneError::Inside { wall, gap },
             Self::Collision { wall, source } => {

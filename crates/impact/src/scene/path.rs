@@ -61,18 +61,122 @@ pub(super) struct TimedFlight {
     pub(super) duration: f64,
     pub(super) flight: Flight,
     pub(super) spin: Vector3<f64>,
+    /// The rate of the spin, of a ball on a wall.
+    pub(super) turning: Vector3<f64>,
+    /// The rate of the acceleration.
+    pub(super) bend: Vector3<f64>,
 }
 
 impl TimedFlight {
+    /// A flight with a constant spin.
+    pub(super) fn free(start: f64, duration: f64, flight: Flight, spin: Vector3<f64>) -> Self {
+        Self { start, duration, flight, spin, turning: Vector3::zeros(), bend: Vector3::zeros() }
+    }
+
     /// The ball at `time` after the start.
     pub(super) fn after(&self, time: f64) -> PathPoint {
-        let velocity = self.flight.velocity_after(time);
+        let bend = 0.5 * time * time * self.bend;
         PathPoint {
             time: self.start + time,
-            position: self.flight.position_after(time),
-            motion: Motion { velocity, spin: self.spin },
+            position: self.flight.position_after(time) + time / 3.0 * bend,
+            motion: Motion {
+                velocity: self.flight.velocity_after(time) + bend,
+                spin: self.spin + time * self.turning,
+            },
         }
     }
+
+    /// The ball at the end.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a coordinate overflows.
+    pub(super) fn reached(&self) -> Result<PathPoint, RangeError> {
+        let end = self.after(self.duration);
+        RangeError::finite("position", end.position.sum())?;
+        RangeError::finite("velocity", end.motion.velocity.sum())?;
+        RangeError::finite("spin", end.motion.spin.sum())?;
+        Ok(end)
+    }
+
+    /// The highest point, against gravity, if it lies within the flight.
+    fn apex(&self) -> Option<PathPoint> {
+        let Flight { velocity, gravity, .. } = self.flight;
+        let time = -velocity.dot(&gravity) / gravity.norm_squared();
+        (time > 0.0 && time < self.duration).then(|| self.after(time))
+    }
+}
+
+/// How the ball moves on a wall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Manner {
+    /// The contact point slips.
+    Slides,
+    /// The contact point does not slip.
+    Rolls,
+}
+
+/// What happens at an instant of a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EventKind {
+    /// The ball bounces off this wall; the motion is that afterwards.
+    Bounce {
+        /// The wall.
+        wall: usize,
+    },
+    /// The ball is at its highest, against gravity.
+    Apex,
+    /// The ball begins to move on this wall, in another manner than before.
+    Moves {
+        /// The wall.
+        wall: usize,
+        /// How it moves from now on.
+        manner: Manner,
+    },
+    /// The path ends.
+    End(Ending),
+}
+
+impl EventKind {
+    /// Its word in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bounce { .. } => "bounce",
+            Self::Apex => "apex",
+            Self::Moves { manner: Manner::Slides, .. } => "slides",
+            Self::Moves { manner: Manner::Rolls, .. } => "rolls",
+            Self::End(Ending::Rest { .. }) => "rest",
+            Self::End(Ending::Edge { .. }) => "edge",
+            Self::End(Ending::Wedged { .. }) => "wedged",
+            Self::End(Ending::Carried { .. }) => "carried",
+            Self::End(Ending::Time | Ending::Bounces) => "end",
+        }
+    }
+
+    /// The wall at which it happens.
+    #[must_use]
+    pub const fn wall(self) -> Option<usize> {
+        match self {
+            Self::Bounce { wall }
+            | Self::Moves { wall, .. }
+            | Self::End(
+                Ending::Rest { wall }
+                | Ending::Carried { wall }
+                | Ending::Edge { wall }
+                | Ending::Wedged { wall, .. },
+            ) => Some(wall),
+            Self::Apex | Self::End(Ending::Time | Ending::Bounces) => None,
+        }
+    }
+}
+
+/// An instant of a path at which its course changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// What happens.
+    pub kind: EventKind,
+    /// The ball.
+    pub at: PathPoint,
 }
 
 /// The ball at one instant.
@@ -123,6 +227,28 @@ impl Bounce {
     ];
 }
 
+impl Event {
+    /// Time, event, position and motion; walls have names elsewhere.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since the start", |event| event.at.time.into()),
+        Column::text(
+            "event",
+            "",
+            "bounce, apex, slides or rolls (begins to), rest, carried, edge, wedged or end",
+            |event| event.kind.name().into(),
+        ),
+        Column::vector("position", "m", "of the centre", |event| {
+            <[f64; 3]>::from(event.at.position).into()
+        }),
+        Column::vector("velocity", "m/s", "of the centre, from then on", |event| {
+            <[f64; 3]>::from(event.at.motion.velocity).into()
+        }),
+        Column::vector("spin", "rad/s", "from then on", |event| {
+            <[f64; 3]>::from(event.at.motion.spin).into()
+        }),
+    ];
+}
+
 impl PathPoint {
     /// Time, position and motion.
     pub const COLUMNS: &'static [Column<Self>] = &[
@@ -144,16 +270,28 @@ pub enum Ending {
     Time,
     /// The limit of bounces is reached.
     Bounces,
-    /// The ball stays on this wall: it rests, slides or rolls there, or rises less than the limit (with
-    /// dissipation in the material, less than a millionth of its radius).
+    /// The ball rests on this wall. Its spin about the normal may go on.
     Rest {
         /// The wall.
         wall: usize,
     },
-    /// The ball hits an edge of this wall; a sharp edge has no Hertz contact.
+    /// The ball no longer rises from this wall, which moves; what it does on it is not followed.
+    Carried {
+        /// The wall.
+        wall: usize,
+    },
+    /// The ball hits an edge of this wall, or comes to the edge of the wall on which it moves; a sharp edge has no Hertz
+    /// contact.
     Edge {
         /// The wall.
         wall: usize,
+    },
+    /// Gravity presses the ball into the corner of two walls; what it does there is not followed.
+    Wedged {
+        /// One wall.
+        wall: usize,
+        /// The other.
+        other: usize,
     },
 }
 
@@ -163,9 +301,53 @@ pub struct Leg {
     pub(super) flight: Option<TimedFlight>,
     pub(super) bounce: Option<Bounce>,
     pub(super) ending: Option<Ending>,
+    /// The wall on which the ball moves, and how; none in flight.
+    pub(super) on: Option<(usize, Manner)>,
+    /// Whether the leg before was not of this kind.
+    pub(super) begins: bool,
+    /// The ball at the end.
+    pub(super) end: Option<PathPoint>,
 }
 
 impl Leg {
+    /// A leg in which nothing has happened yet.
+    pub(super) fn empty() -> Self {
+        Self { flight: None, bounce: None, ending: None, on: None, begins: false, end: None }
+    }
+
+    /// One at whose start the path ends.
+    pub(super) fn ending_with(ending: Ending) -> Self {
+        Self { ending: Some(ending), ..Self::empty() }
+    }
+
+    /// One on a wall.
+    pub(super) fn on(wall: usize, manner: Manner) -> Self {
+        Self { on: Some((wall, manner)), ..Self::empty() }
+    }
+
+    /// The wall on which the ball moves in this leg, and how; None in flight.
+    #[must_use]
+    pub const fn on_wall(&self) -> Option<(usize, Manner)> {
+        self.on
+    }
+
+    /// What happens in this leg, in order.
+    pub fn events(&self) -> impl Iterator<Item = Event> {
+        let event = |kind, at| Event { kind, at };
+        let flight = self.flight.as_ref();
+        let moves = self.on.filter(|_| self.begins).zip(flight).map(|((wall, manner), flight)| {
+            event(EventKind::Moves { wall, manner }, flight.after(0.0))
+        });
+        let apex = flight.filter(|_| self.on.is_none()).and_then(TimedFlight::apex);
+        let bounce = self.bounce.as_ref().map(|bounce| {
+            let Bounce { time, wall, position, after, .. } = *bounce;
+            event(EventKind::Bounce { wall }, PathPoint { time, position, motion: after })
+        });
+        let end = self.ending.zip(self.end).map(|(ending, at)| event(EventKind::End(ending), at));
+        let apex = apex.map(|at| event(EventKind::Apex, at));
+        [moves, apex, bounce, end].into_iter().flatten()
+    }
+
     /// The bounce at its end; None if the path ends otherwise, or the ball touches a wall without approaching
     /// it.
     #[must_use]
@@ -204,6 +386,7 @@ fn points(flights: &[TimedFlight], count: usize) -> Result<Vec<PathPoint>, Range
 pub struct Path {
     pub(super) flights: Vec<TimedFlight>,
     pub(super) bounces: Vec<Bounce>,
+    pub(super) events: Vec<Event>,
     pub(super) ending: Ending,
     pub(super) last: PathPoint,
 }
@@ -213,6 +396,12 @@ impl Path {
     #[must_use]
     pub fn bounces(&self) -> &[Bounce] {
         &self.bounces
+    }
+
+    /// Bounces, highest points, where it begins to slide or to roll, and the end, in order.
+    #[must_use]
+    pub fn events(&self) -> &[Event] {
+        &self.events
     }
 
     /// Why it ends.

@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 use super::ball::Ball;
 use super::error::SceneError;
 use super::flight::{Flight, along};
-use super::path::{Bounce, Ending, Leg, Limits, Path, PathPoint, TimedFlight};
+use super::path::{Bounce, Ending, Leg, Limits, Manner, Path, PathPoint, TimedFlight};
 use super::wall::{Meeting, Wall};
 use crate::body::Body;
 use crate::collision::{AnalyticOrRings, Collision, CollisionSolver};
+use crate::motion::Motion;
 use crate::outcome::{Outcome, TorsionMode};
 
 /// The walls and the gravity of a scene.
@@ -104,13 +105,15 @@ impl Scene {
     ) -> Result<Path, SceneError<S::Error>> {
         let mut legs = self.legs_by(solver, ball, limits)?;
         let (mut flights, mut bounces, mut ending) = (Vec::new(), Vec::new(), Ending::Time);
+        let mut events = Vec::new();
         for leg in &mut legs {
             let leg = leg?;
+            events.extend(leg.events());
             flights.extend(leg.flight);
             bounces.extend(leg.bounce);
             ending = leg.ending.unwrap_or(ending);
         }
-        Ok(Path { flights, bounces, ending, last: legs.now() })
+        Ok(Path { flights, bounces, events, ending, last: legs.now() })
     }
 
     /// As [`Scene::run`], leg by leg: for paths with more bounces than fit into memory.
@@ -159,23 +162,27 @@ impl Scene {
     /// [`SceneError::Inside`] and [`SceneError::Collision`] as for [`Scene::run`].
     pub fn check(&self, ball: &Ball) -> Result<(), SceneError> {
         for (index, wall) in self.walls.iter().enumerate() {
+            let wall = wall.placed(0.0);
             let gap = wall.gap(&ball.position(), ball.radius());
             if gap < -wall.tolerance(&ball.position(), ball.radius()) {
                 return Err(SceneError::Inside { wall: index, gap });
             }
-            self.collision(index, ball.body().clone(), &wall.normal())?;
+            self.collision((index, 0.0), ball.body().clone(), &wall.normal())?;
         }
         Ok(())
     }
 
     fn collision(
         &self,
-        index: usize,
+        (index, time): (usize, f64),
         body: Body,
         normal: &Vector3<f64>,
     ) -> Result<Collision, SceneError> {
         let wall = &self.walls[index];
-        Collision::along(body, Body::plane(wall.material()), (*normal).into(), wall.friction())
+        let plane = Body::plane(wall.material());
+        let velocity = wall.velocity(time);
+        let plane = plane.moving(Motion { velocity, spin: Vector3::zeros() });
+        Collision::along(body, plane, (*normal).into(), wall.friction())
             .map(|collision| {
                 collision
                     .with_normal_restitution(wall.normal_restitution().clone())
@@ -189,16 +196,23 @@ impl Scene {
 /// rest when it rises less than this fraction of its radius.
 const LOW: f64 = 1e-6;
 
+/// Velocities along a normal below this part of sqrt(g R) are round-off in a corner.
+const STILL: f64 = 1e-12;
+
 /// The legs of a path in order, each computed when it is requested.
 #[derive(Debug)]
 pub struct Legs<'a, S = AnalyticOrRings> {
-    scene: &'a Scene,
+    pub(super) scene: &'a Scene,
     solver: S,
-    body: Body,
-    radius: f64,
-    limits: Limits,
-    now: PathPoint,
+    pub(super) body: Body,
+    pub(super) radius: f64,
+    pub(super) limits: Limits,
+    pub(super) now: PathPoint,
     bounces: usize,
+    /// The moving wall from which the ball does not rise any more.
+    carried: Option<usize>,
+    /// How the ball moved in the last leg.
+    on: Option<(usize, Manner)>,
     is_over: bool,
 }
 
@@ -209,7 +223,14 @@ impl<S: CollisionSolver> Iterator for Legs<'_, S> {
         if self.is_over {
             return None;
         }
-        let leg = self.step();
+        let leg = self.step().map(|leg| {
+            let begins = leg.flight.is_some() && leg.on != self.on;
+            if leg.flight.is_some() {
+                // A bounce begins a motion anew.
+                self.on = leg.on.filter(|_| leg.bounce.is_none());
+            }
+            Leg { begins, end: Some(self.now), ..leg }
+        });
         self.is_over = leg.as_ref().map_or(true, |leg| leg.ending.is_some());
         Some(leg)
     }
@@ -234,6 +255,8 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
             limits,
             now: PathPoint { time: 0.0, position: ball.position(), motion },
             bounces: 0,
+            carried: None,
+            on: None,
             is_over: false,
         }
     }
@@ -242,14 +265,23 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
     fn step(&mut self) -> Result<Leg, SceneError<S::Error>> {
         let flight = self.flight();
         let walls = || self.scene.walls.iter().enumerate();
-        if let Some((wall, _)) = walls().find(|(_, w)| w.pressed(&flight, self.radius).is_some()) {
-            return Ok(Leg { flight: None, bounce: None, ending: Some(Ending::Rest { wall }) });
+        if let Some((wall, other)) = self.wedged() {
+            return Ok(Leg::ending_with(Ending::Wedged { wall, other }));
+        }
+        let mut pressed = walls()
+            .filter(|(_, w)| w.motion().is_none())
+            .filter_map(|(wall, w)| w.pressed(&flight, self.radius).map(|normal| (wall, normal)));
+        if let Some((wall, normal)) = pressed.next() {
+            return self.on_wall(wall, normal);
+        }
+        if let Some(wall) = self.carried.take() {
+            return Ok(Leg::ending_with(Ending::Carried { wall }));
         }
         let left = self.limits.time() - self.now.time;
         let mut first: Option<(usize, Meeting)> = None;
         for (index, wall) in walls() {
             let end = first.map_or(left, |(_, meeting)| meeting.time());
-            match wall.meeting(&flight, self.radius, end) {
+            match wall.meeting(self.now.time, &flight, self.radius, end) {
                 Some(met) if first.is_none_or(|(_, m)| met.time() < m.time()) => {
                     first = Some((index, met));
                 }
@@ -260,17 +292,34 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
             None => {
                 let flight = Some(self.fly(left)?);
                 self.now.time = self.limits.time();
-                Ok(Leg { flight, bounce: None, ending: Some(Ending::Time) })
+                Ok(Leg { flight, ..Leg::ending_with(Ending::Time) })
             }
             Some((wall, Meeting::Edge { time })) => {
                 let flight = Some(self.fly(time)?);
-                Ok(Leg { flight, bounce: None, ending: Some(Ending::Edge { wall }) })
+                Ok(Leg { flight, ..Leg::ending_with(Ending::Edge { wall }) })
             }
             Some((wall, Meeting::Face { time, normal })) => {
                 let flight = Some(self.fly(time)?);
                 Ok(Leg { flight, ..self.bounce(wall, normal)? })
             }
         }
+    }
+
+    /// Two walls that the ball touches, without moving towards or away from them, and into which gravity presses it.
+    fn wedged(&self) -> Option<(usize, usize)> {
+        let PathPoint { position, motion, .. } = self.now;
+        let is_held = |wall: &Wall| {
+            let wall = wall.placed(self.now.time);
+            let touches =
+                wall.gap(&position, self.radius) <= wall.tolerance(&position, self.radius);
+            let normal = wall.face(&position).filter(|_| touches)?;
+            let pull = -along(&self.scene.gravity, &normal);
+            let least = STILL * (pull.max(0.0) * self.radius).sqrt();
+            (pull > 0.0 && motion.velocity.dot(&normal).abs() <= least).then_some(())
+        };
+        let mut held =
+            self.scene.walls.iter().enumerate().filter(|(_, wall)| is_held(wall).is_some());
+        Some((held.next()?.0, held.next()?.0))
     }
 
     fn flight(&self) -> Flight {
@@ -280,27 +329,34 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
 
     fn fly(&mut self, duration: f64) -> Result<TimedFlight, RangeError> {
         let (start, spin) = (self.now.time, self.now.motion.spin);
-        let flight = TimedFlight { start, duration, flight: self.flight(), spin };
-        let next = flight.after(duration);
-        RangeError::finite("position", next.position.sum())?;
-        RangeError::finite("velocity", next.motion.velocity.sum())?;
-        self.now = next;
+        let flight = TimedFlight::free(start, duration, self.flight(), spin);
+        self.now = flight.reached()?;
         Ok(flight)
     }
 
     /// The end of a leg at a wall: a bounce, or rest.
-    fn bounce(&mut self, wall: usize, normal: Vector3<f64>) -> Result<Leg, SceneError<S::Error>> {
+    pub(super) fn bounce(
+        &mut self,
+        wall: usize,
+        normal: Vector3<f64>,
+    ) -> Result<Leg, SceneError<S::Error>> {
         self.settle(wall, &normal);
         let before = self.now.motion;
         let body = self.body.clone().moving(before);
-        let collision = self.scene.collision(wall, body, &normal).map_err(SceneError::of_solver)?;
+        let collision = self
+            .scene
+            .collision((wall, self.now.time), body, &normal)
+            .map_err(SceneError::of_solver)?;
         let outcome = self.solver.solve(&collision);
         let outcome = outcome.map_err(|source| SceneError::Collision { wall, source })?;
-        let pull = -along(&self.scene.gravity, &normal);
+        let (moves, now) = (&self.scene.walls[wall], self.now.time);
+        let pull = along(&(moves.acceleration(now) - self.scene.gravity), &normal);
         let Outcome::Rebound(rebound) = outcome else {
-            // Contact without approach: the ball rests, or gravity pulls it away.
-            let ending = (pull >= 0.0).then_some(Ending::Rest { wall });
-            return Ok(Leg { flight: None, bounce: None, ending });
+            // Contact without approach: the ball stays, or gravity pulls it away.
+            if pull >= 0.0 {
+                self.stay(wall, &normal);
+            }
+            return Ok(Leg::empty());
         };
         let [after, _] = rebound.motions;
         let loses = rebound.energy.lost > 0.0;
@@ -315,21 +371,29 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         };
         self.now.motion = after;
         self.bounces += 1;
-        let speed = after.velocity.dot(&normal);
+        let speed = (after.velocity - moves.velocity(now)).dot(&normal);
         let least = if loses { LOW * self.radius } else { 0.0 };
         // v^2/(2 g) is the height of the rebound.
         let rests =
             pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height().max(least);
-        let ending = match rests {
-            true => Some(Ending::Rest { wall }),
-            false => (self.bounces >= self.limits.bounces()).then_some(Ending::Bounces),
-        };
-        Ok(Leg { flight: None, bounce: Some(bounce), ending })
+        if rests {
+            self.stay(wall, &normal);
+        }
+        let ending = (!rests && self.bounces >= self.limits.bounces()).then_some(Ending::Bounces);
+        Ok(Leg { bounce: Some(bounce), ending, ..Leg::empty() })
+    }
+
+    /// Leaves the ball on a wall.
+    fn stay(&mut self, wall: usize, normal: &Vector3<f64>) {
+        let of = &self.scene.walls[wall];
+        let velocity = self.now.motion.velocity - of.velocity(self.now.time);
+        self.now.motion.velocity -= velocity.dot(normal) * normal;
+        self.carried = of.motion().map(|_| wall);
     }
 
     // Places the centre one radius from the wall, so that round-off of the flight does not accumulate.
-    fn settle(&mut self, wall: usize, normal: &Vector3<f64>) {
-        let wall = &self.scene.walls[wall];
+    pub(super) fn settle(&mut self, wall: usize, normal: &Vector3<f64>) {
+        let wall = self.scene.walls[wall].placed(self.now.time);
         let height = (self.now.position - wall.point()).dot(normal);
         self.now.position += (self.radius - height) * normal;
     }

@@ -1,15 +1,17 @@
-//! A wall: a fixed plane, infinite or rectangular.
+//! A wall: a plane, infinite or rectangular.
 
 use carom_halfspace::Material;
 use carom_special::RangeError;
 use nalgebra::Vector3;
+use std::borrow::Cow;
 
 use super::flight::{Flight, along};
 use super::roots::falls;
+use super::wall_motion::WallMotion;
 use crate::impact_friction::ImpactFriction;
 use crate::normal_restitution::NormalRestitution;
 
-/// A fixed wall: the surface of a half-space, or a thin rectangular plate that can be hit from both sides.
+/// A wall: the surface of a half-space, which may move, or a thin rectangular plate that can be hit from both sides.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -31,6 +33,8 @@ pub struct Wall {
     material: Material,
     friction: ImpactFriction,
     normal_restitution: NormalRestitution,
+    rolling_resistance: f64,
+    motion: Option<WallMotion>,
 }
 
 /// The extent of a wall.
@@ -87,6 +91,8 @@ impl Wall {
             material,
             friction: friction.into(),
             normal_restitution: NormalRestitution::ELASTIC,
+            rolling_resistance: 0.0,
+            motion: None,
         })
     }
 
@@ -116,6 +122,60 @@ impl Wall {
     #[must_use]
     pub fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
         Self { normal_restitution, ..self }
+    }
+
+    /// A wall that resists a ball that turns on it with the torque mu_r R F_z against its spin along the wall.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless mu_r is finite and not negative.
+    pub fn with_rolling_resistance(self, coefficient: f64) -> Result<Self, RangeError> {
+        let rolling_resistance = RangeError::non_negative("rolling_resistance", coefficient)?;
+        Ok(Self { rolling_resistance, ..self })
+    }
+
+    /// A wall that moves, without turning; only an infinite one.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a rectangle, named by half of its first length.
+    pub fn with_motion(self, motion: WallMotion) -> Result<Self, RangeError> {
+        match self.extent {
+            Extent::Infinite => Ok(Self { motion: Some(motion), ..self }),
+            Extent::Rectangle { half_lengths: [half, _], .. } => {
+                Err(RangeError::new("half length", half, "absent: a wall that moves is infinite"))
+            }
+        }
+    }
+
+    /// Its motion; None if it is fixed.
+    #[must_use]
+    pub const fn motion(&self) -> Option<&WallMotion> {
+        self.motion.as_ref()
+    }
+
+    /// The wall where it is at a time.
+    pub(super) fn placed(&self, time: f64) -> Cow<'_, Self> {
+        match &self.motion {
+            None => Cow::Borrowed(self),
+            Some(motion) => {
+                Cow::Owned(Self { point: self.point + motion.displacement(time), ..self.clone() })
+            }
+        }
+    }
+
+    /// Its velocity at a time.
+    pub(super) fn velocity(&self, time: f64) -> Vector3<f64> {
+        self.motion.as_ref().map_or_else(Vector3::zeros, |motion| motion.velocity(time))
+    }
+
+    /// Its acceleration at a time.
+    pub(super) fn acceleration(&self, time: f64) -> Vector3<f64> {
+        self.motion.as_ref().map_or_else(Vector3::zeros, |motion| motion.acceleration(time))
+    }
+
+    /// mu_r of the torque that resists rolling.
+    #[must_use]
+    pub const fn rolling_resistance(&self) -> f64 {
+        self.rolling_resistance
     }
 
     /// A point of the plane; the centre of a rectangle.
@@ -183,7 +243,29 @@ impl Wall {
         1e-12 * (radius + centre.amax() + self.point.amax())
     }
 
-    fn holds(&self, place: &Vector3<f64>) -> bool {
+    /// The normal of the face above or below which a place lies; None beside a rectangle.
+    pub(super) fn face(&self, place: &Vector3<f64>) -> Option<Vector3<f64>> {
+        let height = (place - self.point).dot(&self.normal);
+        self.holds(place).then(|| self.side(height) * self.normal)
+    }
+
+    /// When a ball that moves on a rectangle with a constant acceleration comes to its edge.
+    pub(super) fn rim(&self, flight: &Flight) -> Option<f64> {
+        let Extent::Rectangle { axes, half_lengths } = self.extent else { return None };
+        let offset = flight.position - self.point;
+        let mut first: Option<f64> = None;
+        for (axis, half) in axes.iter().zip(half_lengths) {
+            for outwards in [*axis, -axis] {
+                let gap = (half - offset.dot(&outwards)).max(0.0);
+                if let Some(time) = flight.closing(gap, &-outwards) {
+                    first = Some(first.map_or(time, |first| first.min(time)));
+                }
+            }
+        }
+        first
+    }
+
+    pub(super) fn holds(&self, place: &Vector3<f64>) -> bool {
         let Extent::Rectangle { axes, half_lengths } = self.extent else {
             return true;
         };
@@ -207,8 +289,24 @@ impl Wall {
         if self.extent == Extent::Infinite || height >= 0.0 { 1.0 } else { -1.0 }
     }
 
-    /// The first contact of a flying ball with the wall, up to the time `end`.
-    pub(super) fn meeting(&self, flight: &Flight, radius: f64, end: f64) -> Option<Meeting> {
+    /// The first contact of a ball with the wall in a flight that begins at `start`, up to the time `end` after that.
+    pub(super) fn meeting(
+        &self,
+        start: f64,
+        flight: &Flight,
+        radius: f64,
+        end: f64,
+    ) -> Option<Meeting> {
+        let Some(motion) = &self.motion else { return self.still_meeting(flight, radius, end) };
+        let wall = self.placed(start);
+        let gap = wall.gap(&flight.position, radius);
+        let gap = if gap <= wall.tolerance(&flight.position, radius) { 0.0 } else { gap };
+        let time = motion.closing(start, flight, gap, &self.normal, end)?;
+        Some(Meeting::Face { time, normal: self.normal })
+    }
+
+    /// The same of a fixed wall.
+    fn still_meeting(&self, flight: &Flight, radius: f64, end: f64) -> Option<Meeting> {
         let height = (flight.position - self.point).dot(&self.normal);
         let slack = self.tolerance(&flight.position, radius);
         let face = |sign: f64| {

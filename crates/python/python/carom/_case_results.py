@@ -15,6 +15,7 @@ from ._records import (
     CreepCoefficients,
     FlangeSummary,
     HertzState,
+    PathEvents,
     PathPoint,
     PathPoints,
     Rebound,
@@ -162,18 +163,21 @@ class Scene(Result):
     """The path of a ball between walls.
 
     bounces  each bounce, arrays (n,)
+    events   bounces, highest points, where the ball begins to slide or to roll, and the end, arrays (k,)
     ending   why the path ends, in words
     end      the ball at the end
     path     instants of every flight, arrays (m,); none unless they were asked for
     """
 
     bounces: Bounces
+    events: PathEvents
     ending: str
     end: PathPoint
     path: PathPoints
 
     meanings = {
         "bounces": "each bounce",
+        "events": "bounces, highest points, where the ball begins to slide or to roll, and the end",
         "ending": "why the path ends",
         "end": "the ball at the end",
         "path": "instants of every flight",

@@ -21,6 +21,7 @@ RESULTS = (
     ("SolverStep", "SolverSteps", "step", "A step of the numerical solver. Loads act on body 1."),
     ("SurfaceMeasures", "", "surface", "What a height map is, over the points that are measured."),
     ("LinearCreep", "LinearCreeps", "contact", "Kalker's creep coefficients of two equal bodies, by a table."),
+    ("PathEvent", "PathEvents", "event", "An instant at which the course of a ball changes."),
     ("PathPoint", "PathPoints", "point", "An instant of the flight of a ball."),
     ("RingPlace", "RingPlaces", "place", "A place around a flange: displacement and loads of its section."),
     ("WallPlace", "WallPlaces", "place", "A place of a bellows between crest and root."),

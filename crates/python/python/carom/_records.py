@@ -750,6 +750,41 @@ class LinearCreeps(Records[LinearCreep], one=LinearCreep):
     C33: Array
 
 
+class PathEvent(Record):
+    """An instant at which the course of a ball changes.
+
+    time      since the start, s
+    event     bounce, apex, slides or rolls (begins to), rest, carried, edge, wedged or end
+    position  of the centre, m
+    velocity  of the centre, from then on, m/s
+    spin      from then on, rad/s
+    wall      name of the wall; empty in flight
+    """
+
+    time: float
+    event: str
+    position: Array
+    velocity: Array
+    spin: Array
+    wall: str
+
+    units = {'time': 's', 'event': '', 'position': 'm', 'velocity': 'm/s', 'spin': 'rad/s', 'wall': ''}
+    meanings = {'time': 'since the start', 'event': 'bounce, apex, slides or rolls (begins to), rest, carried, edge, wedged or end', 'position': 'of the centre', 'velocity': 'of the centre, from then on', 'spin': 'from then on', 'wall': 'name of the wall; empty in flight'}
+    _vectors = frozenset(['position', 'velocity', 'spin'])
+    _axis = 'event'
+
+
+class PathEvents(Records[PathEvent], one=PathEvent):
+    """Many results `PathEvent`: arrays of numbers, lists of texts."""
+
+    time: Array
+    event: list[str]
+    position: Array
+    velocity: Array
+    spin: Array
+    wall: list[str]
+
+
 class PathPoint(Record):
     """An instant of the flight of a ball.
 

@@ -42,6 +42,7 @@ from ._records import (
     HistorySteps,
     LineState,
     LineStates,
+    PathEvents,
     PathPoint,
     PathPoints,
     Rebound,
@@ -198,7 +199,7 @@ def stress(path: Path) -> Stresses:
 
 
 def scene(path: Path, *, points: int = 0) -> Scene:
-    """Path and bounces of a ball between walls; with `points` also the ball at so many instants of every flight.
+    """Path, bounces and events of a ball between walls; with `points` also the ball at so many instants of every flight.
 
     `points` is 0 or from 2 to 100000.
 
@@ -206,19 +207,20 @@ def scene(path: Path, *, points: int = 0) -> Scene:
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
     >>> _ = path.write_text(carom.cases.new("scene").replace("[0, 0, 0.5]", "[0, 0, 0.1]"))
     >>> scene = carom.cases.scene(path, points=20)
-    >>> len(scene.path) % 20, bool(scene.path.time[-1] <= scene.end.time)
-    (0, True)
+    >>> len(scene.path) % 20, bool(scene.path.time[-1] <= scene.end.time), scene.events.event[:2]
+    (0, True, ['bounce', 'apex'])
     """
     count = counted("points", points)
     if count == 1 or count > 100_000:
         error = RangeError(f"points = {count} is out of range: must be 0 or from 2 to 100000")
         error.field, error.value, error.index = "points", float(count), None
         raise error
-    bounces, ending, end, course, exceeded = _carom.case_scene(_file(path), count)
+    (bounces, events, ending, end, course), exceeded = _carom.case_scene(_file(path), count)
     warn(exceeded)
     return Scene(
         {
             "bounces": Bounces._shaped(bounces, (len(bounces["time"]),)),
+            "events": PathEvents._shaped(events, (len(events["time"]),)),
             "ending": ending,
             "end": PathPoint._of(end),
             "path": PathPoints._shaped(course, (len(course["time"]),)),

@@ -4,9 +4,9 @@ use crate::columns::{self, add_fields};
 use crate::error::CliError;
 use crate::rows::indented;
 use carom_cases::case::SceneCase;
-use carom_cases::scene::{End, rebound_columns};
+use carom_cases::scene::{End, rebound_columns, wall_name};
 use carom_impact::ImpactFriction;
-use carom_impact::scene::{Bounce, PathPoint, Wall};
+use carom_impact::scene::{Bounce, Event, PathPoint, Wall};
 use carom_table::{Cell, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -42,6 +42,14 @@ pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
     cells.insert(1, Cell::new("wall", "", "name of the wall", wall));
     // The motions of the ball, body 1, are listed already; the walls do not move.
     cells.extend(row(&rebound_columns(), bounce.map(|(_, bounce)| &bounce.rebound)));
+    cells
+}
+
+/// The cells of an event; without one, only the names and meanings of the columns.
+pub(super) fn event_cells(event: Option<(&SceneCase, &Event)>) -> Vec<Cell> {
+    let mut cells = row(Event::COLUMNS, event.map(|(_, event)| event));
+    let wall = event.map(|(case, event)| wall_name(case, event));
+    cells.insert(2, Cell::new("wall", "", "name of the wall", wall));
     cells
 }
 

@@ -1,0 +1,198 @@
+//! How a wall moves: an oscillation, or a table of positions.
+
+use carom_special::RangeError;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+use super::flight::{Flight, along};
+
+/// The displacement of a wall from its place, as a function of time.
+///
+/// ```
+/// use carom_impact::scene::WallMotion;
+/// let shaker = WallMotion::oscillation([0.0, 0.0, 1e-3], 0.02, 0.0)?;
+/// assert!((shaker.displacement(5e-3).z - 1e-3).abs() < 1e-18);
+/// let lift = WallMotion::positions(&[[0.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.5]])?;
+/// assert_eq!((lift.displacement(1.0).z, lift.velocity(1.0).z), (0.25, 0.25));
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct WallMotion(Course);
+
+#[derive(Debug, Clone, PartialEq)]
+enum Course {
+    Oscillation {
+        amplitude: Vector3<f64>,
+        omega: f64,
+        phase: f64,
+    },
+    /// Times and displacements; constant before the first and after the last, straight between them.
+    Positions(Vec<(f64, Vector3<f64>)>),
+}
+
+/// Steps to a meeting; each is at least half of the way that the greatest acceleration allows.
+const MOST_STEPS: usize = 1_000_000;
+
+impl WallMotion {
+    /// The displacement `amplitude` sin(2 pi t/period + phase), with the phase in radians.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless all are finite and the period is positive.
+    pub fn oscillation(amplitude: [f64; 3], period: f64, phase: f64) -> Result<Self, RangeError> {
+        for value in amplitude {
+            RangeError::finite("amplitude", value)?;
+        }
+        let omega = TAU / RangeError::positive("period", period)?;
+        RangeError::check("period", period, omega.is_finite(), "not so short")?;
+        let phase = RangeError::finite("phase", phase)?;
+        Ok(Self(Course::Oscillation { amplitude: amplitude.into(), omega, phase }))
+    }
+
+    /// Displacements [t, x, y, z], straight between these times, constant before and after them.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless there are two or more, all finite, and the times increase.
+    pub fn positions(rows: &[[f64; 4]]) -> Result<Self, RangeError> {
+        RangeError::check("positions", rows.len() as f64, rows.len() >= 2, "at least 2 rows")?;
+        for [time, place @ ..] in rows {
+            RangeError::finite("positions", *time)?;
+            for value in place {
+                RangeError::finite("positions", *value)?;
+            }
+        }
+        for two in rows.windows(2) {
+            RangeError::check(
+                "positions",
+                two[1][0],
+                two[1][0] > two[0][0],
+                "later than the row before",
+            )?;
+        }
+        let place = |[time, x, y, z]: &[f64; 4]| (*time, Vector3::new(*x, *y, *z));
+        Ok(Self(Course::Positions(rows.iter().map(place).collect())))
+    }
+
+    /// The displacement at a time.
+    #[must_use]
+    pub fn displacement(&self, time: f64) -> Vector3<f64> {
+        match &self.0 {
+            Course::Oscillation { amplitude, omega, phase } => {
+                amplitude * libm::sin(omega * time + phase)
+            }
+            Course::Positions(places) => {
+                let next = places.partition_point(|(at, _)| *at <= time);
+                match (next.checked_sub(1).map(|last| places[last]), places.get(next)) {
+                    (Some((from, place)), Some((to, end))) => {
+                        place + (time - from) / (to - from) * (end - place)
+                    }
+                    (Some((_, place)), None) => place,
+                    (None, _) => places[0].1,
+                }
+            }
+        }
+    }
+
+    /// The velocity at a time; at a time of the table that from then on.
+    #[must_use]
+    pub fn velocity(&self, time: f64) -> Vector3<f64> {
+        match &self.0 {
+            Course::Oscillation { amplitude, omega, phase } => {
+                amplitude * (omega * libm::cos(omega * time + phase))
+            }
+            Course::Positions(places) => {
+                let next = places.partition_point(|(at, _)| *at <= time);
+                match (next.checked_sub(1).map(|last| places[last]), places.get(next)) {
+                    (Some((from, place)), Some((to, end))) => (end - place) / (to - from),
+                    _ => Vector3::zeros(),
+                }
+            }
+        }
+    }
+
+    /// The acceleration at a time; that of a table is 0 between its times.
+    pub(super) fn acceleration(&self, time: f64) -> Vector3<f64> {
+        match &self.0 {
+            Course::Oscillation { omega, .. } => -omega * omega * self.displacement(time),
+            Course::Positions(_) => Vector3::zeros(),
+        }
+    }
+
+    /// The time after `start`, up to `end`, at which a gap along `normal` to the wall closes for a ball in flight.
+    pub(super) fn closing(
+        &self,
+        start: f64,
+        flight: &Flight,
+        gap: f64,
+        normal: &Vector3<f64>,
+        end: f64,
+    ) -> Option<f64> {
+        match &self.0 {
+            Course::Oscillation { amplitude, omega, .. } => {
+                let most = along(&flight.gravity, normal).abs()
+                    + amplitude.dot(normal).abs() * omega * omega;
+                self.stepped(start, flight, gap, normal, (most, end))
+            }
+            Course::Positions(places) => {
+                // Times at which the velocity of the wall changes, from `start` on.
+                let changes =
+                    places.iter().map(|(at, _)| at - start).filter(|at| *at > 0.0 && *at < end);
+                let mut from = 0.0;
+                for to in changes.chain([end]) {
+                    let relative = Flight {
+                        position: flight.position_after(from),
+                        velocity: flight.velocity_after(from) - self.velocity(start + from),
+                        gravity: flight.gravity,
+                    };
+                    let moved = relative.position
+                        - self.displacement(start + from)
+                        - (flight.position - self.displacement(start));
+                    let now = gap + moved.dot(normal);
+                    // Round-off of a gap that is about to open.
+                    let now = if from > 0.0 { now.max(0.0) } else { now };
+                    if let Some(time) =
+                        relative.closing(now, normal).filter(|time| from + time <= to)
+                    {
+                        return Some(from + time);
+                    }
+                    from = to;
+                }
+                None
+            }
+        }
+    }
+
+    /// The same by steps that cannot pass the first root, since the gap accelerates by at most `most`.
+    fn stepped(
+        &self,
+        start: f64,
+        flight: &Flight,
+        gap: f64,
+        normal: &Vector3<f64>,
+        (most, end): (f64, f64),
+    ) -> Option<f64> {
+        let origin = self.displacement(start).dot(normal);
+        let (v, g) = (along(&flight.velocity, normal), along(&flight.gravity, normal));
+        let gap_at = |t: f64| {
+            gap + t * (v + 0.5 * t * g) - (self.displacement(start + t).dot(normal) - origin)
+        };
+        let rate_at = |t: f64| v + t * g - self.velocity(start + t).dot(normal);
+        let mut t = 0.0;
+        for _ in 0..MOST_STEPS {
+            let (left, rate) = (gap_at(t).max(0.0), rate_at(t));
+            if left == 0.0 && rate < 0.0 {
+                return Some(t);
+            }
+            // The root of left + rate s - most s^2/2, without cancellation.
+            let root = (rate * rate + 2.0 * most * left).sqrt();
+            let step = if rate > 0.0 { (rate + root) / most } else { 2.0 * left / (root - rate) };
+            if !step.is_finite() || t + step > end {
+                return None;
+            }
+            if step <= f64::EPSILON * t {
+                return (rate < 0.0).then_some(t);
+            }
+            t += step;
+        }
+        None
+    }
+}

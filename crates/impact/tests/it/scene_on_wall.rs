@@ -1,0 +1,440 @@
+//! A ball that slides and rolls on a wall, against closed forms and an integration of its own.
+
+use carom_halfspace::Material;
+use carom_impact::scene::{
+    Ball, Ending, Event, EventKind, Limits, Manner, Path, PathPoint, Scene, Wall, WallMotion,
+};
+use carom_impact::{Body, Motion, NormalRestitution};
+use carom_laws::friction::Friction;
+use carom_laws::slip_speed::SlipSpeedFriction;
+use carom_laws::static_friction::StaticFriction;
+use nalgebra::Vector3;
+
+const R: f64 = 0.02;
+const G: f64 = 9.81;
+
+fn rubber() -> Material {
+    Material::from_young(20e6, 0.5).unwrap()
+}
+
+fn friction(f: f64) -> Friction {
+    Friction::new(f).unwrap()
+}
+
+fn ball(position: [f64; 3], velocity: [f64; 3], spin: [f64; 3]) -> Ball {
+    let body = Body::sphere(R, rubber(), 0.03).unwrap().at(position).unwrap();
+    Ball::new(body.moving(Motion::new(velocity, spin).unwrap())).unwrap()
+}
+
+/// The floor z = 0 turned by a slope that falls towards +x.
+fn floor(slope: f64) -> Wall {
+    let normal = [slope.sin(), 0.0, slope.cos()];
+    Wall::new([0.0; 3], normal, Material::RIGID, friction(0.3)).unwrap()
+}
+
+fn run(wall: Wall, ball: &Ball, time: f64) -> Path {
+    let scene = Scene::new([0.0, 0.0, -G]).unwrap().with(wall);
+    scene.run(ball, Limits::new(time, 1000).unwrap()).unwrap()
+}
+
+fn begins(path: &Path, manner: Manner) -> PathPoint {
+    let is = |event: &&Event| event.kind == EventKind::Moves { wall: 0, manner };
+    path.events().iter().find(is).unwrap_or_else(|| panic!("{:?}", path.events())).at
+}
+
+fn near(found: f64, wanted: f64, within: f64) {
+    assert!((found - wanted).abs() <= within * wanted.abs().max(1e-3), "{found} is not {wanted}");
+}
+
+/// u = v + s ends after 2 v/(7 f g): a solid ball then rolls at 5/7 of its speed.
+#[test]
+fn a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed() {
+    let path = run(floor(0.0), &ball([0.0, 0.0, R], [0.6, 0.8, 0.0], [0.0, 0.0, 5.0]), 10.0);
+    let time = 2.0 / (7.0 * 0.3 * G);
+    let (first, rolls) = (begins(&path, Manner::Slides), begins(&path, Manner::Rolls));
+    assert_eq!(first.time, 0.0);
+    near(rolls.time, time, 1e-12);
+    near(rolls.motion.velocity.norm(), 5.0 / 7.0, 1e-12);
+    // Without slip: v = omega x (R z), and the spin about the normal is what it was.
+    let spin = rolls.motion.spin;
+    near(spin.y * R, rolls.motion.velocity.x, 1e-12);
+    near(-spin.x * R, rolls.motion.velocity.y, 1e-12);
+    assert_eq!(spin.z, 5.0);
+    let way = time * (1.0 - 0.5 * 0.3 * G * time);
+    near(rolls.position.xy().norm(), way, 1e-12);
+    assert_eq!(path.ending(), Ending::Time);
+    near(path.last().position.xy().norm(), way + 5.0 / 7.0 * (10.0 - time), 1e-12);
+    assert_eq!(path.last().position.z, R);
+}
+
+/// v - k s is kept: strong backspin brings the ball back.
+#[test]
+fn a_ball_with_backspin_returns() {
+    let path = run(floor(0.0), &ball([0.0, 0.0, R], [1.0, 0.0, 0.0], [0.0, -300.0, 0.0]), 5.0);
+    let rolls = begins(&path, Manner::Rolls).motion.velocity.x;
+    near(rolls, (1.0 + 0.4 * R * -300.0) / 1.4, 1e-12);
+    assert!(rolls < 0.0);
+}
+
+/// Rolling, the torque mu_r R F_z brakes with mu_r g/(1 + k).
+#[test]
+fn rolling_resistance_brings_the_ball_to_rest_where_constant_deceleration_does() {
+    for (mu, direction) in [(0.01, 0.0_f64), (0.1, 2.0)] {
+        let wall = floor(0.0).with_rolling_resistance(mu).unwrap();
+        let v = [0.5 * direction.cos(), 0.5 * direction.sin(), 0.0];
+        let ball = ball([0.0, 0.0, R], v, [-v[1] / R, v[0] / R, 0.0]);
+        let path = run(wall, &ball, 100.0);
+        let braking = mu * G / 1.4;
+        assert_eq!(path.ending(), Ending::Rest { wall: 0 });
+        near(path.last().position.xy().norm(), 0.25 / (2.0 * braking), 1e-9);
+        near(path.last().time, 0.5 / braking, 1e-12);
+        assert_eq!(path.last().motion.velocity, Vector3::zeros());
+        near(path.last().motion.spin.norm() + 1.0, 1.0, 1e-12);
+    }
+}
+
+/// While it slides, the torque takes its part of the spin too: the slip ends after v/((1 + 1/k) f g - mu_r g/k).
+#[test]
+fn rolling_resistance_acts_on_a_sliding_ball() {
+    let (f, mu) = (0.3, 0.05);
+    let wall = floor(0.0).with_rolling_resistance(mu).unwrap();
+    let path = run(wall, &ball([0.0, 0.0, R], [1.0, 0.0, 0.0], [0.0; 3]), 1.0);
+    let rolls = begins(&path, Manner::Rolls);
+    let time = 1.0 / ((3.5 * f - 2.5 * mu) * G);
+    near(rolls.time, time, 1e-12);
+    near(rolls.motion.velocity.x, 1.0 - f * G * time, 1e-12);
+}
+
+/// It climbs v^2/(2 a) with a = (5/7) g sin, and returns with its speed.
+#[test]
+fn a_ball_climbs_a_slope_and_returns_with_its_energy() {
+    let slope = 0.2_f64;
+    let (down, normal) =
+        (Vector3::new(slope.cos(), 0.0, -slope.sin()), Vector3::new(slope.sin(), 0.0, slope.cos()));
+    let start = R * normal;
+    let velocity = -1.2 * down;
+    let spin = normal.cross(&velocity) / R;
+    let ball = ball(start.into(), velocity.into(), spin.into());
+    let acceleration = G * slope.sin() / 1.4;
+    let path = run(floor(slope), &ball, 2.0 * 1.2 / acceleration);
+    assert_eq!(path.ending(), Ending::Time);
+    near((path.last().position - start).norm() + 1.0, 1.0, 1e-12);
+    near(path.last().motion.velocity.dot(&down), 1.2, 1e-12);
+    let top = path.points(1001).unwrap();
+    let highest = top.iter().map(|point| -(point.position - start).dot(&down)).fold(0.0, f64::max);
+    near(highest, 1.44 / (2.0 * acceleration), 1e-12);
+}
+
+/// Rolling needs the friction (2/7) g sin: beyond tan = 7/2 f the ball slides down with g (sin - f cos).
+#[test]
+fn a_ball_on_a_steep_slope_slides() {
+    for (slope, rolls) in [(0.79_f64, true), (0.82, false)] {
+        let normal = Vector3::new(slope.sin(), 0.0, slope.cos());
+        let path = run(floor(slope), &ball((R * normal).into(), [0.0; 3], [0.0; 3]), 0.5);
+        let (acceleration, turning) = match rolls {
+            true => (G * slope.sin() / 1.4, G * slope.sin() / 1.4),
+            false => (G * (slope.sin() - 0.3 * slope.cos()), 2.5 * 0.3 * G * slope.cos()),
+        };
+        near(path.last().motion.velocity.norm(), 0.5 * acceleration, 1e-12);
+        near(path.last().motion.spin.norm() * R, 0.5 * turning, 1e-12);
+    }
+}
+
+/// Static friction holds the ball on a slope that its resistance to rolling bears.
+#[test]
+fn a_ball_rests_on_a_slope_that_its_resistance_bears() {
+    for (slope, mu, rests) in [(0.02_f64, 0.03, true), (0.04, 0.03, false), (0.02, 0.0, false)] {
+        let normal = Vector3::new(slope.sin(), 0.0, slope.cos());
+        let wall = floor(slope).with_rolling_resistance(mu).unwrap();
+        let path = run(wall, &ball((R * normal).into(), [0.0; 3], [0.0; 3]), 0.5);
+        assert_eq!(path.ending() == Ending::Rest { wall: 0 }, rests, "{slope} {mu}");
+        let acceleration = (G * slope.sin() - mu * G * slope.cos()) / 1.4;
+        if !rests {
+            near(path.last().motion.velocity.norm(), 0.5 * acceleration, 1e-12);
+        }
+    }
+}
+
+/// A ball that rolls faster than kinetic friction would let it: static friction holds it.
+#[test]
+fn static_friction_keeps_a_ball_rolling() {
+    let slope = 0.5_f64;
+    let law = StaticFriction::new(friction(0.2), friction(0.1)).unwrap();
+    let normal = [slope.sin(), 0.0, slope.cos()];
+    let wall = Wall::new([0.0; 3], normal, Material::RIGID, law).unwrap();
+    let start = R * Vector3::from(normal);
+    let path = run(wall, &ball(start.into(), [0.0; 3], [0.0; 3]), 0.5);
+    near(path.last().motion.velocity.norm(), 0.5 * G * slope.sin() / 1.4, 1e-12);
+}
+
+/// The motion on a wall by small steps of the whole equations: forces and torques of the contact point.
+fn integrated(
+    wall: &Wall,
+    law: impl Fn(f64) -> f64,
+    start: PathPoint,
+    time: f64,
+    steps: usize,
+) -> PathPoint {
+    let n = wall.normal();
+    let gravity = Vector3::new(0.0, 0.0, -G);
+    let pressing = -gravity.dot(&n);
+    let mu = wall.rolling_resistance();
+    // Over the mass; k R^2 is the moment of inertia over it.
+    let rate = |v: Vector3<f64>, w: Vector3<f64>| {
+        let arm = -R * n;
+        let slip = v + w.cross(&arm);
+        let slip = slip - slip.dot(&n) * n;
+        let force = -law(slip.norm()) * pressing * slip / slip.norm();
+        let along = w - w.dot(&n) * n;
+        let resistance = if along.norm() > 0.0 {
+            -mu * R * pressing * along / along.norm()
+        } else {
+            0.0 * along
+        };
+        let torque = arm.cross(&force) + resistance;
+        (gravity + pressing * n + force, torque / (0.4 * R * R))
+    };
+    let h = time / steps as f64;
+    let PathPoint { mut position, motion: Motion { mut velocity, mut spin }, .. } = start;
+    for _ in 0..steps {
+        let (a1, w1) = rate(velocity, spin);
+        let (a2, w2) = rate(velocity + 0.5 * h * a1, spin + 0.5 * h * w1);
+        let (a3, w3) = rate(velocity + 0.5 * h * a2, spin + 0.5 * h * w2);
+        let (a4, w4) = rate(velocity + h * a3, spin + h * w3);
+        position += h * velocity + h * h / 6.0 * (a1 + a2 + a3);
+        velocity += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+        spin += h / 6.0 * (w1 + 2.0 * w2 + 2.0 * w3 + w4);
+    }
+    PathPoint { time: start.time + time, position, motion: Motion { velocity, spin } }
+}
+
+/// Sideways on a slope, with resistance and with friction by slip speed, where the slip turns.
+#[test]
+fn a_turning_slip_is_that_of_an_integration_by_small_steps() {
+    let slope = 0.15_f64;
+    let normal = [slope.sin(), 0.0, slope.cos()];
+    let falling = SlipSpeedFriction::new(0.1, 0.2, 0.8).unwrap();
+    let plane = |law: carom_impact::ImpactFriction, mu| {
+        let wall = Wall::new([0.0; 3], normal, Material::RIGID, law).unwrap();
+        wall.with_rolling_resistance(mu).unwrap()
+    };
+    let constant = friction(0.25);
+    for (wall, law) in [
+        (plane(constant.into(), 0.0), Box::new(|_| 0.25) as Box<dyn Fn(f64) -> f64>),
+        (plane(constant.into(), 0.04), Box::new(|_| 0.25)),
+        (plane(falling.into(), 0.02), Box::new(|slip: f64| 0.1 + 0.2 * (-0.8 * slip).exp())),
+    ] {
+        let start = R * Vector3::from(normal);
+        let side = Vector3::new(slope.cos(), 0.0, -slope.sin());
+        let velocity: Vector3<f64> = 0.7 * side + 1.9 * Vector3::y();
+        let ball = ball(start.into(), velocity.into(), [40.0, 10.0, -20.0]);
+        let begin = PathPoint { time: 0.0, position: start, motion: ball.body().motion() };
+        let rolls = begins(&run(wall.clone(), &ball, 5.0), Manner::Rolls);
+        let time = 0.95 * rolls.time;
+        let (found, wanted) =
+            (run(wall.clone(), &ball, time).last(), integrated(&wall, &law, begin, time, 20_000));
+        for (found, wanted) in [
+            (found.position, wanted.position),
+            (found.motion.velocity, wanted.motion.velocity),
+            (R * found.motion.spin, R * wanted.motion.spin),
+        ] {
+            assert!((found - wanted).norm() < 1e-9, "{found} {wanted}");
+        }
+        // Then it rolls without slip.
+        let PathPoint { motion: Motion { velocity, spin }, .. } = rolls;
+        assert!((velocity - R * spin.cross(&Vector3::from(normal))).norm() < 1e-11);
+    }
+}
+
+/// A ball that rolls down a slope with resistance, first across it: small steps of v' = (g_t - mu_r N v/|v|)/(1 + k).
+#[test]
+fn a_ball_that_rolls_across_a_slope_turns_down() {
+    let (slope, mu) = (0.1_f64, 0.05);
+    let n = Vector3::new(slope.sin(), 0.0, slope.cos());
+    let down = Vector3::new(slope.cos(), 0.0, -slope.sin());
+    let velocity: Vector3<f64> = Vector3::y();
+    let start = R * n;
+    let ball = ball(start.into(), velocity.into(), (n.cross(&velocity) / R).into());
+    let wall = floor(slope).with_rolling_resistance(mu).unwrap();
+    let path = run(wall, &ball, 1.5);
+    let rate =
+        |v: Vector3<f64>| (G * slope.sin() * down - mu * G * slope.cos() * v / v.norm()) / 1.4;
+    let (mut v, mut x, h) = (velocity, start, 1.5 / 20_000.0);
+    for _ in 0..20_000 {
+        let a1 = rate(v);
+        let a2 = rate(v + 0.5 * h * a1);
+        let a3 = rate(v + 0.5 * h * a2);
+        let a4 = rate(v + h * a3);
+        x += h * v + h * h / 6.0 * (a1 + a2 + a3);
+        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    }
+    assert!((path.last().position - x).norm() < 1e-10);
+    assert!((path.last().motion.velocity - v).norm() < 1e-10);
+    // Points between are smooth: those of the path lie on a curve of small steps.
+    let points = path.points(5).unwrap();
+    assert!(points.windows(2).all(|two| (two[1].position - two[0].position).norm() < 0.2));
+}
+
+/// With restitution e the apexes are (h - r) e^(2 k) + r.
+#[test]
+fn apexes_are_those_of_constant_restitution() {
+    let (e, height) = (0.8_f64, 1.0);
+    let wall = floor(0.0).with_normal_restitution(NormalRestitution::by_yield(e).unwrap());
+    let path = run(wall, &ball([0.0, 0.0, height], [0.3, 0.0, 0.0], [0.0; 3]), 1e3);
+    let apexes = path.events().iter().filter(|event| event.kind == EventKind::Apex);
+    let heights: Vec<f64> = apexes.map(|event| event.at.position.z).collect();
+    assert!(heights.len() > 20);
+    for (k, found) in heights.iter().enumerate().take(20) {
+        let wanted = (height - R) * e.powi(2 * (k as i32 + 1)) + R;
+        assert!((found - wanted).abs() < 1e-12, "{k}: {found} {wanted}");
+    }
+    // Afterwards it rolls on.
+    assert_eq!(path.ending(), Ending::Time);
+    let last = path.last().motion;
+    near(last.spin.y * R, last.velocity.x, 1e-12);
+}
+
+/// The place and the speed of a floor at a time.
+type Moved<'a> = &'a dyn Fn(f64) -> [f64; 2];
+
+/// Bounces on a moving floor: (time, velocity afterwards), by a scan in short steps and bisection.
+fn scanned(e: f64, height: f64, floor: Moved<'_>, count: usize) -> Vec<[f64; 2]> {
+    let (mut from, mut z, mut v, mut bounces) = (0.0, height - R, 0.0, Vec::new());
+    while bounces.len() < count {
+        let gap = |t: f64| z + t * v - 0.5 * G * t * t - floor(from + t)[0];
+        let h = 1e-5;
+        let mut t = if bounces.is_empty() { 0.0 } else { h };
+        while gap(t + h) > 0.0 {
+            t += h;
+        }
+        let (mut above, mut below) = (t, t + h);
+        for _ in 0..80 {
+            let middle = 0.5 * (above + below);
+            if gap(middle) > 0.0 { above = middle } else { below = middle }
+        }
+        let [place, speed] = floor(from + above);
+        (z, v) = (place, speed - e * (v - G * above - speed));
+        from += above;
+        bounces.push([from, v]);
+    }
+    bounces
+}
+
+/// A bounce makes an error of its time some twenty times larger, so that six bounces are compared.
+#[test]
+fn bounces_on_an_oscillating_wall_are_those_of_a_scan() {
+    let (a, period, phase) = (2e-3, 0.037, 0.4);
+    let omega = std::f64::consts::TAU / period;
+    let motion = WallMotion::oscillation([0.0, 0.0, a], period, phase).unwrap();
+    let shaken = |t: f64| {
+        let angle = omega * t + phase;
+        [a * angle.sin(), a * omega * angle.cos()]
+    };
+    let table = [[0.0, 0.0], [0.3, 0.02], [0.35, -0.01], [0.9, 0.1], [2.0, 0.1], [2.5, 0.0]];
+    let lifted = |t: f64| {
+        let k = (0..table.len() - 2).rfind(|k| table[*k][0] <= t).unwrap();
+        let [from, to] = [table[k], table[k + 1]];
+        let speed = (to[1] - from[1]) / (to[0] - from[0]);
+        [from[1] + speed * (t - from[0]), speed]
+    };
+    let rows = table.map(|[t, z]| [t, 0.0, 0.0, z]);
+    let lift = WallMotion::positions(&rows).unwrap();
+    let ways: [(WallMotion, Moved<'_>); 2] = [(motion, &shaken), (lift, &lifted)];
+    for (motion, floor_at) in ways {
+        let e = 0.85;
+        let wall = floor(0.0).with_normal_restitution(NormalRestitution::by_yield(e).unwrap());
+        let path =
+            run(wall.with_motion(motion).unwrap(), &ball([0.0, 0.0, 0.3], [0.0; 3], [0.0; 3]), 2.4);
+        let wanted = scanned(e, 0.3, floor_at, path.bounces().len().min(6));
+        assert!(wanted.len() >= 5);
+        for (bounce, [time, speed]) in path.bounces().iter().zip(wanted) {
+            assert!((bounce.time - time).abs() < 1e-9, "{} {time}", bounce.time);
+            assert!((bounce.after.velocity.z - speed).abs() < 1e-9);
+        }
+    }
+}
+
+/// A wall that moves steadily: what an observer on it sees is a bounce off a fixed wall.
+#[test]
+fn a_wall_that_moves_steadily_is_a_fixed_one_for_who_moves_along() {
+    let drift = Vector3::new(0.3, -0.2, 0.15);
+    let motion = WallMotion::positions(&[[0.0; 4], [10.0, 3.0, -2.0, 1.5]]).unwrap();
+    let start = [0.0, 0.0, 0.4];
+    let moving = run(
+        floor(0.0).with_motion(motion).unwrap(),
+        &ball(start, [0.9, 0.1, 0.0], [3.0, 4.0, 5.0]),
+        2.0,
+    );
+    let seen = (Vector3::new(0.9, 0.1, 0.0) - drift).into();
+    let still = run(floor(0.0), &ball(start, seen, [3.0, 4.0, 5.0]), 2.0);
+    assert!(moving.bounces().len() >= 3 && moving.bounces().len() == still.bounces().len());
+    for (one, other) in moving.bounces().iter().zip(still.bounces()) {
+        near(one.time, other.time, 1e-12);
+        assert!((one.after.velocity - drift - other.after.velocity).norm() < 1e-12);
+        assert!((one.after.spin - other.after.spin).norm() < 1e-10);
+        near(one.rebound.peak_pressure, other.rebound.peak_pressure, 1e-12);
+    }
+}
+
+/// A ball that loses energy ends on a moving wall; a rectangle cannot move.
+#[test]
+fn a_moving_wall_carries_what_does_not_rise() {
+    let shaker = WallMotion::oscillation([0.0, 0.0, 1e-5], 0.05, 0.0).unwrap();
+    let wall = floor(0.0).with_normal_restitution(NormalRestitution::by_yield(0.3).unwrap());
+    let path = run(
+        wall.with_motion(shaker.clone()).unwrap(),
+        &ball([0.0, 0.0, 0.1], [0.0; 3], [0.0; 3]),
+        5.0,
+    );
+    assert_eq!(path.ending(), Ending::Carried { wall: 0 });
+    let table = floor(0.0).rectangle([1.0, 0.0, 0.0], [0.5, 0.25]).unwrap();
+    assert!(table.with_motion(shaker).is_err());
+    assert!(WallMotion::oscillation([0.0; 3], 0.0, 0.0).is_err());
+    assert!(WallMotion::positions(&[[0.0; 4]]).is_err());
+    assert!(WallMotion::positions(&[[0.0; 4], [0.0; 4]]).is_err());
+    assert!(WallMotion::positions(&[[0.0; 4], [1.0, f64::NAN, 0.0, 0.0]]).is_err());
+}
+
+/// A ball rolls off a table: it comes to the edge, on a straight way and on a curved one.
+#[test]
+fn a_ball_comes_to_the_edge_of_its_wall() {
+    let table = floor(0.0).rectangle([1.0, 0.0, 0.0], [0.5, 0.25]).unwrap();
+    let path = run(table, &ball([0.0, 0.0, R], [0.3, 0.05, 0.0], [0.0; 3]), 100.0);
+    assert_eq!(path.ending(), Ending::Edge { wall: 0 });
+    near(path.last().position.x, 0.5, 1e-12);
+    let slope = 0.1_f64;
+    let sloped = floor(slope).with_rolling_resistance(0.02).unwrap();
+    let sloped = sloped.rectangle([0.0, 1.0, 0.0], [0.5, 0.4]).unwrap();
+    let n = Vector3::new(slope.sin(), 0.0, slope.cos());
+    let path = run(sloped, &ball((R * n).into(), [0.0, 0.3, 0.0], [0.0; 3]), 100.0);
+    assert_eq!(path.ending(), Ending::Edge { wall: 0 });
+    let down = path.last().position.dot(&Vector3::new(slope.cos(), 0.0, -slope.sin()));
+    near(down, 0.4, 1e-12);
+}
+
+/// Rolling into a wall: it bounces, slides by its spin and rolls back; in a corner it is wedged.
+#[test]
+fn a_rolling_ball_bounces_off_the_next_wall() {
+    let wall =
+        Wall::new([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], Material::RIGID, friction(0.0)).unwrap();
+    let scene = Scene::new([0.0, 0.0, -G]).unwrap().with(floor(0.0)).with(wall);
+    let ball = ball([0.0, 0.0, R], [1.0, 0.0, 0.0], [0.0, 1.0 / R, 0.0]);
+    let path = scene.run(&ball, Limits::new(5.0, 10).unwrap()).unwrap();
+    let [bounce] = path.bounces() else { panic!("{:?}", path.events()) };
+    assert_eq!(bounce.wall, 1);
+    near(bounce.time, 1.0 - R, 1e-12);
+    // It keeps its spin, so that v becomes -(5/7) + 2/7 of what it was.
+    near(path.last().motion.velocity.x, -3.0 / 7.0, 1e-10);
+    let names: Vec<&str> = path.events().iter().map(|event| event.kind.name()).collect();
+    assert_eq!(names, ["rolls", "bounce", "slides", "rolls", "end"]);
+    // On a slope that falls towards a wall, with loss, it ends in the corner.
+    let slope = 0.1_f64;
+    let down = Vector3::new(slope.cos(), 0.0, -slope.sin());
+    let wall = Wall::new(down.into(), (-down).into(), Material::RIGID, friction(0.0)).unwrap();
+    let wall = wall.with_normal_restitution(NormalRestitution::by_yield(0.3).unwrap());
+    let scene = Scene::new([0.0, 0.0, -G]).unwrap().with(floor(slope)).with(wall);
+    let n = Vector3::new(slope.sin(), 0.0, slope.cos());
+    let ball = Ball::new(Body::sphere(R, rubber(), 0.03).unwrap().at((R * n).into()).unwrap());
+    let path = scene.run(&ball.unwrap(), Limits::new(100.0, 1000).unwrap()).unwrap();
+    assert_eq!(path.ending(), Ending::Wedged { wall: 0, other: 1 });
+}
