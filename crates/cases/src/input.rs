@@ -61,6 +61,9 @@ impl fmt::Debug for CaseFile {
     }
 }
 
+/// What errors call a case that is given as a text.
+const GIVEN: &str = "the case given";
+
 impl CaseFile {
     /// Reads the case file at `path`; `-` is standard input.
     ///
@@ -78,6 +81,12 @@ impl CaseFile {
     pub fn read_guarded(path: &Path, expected: Expected, guard: Guard) -> Result<Self, Error> {
         guard(path).map_err(ErrorKind::Refused)?;
         Self::read_unguarded(path, expected, Some(guard))
+    }
+
+    /// A case that is given as a text; files that it names are relative to the present folder.
+    #[must_use]
+    pub fn of_text(text: String) -> Self {
+        Self { path: GIVEN.into(), text, guard: None }
     }
 
     fn read_unguarded(

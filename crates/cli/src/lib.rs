@@ -3,7 +3,8 @@
 //!
 //! A command parses its input, validates it into types of the library, computes, and formats the
 //! results. Output is written only after the whole computation has succeeded, except for tables too
-//! large to hold in memory. Exit code 2 means bad input, 1 a file that cannot be read or written.
+//! large to hold in memory. Exit code 2 means bad input, 1 a file that cannot be read or written, 3 a
+//! warning with `--strict`.
 
 mod atomic_file;
 pub mod columns;

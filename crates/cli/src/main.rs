@@ -4,7 +4,7 @@
 use carom_cli::command::{Carom, run};
 use carom_cli::error::CliError;
 use carom_cli::global_options::{STRICT, asked_colour, is_coloured};
-use carom_cli::output::{Answer, Results, is_open};
+use carom_cli::output::{Results, is_open};
 use carom_cli::page::{hang, width};
 use clap::error::{ContextKind, ContextValue};
 use clap::{ColorChoice, CommandFactory as _, FromArgMatches as _};
@@ -35,9 +35,9 @@ fn main() -> ExitCode {
     };
     let mut results = Results::default();
     let messages = arguments.messages();
-    let write =
-        |answer: Answer| answer.write(&mut results, &messages).map(|()| answer.has_warnings());
-    match run(&arguments, &mut results).and_then(write) {
+    let answered = run(&arguments, &mut results)
+        .and_then(|answer| answer.write(&mut results, &messages).map(|()| answer.has_warnings()));
+    match answered {
         Ok(true) if arguments.is_strict() => ExitCode::from(STRICT),
         Ok(_) => ExitCode::SUCCESS,
         Err(error @ CliError::Messages { .. }) => ExitCode::from(error.exit_code()),

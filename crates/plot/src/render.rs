@@ -95,7 +95,11 @@ fn laid_out(mut svg: Svg, title: &str, panels: &[Panel]) -> Result<String, PlotE
     for (i, plot) in plots.iter().enumerate() {
         let (row, column) = (i / columns, i % columns);
         let above: f64 = heights[..row].iter().sum();
-        let corner = Pixel { x: widths[..column].iter().sum(), y: heading + above };
+        // A last row with fewer plots stands in the middle.
+        let missing = (columns * (row + 1)).saturating_sub(plots.len()).min(columns);
+        let left: f64 = 0.5 * widths[columns - missing..].iter().sum::<f64>();
+        let corner =
+            Pixel { x: left + widths[..column].iter().sum::<f64>(), y: heading + above };
         plot.draw(&mut svg, corner, &clip_name(title, i))?;
     }
     let width: f64 = widths.iter().sum();

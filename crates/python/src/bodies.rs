@@ -11,7 +11,7 @@ use crate::error::Fault;
 use crate::materials::Material;
 use crate::mistakes::needed;
 use crate::quantities::{
-    Attitude as Turned, Centre, In, Mass, Moments, Row, Several, Sizes, Spin, Velocity,
+    Attitude as Turned, Centre, Density, In, Mass, Moments, Row, Several, Sizes, Spin, Velocity,
 };
 use crate::show::{self, Quantity, repr};
 
@@ -37,7 +37,8 @@ const ALONG_SPACE: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 ///
 /// Body(shape, sizes, material, mass): the shape is 'sphere' (radius), 'plane' (no size, fixed), 'ellipsoid'
 /// (three semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' (radius of the centre circle, of the
-/// tube) or 'box' (three edge lengths); sizes in m, mass in kg. Without a mass the body is fixed. By default
+/// tube) or 'box' (three edge lengths); sizes in m, mass in kg, or the density of a solid body in kg/m3. Without them the
+/// body is fixed. By default
 /// it is solid, at the origin, at rest, its axes along those of space; see hollow, moments, centre, attitude,
 /// velocity and spin.
 #[pyclass(frozen, eq, from_py_object, module = "carom", subclass)]
@@ -80,11 +81,11 @@ impl Body {
     #[new]
     #[pyo3(
         signature = (
-            shape=None, sizes=None, material=None, mass=None, *, hollow=false, moments=None,
+            shape=None, sizes=None, material=None, mass=None, *, density=None, hollow=false, moments=None,
             centre=Row::of(AT_REST), attitude=Row::of(ALONG_SPACE), velocity=Row::of(AT_REST),
             spin=Row::of(AT_REST), **others
         ),
-        text_signature = "(shape, sizes, material, mass=None, *, hollow=False, moments=None, \
+        text_signature = "(shape, sizes, material, mass=None, *, density=None, hollow=False, moments=None, \
                           centre=(0.0, 0.0, 0.0), attitude=(1.0, 0.0, 0.0, 0.0), \
                           velocity=(0.0, 0.0, 0.0), spin=(0.0, 0.0, 0.0))"
     )]
@@ -95,6 +96,7 @@ impl Body {
         sizes: Option<Several<Sizes>>,
         material: Option<Material>,
         mass: Option<In<Mass>>,
+        density: Option<In<Density>>,
         hollow: bool,
         moments: Option<Row<Moments, 3>>,
         centre: Row<Centre, 3>,
@@ -104,11 +106,11 @@ impl Body {
         others: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         needed!(py, "", others; shape, sizes, material);
-        let body = Self {
+        let mut body = Self {
             shape,
             sizes: sizes.0,
             material,
-            mass: mass.map_or(f64::INFINITY, |mass| mass.0),
+            mass: mass.as_ref().map_or(f64::INFINITY, |mass| mass.0),
             hollow,
             moments: moments.map(|moments| moments.0),
             centre: centre.0,
@@ -116,6 +118,9 @@ impl Body {
             velocity: velocity.0,
             spin: spin.0,
         };
+        if let Some(density) = density {
+            body.mass = body.weighed(density.0, mass.is_some())?;
+        }
         body.colliding()?; // checks all
         Ok(body)
     }
@@ -204,6 +209,22 @@ impl Body {
             }
         };
         Ok(surface.map_err(Fault::from)?)
+    }
+
+    /// The mass of a solid body of this density.
+    fn weighed(&self, density: f64, has_mass: bool) -> PyResult<f64> {
+        if has_mass {
+            return Err(PyValueError::new_err("mass and density are both given: give one of them"));
+        }
+        if self.hollow {
+            let text = "density: is that of a solid body; a hollow one has a mass";
+            return Err(PyValueError::new_err(text));
+        }
+        let density = RangeError::positive("density", density).map_err(Fault::from)?;
+        let volume = self.surface()?.volume().ok_or_else(|| {
+            PyValueError::new_err(format!("density: a {} has no volume; it is fixed", self.shape))
+        })?;
+        Ok(density * volume)
     }
 
     fn inertia(&self, surface: &Surface) -> PyResult<Inertia> {

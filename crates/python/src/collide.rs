@@ -174,7 +174,7 @@ pub(crate) fn collide_many<'py>(
     body_1: Body,
     body_2: Body,
     friction: Numbers<'py>,
-    beside: Beside,
+    beside: (Option<[f64; 3]>, Option<Numbers<'py>>),
     motions: [Rows<'py>; 4],
     normal: Option<Row<Normal, 3>>,
     torsion: Option<bool>,
@@ -187,6 +187,11 @@ pub(crate) fn collide_many<'py>(
     let (cause, values) = (Loss::new(&cause, table)?, values.as_slice()?);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
+    let (by_speed, at_rest) = &beside;
+    let at_rest = at_rest.as_ref().map(|numbers| numbers.as_slice()).transpose()?;
+    if let Some(at_rest) = at_rest {
+        same_length("static_friction", at_rest.len(), friction.len())?;
+    }
     let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];
     for (rows, motion) in rows.iter_mut().zip(&motions) {
         *rows = motion.as_slice()?.as_chunks().0;
@@ -204,7 +209,11 @@ pub(crate) fn collide_many<'py>(
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
         let way = way.clone().losing(lost(values[i])?);
-        Ok(way.law.solve(&way.collision(one, two, checked(friction[i], beside)?)?)?)
+        Ok(way.law.solve(&way.collision(
+            one,
+            two,
+            checked(friction[i], (*by_speed, at_rest.map(|at_rest| at_rest[i])))?,
+        )?)?)
     })?;
     told(py, &outcomes)
 }

@@ -38,6 +38,7 @@ arguments! {
     Centre "centre" "m",
     CurvatureA "curvature_a" "1/m",
     CurvatureB "curvature_b" "1/m",
+    Density "density" "kg/m**3",
     Eta "eta" "m",
     Friction "friction" "",
     Mass "mass" "kg",

@@ -125,6 +125,7 @@ CALLS = {
         Call(carom.Body, {"shape": "ellipsoid", "sizes": In([0.1, 0.2, 0.3], "m"), "material": STEEL, "mass": In(2.0, "kg"),
                           "hollow": False, "moments": In((0.02, 0.02, 0.02), "kg*m**2"), "centre": In((1.0, 0.0, 2.0), "m"),
                           "attitude": none((1.0, 0.0, 0.0, 0.0)), "velocity": In((1.0, 0.0, -2.0), "m/s"), "spin": In((1.0, 2.0, 3.0), "rad/s")}),
+        Call(carom.Body, {"shape": "sphere", "sizes": In([0.1], "m"), "material": STEEL, "density": In(7850.0, "kg/m**3")}),
     ],
     "Body.moving": [Call(BALL.moving, {"velocity": In([1.0, 2.0, 3.0], "m/s"), "spin": In([3.0, 2.0, 1.0], "rad/s")})],
     "Contact": [
@@ -248,6 +249,7 @@ CALLS = {
     "sphere": [
         Call(carom.sphere, {"radius": In(0.02, "m"), "material": STEEL, "mass": In(0.3, "kg"), "hollow": False, "velocity": In((1.0, 0.0, -2.0), "m/s"),
                             "spin": In((1.0, 2.0, 3.0), "rad/s"), "centre": In((0.0, 0.0, 1.0), "m")}),
+        Call(carom.sphere, {"radius": In(0.02, "m"), "material": STEEL, "density": In(7850.0, "kg/m**3")}),
     ],
     "stress": [
         Call(carom.stress, POINTS | {"semi_axes": In((1e-4, 2e-4), "m"), "material": STEEL, "pressure": In(1e9, "Pa"),
@@ -255,15 +257,15 @@ CALLS = {
     ],
     "von_mises": [Call(carom.von_mises, {"stress": In([1e6, 2e6, 0.0, 0.0, 1e6, 0.0], "Pa")})],
     **{
-        f"cases.{kind}": [Call(getattr(carom.cases, kind), {"path": case(kind)} | beside)]
+        f"cases.{kind}": [Call(getattr(carom.cases, kind), {"case": case(kind)} | beside)]
         for kind, beside in {
             "hertz": {}, "history": {}, "impact": {}, "roll": {"coefficients": False, "fastsim": True, "table": True}, "scene": {"points": none(2)},
             "shell": {}, "solve": {"accuracy": none(0.05)}, "stress": {},
         }.items()
     },
     "cases.new": [Call(carom.cases.new, {"kind": "hertz"})],
-    "plot.restitution": [Call(carom.plot.restitution, {"kappa": none(1.2), "lam": none([1.0, 2.0]), "axes": None}, lambda **given: drawn(carom.plot.restitution, given))],
-    "plot.loop": [Call(carom.plot.loop, {"shift": In([0.0, 1e-7], "m"), "loads": In([[0.0, 0.0, 1.0], [0.1, 0.0, 1.0]], "N"), "axes": None},
+    "plot.restitution": [Call(carom.plot.restitution, {"kappa": none(1.2), "lam": none([1.0, 2.0]), "axes": None, "ax": None}, lambda **given: drawn(carom.plot.restitution, given))],
+    "plot.loop": [Call(carom.plot.loop, {"shift": In([0.0, 1e-7], "m"), "loads": In([[0.0, 0.0, 1.0], [0.1, 0.0, 1.0]], "N"), "axes": None, "ax": None},
                        lambda **given: drawn(carom.plot.loop, given))],
     **{
         f"special.{name}": [Call(getattr(carom.special, name), {argument: none(value) for argument, value in arguments.items()})]

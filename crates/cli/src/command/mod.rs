@@ -36,7 +36,7 @@ use std::path::Path;
 /// standard output, which must be open unless --format none is given; everything else goes to
 /// standard error. No input is ever overwritten: such a run is rejected. Pictures are written when
 /// the computation has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
-/// written.
+/// written, 3 a warning with --strict.
 #[derive(Debug, clap::Parser)]
 #[command(name = "carom", version, after_long_help = FIRST_STEPS)]
 pub struct Carom {

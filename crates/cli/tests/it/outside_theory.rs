@@ -23,6 +23,24 @@ fn unusual_numbers_are_told() {
     assert!(!with("friction = 0.092", "friction = 0.93").contains("unusual"));
 }
 
+/// A warning is an exit code with `--strict`; results and warning are written all the same.
+#[test]
+fn strict_turns_warnings_into_an_exit_code() {
+    let text = std::fs::read_to_string(example("alumina_on_plane.toml")).unwrap();
+    let unusual = case("strict_unusual.toml", &text.replace("friction = 0.092", "friction = 9.2"));
+    let plain = example("hertz_roller.toml");
+    for (arguments, code) in
+        [(["impact", &unusual, "--format", "csv"], 3), (["hertz", &plain, "--format", "csv"], 0)]
+    {
+        let without = carom(&arguments);
+        let strict = carom(&[&["--strict"], &arguments[..]].concat());
+        assert_eq!((without.status.code(), strict.status.code()), (Some(0), Some(code)));
+        assert_eq!((without.stdout, without.stderr), (strict.stdout, strict.stderr));
+    }
+    let wrong = carom(&["--strict", "impact", "no_such_file.toml"]);
+    assert_eq!(wrong.status.code(), Some(1));
+}
+
 /// An ellipsoid that falls on its flat side, its contact 3 times as long as wide.
 #[test]
 fn the_approach_to_a_slender_body_is_judged_by_its_smallest_radius() {

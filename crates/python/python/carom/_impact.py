@@ -20,17 +20,20 @@ UP = (0.0, 0.0, 1.0)
 def sphere(
     radius: float,
     material: Material,
-    mass: float,
+    mass: float | None = None,
     *,
+    density: float | None = None,
     hollow: bool = False,
     velocity: Vector = (0.0, 0.0, 0.0),
     spin: Vector = (0.0, 0.0, 0.0),
     centre: Vector = (0.0, 0.0, 0.0),
 ) -> Body:
-    """A solid sphere or, if `hollow`, a thin spherical shell. m, kg, m/s, rad/s."""
-    return Body(
-        "sphere", [number("radius", radius, "m")], material, mass, hollow=hollow, velocity=velocity, spin=spin, centre=centre
-    )
+    """A solid sphere or, if `hollow`, a thin spherical shell; with its `mass`, or solid with a `density`. m, kg, kg/m3, m/s, rad/s."""
+    if mass is None and density is None:
+        raise TypeError("sphere() needs `mass` or `density`")
+    sizes = [number("radius", radius, "m")]
+    motion = {"velocity": velocity, "spin": spin, "centre": centre}
+    return Body("sphere", sizes, material, mass, density=density, hollow=hollow, **motion)
 
 
 def plane(material: Material) -> Body:
@@ -136,7 +139,7 @@ def collide_many(
     body_2: Body,
     friction: ArrayLike | SlipSpeedFriction,
     *,
-    static_friction: float | None = None,
+    static_friction: ArrayLike | None = None,
     body_1_velocity: ArrayLike | None = None,
     body_1_spin: ArrayLike | None = None,
     body_2_velocity: ArrayLike | None = None,
@@ -150,8 +153,8 @@ def collide_many(
     wave_loss: bool = False,
     relaxation: ArrayLike = 0.0,
 ) -> Rebounds:
-    """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, restitutions along the
-    normal or relaxation times, (n,).
+    """Computes the impacts of the same two bodies for many motions, arrays (n, 3), and frictions, static frictions, restitutions
+    along the normal or relaxation times, (n,).
 
     A single vector or number holds for all. Uses all cores, and gives the same bits on any number.
 
@@ -169,17 +172,19 @@ def collide_many(
     told = zip(names, (body_1_velocity, body_1_spin, body_2_velocity, body_2_spin), default, strict=True)
     units = dict(zip(names, ("m/s", "rad/s") * 2, strict=True))
     given = {name: numbers(name, d if v is None else v, units[name]) for name, v, d in told}
-    beside = _beside(friction, static_friction)
+    resting = None if static_friction is None else numbers("static_friction", static_friction)
+    speed, _ = _beside(friction, None if resting is None else 0.0)
     coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]
     cause, lost, table = losses_of(normal_restitution, loss, wave_loss, relaxation)
-    counts += [len(given) for given in (coefficients, lost) if given.ndim == 1]
+    counts += [len(given) for given in (coefficients, lost, resting) if given is not None and given.ndim == 1]
     if len(set(counts)) > 1:
-        raise ValueError(f"motions, friction and loss: must have the same length, not {sorted(set(counts))}")
+        raise ValueError(f"motions, frictions and loss: must have the same length, not {sorted(set(counts))}")
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", coefficients, (count,)))
     what = "relaxation" if cause == "relaxation" else "normal_restitution"
+    beside = (speed, None if resting is None else line(spread("static_friction", resting, (count,))))
     losses = (cause, line(spread(what, lost, (count,))), table)
     columns, exceeded = _carom.collide_many(
         body_1, body_2, frictions, beside, motions, _along(body_1, body_2, normal), torsion, law, tolerance, losses

@@ -13,6 +13,7 @@ True
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any, Union
 
 import numpy as np
@@ -54,7 +55,8 @@ from ._records import (
 from ._types import Array
 from ._validity import warn
 
-Path = Union[str, "os.PathLike[str]"]
+#: The path of a case file, the text of a case in TOML, or a dict with its tables.
+Case = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 __all__ = [
     "Bellows",
@@ -88,19 +90,51 @@ def new(kind: str) -> str:
     return _carom.case_new(kind)
 
 
-def _file(path: Path) -> str:
-    """The path of a case file, or an error that tells what else was given."""
-    is_text = isinstance(path, str) and "\n" in path
-    if is_text or not isinstance(path, (str, os.PathLike)):
-        given = "the text of a case" if is_text else type(path).__name__
-        raise TypeError(f"path: must be the path of a case file, not {given}; write the case into a file, in TOML")
-    return os.fspath(path)
+def _toml(value: object) -> str:
+    """A value of a case in TOML, on one line."""
+    import json
+
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{json.dumps(str(key))} = {_toml(one)}" for key, one in value.items()) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    if isinstance(value, (bool, str)):
+        return json.dumps(value)
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, os.PathLike):
+        return json.dumps(os.fspath(value))
+    raise TypeError(f"case: holds a {type(value).__name__}; must be numbers, texts, lists and dicts")
 
 
-def impact(path: Path) -> Rebound | Sweep:
+def _given(case: Case) -> str | tuple[str]:
+    """The path of a case file, or a text in TOML alone in a tuple."""
+    if isinstance(case, Mapping):
+        import json
+
+        return ("".join(f"{json.dumps(str(key))} = {_toml(value)}\n" for key, value in case.items()),)
+    if isinstance(case, str) and ("\n" in case or "=" in case):
+        return (case,)
+    if not isinstance(case, (str, os.PathLike)):
+        raise TypeError(f"case: must be the path of a case file, its text, or a dict, not {type(case).__name__}")
+    return os.fspath(case)
+
+
+def impact(case: Case) -> Rebound | Sweep:
     """The impact of a case; for a sweep all impacts, arrays (n,), computed in parallel.
 
-    >>> import carom, pathlib, tempfile
+    `case` is a path, a text or a dict, as of all functions here:
+
+    >>> import carom
+    >>> steel = {"young_modulus": "208 GPa", "poisson": 0.3}
+    >>> ball = {"shape": "sphere", "radius": 0.01, "density": 7850, "material": steel, "velocity": [0.5, 0, -1]}
+    >>> floor = {"shape": "plane", "material": steel, "fixed": True}
+    >>> round(carom.cases.impact({"body_1": ball, "body_2": floor, "contact": {"friction": 0.2}}).R_x, 3)
+    0.428
+
+    >>> import pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "balls.toml"
     >>> once = carom.cases.new("impact")
     >>> _ = path.write_text(once.replace("friction = 0.2", "friction = [0.05, 0.1, 0.2]"))
@@ -109,14 +143,14 @@ def impact(path: Path) -> Rebound | Sweep:
     >>> rebounds.swept[0], rebounds.R_x.shape
     ('contact.friction', (3,))
     """
-    swept, columns, exceeded = _carom.case_impact(_file(path))
+    swept, columns, exceeded = _carom.case_impact(_given(case))
     warn(exceeded)
     if swept is None:
         return Rebound._of(columns)
     return Sweep._shaped(columns, (len(swept[2]),), swept)
 
 
-def history(path: Path) -> HistorySteps:
+def history(case: Case) -> HistorySteps:
     """A contact that is pressed, shifted and twisted: arrays (n,) with an entry for each step.
 
     Columns of the twist are NaN if the case has none.
@@ -128,12 +162,12 @@ def history(path: Path) -> HistorySteps:
     >>> bool((np.hypot(steps.F_x, steps.F_y) <= 0.3 * steps.F_z * (1 + 1e-12)).all())
     True
     """
-    columns, exceeded = _carom.case_history(_file(path))
+    columns, exceeded = _carom.case_history(_given(case))
     warn(exceeded)
     return HistorySteps._shaped(columns, (len(columns["step"]),))
 
 
-def solve(path: Path, *, accuracy: float | None = None) -> Solved:
+def solve(case: Case, *, accuracy: float | None = None) -> Solved:
     """A contact with friction on a grid, step by step.
 
     If `accuracy` of loads and shifts is given, it chooses the grid; the grid of the case is then ignored.
@@ -146,13 +180,13 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
     True
     """
-    steps, axes, fields, cells, told = _carom.case_solve(_file(path), accuracy)
+    steps, axes, fields, cells, told = _carom.case_solve(_given(case), accuracy)
     warn(told)
     named = gridded(axes, fields, cells, told[0])
     return Solved({"steps": SolverSteps._shaped(steps, (len(steps["step"]),)), **named})
 
 
-def hertz(path: Path) -> HertzStates | LineStates:
+def hertz(case: Case) -> HertzStates | LineStates:
     """The contact of two surfaces under each of its normal loads, arrays (n,); along a line with `contact.length`.
 
     >>> import carom, pathlib, tempfile
@@ -162,13 +196,13 @@ def hertz(path: Path) -> HertzStates | LineStates:
     >>> bool((states.peak_pressure > 0).all())
     True
     """
-    columns, exceeded = _carom.case_hertz(_file(path))
+    columns, exceeded = _carom.case_hertz(_given(case))
     warn(exceeded)
     kind = LineStates if "half_width" in columns else HertzStates
     return kind._shaped(columns, (len(columns["force"]),))
 
 
-def stress(path: Path) -> Stresses:
+def stress(case: Case) -> Stresses:
     """The stresses in a body below a contact with normal force (Hertz) and tangential force (Cattaneo and Mindlin).
 
     >>> import carom, pathlib, tempfile
@@ -180,7 +214,7 @@ def stress(path: Path) -> Stresses:
     >>> bool(np.allclose(carom.von_mises(below.stress), below.von_mises))
     True
     """
-    contact, stick_radius, (x, y, depth), (flat, *scalars), exceeded = _carom.case_stress(_file(path))
+    contact, stick_radius, (x, y, depth), (flat, *scalars), exceeded = _carom.case_stress(_given(case))
     warn(exceeded)
     shape = (len(depth), len(y), len(x))
     von_mises, maximum_shear = (values.reshape(shape) for values in scalars)
@@ -198,7 +232,7 @@ def stress(path: Path) -> Stresses:
     )
 
 
-def scene(path: Path, *, points: int = 0) -> Scene:
+def scene(case: Case, *, points: int = 0) -> Scene:
     """Path, bounces and events of a ball between walls; with `points` also the ball at so many instants of every flight.
 
     `points` is 0 or from 2 to 100000.
@@ -215,7 +249,7 @@ def scene(path: Path, *, points: int = 0) -> Scene:
         error = RangeError(f"points = {count} is out of range: must be 0 or from 2 to 100000")
         error.field, error.value, error.index = "points", float(count), None
         raise error
-    (bounces, events, ending, end, course), exceeded = _carom.case_scene(_file(path), count)
+    (bounces, events, ending, end, course), exceeded = _carom.case_scene(_given(case), count)
     warn(exceeded)
     return Scene(
         {
@@ -229,7 +263,7 @@ def scene(path: Path, *, points: int = 0) -> Scene:
 
 
 def roll(
-    path: Path, *, coefficients: bool = False, fastsim: bool = False, table: bool = False
+    case: Case, *, coefficients: bool = False, fastsim: bool = False, table: bool = False
 ) -> Rolled:
     """A rolling contact: creep forces in the steady state, or step by step from rest.
 
@@ -245,7 +279,7 @@ def roll(
     (True, dtype('bool'))
     """
     rows, creep, axes, (fields, cells), (exceeded, is_outside), others = _carom.case_roll(
-        _file(path), coefficients, fastsim, table
+        _given(case), coefficients, fastsim, table
     )
     warn((exceeded + others, is_outside))
     return Rolled(
@@ -257,7 +291,7 @@ def roll(
     )
 
 
-def shell(path: Path) -> Bellows | Flange:
+def shell(case: Case) -> Bellows | Flange:
     """A bellows under pressure and axial load, or a flange under forces around it.
 
     >>> import carom, pathlib, tempfile
@@ -267,7 +301,7 @@ def shell(path: Path) -> Bellows | Flange:
     >>> bool(bellows.loads.force[2] > -bellows.loads.force[0])  # extension stiffens
     True
     """
-    kind, summary, loads, places, warnings = _carom.case_shell(_file(path))
+    kind, summary, loads, places, warnings = _carom.case_shell(_given(case))
     warn((warnings, True))
     if kind == "bellows":
         assert loads is not None

@@ -1,6 +1,6 @@
 """Plots with matplotlib, an optional dependency: `pip install carom[plot]`.
 
-Each function draws into the given axes, or into new ones, and returns them. Colours can be told apart by the colour
+Each function draws into the given axes (`axes` or `ax`), or into new ones, and returns them. Colours can be told apart by the colour
 blind, curves also by their dashes. matplotlib is imported when a function is called.
 
 >>> import carom
@@ -44,7 +44,14 @@ ARROWS = 18
 PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 
 
-def _axes(axes: Axes | None) -> Axes:
+def __dir__() -> list[str]:
+    return __all__
+
+
+def _axes(axes: Axes | None, ax: Axes | None) -> Axes:
+    if axes is not None and ax is not None:
+        raise TypeError("axes and ax are both given: they are the same argument")
+    axes = ax if axes is None else axes
     if axes is None:
         from matplotlib import pyplot
 
@@ -77,9 +84,8 @@ def _places(of: Grid) -> tuple[Array, Array, str]:
     return both[: len(x)], both[len(x) :], unit
 
 
-def _map(of: Grid, axes: Axes | None, title: str) -> tuple[Axes, Array, Array]:
+def _map(of: Grid, axes: Axes, title: str) -> tuple[Axes, Array, Array]:
     """Axes of a picture of the contact, and the cell centres in their unit; the view is the contact with a margin."""
-    axes = _axes(axes)
     x, y, unit = _places(of)
     axes.set(xlabel=f"x / {unit}", ylabel=f"y / {unit}", title=title, aspect="equal")
     touching = of.cells > 0
@@ -104,19 +110,19 @@ def _field(axes: Axes, x: Array, y: Array, of: Grid, values: Array, name: str) -
     axes.figure.colorbar(drawn, ax=axes, label=f"{name} / {unit}")
 
 
-def pressure(of: Grid, axes: Axes | None = None) -> Axes:
+def pressure(of: Grid, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """The pressure of a contact on a grid, of a `Solver` after a step, or of a case that was solved or rolled."""
-    axes, x, y = _map(of, axes, "pressure")
+    axes, x, y = _map(of, _axes(axes, ax), "pressure")
     _field(axes, x, y, of, of.pressure, "p")
     return axes
 
 
-def stick_slip(of: Grid, axes: Axes | None = None) -> Axes:
+def stick_slip(of: Grid, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """Where the contact sticks and where it slips."""
     from matplotlib.colors import BoundaryNorm, ListedColormap
     from matplotlib.patches import Patch
 
-    axes, x, y = _map(of, axes, "stick and slip")
+    axes, x, y = _map(of, _axes(axes, ax), "stick and slip")
     colours = {"sticks": COLOURS[0], "slips": COLOURS[4]}
     states = np.ma.masked_equal(of.cells, 0)
     axes.pcolormesh(x, y, states, cmap=ListedColormap(list(colours.values())), norm=BoundaryNorm([0.5, 1.5, 2.5], 2))
@@ -126,9 +132,9 @@ def stick_slip(of: Grid, axes: Axes | None = None) -> Axes:
     return axes
 
 
-def tractions(of: Grid, axes: Axes | None = None) -> Axes:
+def tractions(of: Grid, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """The size of the tangential tractions on body 1, with arrows in their direction."""
-    axes, x, y = _map(of, axes, "tractions on body 1")
+    axes, x, y = _map(of, _axes(axes, ax), "tractions on body 1")
     size = np.hypot(of.traction_x, of.traction_y)
     _field(axes, x, y, of, size, "traction")
     rows, columns = np.nonzero(of.cells)
@@ -143,9 +149,9 @@ def tractions(of: Grid, axes: Axes | None = None) -> Axes:
     return axes
 
 
-def restitution(kappa: ArrayLike, lam: ArrayLike, axes: Axes | None = None) -> Axes:
+def restitution(kappa: ArrayLike, lam: ArrayLike, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """R_x of spheres over lambda, one curve for each kappa; see `carom.restitution`."""
-    axes, over = _axes(axes), numbers("lam", lam)
+    axes, over = _axes(axes, ax), numbers("lam", lam)
     _curves(axes, over, {f"κ = {one:.4g}": np.asarray(r_x(one, over)) for one in np.atleast_1d(numbers("kappa", kappa))})
     axes.grid(color="#E4E4E4")
     axes.set(xlabel=r"$\lambda$", ylabel="$R_x$")
@@ -153,9 +159,9 @@ def restitution(kappa: ArrayLike, lam: ArrayLike, axes: Axes | None = None) -> A
     return axes
 
 
-def history(course: HistoryPoints, axes: Axes | None = None) -> Axes:
+def history(course: HistoryPoints, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """The forces on body 1 in the course of an impact; a component that is zero throughout is left out."""
-    axes = _axes(axes)
+    axes = _axes(axes, ax)
     time, unit = _scaled(course.time, "s")
     force, newton = _scaled(course.F, "N")
     curves = {f"$F_{name}$": force[:, i] for i, name in enumerate("xyz")}
@@ -166,9 +172,9 @@ def history(course: HistoryPoints, axes: Axes | None = None) -> Axes:
     return axes
 
 
-def loop(shift: ArrayLike, loads: ArrayLike, axes: Axes | None = None) -> Axes:
+def loop(shift: ArrayLike, loads: ArrayLike, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """The tangential force F_x of a contact over its shift, with loads as `Contact.follow` returns them."""
-    axes = _axes(axes)
+    axes = _axes(axes, ax)
     across, unit = _scaled(numbers("shift", shift, "m"), "m")
     force, newton = _scaled(numbers("loads", loads, "N")[..., 0], "N")
     axes.plot(across, force, color=COLOURS[0])

@@ -6,24 +6,22 @@ use carom::laws::line::LineState;
 use carom_cases::Pressed;
 use carom_cases::case::RollCase;
 use carom_cases::hertz;
-use carom_cases::input::CaseFile;
 use carom_cases::roll::{self, Rolled, Wanted};
 use carom_cases::stress::{self, Solved};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
 
-use super::{Lines, lines, raised};
+use super::{Lines, Source, lines, raised};
 use crate::records::arrays;
 use crate::threads::beside;
 use crate::told::{Told, of_contact, reported};
 
 /// The contact under each of its loads, and warnings.
 #[pyfunction]
-pub(crate) fn case_hertz(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
-    let followed = beside(py, || hertz::followed(&CaseFile::read(&path)?));
+pub(crate) fn case_hertz(py: Python<'_>, case: Source) -> PyResult<(Bound<'_, PyDict>, Told)> {
+    let followed = beside(py, || hertz::followed(&case.read()?));
     let followed = followed?.map_err(raised)?;
     let told = reported(followed.validity_report(), "loads");
     Ok((pressed(py, &followed.states)?, told))
@@ -55,7 +53,7 @@ fn pressed<'py>(py: Python<'py>, states: &[Pressed]) -> PyResult<Bound<'py, PyDi
 #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
 pub(crate) fn case_stress<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
 ) -> PyResult<(
     Bound<'py, PyDict>,
     f64,
@@ -63,7 +61,7 @@ pub(crate) fn case_stress<'py>(
     [Bound<'py, PyArray1<f64>>; 3],
     Told,
 )> {
-    let solved = beside(py, || stress::solved(&CaseFile::read(&path)?))?.map_err(raised)?;
+    let solved = beside(py, || stress::solved(&case.read()?))?.map_err(raised)?;
     let told = of_contact(solved.validity());
     let Solved { case, state, stick_radius, points, .. } = solved;
     let parts = points.iter().map(|point| point.stress);
@@ -83,7 +81,7 @@ pub(crate) fn case_stress<'py>(
 #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
 pub(crate) fn case_roll<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
     coefficients: bool,
     fastsim: bool,
     table: bool,
@@ -96,7 +94,7 @@ pub(crate) fn case_roll<'py>(
     Vec<String>,
 )> {
     let wanted = Wanted { coefficients, springs: fastsim, table };
-    let file = CaseFile::read(&path).map_err(raised)?;
+    let file = case.read().map_err(raised)?;
     let case = file.parse::<RollCase>().map_err(raised)?;
     if (fastsim || table) && case.distance.is_some() {
         let text =

@@ -35,13 +35,33 @@ type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
 /// The fields of a state and the states of its cells, flat.
 pub(crate) type Lines<'py> = ([Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>);
 
+/// A case: the path of its file, or its text alone in a tuple.
+#[derive(FromPyObject)]
+pub(crate) enum Source {
+    Path(PathBuf),
+    Text((String,)),
+}
+
+impl Source {
+    /// Reads the case.
+    ///
+    /// # Errors
+    /// As [`CaseFile::read`].
+    pub(crate) fn read(self) -> Result<CaseFile, Error> {
+        match self {
+            Self::Path(path) => CaseFile::read(&path),
+            Self::Text((text,)) => Ok(CaseFile::of_text(text)),
+        }
+    }
+}
+
 /// The impact of a case, or all impacts of its sweep, and warnings.
 #[pyfunction]
 pub(crate) fn case_impact<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
 ) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>, Told)> {
-    let followed = beside(py, || impact::followed(&CaseFile::read(&path)?));
+    let followed = beside(py, || impact::followed(&case.read()?));
     let Impacts { swept, outcomes } = followed?.map_err(raised)?;
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
     Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?, of_impacts(&outcomes)))
@@ -49,8 +69,8 @@ pub(crate) fn case_impact<'py>(
 
 /// The contact after each step of a history, and warnings.
 #[pyfunction]
-pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_, PyDict>, Told)> {
-    let followed = beside(py, || history::followed(&CaseFile::read(&path)?));
+pub(crate) fn case_history(py: Python<'_>, case: Source) -> PyResult<(Bound<'_, PyDict>, Told)> {
+    let followed = beside(py, || history::followed(&case.read()?));
     let followed = followed?.map_err(raised)?;
     let told = reported(followed.validity_report(), "steps");
     Ok((arrays(py, &all_columns(), &followed.steps)?, told))
@@ -62,7 +82,7 @@ pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<(Bound<'_,
 #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
 pub(crate) fn case_solve<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
     accuracy: Option<In<Accuracy>>,
 ) -> PyResult<(
     Bound<'py, PyDict>,
@@ -72,7 +92,7 @@ pub(crate) fn case_solve<'py>(
     Told,
 )> {
     let accuracy = accuracy.map(|accuracy| accuracy.0);
-    let solved = beside(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
+    let solved = beside(py, || solve::solved(&case.read()?, accuracy));
     let (case, solved) = solved?.map_err(raised)?;
     let caution = solved.validity_report().told("steps").0;
     let texts = caution.into_iter().chain(solved.warnings(&case)).collect();

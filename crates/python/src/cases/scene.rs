@@ -2,14 +2,12 @@
 
 use carom::impact::Rebound;
 use carom::impact::scene::{Bounce, Event, PathPoint};
-use carom_cases::input::CaseFile;
 use carom_cases::scene::{self, Followed, add_bounce, rebound_columns, wall_name};
 use carom_cases::theory::ValidityReport;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
 
-use super::raised;
+use super::{Source, raised};
 use crate::records::{add, arrays};
 use crate::threads::beside;
 use crate::told::{Told, reported};
@@ -22,10 +20,10 @@ type Parts<'py> =
 #[pyfunction]
 pub(crate) fn case_scene<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
     points: usize,
 ) -> PyResult<(Parts<'py>, Told)> {
-    let followed = beside(py, || scene::followed(&CaseFile::read(&path)?, points));
+    let followed = beside(py, || scene::followed(&case.read()?, points));
     let Followed { case, bounces, events, points, end } = followed?.map_err(raised)?;
     let mut report = ValidityReport::default();
     bounces.iter().for_each(|bounce| add_bounce(&mut report, bounce));

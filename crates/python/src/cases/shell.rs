@@ -1,14 +1,12 @@
 //! Cases of rings and shells: a bellows, a flange.
 
-use carom_cases::input::CaseFile;
 use carom_cases::shell::{
     self, BellowsRow, FlangeSummary, RESPONSE_COLUMNS, RingPlace, Solved, WALL_COLUMNS,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
 
-use super::raised;
+use super::{Source, raised};
 use crate::records::arrays;
 use crate::threads::beside;
 
@@ -17,7 +15,7 @@ use crate::threads::beside;
 #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
 pub(crate) fn case_shell<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
 ) -> PyResult<(
     &'static str,
     Bound<'py, PyDict>,
@@ -25,7 +23,7 @@ pub(crate) fn case_shell<'py>(
     Bound<'py, PyDict>,
     Vec<String>,
 )> {
-    let solved = beside(py, || shell::solved(&CaseFile::read(&path)?))?.map_err(raised)?;
+    let solved = beside(py, || shell::solved(&case.read()?))?.map_err(raised)?;
     let warnings = solved.warnings();
     Ok(match solved {
         Solved::Bellows(bellows) => {

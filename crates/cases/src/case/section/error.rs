@@ -84,11 +84,20 @@ fn different(name: &str) -> &'static str {
     DIFFERENT.iter().find(|(other, _)| *other == name).map_or("", |(_, hint)| hint)
 }
 
+/// Letters of a name that tell which one is begun.
+const BEGINNING: usize = 3;
+
 /// The name that is probably meant, of those that are valid, and what of the value belongs there; empty if none is
 /// similar.
 #[must_use]
 pub fn likely(name: &str, valid: &[&str]) -> String {
-    let near = meant(name, valid).or_else(|| nearest(name, valid));
+    // The beginning of one name alone says more than its letters.
+    let mut begun = valid.iter().filter(|field| name.len() >= BEGINNING && field.starts_with(name));
+    let begun = match (begun.next(), begun.next()) {
+        (Some(field), None) => Some(*field),
+        _ => None,
+    };
+    let near = meant(name, valid).or(begun).or_else(|| nearest(name, valid));
     near.map_or_else(String::new, |near| format!(", did you mean `{near}`{}?", different(name)))
 }
 

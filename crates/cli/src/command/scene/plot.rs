@@ -14,7 +14,7 @@ const INSTANTS: usize = 41;
 /// Largest number of balls drawn; more would hide the path.
 const MOST_BALLS: usize = 12;
 /// The size of a number beside a bounce, as a part of the picture's width and height.
-const NUMBER: [f64; 2] = [0.032, 0.045];
+const NUMBER: [f64; 2] = [0.05, 0.055];
 /// The palette's dark grey.
 const DARK: usize = 6;
 /// Width over height of the axes.
