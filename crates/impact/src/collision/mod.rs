@@ -8,6 +8,7 @@ mod history;
 mod loss_cause;
 mod needed_law;
 mod solver;
+mod tabled;
 mod twist_bound;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
@@ -15,6 +16,7 @@ use carom_halfspace::MaterialPair;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::static_friction::StaticFriction;
+use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
@@ -32,6 +34,7 @@ pub(crate) use aftermath::Known;
 use glancing::Axes;
 pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};
+pub use tabled::{TabledCollision, TabledRebound};
 pub use twist_bound::TwistBound;
 
 /// Relative differences of D between tangents below this value are round-off.
@@ -120,6 +123,8 @@ pub struct Collision {
     normal_restitution: NormalRestitution,
     tolerance: Option<f64>,
     unsettled: Unsettled,
+    /// Normal over tangential stiffness, if it is not that of the materials.
+    stiffness_ratio: Option<f64>,
     axes: Axes,
     contact: ContactPoint,
     materials: MaterialPair,
@@ -248,6 +253,7 @@ impl Collision {
             normal_restitution: NormalRestitution::ELASTIC,
             tolerance: None,
             unsettled: Unsettled::Refused,
+            stiffness_ratio: None,
             axes: Axes::default(),
             contact,
             materials,
@@ -330,6 +336,51 @@ impl Collision {
         Self { unsettled: Unsettled::Accepted, ..self }
     }
 
+    /// The same collision with this ratio kappa of normal to tangential stiffness, c_z/c_x, in both tangential directions,
+    /// instead of that of the materials (15.1): for surfaces of which it was measured. The analytic laws have it.
+    ///
+    /// ```
+    /// use carom_halfspace::Material;
+    /// use carom_impact::{Body, Collision, Motion};
+    /// use carom_impact::restitution::of_spheres;
+    /// use carom_laws::friction::Friction;
+    /// let glass = Material::from_young(70e9, 0.22)?;
+    /// let ball = Body::sphere(1.5e-3, glass, 3.5e-5)?.moving(Motion::new([0.3, 0.0, -1.0], [0.0; 3])?);
+    /// let collision = Collision::new(ball, Body::plane(glass), Friction::new(0.1)?)?;
+    /// let outcome = collision.with_stiffness_ratio(1.3)?.solve()?;
+    /// let r_x = outcome.rebound().and_then(|rebound| rebound.r_x).ok_or("they meet")?;
+    /// assert!((r_x - of_spheres(1.3, 3.0)?).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is from 1e-3 to 1e3.
+    pub fn with_stiffness_ratio(self, ratio: f64) -> Result<Self, RangeError> {
+        let holds = (1e-3..=1e3).contains(&ratio);
+        let field = "normal_over_tangential_stiffness";
+        RangeError::check(field, ratio, holds, "from 1e-3 to 1e3")?;
+        Ok(Self { stiffness_ratio: Some(ratio), ..self })
+    }
+
+    /// The same collision with another friction.
+    ///
+    /// # Errors
+    /// [`RangeError`] if friction by the slip speed is out of range at this speed.
+    pub fn with_friction(self, friction: impl Into<ImpactFriction>) -> Result<Self, RangeError> {
+        let friction = friction.into();
+        let static_friction = friction.static_friction();
+        let friction = friction.at(&self.velocity())?;
+        Ok(Self { friction, static_friction, ..self })
+    }
+
+    /// The stiffness of the contact: that of the bodies, with the ratio that was given.
+    pub(crate) fn stiffness(&self) -> ContactStiffness {
+        let own = self.hertz.stiffness();
+        let across = self.stiffness_ratio.map(|ratio| own.c_z / ratio);
+        let [c_x, c_y] = [own.c_x, own.c_y].map(|c| across.unwrap_or(c));
+        ContactStiffness { c_x, c_y, c_z: own.c_z }
+    }
+
     /// The bodies in contact.
     #[must_use]
     pub const fn bodies(&self) -> &[Body; 2] {
@@ -407,7 +458,7 @@ impl Collision {
         if velocity.z <= 0.0 {
             return Ok(None);
         }
-        let stiffness = self.hertz.stiffness();
+        let stiffness = self.stiffness();
         let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
         if let Some(friction) = self.static_friction {
             impact = impact.with_static_friction(friction);

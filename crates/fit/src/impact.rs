@@ -1,0 +1,263 @@
+//! The model of impacts: the outcomes of a case with unknowns for each row of data.
+
+use crate::FitError;
+use crate::columns::{Known, Read};
+use crate::measured::Measurement;
+use crate::model::{Model, Parameter};
+use crate::observable::{Bounce, Observable};
+use carom_cases::case::{ImpactCase, OpenCase};
+use carom_cases::impact::outcome;
+use carom_cases::{Error, ErrorKind};
+use carom_impact::{NeededLaw, Outcome, TabledCollision};
+use carom_numerical::CollisionLaw;
+use carom_special::interrupt;
+use rayon::prelude::*;
+
+/// Relative steps of differences: by the table and the exact impact, and by laws with a larger error.
+const STEP: f64 = 2e-3;
+const COARSE_STEP: f64 = 1e-2;
+/// Rows that a thread takes at least.
+const SHARE: usize = 64;
+
+impl Known for Observable {
+    fn find(name: &str) -> Option<Self> {
+        Self::find(name)
+    }
+
+    fn names() -> Vec<String> {
+        Self::names()
+    }
+
+    fn about(&self) -> [&'static str; 2] {
+        [self.unit(), self.meaning()]
+    }
+}
+
+/// The impacts of a case, one for each row of data.
+pub(crate) struct Impacts<'a> {
+    case: &'a OpenCase<'a, ImpactCase>,
+    parameters: Vec<Parameter>,
+    /// The offsets of the unknowns in the case.
+    places: Vec<usize>,
+    rows: Vec<Row>,
+    /// What the unknowns are, if each is a number of the contact that the table takes.
+    direct: Option<Vec<Direct>>,
+    step: f64,
+}
+
+/// A row of the data.
+struct Row {
+    /// Its number, from 0.
+    index: usize,
+    /// The numbers of the case that it replaces.
+    numbers: Vec<(usize, f64)>,
+    /// What is measured: the place of the prediction, and the quantity.
+    measured: Vec<(usize, Observable)>,
+    /// The collision by the table, with the numbers of the contact that are not unknown.
+    tabled: Option<(TabledCollision, [f64; 3])>,
+}
+
+/// An unknown that the table takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Direct {
+    Friction,
+    StiffnessRatio,
+    NormalRestitution,
+}
+
+impl Direct {
+    fn of(field: &str) -> Option<Self> {
+        Some(match field {
+            "contact.friction" => Self::Friction,
+            "contact.normal_over_tangential_stiffness" => Self::StiffnessRatio,
+            "contact.normal_restitution" => Self::NormalRestitution,
+            _ => return None,
+        })
+    }
+}
+
+impl<'a> Impacts<'a> {
+    pub(crate) fn new(
+        case: &'a OpenCase<'a, ImpactCase>,
+        (parameters, places): (Vec<Parameter>, Vec<usize>),
+        read: &Read<Observable>,
+        measured: &[Measurement],
+    ) -> Result<Self, FitError> {
+        let mut rows: Vec<Row> = Vec::with_capacity(read.rows);
+        for index in 0..read.rows {
+            let numbers = read.inputs.iter().map(|input| (input.place, input.values[index]));
+            let of = |(place, one): (usize, &Measurement)| (place, read.quantities[one.quantity].1);
+            let own = measured.iter().enumerate().filter(|(_, one)| one.row == index);
+            let numbers = numbers.collect();
+            rows.push(Row { index, numbers, measured: own.map(of).collect(), tabled: None });
+        }
+        rows.retain(|row| !row.measured.is_empty());
+        let direct = parameters.iter().map(|one| Direct::of(one.field)).collect();
+        let mut impacts = Self { case, parameters, places, rows, direct, step: STEP };
+        impacts.prepare()?;
+        Ok(impacts)
+    }
+
+    /// Looks up the collision of each row, by the table where that holds.
+    fn prepare(&mut self) -> Result<(), FitError> {
+        let nominal: Vec<f64> = self.parameters.iter().map(|one| one.at(0.5)).collect();
+        let needs_outcome =
+            |row: &Row| row.measured.iter().any(|(_, own)| matches!(own, Observable::Outcome(_)));
+        let find = |row: &Row| -> Result<Option<(TabledCollision, [f64; 3])>, FitError> {
+            let case = self.case_of(row, &nominal)?;
+            if case.collision.velocity().z <= 0.0 {
+                return Err(FitError::NoImpact { row: row.index + 1 });
+            }
+            let is_direct = self.direct.is_some() && !needs_outcome(row);
+            Ok(is_direct.then(|| tabled(&case)).flatten())
+        };
+        let found: Vec<_> = self.rows.par_iter().map(find).collect::<Result<_, _>>()?;
+        let is_coarse = match self.rows.first() {
+            Some(row) => is_coarse(&self.case_of(row, &nominal)?),
+            None => false,
+        };
+        if is_coarse {
+            self.step = COARSE_STEP;
+        }
+        for (row, tabled) in self.rows.iter_mut().zip(found) {
+            row.tabled = tabled;
+        }
+        Ok(())
+    }
+
+    fn case_of(&self, row: &Row, values: &[f64]) -> Result<ImpactCase, FitError> {
+        let mut numbers = row.numbers.clone();
+        numbers.extend(self.places.iter().copied().zip(values.iter().copied()));
+        let failed = |source| FitError::Row {
+            row: row.index + 1,
+            source: Error::from(ErrorKind::from(source)),
+        };
+        self.case.case(&numbers).map_err(failed)
+    }
+
+    /// The predictions of a row: places and values.
+    fn row(
+        &self,
+        row: &Row,
+        values: &[f64],
+        put: &mut dyn FnMut(usize, f64),
+    ) -> Result<(), FitError> {
+        let failed = |source: Error| FitError::Row { row: row.index + 1, source };
+        if let (Some((tabled, own)), Some(direct)) = (&row.tabled, &self.direct) {
+            let mut numbers = *own;
+            direct.iter().zip(values).for_each(|(one, value)| numbers[*one as usize] = *value);
+            let [friction, ratio, e] = numbers;
+            let rebound = tabled.rebound(friction, ratio, e);
+            let rebound = rebound
+                .map_err(|error| failed(carom_numerical::CollisionLawError::from(error).into()))?;
+            let bounce = Bounce::tabled(tabled.collision(), &rebound);
+            row.measured.iter().for_each(|(place, own)| put(*place, of_bounce(own, &bounce)));
+            return Ok(());
+        }
+        let case = self.case_of(row, values)?;
+        let outcome = outcome(&case).map_err(failed)?;
+        let bounce = Bounce::of(&case.collision, &outcome);
+        let bounce = bounce.ok_or(FitError::NoImpact { row: row.index + 1 })?;
+        for (place, own) in &row.measured {
+            put(*place, of_outcome(own, &bounce, &outcome));
+        }
+        Ok(())
+    }
+
+    /// How many of the rows slide throughout with these values; none if that is not known of all of them.
+    pub(crate) fn sliding(&self, values: &[f64]) -> Option<[usize; 2]> {
+        let direct = self.direct.as_ref()?;
+        let slides = |row: &Row| {
+            let (tabled, own) = row.tabled.as_ref()?;
+            let mut numbers = *own;
+            direct.iter().zip(values).for_each(|(one, value)| numbers[*one as usize] = *value);
+            Some(tabled.slides(numbers[0], numbers[1]))
+        };
+        let all: Option<Vec<bool>> = self.rows.iter().map(slides).collect();
+        all.map(|all| [all.iter().filter(|slides| **slides).count(), all.len()])
+    }
+}
+
+/// The collision of a case by the table; none if its law or its loss is not that of the table.
+fn tabled(case: &ImpactCase) -> Option<(TabledCollision, [f64; 3])> {
+    let is_analytic = match case.contact.law {
+        CollisionLaw::Analytic(_) => true,
+        CollisionLaw::Auto => case.collision.default_law() == NeededLaw::Analytic,
+        _ => false,
+    };
+    let tabled = case.collision.tabled().filter(|_| is_analytic)?;
+    let ratio = tabled.stiffness_ratio();
+    let friction = case.collision.friction().coefficient()?;
+    let e = tabled.normal_restitution();
+    Some((tabled, [friction, ratio, e]))
+}
+
+/// Whether the law of a case has an error that differences must bridge.
+fn is_coarse(case: &ImpactCase) -> bool {
+    match case.contact.law {
+        CollisionLaw::Rings | CollisionLaw::Numerical => true,
+        CollisionLaw::Analytic(_) => false,
+        CollisionLaw::Auto => case.collision.default_law() != NeededLaw::Analytic,
+    }
+}
+
+fn of_bounce(own: &Observable, bounce: &Bounce) -> f64 {
+    match own {
+        Observable::Bounce(part) => part.of(bounce).unwrap_or(f64::NAN),
+        Observable::Outcome(_) => f64::NAN,
+    }
+}
+
+fn of_outcome(own: &Observable, bounce: &Bounce, outcome: &Outcome) -> f64 {
+    match own {
+        Observable::Bounce(part) => part.of(bounce).unwrap_or(f64::NAN),
+        Observable::Outcome(part) => part.of(outcome).unwrap_or(f64::NAN),
+    }
+}
+
+impl Model for Impacts<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    fn count(&self) -> usize {
+        self.rows.iter().map(|row| row.measured.len()).sum()
+    }
+
+    fn predict(&self, values: &[f64], into: &mut [f64]) -> Result<(), FitError> {
+        if interrupt::is_wanted() {
+            return Err(Error::from(ErrorKind::Interrupted).into());
+        }
+        let is_quick = self.rows.iter().all(|row| row.tabled.is_some());
+        if is_quick {
+            let mut put = |place: usize, value: f64| into[place] = value;
+            self.rows.iter().try_for_each(|row| self.row(row, values, &mut put))?;
+        } else {
+            let ask = interrupt::asked();
+            let found = self.rows.par_iter().with_max_len(SHARE).map(|row| {
+                interrupt::under(ask.clone(), || {
+                    let mut own = Vec::with_capacity(row.measured.len());
+                    self.row(row, values, &mut |place, value| own.push((place, value)))?;
+                    Ok(own)
+                })
+            });
+            let found: Vec<Vec<(usize, f64)>> = found.collect::<Result<_, FitError>>()?;
+            found.into_iter().flatten().for_each(|(place, value)| into[place] = value);
+        }
+        match into.iter().position(|value| !value.is_finite()) {
+            None => Ok(()),
+            Some(place) => Err(FitError::Undefined { row: self.row_of(place) + 1 }),
+        }
+    }
+
+    fn step(&self) -> f64 {
+        self.step
+    }
+}
+
+impl Impacts<'_> {
+    fn row_of(&self, place: usize) -> usize {
+        let has = |row: &&Row| row.measured.iter().any(|(own, _)| *own == place);
+        self.rows.iter().find(has).map_or(0, |row| row.index)
+    }
+}
