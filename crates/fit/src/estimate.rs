@@ -28,6 +28,8 @@ pub(crate) struct Estimate {
     pub(crate) leverage: Vec<f64>,
     /// The covariance of the places, without the open directions.
     pub(crate) covariance: DMatrix<f64>,
+    /// The derivatives of the residuals by the places.
+    pub(crate) derivatives: DMatrix<f64>,
     /// The directions of places that neither data nor priors determine.
     pub(crate) open: Vec<DVector<f64>>,
     /// Those that the data do not determine.
@@ -54,11 +56,12 @@ fn is_outside(open: &[DVector<f64>], unknown: usize) -> bool {
     open.iter().map(|direction| direction[unknown].powi(2)).sum::<f64>() < SHARE
 }
 
-/// The fit of a model to measured values.
+/// The fit of a model to measured values, from these places, or from several starts.
 pub(crate) fn estimate<M: Model + ?Sized>(
     model: &M,
     measured: &[Measurement],
     loss: Loss,
+    begin: Option<DVector<f64>>,
 ) -> Result<Estimate, FitError> {
     let unknowns = model.parameters().len();
     let priors = model.parameters().iter().filter(|one| one.unknown.prior.is_some()).count();
@@ -68,7 +71,10 @@ pub(crate) fn estimate<M: Model + ?Sized>(
     let values: Vec<f64> = measured.iter().map(|one| one.value).collect();
     let errors = first_errors(measured);
     let mut squares = Squares { model, measured: &values, errors, loss };
-    let mut found = squares.least(&starts(unknowns))?;
+    let mut found = match begin {
+        Some(places) => squares.minimum(&places, &[])?,
+        None => squares.least(&starts(unknowns))?,
+    };
     let is_estimated = measured.iter().any(|one| one.error.is_none());
     let mut state = State::of(&squares, &found)?;
     for _ in 0..if is_estimated { ROUNDS } else { 0 } {
@@ -88,6 +94,7 @@ pub(crate) fn estimate<M: Model + ?Sized>(
         errors: squares.errors,
         leverage: state.leverage,
         covariance: state.covariance,
+        derivatives: state.derivatives,
         open: state.open,
         open_to_data: state.open_to_data,
         freedom,
@@ -113,6 +120,7 @@ struct State {
     predicted: Vec<f64>,
     leverage: Vec<f64>,
     covariance: DMatrix<f64>,
+    derivatives: DMatrix<f64>,
     open: Vec<DVector<f64>>,
     open_to_data: Vec<DVector<f64>>,
 }
@@ -126,7 +134,8 @@ impl State {
         let own = Split::of(&all);
         let leverage = (0..n).map(|i| own.leverage(i)).collect();
         let open_to_data = Split::of(&all.rows(0, n).into_owned()).open;
-        Ok(Self { predicted, leverage, covariance: own.covariance, open: own.open, open_to_data })
+        let (covariance, open) = (own.covariance, own.open);
+        Ok(Self { predicted, leverage, covariance, derivatives: all, open, open_to_data })
     }
 
     /// Estimates the errors of quantities for which none are given, and returns their largest relative change.

@@ -1,7 +1,7 @@
 //! The model of impacts: the outcomes of a case with unknowns for each row of data.
 
 use crate::FitError;
-use crate::columns::{Known, Read};
+use crate::columns::{Input, Known, Read};
 use crate::measured::Measurement;
 use crate::model::{Model, Parameter};
 use crate::observable::{Bounce, Observable};
@@ -57,6 +57,13 @@ struct Row {
     tabled: Option<(TabledCollision, [f64; 3])>,
 }
 
+impl Row {
+    /// The first place of its predictions.
+    fn place(&self) -> usize {
+        self.measured.first().map_or(0, |(place, _)| *place)
+    }
+}
+
 /// An unknown that the table takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Direct {
@@ -83,15 +90,17 @@ impl<'a> Impacts<'a> {
         read: &Read<Observable>,
         measured: &[Measurement],
     ) -> Result<Self, FitError> {
-        let mut rows: Vec<Row> = Vec::with_capacity(read.rows);
-        for index in 0..read.rows {
-            let numbers = read.inputs.iter().map(|input| (input.place, input.values[index]));
-            let of = |(place, one): (usize, &Measurement)| (place, read.quantities[one.quantity].1);
-            let own = measured.iter().enumerate().filter(|(_, one)| one.row == index);
-            let numbers = numbers.collect();
-            rows.push(Row { index, numbers, measured: own.map(of).collect(), tabled: None });
+        // The measured values follow one another row by row.
+        let mut rows: Vec<Row> = Vec::new();
+        for (place, one) in measured.iter().enumerate() {
+            if rows.last().is_none_or(|row| row.index != one.row) {
+                let number = |input: &Input| (input.place, input.values[one.row]);
+                let numbers = read.inputs.iter().map(number).collect();
+                rows.push(Row { index: one.row, numbers, measured: Vec::new(), tabled: None });
+            }
+            let own = (place, read.quantities[one.quantity].1);
+            rows.last_mut().into_iter().for_each(|row| row.measured.push(own));
         }
-        rows.retain(|row| !row.measured.is_empty());
         let direct = parameters.iter().map(|one| Direct::of(one.field)).collect();
         let mut impacts = Self { case, parameters, places, rows, direct, step: STEP };
         impacts.prepare()?;
@@ -100,7 +109,12 @@ impl<'a> Impacts<'a> {
 
     /// Looks up the collision of each row, by the table where that holds.
     fn prepare(&mut self) -> Result<(), FitError> {
-        let nominal: Vec<f64> = self.parameters.iter().map(|one| one.at(0.5)).collect();
+        // A loss in the middle would be computed for each row, and is not needed.
+        let middle = |one: &Parameter| match Direct::of(one.field) {
+            Some(Direct::NormalRestitution) => one.at(1.0),
+            _ => one.at(0.5),
+        };
+        let nominal: Vec<f64> = self.parameters.iter().map(middle).collect();
         let needs_outcome =
             |row: &Row| row.measured.iter().any(|(_, own)| matches!(own, Observable::Outcome(_)));
         let find = |row: &Row| -> Result<Option<(TabledCollision, [f64; 3])>, FitError> {
@@ -150,7 +164,7 @@ impl<'a> Impacts<'a> {
             let rebound = tabled.rebound(friction, ratio, e);
             let rebound = rebound
                 .map_err(|error| failed(carom_numerical::CollisionLawError::from(error).into()))?;
-            let bounce = Bounce::tabled(tabled.collision(), &rebound);
+            let bounce = Bounce::tabled(tabled, &rebound);
             row.measured.iter().for_each(|(place, own)| put(*place, of_bounce(own, &bounce)));
             return Ok(());
         }
@@ -228,22 +242,17 @@ impl Model for Impacts<'_> {
         if interrupt::is_wanted() {
             return Err(Error::from(ErrorKind::Interrupted).into());
         }
+        let ask = interrupt::asked();
         let is_quick = self.rows.iter().all(|row| row.tabled.is_some());
-        if is_quick {
-            let mut put = |place: usize, value: f64| into[place] = value;
-            self.rows.iter().try_for_each(|row| self.row(row, values, &mut put))?;
-        } else {
-            let ask = interrupt::asked();
-            let found = self.rows.par_iter().with_max_len(SHARE).map(|row| {
+        self.parts(into, if is_quick { SHARE } else { 1 }).into_par_iter().try_for_each(
+            |(rows, into)| {
                 interrupt::under(ask.clone(), || {
-                    let mut own = Vec::with_capacity(row.measured.len());
-                    self.row(row, values, &mut |place, value| own.push((place, value)))?;
-                    Ok(own)
+                    let first = rows.first().map_or(0, Row::place);
+                    let mut put = |place: usize, value: f64| into[place - first] = value;
+                    rows.iter().try_for_each(|row| self.row(row, values, &mut put))
                 })
-            });
-            let found: Vec<Vec<(usize, f64)>> = found.collect::<Result<_, FitError>>()?;
-            found.into_iter().flatten().for_each(|(place, value)| into[place] = value);
-        }
+            },
+        )?;
         match into.iter().position(|value| !value.is_finite()) {
             None => Ok(()),
             Some(place) => Err(FitError::Undefined { row: self.row_of(place) + 1 }),
@@ -256,6 +265,18 @@ impl Model for Impacts<'_> {
 }
 
 impl Impacts<'_> {
+    /// Rows with the places of their predictions, which follow one another as the rows do.
+    fn parts<'b>(&self, mut rest: &'b mut [f64], share: usize) -> Vec<(&[Row], &'b mut [f64])> {
+        let mut parts = Vec::with_capacity(self.rows.len().div_ceil(share));
+        for rows in self.rows.chunks(share) {
+            let count = rows.iter().map(|row| row.measured.len()).sum();
+            let (own, others) = rest.split_at_mut(count);
+            parts.push((rows, own));
+            rest = others;
+        }
+        parts
+    }
+
     fn row_of(&self, place: usize) -> usize {
         let has = |row: &&Row| row.measured.iter().any(|(own, _)| *own == place);
         self.rows.iter().find(has).map_or(0, |row| row.index)

@@ -63,11 +63,15 @@ fn profile_end<M: Model + ?Sized>(
     let bound = if width > 0.0 { 1.0 } else { 0.0 };
     let deviation = estimate.covariance[(unknown, unknown)].sqrt();
     let target = width.abs();
-    let mut warm = estimate.found.places.clone();
+    // The others follow as they are correlated.
+    let follow = estimate.covariance.column(unknown) / estimate.covariance[(unknown, unknown)];
+    let (mut warm, mut last) = (estimate.found.places.clone(), best);
     let mut excess = |place: f64| -> Result<f64, FitError> {
+        warm += &follow * (place - last);
+        warm.apply(|place| *place = place.clamp(0.0, 1.0));
         warm[unknown] = place;
-        let found = squares.minimum(&warm, &[unknown])?;
-        warm = found.places;
+        let found = squares.minimum_near(&warm, unknown, &estimate.derivatives)?;
+        (warm, last) = (found.places, place);
         Ok((found.sum - estimate.found.sum).max(0.0).sqrt())
     };
     let (mut below, mut beyond) = ((best, 0.0), None);
@@ -89,7 +93,7 @@ fn profile_end<M: Model + ?Sized>(
             }
             // Beyond what was tried, by the slope so far.
             None if below.1 > 0.0 => {
-                (best + (below.0 - best) * (target / below.1).clamp(1.1, 4.0)).clamp(0.0, 1.0)
+                (best + (below.0 - best) * (target / below.1).clamp(1.001, 4.0)).clamp(0.0, 1.0)
             }
             None => bound,
         };

@@ -2,7 +2,7 @@
 
 use crate::FitError;
 use carom_cases::case::Dimension;
-use carom_impact::{Collision, Motion, Outcome, TabledRebound};
+use carom_impact::{Collision, Motion, Outcome, TabledCollision, TabledRebound};
 use carom_table::{Column, Quantity as _, Value};
 use nalgebra::Vector3;
 
@@ -19,12 +19,12 @@ pub struct Bounce {
 }
 
 impl Bounce {
-    pub(crate) fn tabled(collision: &Collision, rebound: &TabledRebound) -> Self {
+    pub(crate) fn tabled(collision: &TabledCollision, rebound: &TabledRebound) -> Self {
         Self {
-            before: collision.bodies().each_ref().map(|body| body.motion()),
+            before: collision.motions(),
             after: rebound.motions,
-            contact: [collision.velocity(), rebound.contact_velocity],
-            normal: collision.frame().z(),
+            contact: [collision.contact_velocity(), rebound.contact_velocity],
+            normal: collision.collision().frame().z(),
             r_x: Some(rebound.r_x),
         }
     }

@@ -129,7 +129,8 @@ fn run<K: Kind>(
     let read = columns::read::<K::Case, K::Known>(case, data, options.errors)?;
     let unknowns = unknowns(case, &read.inputs)?;
     let model = K::model(case, unknowns.clone(), &read, &read.measured)?;
-    let estimate = estimate(&model, &read.measured, options.loss)?;
+    let begin = begin::<K>(case, &unknowns, &read, options.loss)?;
+    let estimate = estimate(&model, &read.measured, options.loss, begin)?;
     let (values, errors) = (measured(&read.measured), estimate.errors.clone());
     let squares = Squares { model: &model, measured: &values, errors, loss: options.loss };
     let parameters = determined(&squares, &estimate)?;
@@ -156,6 +157,25 @@ fn run<K: Kind>(
         predictions,
     })
 }
+
+/// The best places for a part of many measured values, so that several starts do not take long.
+fn begin<K: Kind>(
+    case: &OpenCase<'_, K::Case>,
+    unknowns: &(Vec<Parameter>, Vec<usize>),
+    read: &Read<K::Known>,
+    loss: Loss,
+) -> Result<Option<DVector<f64>>, FitError> {
+    let apart = read.measured.len() / PART;
+    if apart < 2 {
+        return Ok(None);
+    }
+    let chosen: Vec<Measurement> = read.measured.iter().step_by(apart).copied().collect();
+    let model = K::model(case, unknowns.clone(), read, &chosen)?;
+    Ok(Some(estimate(&model, &chosen, loss, None)?.found.places))
+}
+
+/// Measured values that several starts are compared by, at least.
+const PART: usize = 100;
 
 fn measured(all: &[Measurement]) -> Vec<f64> {
     all.iter().map(|one| one.value).collect()

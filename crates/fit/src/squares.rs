@@ -13,6 +13,9 @@ const MOST_STEPS: usize = 200;
 /// Relative change of the sum, and change of a place, at the end.
 const SETTLED: f64 = 1e-13;
 const SMALL: f64 = 1e-10;
+/// Largest number of steps near a minimum, and the change of the sum at their end.
+const MOST_CHORDS: usize = 8;
+const NEARLY: f64 = 3e-3;
 /// The first damping, and the largest.
 const DAMPING: f64 = 1e-3;
 const MOST_DAMPING: f64 = 1e12;
@@ -200,6 +203,46 @@ impl<M: Model + ?Sized> Squares<'_, M> {
             }
         }
         Ok(Found { sum: residuals.norm_squared(), places })
+    }
+
+    /// The minimum near a start with one unknown `held`, by the derivatives at the best places, for the ends of profiles: it
+    /// need not be exact. Where that does not lead to it, as [`Squares::minimum`].
+    pub(crate) fn minimum_near(
+        &self,
+        start: &DVector<f64>,
+        held: usize,
+        derivatives: &DMatrix<f64>,
+    ) -> Result<Found, FitError> {
+        let mut places = start.clone();
+        let (mut residuals, _) = self.residuals(&places)?;
+        let mut sum = residuals.norm_squared();
+        for _ in 0..MOST_CHORDS {
+            let is_free = |j: &usize| *j != held && derivatives.column(*j).amax() > 0.0;
+            let free: Vec<usize> = (0..places.len()).filter(is_free).collect();
+            let own = derivatives.select_columns(&free);
+            let right = -own.tr_mul(&residuals);
+            let Some(step) = own.tr_mul(&own).cholesky().map(|factor| factor.solve(&right)) else {
+                break;
+            };
+            let mut next = places.clone();
+            for (k, j) in free.iter().enumerate() {
+                next[*j] = (next[*j] + step[k]).clamp(0.0, 1.0);
+            }
+            let (found, _) = self.residuals(&next)?;
+            let reached = found.norm_squared();
+            // Where the derivatives are slightly others, the sum may rise a little at its least.
+            let is_settled = (sum - reached).abs() < NEARLY;
+            if reached > sum && !is_settled {
+                break;
+            }
+            if reached < sum {
+                (places, residuals, sum) = (next, found, reached);
+            }
+            if is_settled {
+                return Ok(Found { places, sum });
+            }
+        }
+        self.minimum(&places, &[held])
     }
 
     /// The least of the minima that are reached from several starts, with those unknowns kept that are `held` at their

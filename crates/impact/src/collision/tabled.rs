@@ -4,6 +4,7 @@ use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
+use crate::body::Body;
 use crate::motion::Motion;
 use crate::oblique::Groups;
 use crate::outcome::TorsionMode;
@@ -33,6 +34,8 @@ pub struct TabledCollision {
     collision: Collision,
     /// Velocity of body 2 against body 1 before, in contact axes.
     before: Vector3<f64>,
+    /// The motions before, and their changes when the contact velocity loses its tangential and its normal part once.
+    motions: [[Motion; 2]; 3],
     slip: f64,
     /// D_tt and D_zz.
     mobility: [f64; 2],
@@ -72,15 +75,29 @@ impl Collision {
         };
         let d = self.mobility.matrix();
         let stiffness = self.stiffness();
+        let whole = [
+            Vector3::new(before.x / d.m11, before.y / d.m11, 0.0),
+            Vector3::new(0.0, 0.0, before.z / d.m33),
+        ];
+        let own = self.bodies.each_ref().map(Body::motion);
+        let [across, along] = whole.map(|impulse| change(&self.pushed(&impulse), &own));
         (!turns && !twists).then(|| TabledCollision {
             collision: self.clone(),
             before,
+            motions: [own, across, along],
             slip: libm::hypot(before.x, before.y),
             mobility: [d.m11, d.m33],
             stiffness_ratio: stiffness.c_z / stiffness.c_x,
             loss,
         })
     }
+}
+
+fn change(after: &[Motion; 2], before: &[Motion; 2]) -> [Motion; 2] {
+    [0, 1].map(|i| Motion {
+        velocity: after[i].velocity - before[i].velocity,
+        spin: after[i].spin - before[i].spin,
+    })
 }
 
 impl TabledCollision {
@@ -100,6 +117,18 @@ impl TabledCollision {
     #[must_use]
     pub const fn normal_restitution(&self) -> f64 {
         self.loss.0
+    }
+
+    /// Velocity of body 2 against body 1 at the contact before, in contact axes.
+    #[must_use]
+    pub const fn contact_velocity(&self) -> Vector3<f64> {
+        self.before
+    }
+
+    /// The motions before.
+    #[must_use]
+    pub const fn motions(&self) -> [Motion; 2] {
+        self.motions[0]
     }
 
     /// Tangential over normal velocity before.
@@ -149,9 +178,13 @@ impl TabledCollision {
             -r_x * self.before.y,
             -normal_restitution * self.before.z,
         );
-        let change = self.before - after;
-        let impulse = Vector3::new(change.x / along, change.y / along, change.z / normal);
-        let motions = self.collision.pushed(&impulse);
+        let [own, across, along] = &self.motions;
+        let motions = [0, 1].map(|i| {
+            let sum = |part: fn(&Motion) -> &Vector3<f64>| {
+                part(&own[i]) + part(&across[i]) * (1.0 + r_x) + part(&along[i]) * (1.0 + e)
+            };
+            Motion { velocity: sum(|motion| &motion.velocity), spin: sum(|motion| &motion.spin) }
+        });
         Ok(TabledRebound { motions, r_x, contact_velocity: after })
     }
 }
