@@ -22,7 +22,6 @@ pub(crate) struct Read<O> {
     pub(crate) measured: Vec<Measurement>,
     /// Columns that are not used.
     pub(crate) unused: Vec<String>,
-    pub(crate) rows: usize,
 }
 
 /// A number of the case that each row replaces.
@@ -86,7 +85,6 @@ pub(crate) fn read<C: Renewed, O: Known>(
         quantities: Vec::new(),
         measured: Vec::new(),
         unused: Vec::new(),
-        rows,
     };
     let mut errors: Vec<(String, &DataColumn)> = Vec::new();
     let mut values: Vec<Vec<f64>> = Vec::new();

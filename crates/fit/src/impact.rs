@@ -115,6 +115,16 @@ impl<'a> Impacts<'a> {
             _ => one.at(0.5),
         };
         let nominal: Vec<f64> = self.parameters.iter().map(middle).collect();
+        // The cause of a loss shows where there is one.
+        let first = self.rows.first().map(|row| {
+            let inner: Vec<f64> = self.parameters.iter().map(|one| one.at(0.5)).collect();
+            self.case_of(row, &inner)
+        });
+        let Some(first) = first.transpose()? else { return Ok(()) };
+        let loss = first.contact.normal_restitution.clone();
+        if is_coarse(&first) {
+            self.step = COARSE_STEP;
+        }
         let needs_outcome =
             |row: &Row| row.measured.iter().any(|(_, own)| matches!(own, Observable::Outcome(_)));
         let find = |row: &Row| -> Result<Option<(TabledCollision, [f64; 3])>, FitError> {
@@ -123,16 +133,10 @@ impl<'a> Impacts<'a> {
                 return Err(FitError::NoImpact { row: row.index + 1 });
             }
             let is_direct = self.direct.is_some() && !needs_outcome(row);
-            Ok(is_direct.then(|| tabled(&case)).flatten())
+            let tabled = is_direct.then(|| tabled(&case)).flatten();
+            Ok(tabled.and_then(|(one, own)| Some((one.with_normal_restitution(&loss)?, own))))
         };
         let found: Vec<_> = self.rows.par_iter().map(find).collect::<Result<_, _>>()?;
-        let is_coarse = match self.rows.first() {
-            Some(row) => is_coarse(&self.case_of(row, &nominal)?),
-            None => false,
-        };
-        if is_coarse {
-            self.step = COARSE_STEP;
-        }
         for (row, tabled) in self.rows.iter_mut().zip(found) {
             row.tabled = tabled;
         }

@@ -292,7 +292,7 @@ fn ahead<K: Kind>(
     let measured: Vec<Measurement> =
         all.map(|(row, quantity)| Measurement { row, quantity, value: 0.0, error: None }).collect();
     let quantities = read.quantities.clone();
-    let own = Read { inputs, quantities, measured: Vec::new(), unused: Vec::new(), rows };
+    let own = Read { inputs, quantities, measured: Vec::new(), unused: Vec::new() };
     let model = K::model(case, unknowns.clone(), &own, &measured)?;
     let mut values = vec![0.0; measured.len()];
     model.predict(&estimate.values, &mut values)?;

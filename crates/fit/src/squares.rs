@@ -283,3 +283,87 @@ pub(crate) fn starts(unknowns: usize) -> Vec<DVector<f64>> {
     let start = |n: u32| DVector::from_fn(unknowns, |j, _| radical(n, PRIMES[j % PRIMES.len()]));
     (1..=count).map(start).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::estimate;
+    use crate::interval::deviation;
+    use crate::measured::Measurement;
+    use crate::model::Parameter;
+    use carom_cases::case::Unknown;
+
+    /// Misra1a of NIST's reference data for nonlinear regression: y = b1 (1 - exp(-b2 x)).
+    struct Misra {
+        x: Vec<f64>,
+        parameters: Vec<Parameter>,
+    }
+
+    impl Model for Misra {
+        fn parameters(&self) -> &[Parameter] {
+            &self.parameters
+        }
+
+        fn count(&self) -> usize {
+            self.x.len()
+        }
+
+        fn predict(&self, values: &[f64], into: &mut [f64]) -> Result<(), FitError> {
+            for (y, x) in into.iter_mut().zip(&self.x) {
+                *y = -values[0] * libm::expm1(-values[1] * x);
+            }
+            Ok(())
+        }
+
+        fn step(&self) -> f64 {
+            6e-6
+        }
+    }
+
+    #[test]
+    fn the_certified_values_of_a_reference_are_met() {
+        let x = [
+            77.6, 114.9, 141.1, 190.8, 239.9, 289.0, 332.8, 378.4, 434.8, 477.3, 536.8, 593.1,
+            689.1, 760.0,
+        ];
+        let y = [
+            10.07, 14.73, 17.94, 23.93, 29.61, 35.18, 40.02, 44.82, 50.76, 55.05, 61.01, 66.40,
+            75.47, 81.78,
+        ];
+        let unknown = |low, high| Unknown { low, high, prior: None };
+        let parameters = vec![
+            Parameter { field: "b1", unit: "", unknown: unknown(1.0, 1000.0) },
+            Parameter { field: "b2", unit: "", unknown: unknown(1e-5, 1e-1) },
+        ];
+        let model = Misra { x: x.to_vec(), parameters };
+        let one = |(row, value): (usize, &f64)| Measurement {
+            row,
+            quantity: 0,
+            value: *value,
+            error: None,
+        };
+        let measured: Vec<Measurement> = y.iter().enumerate().map(one).collect();
+        let found = estimate(&model, &measured, Loss::Squares, None).unwrap();
+        let is_close = |value: f64, certified: f64| {
+            assert!((value / certified - 1.0).abs() < 1e-6, "{value} {certified}");
+        };
+        is_close(found.values[0], 2.389_421_291_8e2);
+        is_close(found.values[1], 5.501_564_318_1e-4);
+        is_close(found.errors[0], 1.018_787_633_0e-1);
+        is_close(deviation(&model, &found, 0).unwrap(), 2.707_007_524_1);
+        is_close(deviation(&model, &found, 1).unwrap(), 7.266_868_843_6e-6);
+    }
+
+    #[test]
+    fn a_loss_has_its_derivative_and_its_limits() {
+        for residual in [-30.0, -2.0, -0.1, 1e-9, 0.7, 5.0] {
+            let [_, slope] = Loss::Huber.seen(residual);
+            let [above, below] = [1e-6, -1e-6].map(|step| Loss::Huber.seen(residual + step)[0]);
+            assert!((slope - (above - below) / 2e-6).abs() < 1e-8, "{residual}");
+            // (root - 1) 2 knee^2 is the loss.
+            let part: f64 = residual / Loss::KNEE;
+            let loss = 2.0 * Loss::KNEE.powi(2) * ((1.0 + part * part).sqrt() - 1.0);
+            assert!((Loss::Huber.seen(residual)[0].powi(2) - loss).abs() < 1e-9 * (1.0 + loss));
+        }
+    }
+}

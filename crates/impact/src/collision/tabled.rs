@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use super::{Collision, CollisionError};
 use crate::body::Body;
 use crate::motion::Motion;
+use crate::normal_restitution::NormalRestitution;
 use crate::oblique::Groups;
 use crate::outcome::TorsionMode;
 use crate::restitution::RestitutionTable;
@@ -111,6 +112,12 @@ impl TabledCollision {
     #[must_use]
     pub const fn stiffness_ratio(&self) -> f64 {
         self.stiffness_ratio
+    }
+
+    /// The same with this loss; none unless it is one restitution of a Kelvin-Voigt material or of yield.
+    #[must_use]
+    pub fn with_normal_restitution(self, loss: &NormalRestitution) -> Option<Self> {
+        Some(Self { loss: loss.constant()?, ..self })
     }
 
     /// Normal restitution of the collision.
