@@ -107,4 +107,8 @@ impl Model for Contacts<'_> {
     fn step(&self) -> f64 {
         STEP
     }
+
+    fn jitter(&self) -> f64 {
+        f64::EPSILON
+    }
 }

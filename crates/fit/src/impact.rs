@@ -13,9 +13,10 @@ use carom_numerical::CollisionLaw;
 use carom_special::interrupt;
 use rayon::prelude::*;
 
-/// Relative steps of differences: by the table and the exact impact, and by laws with a larger error.
-const STEP: f64 = 2e-3;
-const COARSE_STEP: f64 = 1e-2;
+/// Relative steps of differences, and changes of sums that mean nothing: by the table and the exact impact, and by laws that
+/// refine in steps.
+const SMOOTH: [f64; 2] = [2e-3, 1e-13];
+const COARSE: [f64; 2] = [1e-2, 1e-6];
 /// Rows that a thread takes at least.
 const SHARE: usize = 64;
 
@@ -42,7 +43,8 @@ pub(crate) struct Impacts<'a> {
     rows: Vec<Row>,
     /// What the unknowns are, if each is a number of the contact that the table takes.
     direct: Option<Vec<Direct>>,
-    step: f64,
+    /// Its step of differences, and change of a sum that means nothing.
+    smoothness: [f64; 2],
 }
 
 /// A row of the data.
@@ -102,7 +104,7 @@ impl<'a> Impacts<'a> {
             rows.last_mut().into_iter().for_each(|row| row.measured.push(own));
         }
         let direct = parameters.iter().map(|one| Direct::of(one.field)).collect();
-        let mut impacts = Self { case, parameters, places, rows, direct, step: STEP };
+        let mut impacts = Self { case, parameters, places, rows, direct, smoothness: SMOOTH };
         impacts.prepare()?;
         Ok(impacts)
     }
@@ -123,7 +125,7 @@ impl<'a> Impacts<'a> {
         let Some(first) = first.transpose()? else { return Ok(()) };
         let loss = first.contact.normal_restitution.clone();
         if is_coarse(&first) {
-            self.step = COARSE_STEP;
+            self.smoothness = COARSE;
         }
         let needs_outcome =
             |row: &Row| row.measured.iter().any(|(_, own)| matches!(own, Observable::Outcome(_)));
@@ -264,7 +266,11 @@ impl Model for Impacts<'_> {
     }
 
     fn step(&self) -> f64 {
-        self.step
+        self.smoothness[0]
+    }
+
+    fn jitter(&self) -> f64 {
+        self.smoothness[1]
     }
 }
 

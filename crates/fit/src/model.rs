@@ -62,6 +62,8 @@ pub(crate) trait Model: Sync {
     fn predict(&self, values: &[f64], into: &mut [f64]) -> Result<(), FitError>;
     /// The relative step of differences of the predictions: the cube root of their relative error.
     fn step(&self) -> f64;
+    /// Relative changes of the sum of squares that mean nothing, since the predictions are not smooth below them.
+    fn jitter(&self) -> f64;
 
     /// The derivatives of the predicted values by the unknowns: central differences, one-sided at a bound.
     ///

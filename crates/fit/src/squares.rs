@@ -10,8 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps.
 const MOST_STEPS: usize = 200;
-/// Relative change of the sum, and change of a place, at the end.
-const SETTLED: f64 = 1e-13;
+/// Change of a place at the end.
 const SMALL: f64 = 1e-10;
 /// Largest number of steps near a minimum, and the change of the sum at their end.
 const MOST_CHORDS: usize = 8;
@@ -147,6 +146,7 @@ impl<M: Model + ?Sized> Squares<'_, M> {
         let mut places = start.clone();
         let (mut residuals, mut derivatives) = self.linear(&places)?;
         let (mut damping, mut growth) = (DAMPING, 2.0);
+        let error = self.model.jitter();
         for _ in 0..MOST_STEPS {
             let sum = residuals.norm_squared();
             let gradient = derivatives.tr_mul(&residuals);
@@ -177,6 +177,12 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                     }
                     continue;
                 };
+                // What the sum would fall by if the residuals were linear; errors of the predictions hide less.
+                let fall = 2.0 * step.dot(&right) - (&own * &step).norm_squared();
+                if fall <= error * (1.0 + sum) {
+                    is_settled = true;
+                    break;
+                }
                 let mut next = places.clone();
                 for (k, j) in free.iter().enumerate() {
                     next[*j] = (next[*j] + step[k]).clamp(0.0, 1.0);
@@ -184,7 +190,7 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                 let moved = (&next - &places).amax();
                 let reached = self.sum(&next)?;
                 if reached < sum {
-                    is_settled = sum - reached <= SETTLED * sum || moved <= SMALL;
+                    is_settled = sum - reached <= error * (1.0 + sum) || moved <= SMALL;
                     places = next;
                     damping = (damping * 0.2).max(1e-15);
                     growth = 2.0;
@@ -317,6 +323,10 @@ mod tests {
 
         fn step(&self) -> f64 {
             6e-6
+        }
+
+        fn jitter(&self) -> f64 {
+            1e-15
         }
     }
 

@@ -5,7 +5,7 @@ use carom_cases::input::CaseFile;
 use carom_fit::{Data, Knowledge};
 
 /// Kharaz, Gorham and Salman 2001: angle and tangential velocity of the centre after over that before.
-const ALUMINA: &str = include_str!("../../../../examples/fit_alumina.csv");
+const ALUMINA: &str = include_str!("../../../../examples/fit/alumina.csv");
 
 fn rows_above(least: f64) -> String {
     let is_kept = |line: &&str| {
@@ -57,7 +57,7 @@ fn glass(contact: &str) -> CaseFile {
 #[test]
 fn glass_on_glass_has_the_values_of_an_independent_fit() {
     // Foerster, Louge, Chang and Allia 1994: single impacts of two spheres, with their own normal and tangential velocities.
-    let data = Data::from_csv(include_str!("../data/glass_on_glass.csv")).unwrap();
+    let data = Data::from_csv(include_str!("../../../../examples/fit/glass.csv")).unwrap();
     let elastic = fitted(&glass(BOTH), &data, Some(0.06)).unwrap();
     close(of(&elastic, "stiffness").value, 1.26, 5e-3);
     let lossy = format!("{BOTH}\nnormal_restitution = 0.97\nloss = \"yield\"");
@@ -67,7 +67,7 @@ fn glass_on_glass_has_the_values_of_an_independent_fit() {
 
 #[test]
 fn spins_of_alumina_have_the_values_of_an_independent_fit() {
-    let text = include_str!("../data/alumina_spin.csv");
+    let text = include_str!("../../../../examples/fit/alumina_spin.csv");
     let data = Data::from_csv(text).unwrap();
     let elastic = fitted(&alumina(BOTH), &data, None).unwrap();
     close(of(&elastic, "stiffness").value, 1.195, 5e-4);
