@@ -124,7 +124,9 @@ pub(crate) fn warnings(
     for j in 0..determined.len() {
         for i in 0..j {
             let correlation = correlation(estimate, [i, j]);
-            if correlation.is_some_and(|value| value.abs() > STRONG) {
+            // What a prior adds is told in a sentence.
+            let of_data = [i, j].iter().all(|k| determined[*k].knowledge != Knowledge::Prior);
+            if of_data && correlation.is_some_and(|value| value.abs() > STRONG) {
                 told.push(format!(
                     "{} and {} have correlation {}: the data hold little on each alone",
                     name(determined[i].parameter),

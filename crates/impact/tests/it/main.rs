@@ -30,6 +30,7 @@ mod rheologies;
 mod ring_impacts;
 mod ring_impacts_known;
 mod scene;
+mod sensitivity;
 mod slip_speed;
 mod small_spin;
 mod sphere_pairs;
