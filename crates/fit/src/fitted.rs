@@ -51,7 +51,9 @@ impl Determined {
     /// The columns of the unknowns.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::text("parameter", "", "field of the case", |one| one.parameter.into()),
-        Column::new("value", "", "best value, in the unit beside", |one| one.value.into()),
+        Column::new("value", "", "best value, in the unit beside", |one| {
+            (one.knowledge != Knowledge::Nothing).then_some(one.value).into()
+        }),
         Column::text("unit", "", "unit of the numbers in this row", |one| one.unit.into()),
         Column::new("sd", "", "standard error", |one| one.deviation.into()),
         Column::new("low", "", "lower end of the interval of 95 %", |one| end(one.interval, 0)),

@@ -413,6 +413,16 @@ impl Collision {
         }
     }
 
+    /// Checks that the stiffness is that of the materials, for laws that have no other.
+    ///
+    /// # Errors
+    /// [`RangeError`] if its ratio was given.
+    pub fn refuse_stiffness_ratio(&self) -> Result<(), RangeError> {
+        let field = "normal_over_tangential_stiffness";
+        let allowed = "that of the materials with this law";
+        self.stiffness_ratio.map_or(Ok(()), |ratio| Err(RangeError::new(field, ratio, allowed)))
+    }
+
     /// The contact point.
     #[must_use]
     pub const fn point(&self) -> Vector3<f64> {

@@ -1,8 +1,8 @@
 //! The derivatives of R_x by the two numbers on which it depends.
 
-use super::{RestitutionError, RestitutionTable};
+use super::RestitutionTable;
 use crate::closed_form::restitution_in_sliding;
-use crate::oblique::{Groups, ObliqueImpact, Regime};
+use crate::oblique::{Groups, ObliqueError, ObliqueImpact, Regime};
 
 /// Relative step of the differences: the exact impact has no error that shows in it.
 const STEP: f64 = 1e-5;
@@ -49,8 +49,8 @@ impl Sensitivity {
     /// central ones, which take two impacts more. Both are within 1e-7 of the larger derivative.
     ///
     /// # Errors
-    /// [`RestitutionError::Oblique`] as for [`ObliqueImpact::new`].
-    pub fn of(groups: Groups) -> Result<Self, RestitutionError> {
+    /// [`ObliqueError`] as for [`ObliqueImpact::new`].
+    pub fn of(groups: Groups) -> Result<Self, ObliqueError> {
         let (chi, psi) = (groups.chi(), groups.psi());
         if let Some(restitution) = restitution_in_sliding(chi, psi) {
             let by_psi = if psi.is_finite() { -2.0 * chi / (psi * psi) } else { 0.0 };
@@ -62,6 +62,15 @@ impl Sensitivity {
         let (by_psi, psi_changes) = derivative(groups, &here, of_psi)?;
         let is_at_change = chi_changes || psi_changes;
         Ok(Self { restitution: here.restitution(), by_chi, by_psi, is_at_change })
+    }
+
+    /// dR_x/dpsi alone.
+    pub(super) fn by_psi_of(groups: Groups) -> Result<f64, ObliqueError> {
+        let (chi, psi) = (groups.chi(), groups.psi());
+        match restitution_in_sliding(chi, psi) {
+            Some(_) => Ok(-2.0 * chi / (psi * psi)),
+            None => Ok(derivative(groups, &ObliqueImpact::new(groups)?, [0.0, 1.0])?.0),
+        }
     }
 }
 
@@ -77,9 +86,9 @@ fn derivative(
     groups: Groups,
     here: &ObliqueImpact,
     along: [f64; 2],
-) -> Result<(f64, bool), RestitutionError> {
+) -> Result<(f64, bool), ObliqueError> {
     let size = along[0] * groups.chi() + along[1] * groups.psi().max(LEAST);
-    let there = |step: f64| -> Result<(f64, bool), RestitutionError> {
+    let there = |step: f64| -> Result<(f64, bool), ObliqueError> {
         let there = ObliqueImpact::new(moved(groups, along, step))?;
         Ok((there.restitution(), regimes(&there).eq(regimes(here))))
     };
@@ -121,7 +130,7 @@ fn regimes(impact: &ObliqueImpact) -> impl Iterator<Item = Regime> {
 }
 
 /// The second derivative along an input, by the table.
-fn curvature(groups: Groups, along: [f64; 2], width: f64) -> Result<f64, RestitutionError> {
+fn curvature(groups: Groups, along: [f64; 2], width: f64) -> Result<f64, ObliqueError> {
     let table = RestitutionTable::shared();
     let at = |part: f64| table.restitution(moved(groups, along, part * width));
     Ok((at(1.0)? - 2.0 * at(0.0)? + at(-1.0)?) / (width * width))
