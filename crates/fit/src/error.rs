@@ -74,6 +74,9 @@ pub enum FitError {
     /// The data are not a table.
     #[error("the data: {0}")]
     Table(String),
+    /// The inputs of which predictions are asked for have an error.
+    #[error("for predictions: {0}")]
+    Inputs(Box<Self>),
     /// There are fewer measured values than unknowns.
     #[error(
         "{measured} measured values cannot determine {unknowns} unknowns: give more rows, or state numbers of the case"
@@ -97,6 +100,7 @@ impl FitError {
     pub fn is_bad_input(&self) -> bool {
         match self {
             Self::Case(error) | Self::Row { source: error, .. } => error.is_bad_input(),
+            Self::Inputs(error) => error.is_bad_input(),
             _ => true,
         }
     }

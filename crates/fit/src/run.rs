@@ -142,13 +142,17 @@ fn run<K: Kind>(
     let mut warnings = told::warnings(&parameters, &estimate, &quality, &residuals);
     warnings.extend(read.unused.iter().map(|name| format!("column `{name}` is not used")));
     let ahead = |inputs: Vec<Input>| ahead::<K>(case, &unknowns, &read, inputs, &estimate);
+    let curve = curve(&read, options.curve, ahead)?;
     let predictions = match options.predict {
-        Some(data) => ahead(columns::inputs::<K::Case, K::Known>(case, data)?)?,
+        Some(data) => {
+            let predicted = columns::inputs::<K::Case, K::Known>(case, data).and_then(ahead);
+            predicted.map_err(|error| FitError::Inputs(Box::new(error)))?
+        }
         None => Vec::new(),
     };
     Ok(Fit {
         correlations: correlations(&parameters, &estimate),
-        curve: curve(&read, options.curve, ahead)?,
+        curve,
         parameters,
         points,
         quality,
@@ -273,6 +277,9 @@ fn correlations(parameters: &[Determined], estimate: &Estimate) -> Vec<Correlati
     pairs.filter_map(one).collect()
 }
 
+/// Part of a standard error of a prediction that an open direction may change it by, over all that the bounds allow.
+const SMALL_PART: f64 = 0.1;
+
 /// Predictions of all measured quantities for each row of inputs.
 fn ahead<K: Kind>(
     case: &OpenCase<'_, K::Case>,
@@ -301,11 +308,15 @@ fn ahead<K: Kind>(
     for (j, parameter) in unknowns.0.iter().enumerate() {
         by.column_mut(j).scale_mut(parameter.slope(estimate.found.places[j]));
     }
-    let width = width(estimate).filter(|_| estimate.open.is_empty());
+    let width = width(estimate);
     let one = |(i, one): (usize, &Measurement)| {
         let row: DVector<f64> = by.row(i).transpose();
         let spread = row.dot(&(&estimate.covariance * &row)).max(0.0).sqrt();
-        let ends = width.map(|width| [values[i] - width * spread, values[i] + width * spread]);
+        // What is not determined must not matter here.
+        let is_known = estimate.open.iter().all(|open| row.dot(open).abs() <= SMALL_PART * spread);
+        let ends = width
+            .filter(|_| is_known)
+            .map(|width| [values[i] - width * spread, values[i] + width * spread]);
         let quantity = read.quantities[one.quantity].0.name.clone();
         Prediction { row: one.row + 1, quantity, value: values[i], interval: ends }
     };

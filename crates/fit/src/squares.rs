@@ -151,9 +151,9 @@ impl<M: Model + ?Sized> Squares<'_, M> {
             let sum = residuals.norm_squared();
             let gradient = derivatives.tr_mul(&residuals);
             let is_free = |j: usize| {
-                !held.contains(&j)
-                    && !(places[j] <= 0.0 && gradient[j] >= 0.0)
-                    && !(places[j] >= 1.0 && gradient[j] <= 0.0)
+                let is_held = (places[j] <= 0.0 && gradient[j] >= 0.0)
+                    || (places[j] >= 1.0 && gradient[j] <= 0.0);
+                !is_held && !held.contains(&j)
             };
             let free: Vec<usize> = (0..places.len()).filter(|j| is_free(*j)).collect();
             let own = derivatives.select_columns(&free);

@@ -162,7 +162,7 @@ fn place(table: &DeTable<'_>, path: &str) -> Option<(usize, bool)> {
         (DeValue::Table(inner), Some(rest)) => place(inner, rest),
         (DeValue::Array(items), Some(part)) => {
             let index = ["x", "y", "z"].iter().position(|axis| *axis == part)?;
-            items.iter().nth(index).map(of)
+            items.get(index).map(of)
         }
         _ => None,
     }

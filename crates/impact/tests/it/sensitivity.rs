@@ -20,7 +20,7 @@ fn central(chi: f64, psi: f64, along: [f64; 2], own: &[Regime]) -> (f64, bool) {
     let step = (1e-5 * size).min(2e-3 * reach.fold(f64::MAX, f64::min));
     let of = |part: f64| at(chi + along[0] * part * step, psi + along[1] * part * step, own);
     let near = 1e-4 * size / step;
-    let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|part| of(part));
+    let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(&of);
     let is_away = [of(-near), a, b, c, d, of(near)].iter().all(|(_, same)| *same);
     ((8.0 * (c.0 - b.0) - (d.0 - a.0)) / (12.0 * step), is_away)
 }

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, Union
 
 import numpy as np
 
 from . import _carom
 from ._arrays import number
+from ._record import Result
 from ._records import FitCorrelations, FitParameter, FitParameters, FitPoints, FitPredictions, FitQuality
 from ._validity import warn
 from .cases import Path, _file
@@ -19,8 +19,7 @@ from .cases import Path, _file
 Columns = Union[Mapping[str, Any], Any]
 
 
-@dataclass(frozen=True, eq=False)
-class Fit:
+class Fit(Result):
     """What data tell of the unknown numbers of a case. `fit["contact.friction"]` is one of them.
 
     `statements` says in sentences what the data leave open.
@@ -32,6 +31,16 @@ class Fit:
     points: FitPoints
     predictions: FitPredictions
     statements: list[str]
+
+    meanings = {
+        "parameters": "the unknowns",
+        "quality": "how well the theory meets the data",
+        "correlations": "of the unknowns",
+        "points": "measured values beside the fitted ones",
+        "predictions": "for the inputs that were asked for",
+        "statements": "what the data leave open",
+    }
+    units = dict.fromkeys(meanings, "")
 
     def __getitem__(self, name: str) -> FitParameter:
         names = self.parameters.parameter
@@ -104,11 +113,12 @@ def fit(
     tables, statements, told = _carom.fit(_file(case), _table("data", data), errors, bool(robust), ahead)
     warn(told)
     parameters, quality, correlations, points, predictions = tables
-    return Fit(
-        FitParameters._shaped(parameters, (len(parameters["parameter"]),)),
-        FitQuality._of(quality),
-        FitCorrelations._shaped(correlations, (len(correlations["first"]),)),
-        FitPoints._shaped(points, (len(points["quantity"]),)),
-        FitPredictions._shaped(predictions, (len(predictions["quantity"]),)),
-        statements,
-    )
+    results = {
+        "parameters": FitParameters._shaped(parameters, (len(parameters["parameter"]),)),
+        "quality": FitQuality._of(quality),
+        "correlations": FitCorrelations._shaped(correlations, (len(correlations["first"]),)),
+        "points": FitPoints._shaped(points, (len(points["quantity"]),)),
+        "predictions": FitPredictions._shaped(predictions, (len(predictions["quantity"]),)),
+        "statements": statements,
+    }
+    return Fit(results)

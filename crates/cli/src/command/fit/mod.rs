@@ -90,7 +90,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         predict: predict.as_ref(),
         curve: if plot.is_some() { CURVE } else { 0 },
     };
-    let fit = carom_fit::fit(&case, &data, &options).map_err(of_file(&arguments.data))?;
+    let fit = carom_fit::fit(&case, &data, &options).map_err(|error| match error {
+        FitError::Inputs(error) => of_file(inputs[1].unwrap_or(&arguments.data))(*error),
+        error => of_file(&arguments.data)(error),
+    })?;
     let format = arguments.given.format();
     let (text, warnings) = view::answer(&fit, format, arguments.points)?;
     let picture = plot.map(|to| arguments.given.drawn(to, plot::draw(&fit)));
