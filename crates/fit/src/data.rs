@@ -64,6 +64,7 @@ impl Data {
     /// As [`Data::new`]; [`FitError::Entry`] for an entry that is not a finite number.
     pub fn from_csv(text: &str) -> Result<Self, FitError> {
         let failed = |error: csv::Error| FitError::Table(error.to_string());
+        let text = text.trim_start_matches('\u{feff}');
         let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
         let first =
             first.ok_or_else(|| FitError::Table("there is no line of headings".to_owned()))?;
@@ -72,7 +73,7 @@ impl Data {
             .comment(Some(b'#'))
             .delimiter(separator.map_or(b',', |sign| sign as u8))
             .trim(csv::Trim::All)
-            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+            .from_reader(text.as_bytes());
         let headings = reader.headers().map_err(failed)?.clone();
         let mut columns: Vec<(String, Vec<f64>)> =
             headings.iter().map(|heading| (heading.to_owned(), Vec::new())).collect();

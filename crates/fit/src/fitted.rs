@@ -79,6 +79,8 @@ pub struct Point {
     pub row: usize,
     /// The measured quantity.
     pub quantity: String,
+    /// Its unit; empty for a pure number.
+    pub unit: &'static str,
     /// The measured value.
     pub measured: f64,
     /// Its standard error, given or estimated.
@@ -96,6 +98,7 @@ impl Point {
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::count("row", "", "row of the data", |point| (point.row as u64).into()),
         Column::text("quantity", "", "measured quantity", |point| point.quantity.clone().into()),
+        Column::text("unit", "", "unit of the three numbers behind", |point| point.unit.into()),
         Column::new("measured", "", "measured value", |point| point.measured.into()),
         Column::new("error", "", "its standard error, given or estimated", |p| p.error.into()),
         Column::new("fitted", "", "fitted value", |point| point.fitted.into()),
@@ -201,6 +204,8 @@ pub struct Prediction {
     pub row: usize,
     /// The quantity.
     pub quantity: String,
+    /// Its unit; empty for a pure number.
+    pub unit: &'static str,
     /// The predicted value.
     pub value: f64,
     /// The interval of 95 % of the prediction, by the uncertainty of the unknowns alone.
@@ -212,6 +217,7 @@ impl Prediction {
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::count("row", "", "row of the inputs", |one| (one.row as u64).into()),
         Column::text("quantity", "", "predicted quantity", |one| one.quantity.clone().into()),
+        Column::text("unit", "", "unit of the numbers behind", |one| one.unit.into()),
         Column::new("value", "", "predicted value", |one| one.value.into()),
         Column::new("low", "", "lower end of 95 %, by the unknowns", |one| end(one.interval, 0)),
         Column::new("high", "", "upper end", |one| end(one.interval, 1)),

@@ -67,7 +67,7 @@ impl Kind for OfImpacts {
 
     fn told(model: &Impacts<'_>, estimate: &Estimate) -> Vec<String> {
         match model.sliding(&estimate.values) {
-            Some([count, all]) if count == all => {
+            Some([count, all]) if count == all && !estimate.open.is_empty() => {
                 let words = "All impacts of the data slide throughout: they depend on friction and on no stiffness.";
                 vec![words.to_owned()]
             }
@@ -173,7 +173,8 @@ fn begin<K: Kind>(
     if apart < 2 {
         return Ok(None);
     }
-    let chosen: Vec<Measurement> = read.measured.iter().step_by(apart).copied().collect();
+    let is_chosen = |one: &&Measurement| one.row % apart == 0;
+    let chosen: Vec<Measurement> = read.measured.iter().filter(is_chosen).copied().collect();
     let model = K::model(case, unknowns.clone(), read, &chosen)?;
     Ok(Some(estimate(&model, &chosen, loss, None)?.found.places))
 }
@@ -258,6 +259,7 @@ fn points<O>(read: &Read<O>, estimate: &Estimate, loss: Loss) -> Vec<Point> {
         Point {
             row: one.row + 1,
             quantity: read.quantities[one.quantity].0.name.clone(),
+            unit: read.quantities[one.quantity].0.unit,
             measured: one.value,
             error,
             fitted,
@@ -317,8 +319,9 @@ fn ahead<K: Kind>(
         let ends = width
             .filter(|_| is_known)
             .map(|width| [values[i] - width * spread, values[i] + width * spread]);
-        let quantity = read.quantities[one.quantity].0.name.clone();
-        Prediction { row: one.row + 1, quantity, value: values[i], interval: ends }
+        let of = &read.quantities[one.quantity].0;
+        let (quantity, unit) = (of.name.clone(), of.unit);
+        Prediction { row: one.row + 1, quantity, unit, value: values[i], interval: ends }
     };
     Ok(measured.iter().enumerate().map(one).collect())
 }

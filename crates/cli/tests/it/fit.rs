@@ -28,7 +28,9 @@ fn json_has_all_tables_and_csv_the_unknowns() {
     );
     assert_eq!(csv.lines().count(), 3);
     let points = stdout(&alumina(&["--points", "--format", "csv"], &files));
-    assert!(points.starts_with("row,quantity,measured,error,fitted,residual,leverage,weight\n"));
+    assert!(
+        points.starts_with("row,quantity,unit,measured,error,fitted,residual,leverage,weight\n")
+    );
 }
 
 #[test]

@@ -117,3 +117,13 @@ fn an_error_of_several_quantities_needs_a_name() {
     assert!(run(&[(None, 0.1)]).contains("needs its quantity: R_x, slip_after"));
     assert!(run(&[(Some("duration".to_owned()), 0.1)]).contains("the data have no such column"));
 }
+
+#[test]
+fn files_of_other_programs_are_read() {
+    // A mark at the beginning, comments, semicolons, blanks, units in brackets.
+    let text = "\u{feff}# a comment, with a comma\nangle [deg] ; R_x\n 10 ; 0.3 \n# another\n20;\n";
+    let data = Data::from_csv(text).unwrap();
+    assert_eq!((data.rows(), data.columns()[0].unit.as_str()), (2, "deg"));
+    assert_eq!(data.columns()[1].values[0], 0.3);
+    assert!(data.columns()[1].values[1].is_nan());
+}

@@ -374,6 +374,7 @@ class FitPoint(Record):
 
     row       row of the data
     quantity  measured quantity
+    unit      unit of the three numbers behind
     measured  measured value
     error     its standard error, given or estimated
     fitted    fitted value
@@ -384,6 +385,7 @@ class FitPoint(Record):
 
     row: int
     quantity: str
+    unit: str
     measured: float
     error: float
     fitted: float
@@ -391,8 +393,8 @@ class FitPoint(Record):
     leverage: float
     weight: float
 
-    units = {'row': '', 'quantity': '', 'measured': '', 'error': '', 'fitted': '', 'residual': '', 'leverage': '', 'weight': ''}
-    meanings = {'row': 'row of the data', 'quantity': 'measured quantity', 'measured': 'measured value', 'error': 'its standard error, given or estimated', 'fitted': 'fitted value', 'residual': 'measured less fitted, over the standard error', 'leverage': 'how much it determines its own fit, 0 to 1', 'weight': 'weight in the fit, 1 with squares'}
+    units = {'row': '', 'quantity': '', 'unit': '', 'measured': '', 'error': '', 'fitted': '', 'residual': '', 'leverage': '', 'weight': ''}
+    meanings = {'row': 'row of the data', 'quantity': 'measured quantity', 'unit': 'unit of the three numbers behind', 'measured': 'measured value', 'error': 'its standard error, given or estimated', 'fitted': 'fitted value', 'residual': 'measured less fitted, over the standard error', 'leverage': 'how much it determines its own fit, 0 to 1', 'weight': 'weight in the fit, 1 with squares'}
     _vectors = frozenset([])
     _axis = 'value'
 
@@ -402,6 +404,7 @@ class FitPoints(Records[FitPoint], one=FitPoint):
 
     row: NDArray[np.int64]
     quantity: list[str]
+    unit: list[str]
     measured: Array
     error: Array
     fitted: Array
@@ -415,6 +418,7 @@ class FitPrediction(Record):
 
     row       row of the inputs
     quantity  predicted quantity
+    unit      unit of the numbers behind
     value     predicted value
     low       lower end of 95 %, by the unknowns
     high      upper end
@@ -422,12 +426,13 @@ class FitPrediction(Record):
 
     row: int
     quantity: str
+    unit: str
     value: float
     low: float
     high: float
 
-    units = {'row': '', 'quantity': '', 'value': '', 'low': '', 'high': ''}
-    meanings = {'row': 'row of the inputs', 'quantity': 'predicted quantity', 'value': 'predicted value', 'low': 'lower end of 95 %, by the unknowns', 'high': 'upper end'}
+    units = {'row': '', 'quantity': '', 'unit': '', 'value': '', 'low': '', 'high': ''}
+    meanings = {'row': 'row of the inputs', 'quantity': 'predicted quantity', 'unit': 'unit of the numbers behind', 'value': 'predicted value', 'low': 'lower end of 95 %, by the unknowns', 'high': 'upper end'}
     _vectors = frozenset([])
     _axis = 'prediction'
 
@@ -437,6 +442,7 @@ class FitPredictions(Records[FitPrediction], one=FitPrediction):
 
     row: NDArray[np.int64]
     quantity: list[str]
+    unit: list[str]
     value: Array
     low: Array
     high: Array
