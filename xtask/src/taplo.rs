@@ -27,7 +27,8 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
         return Ok(Outcome::skipped(Part::Taplo, UNREACHED));
     };
     let kinds = kinds(&root)?;
-    let examples = files(&root.join("examples"), "toml")?;
+    let mut examples = files(&root.join("examples"), "toml")?;
+    examples.extend(files(&root.join("examples/fit"), "toml")?);
     for kind in &kinds {
         let own: Vec<_> = examples.iter().filter(|path| kind_of(path, &kinds) == kind).collect();
         ensure!(!own.is_empty(), "no example of the kind {kind}");

@@ -107,6 +107,9 @@ pub enum ErrorKind {
     /// A case with distributions has no single result.
     #[error("only `carom impact` computes a case with [uncertainty]")]
     Uncertainty,
+    /// A case with unknowns has no single result.
+    #[error("`{0}` is unknown; only `carom fit` computes a case with unknowns, from data")]
+    Unknown(&'static str),
     /// A traction could not be integrated.
     #[error("cannot integrate a traction: {0}")]
     Quadrature(#[from] QuadratureError),
@@ -209,6 +212,7 @@ impl Error {
             ErrorKind::Flange(source) => matches!(source, FlangeError::Range(_)),
             ErrorKind::Case { .. }
             | ErrorKind::Range(_)
+            | ErrorKind::Unknown(_)
             | ErrorKind::Uncertain(_)
             | ErrorKind::Border(_)
             | ErrorKind::Problem(_)

@@ -1,10 +1,10 @@
 //! A contact under each of its normal loads.
 
-use crate::Error;
 use crate::Pressed;
 use crate::case::HertzCase;
 use crate::input::CaseFile;
 use crate::theory::{ValidityReport, readable};
+use crate::{Error, ErrorKind};
 use carom_laws::validity::Validity;
 use carom_table::Cell;
 
@@ -53,6 +53,9 @@ impl Followed {
 /// If the case has an error, or a load is out of range.
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let case = file.parse::<HertzCase>()?;
+    if let Some(unknown) = case.unknowns.first() {
+        return Err(Error::from(ErrorKind::Unknown(unknown.field)).of_file(&file.path));
+    }
     let loaded = |value: &f64| Ok(case.contact.at(case.given, *value)?);
     let states = file.follow(|| case.values.as_slice().iter().map(loaded).collect())?;
     Ok(Followed { case, states })

@@ -24,6 +24,7 @@ pub struct Followed {
 pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
     let case = file.parse::<ImpactFile<'_>>()?;
     file.follow(|| {
+        check_known(&case)?;
         if case.uncertainty().is_some() {
             return Err(ErrorKind::Uncertainty.into());
         }
@@ -40,6 +41,15 @@ pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
         let outcomes = values.par_iter().map(outcome).collect::<Result<_, _>>()?;
         Ok(Followed { swept: Some((name(input), input.unit, values.to_vec())), outcomes })
     })
+}
+
+/// Checks that a case has no unknowns.
+///
+/// # Errors
+/// [`ErrorKind::Unknown`] with the first of them.
+pub fn check_known(case: &ImpactFile<'_>) -> Result<(), Error> {
+    let unknown = case.inputs().iter().find(|input| input.unknown().is_some());
+    unknown.map_or(Ok(()), |input| Err(ErrorKind::Unknown(input.field).into()))
 }
 
 /// The name of the swept number in the results; the angle of incidence has a short one.

@@ -73,6 +73,12 @@ impl CaseFile {
         Self::read_unguarded(path, Expected::CASE, None)
     }
 
+    /// A case from its text; files that it names are beside the present folder.
+    #[must_use]
+    pub fn from_text(text: impl Into<String>) -> Self {
+        Self { path: PathBuf::from(STANDARD_INPUT), text: text.into(), guard: None }
+    }
+
     /// Reads a case file if the guard allows it; files that the case names are checked by the guard too.
     ///
     /// # Errors
@@ -212,6 +218,14 @@ fn of_ending(path: &Path) -> String {
 
 fn allowed(most: u64, kind: &str) -> String {
     format!("must be {kind} of at most {} MiB", most >> 20)
+}
+
+/// Reads a text of the size of a table that stands beside a case.
+///
+/// # Errors
+/// If it cannot be read, is a device or a pipe, is larger than 64 MiB, or is not UTF-8.
+pub fn read_table(path: &Path) -> Result<String, Error> {
+    read_text(path, MOST_OF_TABLE, TEXT)
 }
 
 fn read_text(path: &Path, most: u64, kind: &str) -> Result<String, Error> {

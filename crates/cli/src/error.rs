@@ -63,6 +63,14 @@ pub enum CliError {
     /// The results could not be written in the requested format.
     #[error("cannot write the results: {0}")]
     Format(Box<dyn std::error::Error + Send + Sync>),
+    /// Data could not be fitted.
+    #[error("{}: {source}", path.display())]
+    Fit {
+        /// The data.
+        path: PathBuf,
+        /// The cause.
+        source: Box<carom_fit::FitError>,
+    },
     /// The results could not be drawn.
     #[error("cannot draw the results: {0}")]
     Plot(#[from] PlotError),
@@ -89,7 +97,11 @@ impl CliError {
             | Self::Option(_)
             | Self::Options(_)
             | Self::Column { .. } => 2,
-            Self::Impact(_) | Self::Threads { .. } | Self::Format(_) | Self::Plot(_) => 1,
+            Self::Impact(_)
+            | Self::Fit { .. }
+            | Self::Threads { .. }
+            | Self::Format(_)
+            | Self::Plot(_) => 1,
         }
     }
 

@@ -284,6 +284,18 @@ impl NormalRestitution {
         Ok((loss.restitution() < 1.0).then_some(loss))
     }
 
+    /// The restitution e, and whether the bodies yield; none unless one number e of a Kelvin-Voigt material or of yield was
+    /// given.
+    pub(crate) fn constant(&self) -> Option<(f64, bool)> {
+        match self.0 {
+            Cause::Viscous(loss) if loss.rheology() == Rheology::KelvinVoigt => {
+                Some((loss.restitution(), false))
+            }
+            Cause::Yield(e) => Some((e, true)),
+            _ => None,
+        }
+    }
+
     /// Whether it is stated what loses the energy, beside how much.
     pub(crate) fn is_cause_known(&self) -> bool {
         match self.0 {

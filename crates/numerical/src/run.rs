@@ -46,6 +46,7 @@ impl<'a> Problem<'a> {
     pub(crate) fn new(collision: &'a Collision) -> Result<Option<Self>, NumericalImpactError> {
         let Some(impact) = collision.impact()? else { return Ok(None) };
         collision.refuse_static_friction("equal to kinetic friction with the numerical law")?;
+        collision.refuse_stiffness_ratio()?;
         let (mobility, c_z) = (collision.mobility().matrix(), collision.hertz().stiffness().c_z);
         let normal = NormalImpact::new(mobility.m33, c_z, impact.velocity().z)?;
         Ok(Some(Self { collision, impact, normal }))

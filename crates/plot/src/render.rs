@@ -98,8 +98,7 @@ fn laid_out(mut svg: Svg, title: &str, panels: &[Panel]) -> Result<String, PlotE
         // A last row with fewer plots stands in the middle.
         let missing = (columns * (row + 1)).saturating_sub(plots.len()).min(columns);
         let left: f64 = 0.5 * widths[columns - missing..].iter().sum::<f64>();
-        let corner =
-            Pixel { x: left + widths[..column].iter().sum::<f64>(), y: heading + above };
+        let corner = Pixel { x: left + widths[..column].iter().sum::<f64>(), y: heading + above };
         plot.draw(&mut svg, corner, &clip_name(title, i))?;
     }
     let width: f64 = widths.iter().sum();

@@ -9,6 +9,7 @@ mod contact;
 mod contacts;
 mod creep;
 mod error;
+mod fit;
 mod friction;
 mod hertz;
 mod influence;
@@ -53,6 +54,8 @@ mod _carom {
     use super::creep::{creep_coefficients, creep_force, fastsim};
     #[pymodule_export]
     use super::error::{CaromError, RangeError};
+    #[pymodule_export]
+    use super::fit::{fit, fit_table};
     #[pymodule_export]
     use super::friction::slip_speed_friction;
     #[pymodule_export]

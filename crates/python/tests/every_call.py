@@ -116,6 +116,22 @@ ROLLED = {"direction": In(90.0, "deg"), "step": In(2e-5, "m"), "spin_offset": no
 PRESSED = {"F_z": In(10.0, "N"), "F_x": In(0.1, "N"), "F_y": In(0.1, "N"), "M_z": In(1e-6, "N*m")}
 
 
+#: Rebounds of alumina balls from glass: angles in degrees, tangential velocity after over that before.
+REBOUNDS = {"angle": [4.2, 9.8, 20.2, 30.4, 49.6], "body_1_tangential_ratio": [0.75, 0.68, 0.60, 0.69, 0.85]}
+
+
+def unknown():
+    """A case with unknown friction and ratio of stiffness."""
+    path = Path(tempfile.mkdtemp()) / "unknown.toml"
+    path.write_text("""
+body_1 = { shape = "sphere", radius = 2.5e-3, material = { young_modulus = 380e9, poisson = 0.23 }, density = 4000 }
+body_2 = { shape = "plane", material = { young_modulus = 70e9, poisson = 0.25 }, fixed = true }
+approach = { speed = 3.9, angle = 45 }
+contact = { friction = { fit = [0.01, 1] }, normal_over_tangential_stiffness = { fit = [0.8, 1.5] } }
+""")
+    return path
+
+
 def given(units):
     return {name: In(value, unit) for name, (unit, value) in units.items()}
 
@@ -189,6 +205,10 @@ CALLS = {
         Call(carom.surface, {"source": np.eye(4), "unit": "um", "scale": none(2.0), "size": In((4e-6, 4e-6), "m"),
                              "range": None, "crop": (0, 0, 3, 3), "level": "plane", "missing": "fill"},
              lambda **given: carom.surface(**given).heights),
+    ],
+    "fit": [
+        Call(carom.fit, {"case": unknown(), "data": REBOUNDS, "sd": 0.014, "robust": True, "predict": {"angle": [15.0]}},
+             lambda **given: carom.fit(**given).parameters.value),
     ],
     "line_contact": [
         Call(carom.line_contact, {"materials": PAIR, "radius": In(5e-3, "m"), "length": In(20e-3, "m"), name: In(value, unit)})

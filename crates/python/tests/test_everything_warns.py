@@ -73,6 +73,7 @@ NEED_NOT = {
     **dict.fromkeys("restitution restitution_of_dissimilar restitution_of_groups".split(), PURE),
     **{name: "mathematics" for name in CALLS if name.startswith("special.")},
     **dict.fromkeys("CaromError CaromWarning OutsideTheoryWarning RangeError".split(), "computes nothing"),
+    "fit": "tells of the data, not of each impact",
     "cases.shell": "is no contact; it has warnings of its own",
 }
 

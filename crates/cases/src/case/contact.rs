@@ -64,6 +64,14 @@ pub(super) const SHIFT_STATIC_FRICTION: Field = Field::number(
 )
 .may("that of `friction`")
 .such_as("0.3");
+pub(super) const STIFFNESS_RATIO: Field = Field::number(
+    "normal_over_tangential_stiffness",
+    Range::Positive.pure(),
+    "ratio kappa of the stiffness of the contact along the normal and across it, c_z/c_x, where it was measured; by the laws \
+     coulomb and fixed-direction, which auto then chooses",
+)
+.may("that of the materials, (15.1)")
+.such_as("1.2");
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[
@@ -279,6 +287,8 @@ pub struct Contact {
     pub torsion_line: usize,
     /// The loss in the material.
     pub normal_restitution: NormalRestitution,
+    /// Normal over tangential stiffness, if it is not that of the materials.
+    pub stiffness_ratio: Option<f64>,
 }
 
 impl Contact {
@@ -301,6 +311,12 @@ impl Contact {
             check_static_friction(contact, law, torsion)?;
         }
         let normal_restitution = normal_restitution(contact)?;
-        Ok(Self { friction, law, torsion, torsion_line, normal_restitution })
+        let stiffness_ratio = contact.maybe(&STIFFNESS_RATIO)?;
+        if stiffness_ratio.is_some() && matches!(law, CollisionLaw::Rings | CollisionLaw::Numerical)
+        {
+            let reason = "this law has the stiffness of the materials";
+            return Err(contact.conflict(&STIFFNESS_RATIO, &LAW, reason));
+        }
+        Ok(Self { friction, law, torsion, torsion_line, normal_restitution, stiffness_ratio })
     }
 }

@@ -2,6 +2,7 @@
 //! error messages, `carom new`, `carom check` and `carom schema` all use these definitions.
 
 use super::range::End;
+use super::section::START;
 use super::unit::Measure;
 use carom_table::{Column, Value};
 use std::collections::BTreeSet;
@@ -316,6 +317,11 @@ impl Schema {
     /// The same kind, of which these forms may replace any number.
     pub(super) const fn varying(self, varied: &'static [Field]) -> Self {
         Self { varied, ..self }
+    }
+
+    /// Whether a number may be a sweep or a distribution.
+    pub(super) fn has_sweeps(&self) -> bool {
+        self.varied.iter().any(|form| form.name == START.name)
     }
 
     /// Its fields with their paths. The forms that may replace a number come last, under `*`.

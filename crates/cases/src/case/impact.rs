@@ -127,7 +127,12 @@ impl ImpactFile<'_> {
     }
 }
 
-fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase, CaseError> {
+/// Reads a case with values for its varied numbers.
+pub(super) fn read(
+    source: &str,
+    table: &DeTable<'_>,
+    varied: &Varied,
+) -> Result<ImpactCase, CaseError> {
     let case = &Section::root(source, table, FIELDS)?.varying(varied);
     let velocity = if case.has(&APPROACH) { Velocity::Approach } else { Velocity::Own };
     let approach = match velocity {
@@ -154,6 +159,12 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
     let loss = contact.normal_restitution.clone();
     let collision = collision.map_err(at_fault)?.with_normal_restitution(loss);
     let collision = collision.with_torsion_mode(contact.torsion);
+    let collision = match contact.stiffness_ratio {
+        Some(ratio) => {
+            collision.with_stiffness_ratio(ratio).map_err(|error| table.refused(error))?
+        }
+        None => collision,
+    };
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }
 

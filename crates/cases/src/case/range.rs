@@ -85,6 +85,14 @@ impl End {
             Self::In(end) | Self::Out(end) => end,
         }
     }
+
+    /// A number of the range at its end, or close to it if the end does not belong to it; `inside` is in the range.
+    pub(super) fn within(self, inside: f64) -> f64 {
+        match self {
+            Self::In(end) => end,
+            Self::Out(end) => end + 1e-6 * (inside - end),
+        }
+    }
 }
 
 impl Range {

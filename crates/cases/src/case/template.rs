@@ -10,6 +10,8 @@ const HEAD: &str = "SI units; a number may also be a text with its unit, such as
 const VARIED: &str = "Any number may be a sweep, as a list or { start, stop, count }, or uncertain, \
                       as { normal = { mean, sd } }, log_normal, { uniform = { low, high } } or \
                       { triangular = { low, mode, high } }; `carom schema impact` has them all.";
+const UNKNOWN: &str = "A number may be unknown, as { fit = [low, high] } or { prior = { mean, sd } }: \
+                       `carom fit` determines it from data.";
 
 impl Schema {
     /// A commented case of this kind with all its fields, ready to run.
@@ -18,8 +20,11 @@ impl Schema {
         let mut text = String::new();
         comment(&mut text, self.meaning);
         comment(&mut text, HEAD);
-        if !self.varied.is_empty() {
+        if self.has_sweeps() {
             comment(&mut text, VARIED);
+        }
+        if !self.varied.is_empty() {
+            comment(&mut text, UNKNOWN);
         }
         for field in self.fields {
             add_table(&mut text, field.name, field, begins(field));

@@ -45,7 +45,7 @@ fn every_error_of_a_case_is_told_with_its_place() {
     line 9: `body_2.fixed` = 1 is not allowed: must be true or false
       9 | fixed = 1
         | ^^^^^
-    line 12: unknown field `contact.frition`, did you mean `friction`? `contact` takes `friction`, `static_friction`, `law`, `torsion`, `normal_restitution`, `loss`, `wave_loss`, `relaxation`, `point`, `point_1`, `point_2`, `search`
+    line 12: unknown field `contact.frition`, did you mean `friction`? `contact` takes `friction`, `static_friction`, `normal_over_tangential_stiffness`, `law`, `torsion`, `normal_restitution`, `loss`, `wave_loss`, `relaxation`, `point`, `point_1`, `point_2`, `search`
       12 | frition = 0.2
          | ^^^^^^^
     line 7: `body_2.material` is missing: must be a table, headed [body_2.material]; material: two elastic constants, or rigid, and the yield stress if it is known

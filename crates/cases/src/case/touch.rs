@@ -3,7 +3,7 @@
 use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII};
 use super::contact::{
     FRICTION, FRICTION_BY_SPEED, LAW, LOSS, NORMAL_RESTITUTION, RELAXATION, RESTITUTION_BY_SPEED,
-    STATIC_FRICTION, TORSION, WAVE_LOSS,
+    STATIC_FRICTION, STIFFNESS_RATIO, TORSION, WAVE_LOSS,
 };
 use super::error::{CaseError, CaseFault};
 use super::field::{AXES, Default, Field, Form};
@@ -39,6 +39,7 @@ pub(super) const CONTACT: Field = Field::new(
         FRICTION,
         FRICTION_BY_SPEED,
         STATIC_FRICTION,
+        STIFFNESS_RATIO,
         LAW,
         TORSION,
         NORMAL_RESTITUTION,

@@ -34,11 +34,41 @@ const UNIFORM: Field = distribution("uniform", &[LOW, HIGH], "a uniform distribu
 const TRIANGULAR: Field =
     distribution("triangular", &[LOW, MODE, HIGH], "a triangular distribution");
 const KINDS: &str = "{ normal = { mean, sd } }, { log_normal = { mean, sd } }, \
-                     { uniform = { low, high } }, { triangular = { low, mode, high } } or a sweep \
-                     { start, stop, count }";
+                     { uniform = { low, high } }, { triangular = { low, mode, high } }, a sweep \
+                     { start, stop, count } or an unknown { fit = [low, high] }";
+const UNKNOWNS: &str = "{ fit = [low, high] } or { prior = { mean, sd } }";
+const ENDS: &str = "two numbers [low, high]";
+const FIT: Field = Field::new(
+    "fit",
+    Form::Vector(&["low", "high"], Range::Finite.pure(), ENDS),
+    "an unknown between these numbers, which `carom fit` determines from data",
+)
+.or(UNKNOWNS);
+const PRIOR: Field = Field::new(
+    "prior",
+    Form::Table(&[MEAN, DEVIATION]),
+    "an unknown of which this is known before the data: it counts as one more measurement",
+)
+.or(UNKNOWNS);
+/// How far from its mean an unknown with a prior is looked for, in standard deviations.
+const REACH: f64 = 8.0;
 
 /// The fields of a varied number of an impact.
-pub(super) const VARIED: &[Field] = &[START, STOP, COUNT, NORMAL, LOG_NORMAL, UNIFORM, TRIANGULAR];
+pub(super) const VARIED: &[Field] =
+    &[START, STOP, COUNT, NORMAL, LOG_NORMAL, UNIFORM, TRIANGULAR, FIT, PRIOR];
+/// The fields of an unknown number.
+pub(super) const UNKNOWN: &[Field] = &[FIT, PRIOR];
+
+/// A number that data shall determine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unknown {
+    /// The smallest value that is looked for.
+    pub low: f64,
+    /// The largest.
+    pub high: f64,
+    /// Mean and standard deviation of what is known before the data, if anything is.
+    pub prior: Option<[f64; 2]>,
+}
 
 /// The values of a varied number.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,15 +77,19 @@ pub enum Variation {
     Sweep(Vec<f64>),
     /// Sampled from this distribution.
     Uncertain(Distribution),
+    /// Determined by data.
+    Unknown(Unknown),
 }
 
 impl Variation {
-    /// The single value that represents it: the first of a sweep, the mean of a distribution.
+    /// The single value that represents it: the first of a sweep, the mean of a distribution, the middle of an unknown.
     fn nominal(&self) -> f64 {
         match self {
             // A sweep has at least one value.
             Self::Sweep(values) => values.first().copied().unwrap_or(f64::NAN),
             Self::Uncertain(distribution) => distribution.mean(),
+            Self::Unknown(Unknown { prior: Some([mean, _]), .. }) => *mean,
+            Self::Unknown(Unknown { low, high, .. }) => 0.5 * low + 0.5 * high,
         }
     }
 }
@@ -83,7 +117,7 @@ impl Input {
     pub fn sweep(&self) -> Option<&[f64]> {
         match &self.variation {
             Variation::Sweep(values) => Some(values),
-            Variation::Uncertain(_) => None,
+            _ => None,
         }
     }
 
@@ -91,12 +125,23 @@ impl Input {
     #[must_use]
     pub const fn distribution(&self) -> Option<Distribution> {
         match self.variation {
-            Variation::Sweep(_) => None,
             Variation::Uncertain(distribution) => Some(distribution),
+            _ => None,
         }
     }
 
-    pub(super) const fn place(&self) -> usize {
+    /// The bounds of an unknown.
+    #[must_use]
+    pub const fn unknown(&self) -> Option<Unknown> {
+        match self.variation {
+            Variation::Unknown(unknown) => Some(unknown),
+            _ => None,
+        }
+    }
+
+    /// Its offset in the file.
+    #[must_use]
+    pub const fn place(&self) -> usize {
         self.place
     }
 }
@@ -105,6 +150,7 @@ impl Input {
 #[derive(Debug)]
 pub(super) struct Varied {
     fields: &'static [Field],
+    forms: &'static [Field],
     drawn: Vec<(usize, f64)>,
     found: RefCell<Vec<Input>>,
 }
@@ -112,7 +158,12 @@ pub(super) struct Varied {
 impl Varied {
     /// For a case with these fields; with values for the numbers at these offsets.
     pub(super) const fn new(fields: &'static [Field], drawn: Vec<(usize, f64)>) -> Self {
-        Self { fields, drawn, found: RefCell::new(Vec::new()) }
+        Self { fields, forms: VARIED, drawn, found: RefCell::new(Vec::new()) }
+    }
+
+    /// The same for a case whose numbers may be unknown, but not vary otherwise.
+    pub(super) fn unknown(self) -> Self {
+        Self { forms: UNKNOWN, ..self }
     }
 
     /// The varied numbers, in the order of the file.
@@ -136,10 +187,16 @@ impl Varying for Varied {
             return section.in_range(name, value, *number, measure).map(Some);
         }
         let variation = match value.get_ref() {
-            DeValue::Array(_) => Variation::Sweep(section.list_at(name, value, measure)?),
-            DeValue::Table(_) => read(&section.table_at(name, value, VARIED)?, measure)?,
+            DeValue::Array(_) if self.forms.len() == VARIED.len() => {
+                Variation::Sweep(section.list_at(name, value, measure)?)
+            }
+            DeValue::Table(_) => read(&section.table_at(name, value, self.forms)?, measure)?,
             _ => return Ok(None),
         };
+        if let Variation::Unknown(Unknown { low, high, .. }) = variation {
+            section.in_range(name, value, low, measure)?;
+            section.in_range(name, value, high, measure)?;
+        }
         let number = section.in_range(name, value, variation.nominal(), measure)?;
         let mut found = self.found.borrow_mut();
         if found.iter().all(|input| input.place != place) {
@@ -154,8 +211,11 @@ impl Varying for Varied {
 
 fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError> {
     let sweep = section.given([&START, &STOP, &COUNT]);
-    let kinds = section.given([&NORMAL, &LOG_NORMAL, &UNIFORM, &TRIANGULAR]);
+    let kinds = section.given([&NORMAL, &LOG_NORMAL, &UNIFORM, &TRIANGULAR, &FIT, &PRIOR]);
     match (sweep.as_slice(), kinds.as_slice()) {
+        ([], [kind]) if UNKNOWN.iter().any(|unknown| unknown.name == kind.name) => {
+            read_unknown(section, kind, measure).map(Variation::Unknown)
+        }
         ([], [kind]) => read_distribution(section, kind, measure).map(Variation::Uncertain),
         ([], []) => Err(section.empty(KINDS)),
         (_, []) => section.spaced(measure).map(Variation::Sweep),
@@ -164,6 +224,35 @@ fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError>
             Err(section.conflict(*other, *one, "give a sweep or a distribution"))
         }
     }
+}
+
+fn read_unknown(
+    section: &Section<'_>,
+    kind: &'static Field,
+    measure: Measure,
+) -> Result<Unknown, CaseError> {
+    let plain = Range::Finite.of(measure.dimension);
+    if kind.name == PRIOR.name {
+        let of = section.section(&PRIOR)?;
+        let [mean, sd] =
+            [of.number(&MEAN.measured(plain))?, of.number(&DEVIATION.measured(plain))?];
+        if sd <= 0.0 {
+            return Err(of.out_of_range(&DEVIATION, sd, "> 0"));
+        }
+        // As far as the number may go.
+        let within = |value: f64, end: usize| match measure.range.holds(value) {
+            true => value,
+            false => measure.range.ends()[end].within(mean),
+        };
+        let [low, high] = [within(mean - REACH * sd, 0), within(mean + REACH * sd, 1)];
+        return Ok(Unknown { low, high, prior: Some([mean, sd]) });
+    }
+    let ends = Field { form: Form::Vector(&["low", "high"], plain, ENDS), ..FIT };
+    let [low, high] = section.vector::<2>(&ends)?;
+    if low >= high || !(high - low).is_finite() {
+        return Err(section.out_of_range(&FIT, high, "[low, high] with low < high"));
+    }
+    Ok(Unknown { low, high, prior: None })
 }
 
 fn read_distribution(

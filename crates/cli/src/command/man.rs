@@ -31,6 +31,7 @@ const NAMES: &[&str] = &[
     "surface",
     "shell",
     "contact",
+    "fit",
     "compare",
     "new",
     "check",

@@ -5,6 +5,7 @@ mod case_arguments;
 mod check;
 mod completions;
 mod contact;
+mod fit;
 mod hertz;
 mod history;
 mod impact;
@@ -86,6 +87,7 @@ enum Command {
     Surface(surface::Arguments),
     Shell(shell::Arguments),
     Contact(contact::Arguments),
+    Fit(fit::Arguments),
     Compare(solve::compare::Arguments),
     New(new::Arguments),
     Check(check::Arguments),
@@ -105,6 +107,7 @@ impl Command {
             Self::Stress(_) => Some("computing stresses"),
             Self::Surface(_) => Some("reading the map"),
             Self::Shell(_) => Some("computing the shell"),
+            Self::Fit(_) => Some("fitting"),
             _ => None,
         }
     }
@@ -131,6 +134,7 @@ impl Command {
             Self::Check(arguments) => Some(&arguments.case),
             Self::Surface(arguments) => Some(&arguments.file),
             Self::Contact(arguments) => Some(&arguments.file),
+            Self::Fit(arguments) => Some(&arguments.given.case),
             _ => self.given().map(|(_, given)| given.case.as_path()),
         }
     }
@@ -184,6 +188,7 @@ fn run_one(
         Command::Surface(arguments) => surface::run(arguments),
         Command::Shell(arguments) => shell::run(arguments),
         Command::Contact(arguments) => contact::run(arguments, messages),
+        Command::Fit(arguments) => fit::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments, messages),
         Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),

@@ -12,6 +12,7 @@ mod contact_point;
 mod contact_program;
 mod curves;
 mod fields;
+mod fit;
 mod heights;
 mod history_tractions;
 mod influence;

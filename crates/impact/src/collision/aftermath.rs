@@ -65,10 +65,7 @@ impl Collision {
         let share = self.wave_share(&pulse);
         let damped = self.normal_restitution.damped([before.z, elastic.z]);
         let [impulse, after] = damped.motion(whole, [&before, &elastic]);
-        let mut motions = [0, 1].map(|i| {
-            let push = if i == 0 { impulse } else { -impulse };
-            self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion(), &push)
-        });
+        let mut motions = self.pushed(&impulse);
         // E_A - E_E of the relative motion, without its cancellation.
         let whole_loss = 0.5 * whole.dot(&(before + elastic));
         let mut dissipated = damped.part * (whole_loss - outcome.material_heat);
@@ -153,6 +150,14 @@ impl Collision {
         })
     }
 
+    /// The motions after an impulse on body 1, in contact axes.
+    pub(super) fn pushed(&self, impulse: &Vector3<f64>) -> [Motion; 2] {
+        [0, 1].map(|i| {
+            let push = if i == 0 { *impulse } else { -impulse };
+            self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion(), &push)
+        })
+    }
+
     pub(super) fn missed_tolerance(&self, error_estimate: f64) -> Option<Warning> {
         let tolerance = self.tolerance.filter(|tolerance| error_estimate > *tolerance)?;
         Some(Warning::NotSettled { error_estimate, tolerance })
@@ -205,7 +210,7 @@ impl Collision {
     // chi if R_x for vanishing tangential velocities is the same in all directions; 0 without friction.
     fn chi_of_all_directions(&self) -> Option<f64> {
         let d = self.mobility.matrix();
-        let ContactStiffness { c_x, c_y, c_z } = self.hertz.stiffness();
+        let ContactStiffness { c_x, c_y, c_z } = self.stiffness();
         if is_coupled(d) {
             return None;
         }

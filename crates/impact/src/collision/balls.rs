@@ -100,7 +100,7 @@ pub(super) fn moment_at(moments: &[Moment], share: f64) -> Moment {
 impl Balls<'_> {
     fn contact(&self) -> Result<GrainContact, RangeError> {
         // The cheapest law: only the change by the turn is taken from it.
-        let (stiffness, law) = (self.collision.hertz.stiffness(), TurningLaw::FixedDirection);
+        let (stiffness, law) = (self.collision.stiffness(), TurningLaw::FixedDirection);
         let law = match self.collision.static_friction {
             Some(friction) => {
                 ShiftLaw::with_static_friction(law, stiffness, friction, Tolerance::default())

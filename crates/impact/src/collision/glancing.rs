@@ -115,6 +115,11 @@ impl Collision {
         self.changed(rebound, (&limit, part * WHOLE), spread.norm())
     }
 
+    /// Whether the line of centres turns enough in this time that it counts.
+    pub(super) fn turns_centres(&self, duration: f64) -> bool {
+        self.radii().is_some() && self.part_of_turn(duration) > 0.0
+    }
+
     /// How much of the turn in this time counts, from 0 to 1.
     fn part_of_turn(&self, duration: f64) -> f64 {
         let angle = self.turn_of_centres(duration);

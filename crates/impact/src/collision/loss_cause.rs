@@ -51,7 +51,7 @@ impl Collision {
             return None;
         }
         let along = Vector3::new(before.x / slip, before.y / slip, 0.0);
-        let (d, stiffness) = (self.mobility.matrix(), self.hertz.stiffness());
+        let (d, stiffness) = (self.mobility.matrix(), self.stiffness());
         // Compliances add along an axis between those of the contact.
         let soft = along.x * along.x / stiffness.c_x + along.y * along.y / stiffness.c_y;
         let ratio = 1.0 / (soft * stiffness.c_z);

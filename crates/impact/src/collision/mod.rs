@@ -8,6 +8,8 @@ mod history;
 mod loss_cause;
 mod needed_law;
 mod solver;
+mod stiffness_ratio;
+mod tabled;
 mod twist_bound;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
@@ -32,6 +34,7 @@ pub(crate) use aftermath::Known;
 use glancing::Axes;
 pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};
+pub use tabled::{TabledCollision, TabledRebound};
 pub use twist_bound::TwistBound;
 
 /// Relative differences of D between tangents below this value are round-off.
@@ -120,6 +123,8 @@ pub struct Collision {
     normal_restitution: NormalRestitution,
     tolerance: Option<f64>,
     unsettled: Unsettled,
+    /// Normal over tangential stiffness, if it is not that of the materials.
+    stiffness_ratio: Option<f64>,
     axes: Axes,
     contact: ContactPoint,
     materials: MaterialPair,
@@ -248,6 +253,7 @@ impl Collision {
             normal_restitution: NormalRestitution::ELASTIC,
             tolerance: None,
             unsettled: Unsettled::Refused,
+            stiffness_ratio: None,
             axes: Axes::default(),
             contact,
             materials,
@@ -330,6 +336,17 @@ impl Collision {
         Self { unsettled: Unsettled::Accepted, ..self }
     }
 
+    /// The same collision with another friction.
+    ///
+    /// # Errors
+    /// [`RangeError`] if friction by the slip speed is out of range at this speed.
+    pub fn with_friction(self, friction: impl Into<ImpactFriction>) -> Result<Self, RangeError> {
+        let friction = friction.into();
+        let static_friction = friction.static_friction();
+        let friction = friction.at(&self.velocity())?;
+        Ok(Self { friction, static_friction, ..self })
+    }
+
     /// The bodies in contact.
     #[must_use]
     pub const fn bodies(&self) -> &[Body; 2] {
@@ -407,7 +424,7 @@ impl Collision {
         if velocity.z <= 0.0 {
             return Ok(None);
         }
-        let stiffness = self.hertz.stiffness();
+        let stiffness = self.stiffness();
         let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
         if let Some(friction) = self.static_friction {
             impact = impact.with_static_friction(friction);

@@ -46,10 +46,10 @@ impl Collision {
     /// normal by their neglected interaction ([`Collision::twist_bound`]), is below the tolerance. For
     /// spheres and planes with |gamma| f above 1 it is the analytic law, which is the most accurate there. A
     /// spin without tangential motion does not need rings: its torsional impact is exact. Static friction above
-    /// kinetic friction has the analytic law only.
+    /// kinetic friction and a given ratio of stiffness have the analytic law only.
     #[must_use]
     pub fn needed_law(&self, tolerance: f64) -> NeededLaw {
-        if self.static_friction.is_some() {
+        if self.static_friction.is_some() || self.stiffness_ratio.is_some() {
             return NeededLaw::Analytic;
         }
         let bound = self.coupling_bound();

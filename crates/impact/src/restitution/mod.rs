@@ -7,6 +7,7 @@ use crate::viscoelastic::{ViscoelasticImpact, ViscousLoss};
 
 mod dissimilar;
 mod map;
+mod sensitivity;
 mod table;
 mod tensor;
 
@@ -15,6 +16,7 @@ pub use dissimilar::{
     fill_dissimilar, of_dissimilar,
 };
 pub use map::restitution_map;
+pub use sensitivity::Sensitivity;
 pub use table::RestitutionTable;
 pub use tensor::RestitutionTensor;
 

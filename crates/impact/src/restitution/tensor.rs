@@ -4,6 +4,7 @@
 
 use nalgebra::Matrix3;
 
+use super::Sensitivity;
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
 
 /// A restitution tensor and how it was chosen; x is the direction of the tangential velocity.
@@ -28,8 +29,7 @@ impl RestitutionTensor {
 
     /// The tangent tensor; `velocity_ratio` is |v_x|/v_z of the initial velocity.
     ///
-    /// dR_x/dpsi comes from differences of the exact impact: eight digits away from the regime
-    /// boundaries, a mean of both sides on them.
+    /// dR_x/dpsi is that of [`Sensitivity`]: on the boundary of a regime that of one side.
     ///
     /// # Errors
     /// [`ObliqueError`] as [`ObliqueImpact::new`].
@@ -54,21 +54,12 @@ impl RestitutionTensor {
 
 // psi dR_x/dpsi.
 fn change(groups: Groups) -> Result<f64, ObliqueError> {
-    let (chi, psi) = (groups.chi(), groups.psi());
-    if crate::closed_form::restitution_in_sliding(chi, psi).is_some() {
-        return Ok(-2.0 * chi / psi);
+    let psi = groups.psi();
+    if psi == 0.0 || psi.is_infinite() {
+        Ok(0.0)
+    } else {
+        Ok(psi * Sensitivity::by_psi_of(groups)?)
     }
-    let step = 1e-3 * psi;
-    if step == 0.0 {
-        return Ok(0.0);
-    }
-    let at = |psi: f64| -> Result<f64, ObliqueError> {
-        let moved = Groups::new(chi, psi).unwrap_or(groups);
-        Ok(ObliqueImpact::new(moved)?.restitution())
-    };
-    let near = at(psi + step)? - at(psi - step)?;
-    let far = at(psi + 2.0 * step)? - at(psi - 2.0 * step)?;
-    Ok(psi * (8.0 * near - far) / (12.0 * step))
 }
 
 #[cfg(test)]

@@ -179,6 +179,7 @@ impl<'a> RingImpact<'a> {
         let collision = self.collision;
         let Some(impact) = collision.impact()? else { return Ok(None) };
         collision.refuse_static_friction("equal to kinetic friction with rings")?;
+        collision.refuse_stiffness_ratio()?;
         let mobility = collision.mobility().matrix();
         let skew = (mobility.m11 - mobility.m22).abs().max(2.0 * mobility.m12.abs());
         let is_round = collision.bodies().iter().all(|body| body.height().is_some());

@@ -31,6 +31,7 @@ mod ring_impacts;
 mod ring_impacts_known;
 mod scene;
 mod scene_on_wall;
+mod sensitivity;
 mod slip_speed;
 mod small_spin;
 mod sphere_pairs;

@@ -84,6 +84,7 @@ from ._contact_theory import (
     von_mises,
 )
 from ._creep import creep_coefficients, creep_force, fastsim
+from ._fit import Fit, fit
 from ._friction import SlipSpeedFriction
 from ._impact import collide, collide_many, history, plane, sphere
 from ._loss import RestitutionBySpeed
@@ -96,6 +97,15 @@ from ._records import (
     DissimilarRestitutions,
     FastsimForce,
     FastsimForces,
+    FitCorrelation,
+    FitCorrelations,
+    FitParameter,
+    FitParameters,
+    FitPoint,
+    FitPoints,
+    FitPrediction,
+    FitPredictions,
+    FitQuality,
     HertzState,
     HertzStates,
     HistoryPoint,
@@ -144,6 +154,16 @@ __all__ = [
     "DissimilarRestitutions",
     "FastsimForce",
     "FastsimForces",
+    "Fit",
+    "FitCorrelation",
+    "FitCorrelations",
+    "FitParameter",
+    "FitParameters",
+    "FitPoint",
+    "FitPoints",
+    "FitPrediction",
+    "FitPredictions",
+    "FitQuality",
     "Hertz",
     "HertzState",
     "HertzStates",
@@ -185,6 +205,7 @@ __all__ = [
     "creep_coefficients",
     "creep_force",
     "fastsim",
+    "fit",
     "hertz",
     "hertz_of_spheres",
     "history",

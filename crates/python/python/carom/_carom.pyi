@@ -364,6 +364,14 @@ class Solver:
 
 _Map = tuple[int, Array, Sequence[float] | None]
 
+def fit_table(text: str) -> list[tuple[str, list[float]]]: ...
+def fit(
+    path: str,
+    data: list[tuple[str, list[float]]],
+    errors: list[tuple[str | None, float]],
+    robust: bool,
+    predict: list[tuple[str, list[float]]] | None,
+) -> tuple[list[dict[str, Any]], list[str], tuple[list[str], bool]]: ...
 def surface_read(content: bytes, unit: float | None, range: float | None) -> tuple[_Map, bool, list[str]]: ...
 def surface_prepared(
     columns: int,

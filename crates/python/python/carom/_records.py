@@ -276,6 +276,181 @@ class FastsimForces(Records[FastsimForce], one=FastsimForce):
     F_y: Array
 
 
+class FitParameter(Record):
+    """An unknown of a case as data determine it.
+
+    parameter      field of the case
+    value          best value, in the unit beside
+    unit           unit of the numbers in this row
+    sd             standard error
+    low            lower end of the interval of 95 %
+    high           upper end
+    profile_low    lower end by the profile of the sum of squares
+    profile_high   upper end by it
+    determined_by  data, prior, nothing, or at its bound
+    """
+
+    parameter: str
+    value: float
+    unit: str
+    sd: float
+    low: float
+    high: float
+    profile_low: float
+    profile_high: float
+    determined_by: str
+
+    units = {'parameter': '', 'value': '', 'unit': '', 'sd': '', 'low': '', 'high': '', 'profile_low': '', 'profile_high': '', 'determined_by': ''}
+    meanings = {'parameter': 'field of the case', 'value': 'best value, in the unit beside', 'unit': 'unit of the numbers in this row', 'sd': 'standard error', 'low': 'lower end of the interval of 95 %', 'high': 'upper end', 'profile_low': 'lower end by the profile of the sum of squares', 'profile_high': 'upper end by it', 'determined_by': 'data, prior, nothing, or at its bound'}
+    _vectors = frozenset([])
+    _axis = 'parameter'
+
+
+class FitParameters(Records[FitParameter], one=FitParameter):
+    """Many results `FitParameter`: arrays of numbers, lists of texts."""
+
+    parameter: list[str]
+    value: Array
+    unit: list[str]
+    sd: Array
+    low: Array
+    high: Array
+    profile_low: Array
+    profile_high: Array
+    determined_by: list[str]
+
+
+class FitQuality(Record):
+    """How well the theory meets the data.
+
+    measured_values     number of measured values
+    unknowns            number of unknowns
+    degrees_of_freedom  measured values beyond what they determine
+    chi2                sum of the squares of residual over error
+    chi2_per_degree     about 1 if theory and errors are right
+    estimated_errors    standard errors, estimated from the residuals
+    loss                how residuals count
+    """
+
+    measured_values: int
+    unknowns: int
+    degrees_of_freedom: int
+    chi2: float
+    chi2_per_degree: float
+    estimated_errors: str
+    loss: str
+
+    units = {'measured_values': '', 'unknowns': '', 'degrees_of_freedom': '', 'chi2': '', 'chi2_per_degree': '', 'estimated_errors': '', 'loss': ''}
+    meanings = {'measured_values': 'number of measured values', 'unknowns': 'number of unknowns', 'degrees_of_freedom': 'measured values beyond what they determine', 'chi2': 'sum of the squares of residual over error', 'chi2_per_degree': 'about 1 if theory and errors are right', 'estimated_errors': 'standard errors, estimated from the residuals', 'loss': 'how residuals count'}
+    _vectors = frozenset([])
+    _axis = 'fit'
+
+
+class FitCorrelation(Record):
+    """The correlation of two unknowns.
+
+    first        an unknown
+    second       another one
+    correlation  of both, from -1 to 1
+    """
+
+    first: str
+    second: str
+    correlation: float
+
+    units = {'first': '', 'second': '', 'correlation': ''}
+    meanings = {'first': 'an unknown', 'second': 'another one', 'correlation': 'of both, from -1 to 1'}
+    _vectors = frozenset([])
+    _axis = 'pair'
+
+
+class FitCorrelations(Records[FitCorrelation], one=FitCorrelation):
+    """Many results `FitCorrelation`: arrays of numbers, lists of texts."""
+
+    first: list[str]
+    second: list[str]
+    correlation: Array
+
+
+class FitPoint(Record):
+    """A measured value beside the fitted one.
+
+    row       row of the data
+    quantity  measured quantity
+    unit      unit of the three numbers behind
+    measured  measured value
+    error     its standard error, given or estimated
+    fitted    fitted value
+    residual  measured less fitted, over the standard error
+    leverage  how much it determines its own fit, 0 to 1
+    weight    weight in the fit, 1 with squares
+    """
+
+    row: int
+    quantity: str
+    unit: str
+    measured: float
+    error: float
+    fitted: float
+    residual: float
+    leverage: float
+    weight: float
+
+    units = {'row': '', 'quantity': '', 'unit': '', 'measured': '', 'error': '', 'fitted': '', 'residual': '', 'leverage': '', 'weight': ''}
+    meanings = {'row': 'row of the data', 'quantity': 'measured quantity', 'unit': 'unit of the three numbers behind', 'measured': 'measured value', 'error': 'its standard error, given or estimated', 'fitted': 'fitted value', 'residual': 'measured less fitted, over the standard error', 'leverage': 'how much it determines its own fit, 0 to 1', 'weight': 'weight in the fit, 1 with squares'}
+    _vectors = frozenset([])
+    _axis = 'value'
+
+
+class FitPoints(Records[FitPoint], one=FitPoint):
+    """Many results `FitPoint`: arrays of numbers, lists of texts."""
+
+    row: NDArray[np.int64]
+    quantity: list[str]
+    unit: list[str]
+    measured: Array
+    error: Array
+    fitted: Array
+    residual: Array
+    leverage: Array
+    weight: Array
+
+
+class FitPrediction(Record):
+    """A prediction with fitted numbers.
+
+    row       row of the inputs
+    quantity  predicted quantity
+    unit      unit of the numbers behind
+    value     predicted value
+    low       lower end of 95 %, by the unknowns
+    high      upper end
+    """
+
+    row: int
+    quantity: str
+    unit: str
+    value: float
+    low: float
+    high: float
+
+    units = {'row': '', 'quantity': '', 'unit': '', 'value': '', 'low': '', 'high': ''}
+    meanings = {'row': 'row of the inputs', 'quantity': 'predicted quantity', 'unit': 'unit of the numbers behind', 'value': 'predicted value', 'low': 'lower end of 95 %, by the unknowns', 'high': 'upper end'}
+    _vectors = frozenset([])
+    _axis = 'prediction'
+
+
+class FitPredictions(Records[FitPrediction], one=FitPrediction):
+    """Many results `FitPrediction`: arrays of numbers, lists of texts."""
+
+    row: NDArray[np.int64]
+    quantity: list[str]
+    unit: list[str]
+    value: Array
+    low: Array
+    high: Array
+
+
 class FlangeSummary(Record):
     """Greatest absolute values of a flange around, and what tells of their accuracy.
 

@@ -136,7 +136,7 @@ fn reason(error: &std::io::Error) -> String {
 }
 
 /// Raises an error in a case as `ValueError`, a file that cannot be read as `OSError`.
-fn raised(error: Error) -> PyErr {
+pub(crate) fn raised(error: Error) -> PyErr {
     let path = error.path.as_ref().map(|path| path.display());
     match (&*error.kind, path) {
         (ErrorKind::Range(range), None) => Fault::from(*range).into(),

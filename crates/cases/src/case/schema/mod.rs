@@ -15,7 +15,6 @@ use super::section::SWEEP;
 use super::template::{capital, described};
 use super::uncertainty::UNCERTAINTY;
 use super::unit::Measure;
-use super::varied::VARIED;
 use choice::Place;
 use json::{Json, map, texts};
 use quantity::plain;
@@ -38,7 +37,7 @@ impl Schema {
     #[must_use]
     pub fn json_schema(&self) -> String {
         let numbers = if self.varied.is_empty() { Numbers::Single } else { Numbers::Varied };
-        let maker = Maker { root: self.fields, parts: RefCell::default() };
+        let maker = Maker { root: self.fields, forms: self.varied, parts: RefCell::default() };
         let head = map([
             ("$schema", DRAFT.into()),
             ("title", format!("A case for carom {}", self.name).into()),
@@ -68,6 +67,8 @@ enum Numbers {
 /// Makes the schema of a kind of case.
 struct Maker {
     root: &'static [Field],
+    /// The forms that may replace a number.
+    forms: &'static [Field],
     parts: RefCell<Parts>,
 }
 
@@ -185,7 +186,7 @@ impl Maker {
         match numbers {
             Numbers::Single => self.define("", measure, plain(measure, &[])),
             Numbers::Several => self.define("Several", measure, self.several(measure, SWEEP)),
-            Numbers::Varied => self.define("Varied", measure, self.several(measure, VARIED)),
+            Numbers::Varied => self.define("Varied", measure, self.several(measure, self.forms)),
         }
     }
 
@@ -208,12 +209,21 @@ impl Maker {
         let way = |names: &[&str]| {
             map([("required", texts(names)), ("maxProperties", names.len().into())])
         };
-        let mut ways = vec![way(&SWEEP.iter().map(|field| field.name).collect::<Vec<_>>())];
-        let kinds = forms.iter().filter(|form| !form.fields().is_empty());
+        let mut ways = Vec::new();
+        let is_of_sweep = |form: &Field| SWEEP.iter().any(|field| field.name == form.name);
+        let has_sweep = forms.iter().any(is_of_sweep);
+        if has_sweep {
+            ways.push(way(&SWEEP.iter().map(|field| field.name).collect::<Vec<_>>()));
+        }
+        let kinds = forms.iter().filter(|form| !is_of_sweep(form));
         ways.extend(kinds.map(|kind| way(&[kind.name])));
-        plain(measure, &["array", "object"])
-            .with("minItems", 1_usize)
-            .with("items", one)
+        let schema = match has_sweep {
+            true => {
+                plain(measure, &["array", "object"]).with("minItems", 1_usize).with("items", one)
+            }
+            false => plain(measure, &["object"]),
+        };
+        schema
             .with("properties", Json::Map(parts))
             .with("additionalProperties", false)
             .with("anyOf", ways)
@@ -222,10 +232,15 @@ impl Maker {
     /// A part of a table that replaces a number of this measure.
     fn replacement(&self, part: &Field, measure: Measure) -> Json {
         let head = map([("description", capital(part.meaning).into())]);
-        let (Form::Table(fields), own) = (part.form, Range::Finite.of(measure.dimension)) else {
-            return self.value(head, part.form, Numbers::Single);
-        };
+        let own = Range::Finite.of(measure.dimension);
         let number = self.number(own, Numbers::Single);
+        let fields = match part.form {
+            Form::Table(fields) => fields,
+            Form::Vector(parts, ..) => {
+                return list(head.with("type", "array"), number, [parts.len(); 2]);
+            }
+            form => return self.value(head, form, Numbers::Single),
+        };
         let properties = fields.iter().map(|field| (field.name.to_owned(), number.clone()));
         head.with("type", "object")
             .with("properties", Json::Map(properties.collect()))

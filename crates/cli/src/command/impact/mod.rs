@@ -68,6 +68,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     })?;
     let plot = moving.or(plot);
     let file = text.parse::<ImpactFile<'_>>()?;
+    impact::check_known(&file)?;
     if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
         return Err(CliError::Options("--animate requires a case with one impact"));
     }

@@ -3,6 +3,8 @@
 
 mod contact_digits;
 mod gallery;
+#[cfg(unix)]
+mod outputs;
 
 use crate::common::{Folder, folder, stdout};
 use carom_cases::case::{CaseKind, Entry, Need};

@@ -131,11 +131,11 @@ pub(crate) fn close(value: &serde_json::Value, expected: f64, tolerance: f64) {
     assert!((value - expected).abs() <= tolerance, "{value} is not {expected}");
 }
 
-/// Names and texts of the examples of a kind.
+/// Names and texts of the examples of a kind, those of `carom fit` too.
 pub(crate) fn examples(kind: CaseKind) -> Vec<(String, String)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
+    let entries = ["", "fit"].map(|folder| std::fs::read_dir(example(folder)).unwrap());
+    for entry in entries.into_iter().flatten() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let of =

@@ -34,8 +34,9 @@ fn json(source: &str) -> Value {
 }
 
 fn examples() -> Vec<(String, String)> {
-    let entries = std::fs::read_dir(root().join("examples")).unwrap();
-    let paths = entries.map(|entry| entry.unwrap().path());
+    let folders = ["examples", "examples/fit"].map(|name| root().join(name));
+    let entries = folders.map(|folder| std::fs::read_dir(folder).unwrap());
+    let paths = entries.into_iter().flatten().map(|entry| entry.unwrap().path());
     let cases = paths.filter(|path| path.extension().is_some_and(|end| end == "toml"));
     let name = |path: &std::path::Path| path.file_name().unwrap().to_str().unwrap().to_owned();
     cases.map(|path| (name(&path), std::fs::read_to_string(&path).unwrap())).collect()

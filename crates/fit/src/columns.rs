@@ -1,0 +1,253 @@
+//! Which columns of the data are inputs, measured values and errors.
+
+use crate::FitError;
+use crate::data::{Data, DataColumn};
+use crate::measured::{Measurement, Quantity};
+use crate::observable::{converted, in_dimension};
+use carom_cases::case::OpenCase;
+use carom_cases::case::{Measure, Renewed, Stated, likely};
+
+/// The ending of a column with standard errors.
+const ERROR: &str = "_sd";
+
+/// A standard error of all values of a quantity, or without a name of the only one.
+pub type GivenError = (Option<String>, f64);
+
+/// The data as a fit needs them.
+pub(crate) struct Read<O> {
+    /// The numbers of the case that each row replaces.
+    pub(crate) inputs: Vec<Input>,
+    /// The measured quantities.
+    pub(crate) quantities: Vec<(Quantity, O)>,
+    pub(crate) measured: Vec<Measurement>,
+    /// Columns that are not used.
+    pub(crate) unused: Vec<String>,
+}
+
+/// A number of the case that each row replaces.
+#[derive(Debug, Clone)]
+pub(crate) struct Input {
+    pub(crate) field: &'static str,
+    pub(crate) place: usize,
+    pub(crate) unit: &'static str,
+    pub(crate) values: Vec<f64>,
+}
+
+/// A quantity of an outcome, by name.
+pub(crate) trait Known: Sized {
+    /// The quantity of this name.
+    fn find(name: &str) -> Option<Self>;
+    /// The names of all.
+    fn names() -> Vec<String>;
+    /// Its unit and meaning.
+    fn about(&self) -> [&'static str; 2];
+}
+
+/// Short names of fields.
+const SHORT: &[(&str, &str)] = &[
+    ("angle", "approach.angle"),
+    ("speed", "approach.speed"),
+    ("approach", "load.approach"),
+    ("force", "load.force"),
+];
+
+/// What a column is.
+enum Role<O> {
+    Input(Stated),
+    Measured(O),
+    Error(String),
+    Unused,
+}
+
+/// The inputs of data that have them alone, or measured values beside them, which are not used.
+pub(crate) fn inputs<C: Renewed, O: Known>(
+    case: &OpenCase<'_, C>,
+    data: &Data,
+) -> Result<Vec<Input>, FitError> {
+    let mut inputs = Vec::new();
+    for column in data.columns() {
+        if let Role::Input(stated) = role::<C, O>(case, column)? {
+            inputs.push(input(column, stated)?);
+        }
+    }
+    Ok(inputs)
+}
+
+/// Sorts the columns of the data.
+pub(crate) fn read<C: Renewed, O: Known>(
+    case: &OpenCase<'_, C>,
+    data: &Data,
+    given: &[GivenError],
+) -> Result<Read<O>, FitError> {
+    let rows = data.rows();
+    let mut read = Read {
+        inputs: Vec::new(),
+        quantities: Vec::new(),
+        measured: Vec::new(),
+        unused: Vec::new(),
+    };
+    let mut errors: Vec<(String, &DataColumn)> = Vec::new();
+    let mut values: Vec<Vec<f64>> = Vec::new();
+    for column in data.columns() {
+        match role::<C, O>(case, column)? {
+            Role::Input(stated) => read.inputs.push(input(column, stated)?),
+            Role::Measured(own) => {
+                let [unit, meaning] = own.about();
+                values.push(converted(&column.values, [&column.unit, unit], &column.name)?);
+                finite(column, values.last().map_or(&[], Vec::as_slice), true)?;
+                let quantity = Quantity { name: column.name.clone(), unit, meaning };
+                read.quantities.push((quantity, own));
+            }
+            Role::Error(of) => errors.push((of, column)),
+            Role::Unused => read.unused.push(column.name.clone()),
+        }
+    }
+    if read.quantities.is_empty() {
+        let names = O::names().join(", ");
+        let own = data.columns().iter().map(|column| format!("`{}`", column.name));
+        let own = own.collect::<Vec<_>>().join(", ");
+        return Err(FitError::Table(format!(
+            "no column is a measured quantity; the columns are {own}, and quantities are {names}"
+        )));
+    }
+    let errors = sorted_errors(&read.quantities, &errors, given, rows)?;
+    for row in 0..rows {
+        for (quantity, values) in values.iter().enumerate() {
+            let (value, error) = (values[row], errors[quantity].as_ref().map(|errors| errors[row]));
+            if value.is_nan() {
+                continue;
+            }
+            check_error(&read.quantities[quantity].0.name, row, error)?;
+            read.measured.push(Measurement { row, quantity, value, error });
+        }
+    }
+    Ok(read)
+}
+
+fn check_error(name: &str, row: usize, error: Option<f64>) -> Result<(), FitError> {
+    match error {
+        Some(error) if !(error > 0.0 && error.is_finite()) => Err(FitError::Entry {
+            column: format!("{name}{ERROR}"),
+            row: row + 1,
+            found: if error.is_nan() { "no number".to_owned() } else { error.to_string() },
+            allowed: "a standard error, finite and > 0".to_owned(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// The standard errors of each quantity, where they are given.
+fn sorted_errors<O>(
+    quantities: &[(Quantity, O)],
+    columns: &[(String, &DataColumn)],
+    given: &[GivenError],
+    rows: usize,
+) -> Result<Vec<Option<Vec<f64>>>, FitError> {
+    let mut errors: Vec<Option<Vec<f64>>> = vec![None; quantities.len()];
+    let find = |name: &str| quantities.iter().position(|(own, _)| own.name == name);
+    for (of, column) in columns {
+        let Some(at) = find(of) else {
+            let reason = format!("there is no column `{of}` whose errors it could hold");
+            return Err(FitError::column(&column.name, reason));
+        };
+        let unit = quantities[at].0.unit;
+        errors[at] = Some(converted(&column.values, [&column.unit, unit], &column.name)?);
+    }
+    for (name, error) in given {
+        let at = match (name, quantities.len()) {
+            (Some(name), _) => find(name),
+            (None, 1) => Some(0),
+            (None, _) => {
+                let names: Vec<_> = quantities.iter().map(|(own, _)| own.name.as_str()).collect();
+                let reason = format!("a standard error needs its quantity: {}", names.join(", "));
+                return Err(FitError::Table(reason));
+            }
+        };
+        let name = name.clone().unwrap_or_default();
+        let at = at.ok_or_else(|| FitError::column(&name, "the data have no such column"))?;
+        check_error(&quantities[at].0.name, 0, Some(*error))?;
+        errors[at] = Some(vec![*error; rows]);
+    }
+    Ok(errors)
+}
+
+fn role<C: Renewed, O: Known>(
+    case: &OpenCase<'_, C>,
+    column: &DataColumn,
+) -> Result<Role<O>, FitError> {
+    let name = column.name.as_str();
+    let path = SHORT.iter().find(|(short, _)| *short == name).map_or(name, |(_, path)| path);
+    if path != name
+        && let Ok(stated) = case.stated(path)
+    {
+        return Ok(Role::Input(stated));
+    }
+    if let Some(own) = O::find(name) {
+        return Ok(Role::Measured(own));
+    }
+    if let Some(of) = name.strip_suffix(ERROR).filter(|of| O::find(of).is_some()) {
+        return Ok(Role::Error(of.to_owned()));
+    }
+    match case.stated(path) {
+        Ok(stated) => Ok(Role::Input(stated)),
+        // A field of the kind that the case does not state.
+        Err(error) if error.field == path && path.contains('.') && is_missing(&error) => {
+            Err(FitError::column(name, error.to_string()))
+        }
+        Err(_) if path.contains('.') => {
+            let reason = "no number of the case has this name; `carom schema` lists the fields";
+            Err(FitError::column(name, reason))
+        }
+        Err(_) => {
+            let names = O::names();
+            let names: Vec<&str> = names
+                .iter()
+                .map(String::as_str)
+                .chain(SHORT.iter().map(|(short, _)| *short))
+                .collect();
+            match likely(name, &names) {
+                near if near.is_empty() => Ok(Role::Unused),
+                near => Err(FitError::column(name, format!("not a quantity{near}"))),
+            }
+        }
+    }
+}
+
+fn is_missing(error: &carom_cases::case::CaseError) -> bool {
+    matches!(error.fault, carom_cases::case::CaseFault::Missing(_))
+}
+
+fn input(column: &DataColumn, Stated { field, place, measure }: Stated) -> Result<Input, FitError> {
+    let Measure { range, dimension } = measure;
+    let values = in_dimension(&column.values, &column.unit, dimension, &column.name)?;
+    finite(column, &values, false)?;
+    // A reading before the first touch is no approach.
+    let wrong = values.iter().position(|value| !range.holds(*value));
+    if let Some(row) = wrong.filter(|_| field != "load.approach") {
+        return Err(FitError::Entry {
+            column: column.name.clone(),
+            row: row + 1,
+            found: values[row].to_string(),
+            allowed: range.allowed().to_owned(),
+        });
+    }
+    Ok(Input { field, place, unit: dimension.unit(), values })
+}
+
+/// Checks that all numbers are finite, or `may` be missing.
+fn finite(column: &DataColumn, values: &[f64], may: bool) -> Result<(), FitError> {
+    let is_wrong = |value: &f64| value.is_infinite() || (value.is_nan() && !may);
+    match values.iter().position(is_wrong) {
+        None => Ok(()),
+        Some(row) => Err(FitError::Entry {
+            column: column.name.clone(),
+            row: row + 1,
+            found: if values[row].is_nan() {
+                "nothing".to_owned()
+            } else {
+                values[row].to_string()
+            },
+            allowed: "a finite number".to_owned(),
+        }),
+    }
+}

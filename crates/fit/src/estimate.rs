@@ -1,0 +1,221 @@
+//! The best values of the unknowns, the errors of the measured values where they are not known, and what is left open.
+
+use crate::FitError;
+use crate::measured::Measurement;
+use crate::model::Model;
+use crate::squares::{Found, Loss, Squares, starts};
+use nalgebra::{DMatrix, DVector};
+
+/// A direction is open if its standard error exceeds this part of what the bounds allow.
+const OPEN: f64 = 0.5;
+/// Rounds in which errors are estimated, and their relative change at the end.
+const ROUNDS: usize = 30;
+const STEADY: f64 = 1e-10;
+/// A part of an open direction by which an unknown belongs to it.
+const SHARE: f64 = 0.1;
+/// An estimated error is at least this part of the largest measured value.
+const LEAST_ERROR: f64 = 1e-12;
+
+/// The best values, and the state of the fit there.
+#[derive(Debug, Clone)]
+pub(crate) struct Estimate {
+    pub(crate) found: Found,
+    pub(crate) values: Vec<f64>,
+    pub(crate) predicted: Vec<f64>,
+    /// The standard error of each measured value, given or estimated.
+    pub(crate) errors: Vec<f64>,
+    /// How much each measured value determines its own prediction, from 0 to 1.
+    pub(crate) leverage: Vec<f64>,
+    /// The covariance of the places, without the open directions.
+    pub(crate) covariance: DMatrix<f64>,
+    /// The derivatives of the residuals by the places.
+    pub(crate) derivatives: DMatrix<f64>,
+    /// The directions of places that neither data nor priors determine.
+    pub(crate) open: Vec<DVector<f64>>,
+    /// Those that the data do not determine.
+    pub(crate) open_to_data: Vec<DVector<f64>>,
+    /// Measured values and priors less what they determine.
+    pub(crate) freedom: usize,
+    /// Whether a standard error was estimated.
+    pub(crate) is_estimated: bool,
+}
+
+impl Estimate {
+    /// Whether data and priors determine this unknown.
+    pub(crate) fn is_determined(&self, unknown: usize) -> bool {
+        is_outside(&self.open, unknown)
+    }
+
+    /// Whether the data alone determine it.
+    pub(crate) fn is_determined_by_data(&self, unknown: usize) -> bool {
+        is_outside(&self.open_to_data, unknown)
+    }
+}
+
+fn is_outside(open: &[DVector<f64>], unknown: usize) -> bool {
+    open.iter().map(|direction| direction[unknown].powi(2)).sum::<f64>() < SHARE
+}
+
+/// The fit of a model to measured values, from these places, or from several starts.
+pub(crate) fn estimate<M: Model + ?Sized>(
+    model: &M,
+    measured: &[Measurement],
+    loss: Loss,
+    begin: Option<DVector<f64>>,
+) -> Result<Estimate, FitError> {
+    let unknowns = model.parameters().len();
+    let priors = model.parameters().iter().filter(|one| one.unknown.prior.is_some()).count();
+    if measured.len() + priors < unknowns || measured.is_empty() {
+        return Err(FitError::TooFew { measured: measured.len(), unknowns });
+    }
+    let values: Vec<f64> = measured.iter().map(|one| one.value).collect();
+    let errors = first_errors(measured);
+    let mut squares = Squares { model, measured: &values, errors, loss };
+    let mut found = match begin {
+        Some(places) => squares.minimum(&places, &[])?,
+        None => squares.least(&starts(unknowns))?,
+    };
+    let is_estimated = measured.iter().any(|one| one.error.is_none());
+    let mut state = State::of(&squares, &found)?;
+    for _ in 0..if is_estimated { ROUNDS } else { 0 } {
+        let change = state.renew_errors(&mut squares, measured);
+        found = squares.minimum(&found.places, &[])?;
+        state = State::of(&squares, &found)?;
+        if change < STEADY {
+            break;
+        }
+    }
+    let n = measured.len();
+    let freedom = (n + priors).saturating_sub(unknowns - state.open.len());
+    let values = squares.values(&found.places);
+    Ok(Estimate {
+        values,
+        predicted: state.predicted,
+        errors: squares.errors,
+        leverage: state.leverage,
+        covariance: state.covariance,
+        derivatives: state.derivatives,
+        open: state.open,
+        open_to_data: state.open_to_data,
+        freedom,
+        is_estimated,
+        found,
+    })
+}
+
+/// The given errors; in the place of others the spread of the quantity.
+fn first_errors(measured: &[Measurement]) -> Vec<f64> {
+    let spread = |quantity: usize| {
+        let own = || measured.iter().filter(|one| one.quantity == quantity);
+        let count = own().count() as f64;
+        let mean = own().map(|one| one.value).sum::<f64>() / count;
+        let spread = (own().map(|one| (one.value - mean).powi(2)).sum::<f64>() / count).sqrt();
+        if spread > 0.0 { spread } else { mean.abs().max(1.0) }
+    };
+    measured.iter().map(|one| one.error.unwrap_or_else(|| spread(one.quantity))).collect()
+}
+
+/// What the derivatives at a minimum tell.
+struct State {
+    predicted: Vec<f64>,
+    leverage: Vec<f64>,
+    covariance: DMatrix<f64>,
+    derivatives: DMatrix<f64>,
+    open: Vec<DVector<f64>>,
+    open_to_data: Vec<DVector<f64>>,
+}
+
+impl State {
+    fn of<M: Model + ?Sized>(squares: &Squares<'_, M>, found: &Found) -> Result<Self, FitError> {
+        let n = squares.measured.len();
+        let mut predicted = vec![0.0; n];
+        squares.model.predict(&squares.values(&found.places), &mut predicted)?;
+        let (_, all) = squares.linear(&found.places)?;
+        let own = Split::of(&all);
+        let leverage = (0..n).map(|i| own.leverage(i)).collect();
+        let open_to_data = Split::of(&all.rows(0, n).into_owned()).open;
+        let (covariance, open) = (own.covariance, own.open);
+        Ok(Self { predicted, leverage, covariance, derivatives: all, open, open_to_data })
+    }
+
+    /// Estimates the errors of quantities for which none are given, and returns their largest relative change.
+    fn renew_errors<M: Model + ?Sized>(
+        &self,
+        squares: &mut Squares<'_, M>,
+        measured: &[Measurement],
+    ) -> f64 {
+        let most = measured.iter().map(|one| one.quantity).max().unwrap_or(0);
+        let mut change: f64 = 0.0;
+        for quantity in 0..=most {
+            let own = || {
+                let all = measured.iter().enumerate();
+                all.filter(move |(_, one)| one.quantity == quantity && one.error.is_none())
+            };
+            let size = own().map(|(_, one)| one.value.abs()).fold(f64::MIN_POSITIVE, f64::max);
+            let rest = |i: usize| self.predicted[i] - squares.measured[i];
+            let estimated = match squares.loss {
+                Loss::Squares => {
+                    let sum: f64 = own().map(|(i, _)| rest(i).powi(2)).sum();
+                    let free: f64 = own().map(|(i, _)| 1.0 - self.leverage[i]).sum();
+                    // Without freedom nothing is known of the error.
+                    if free > 1e-9 { (sum / free).sqrt() } else { 0.0 }
+                }
+                Loss::Huber => middle(own().map(|(i, _)| rest(i).abs()).collect()) / NORMAL_MIDDLE,
+            };
+            let estimated = estimated.max(LEAST_ERROR * size);
+            let places: Vec<usize> = own().map(|(i, _)| i).collect();
+            for i in places {
+                change = change.max((estimated / squares.errors[i] - 1.0).abs());
+                squares.errors[i] = estimated;
+            }
+        }
+        change
+    }
+}
+
+/// The size that half of normal deviates exceed.
+const NORMAL_MIDDLE: f64 = 0.674_489_750_196_081_7;
+
+fn middle(mut sizes: Vec<f64>) -> f64 {
+    sizes.sort_by(f64::total_cmp);
+    let half = sizes.len() / 2;
+    match sizes.len() % 2 {
+        _ if sizes.is_empty() => 0.0,
+        0 => 0.5 * (sizes[half - 1] + sizes[half]),
+        _ => sizes[half],
+    }
+}
+
+/// Derivatives by their singular values.
+struct Split {
+    /// Rows of left singular vectors of what is determined.
+    left: DMatrix<f64>,
+    covariance: DMatrix<f64>,
+    open: Vec<DVector<f64>>,
+}
+
+impl Split {
+    fn of(derivatives: &DMatrix<f64>) -> Self {
+        let unknowns = derivatives.ncols();
+        // Of a matrix with fewer rows than columns not all right vectors are found.
+        let rows = derivatives.nrows().max(unknowns);
+        let svd = derivatives.clone().resize(rows, unknowns, 0.0).svd(true, true);
+        let [Some(u), Some(v_t)] = [svd.u, svd.v_t] else {
+            let left = DMatrix::zeros(rows, 0);
+            return Self { left, covariance: DMatrix::zeros(unknowns, unknowns), open: Vec::new() };
+        };
+        let is_open = |k: usize| svd.singular_values[k] * OPEN < 1.0;
+        let shut: Vec<usize> = (0..unknowns).filter(|k| !is_open(*k)).collect();
+        let mut covariance = DMatrix::zeros(unknowns, unknowns);
+        for k in &shut {
+            let right = v_t.row(*k).transpose() / svd.singular_values[*k];
+            covariance += &right * right.transpose();
+        }
+        let open = (0..unknowns).filter(|k| is_open(*k)).map(|k| v_t.row(k).transpose()).collect();
+        Self { left: u.select_columns(&shut), covariance, open }
+    }
+
+    fn leverage(&self, row: usize) -> f64 {
+        self.left.row(row).norm_squared().min(1.0)
+    }
+}

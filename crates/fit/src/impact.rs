@@ -1,0 +1,294 @@
+//! The model of impacts: the outcomes of a case with unknowns for each row of data.
+
+use crate::FitError;
+use crate::columns::{Input, Known, Read};
+use crate::measured::Measurement;
+use crate::model::{Model, Parameter};
+use crate::observable::{Bounce, Observable};
+use carom_cases::case::{ImpactCase, OpenCase};
+use carom_cases::impact::outcome;
+use carom_cases::{Error, ErrorKind};
+use carom_impact::{NeededLaw, Outcome, TabledCollision};
+use carom_numerical::CollisionLaw;
+use carom_special::interrupt;
+use rayon::prelude::*;
+
+/// Relative steps of differences, and changes of sums that mean nothing: by the table and the exact impact, and by laws that
+/// refine in steps.
+const SMOOTH: [f64; 2] = [2e-3, 1e-13];
+const COARSE: [f64; 2] = [1e-2, 1e-6];
+/// Rows that a thread takes at least.
+const SHARE: usize = 64;
+
+impl Known for Observable {
+    fn find(name: &str) -> Option<Self> {
+        Self::find(name)
+    }
+
+    fn names() -> Vec<String> {
+        Self::names()
+    }
+
+    fn about(&self) -> [&'static str; 2] {
+        [self.unit(), self.meaning()]
+    }
+}
+
+/// The impacts of a case, one for each row of data.
+pub(crate) struct Impacts<'a> {
+    case: &'a OpenCase<'a, ImpactCase>,
+    parameters: Vec<Parameter>,
+    /// The offsets of the unknowns in the case.
+    places: Vec<usize>,
+    rows: Vec<Row>,
+    /// What the unknowns are, if each is a number of the contact that the table takes.
+    direct: Option<Vec<Direct>>,
+    /// Its step of differences, and change of a sum that means nothing.
+    smoothness: [f64; 2],
+}
+
+/// A row of the data.
+struct Row {
+    /// Its number, from 0.
+    index: usize,
+    /// The numbers of the case that it replaces.
+    numbers: Vec<(usize, f64)>,
+    /// What is measured: the place of the prediction, and the quantity.
+    measured: Vec<(usize, Observable)>,
+    /// The collision by the table, with the numbers of the contact that are not unknown.
+    tabled: Option<(TabledCollision, [f64; 3])>,
+}
+
+impl Row {
+    /// The first place of its predictions.
+    fn place(&self) -> usize {
+        self.measured.first().map_or(0, |(place, _)| *place)
+    }
+}
+
+/// An unknown that the table takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Direct {
+    Friction,
+    StiffnessRatio,
+    NormalRestitution,
+}
+
+impl Direct {
+    fn of(field: &str) -> Option<Self> {
+        Some(match field {
+            "contact.friction" => Self::Friction,
+            "contact.normal_over_tangential_stiffness" => Self::StiffnessRatio,
+            "contact.normal_restitution" => Self::NormalRestitution,
+            _ => return None,
+        })
+    }
+}
+
+impl<'a> Impacts<'a> {
+    pub(crate) fn new(
+        case: &'a OpenCase<'a, ImpactCase>,
+        (parameters, places): (Vec<Parameter>, Vec<usize>),
+        read: &Read<Observable>,
+        measured: &[Measurement],
+    ) -> Result<Self, FitError> {
+        // The measured values follow one another row by row.
+        let mut rows: Vec<Row> = Vec::new();
+        for (place, one) in measured.iter().enumerate() {
+            if rows.last().is_none_or(|row| row.index != one.row) {
+                let number = |input: &Input| (input.place, input.values[one.row]);
+                let numbers = read.inputs.iter().map(number).collect();
+                rows.push(Row { index: one.row, numbers, measured: Vec::new(), tabled: None });
+            }
+            let own = (place, read.quantities[one.quantity].1);
+            rows.last_mut().into_iter().for_each(|row| row.measured.push(own));
+        }
+        let direct = parameters.iter().map(|one| Direct::of(one.field)).collect();
+        let mut impacts = Self { case, parameters, places, rows, direct, smoothness: SMOOTH };
+        impacts.prepare()?;
+        Ok(impacts)
+    }
+
+    /// Looks up the collision of each row, by the table where that holds.
+    fn prepare(&mut self) -> Result<(), FitError> {
+        // A loss in the middle would be computed for each row, and is not needed.
+        let middle = |one: &Parameter| match Direct::of(one.field) {
+            Some(Direct::NormalRestitution) => one.at(1.0),
+            _ => one.at(0.5),
+        };
+        let nominal: Vec<f64> = self.parameters.iter().map(middle).collect();
+        // The cause of a loss shows where there is one.
+        let first = self.rows.first().map(|row| {
+            let inner: Vec<f64> = self.parameters.iter().map(|one| one.at(0.5)).collect();
+            self.case_of(row, &inner)
+        });
+        let Some(first) = first.transpose()? else { return Ok(()) };
+        let loss = first.contact.normal_restitution.clone();
+        if is_coarse(&first) {
+            self.smoothness = COARSE;
+        }
+        let needs_outcome =
+            |row: &Row| row.measured.iter().any(|(_, own)| matches!(own, Observable::Outcome(_)));
+        let find = |row: &Row| -> Result<Option<(TabledCollision, [f64; 3])>, FitError> {
+            let case = self.case_of(row, &nominal)?;
+            if case.collision.velocity().z <= 0.0 {
+                return Err(FitError::NoImpact { row: row.index + 1 });
+            }
+            let is_direct = self.direct.is_some() && !needs_outcome(row);
+            let tabled = is_direct.then(|| tabled(&case)).flatten();
+            Ok(tabled.and_then(|(one, own)| Some((one.with_normal_restitution(&loss)?, own))))
+        };
+        let found: Vec<_> = self.rows.par_iter().map(find).collect::<Result<_, _>>()?;
+        for (row, tabled) in self.rows.iter_mut().zip(found) {
+            row.tabled = tabled;
+        }
+        Ok(())
+    }
+
+    fn case_of(&self, row: &Row, values: &[f64]) -> Result<ImpactCase, FitError> {
+        let mut numbers = row.numbers.clone();
+        numbers.extend(self.places.iter().copied().zip(values.iter().copied()));
+        let failed = |source| FitError::Row {
+            row: row.index + 1,
+            source: Error::from(ErrorKind::from(source)),
+        };
+        self.case.case(&numbers).map_err(failed)
+    }
+
+    /// The predictions of a row: places and values.
+    fn row(
+        &self,
+        row: &Row,
+        values: &[f64],
+        put: &mut dyn FnMut(usize, f64),
+    ) -> Result<(), FitError> {
+        let failed = |source: Error| FitError::Row { row: row.index + 1, source };
+        if let (Some((tabled, own)), Some(direct)) = (&row.tabled, &self.direct) {
+            let mut numbers = *own;
+            direct.iter().zip(values).for_each(|(one, value)| numbers[*one as usize] = *value);
+            let [friction, ratio, e] = numbers;
+            let rebound = tabled.rebound(friction, ratio, e);
+            let rebound = rebound
+                .map_err(|error| failed(carom_numerical::CollisionLawError::from(error).into()))?;
+            let bounce = Bounce::tabled(tabled, &rebound);
+            row.measured.iter().for_each(|(place, own)| put(*place, of_bounce(own, &bounce)));
+            return Ok(());
+        }
+        let case = self.case_of(row, values)?;
+        let outcome = outcome(&case).map_err(failed)?;
+        let bounce = Bounce::of(&case.collision, &outcome);
+        let bounce = bounce.ok_or(FitError::NoImpact { row: row.index + 1 })?;
+        for (place, own) in &row.measured {
+            put(*place, of_outcome(own, &bounce, &outcome));
+        }
+        Ok(())
+    }
+
+    /// How many of the rows slide throughout with these values; none if that is not known of all of them.
+    pub(crate) fn sliding(&self, values: &[f64]) -> Option<[usize; 2]> {
+        let direct = self.direct.as_ref()?;
+        let slides = |row: &Row| {
+            let (tabled, own) = row.tabled.as_ref()?;
+            let mut numbers = *own;
+            direct.iter().zip(values).for_each(|(one, value)| numbers[*one as usize] = *value);
+            Some(tabled.slides(numbers[0], numbers[1]))
+        };
+        let all: Option<Vec<bool>> = self.rows.iter().map(slides).collect();
+        all.map(|all| [all.iter().filter(|slides| **slides).count(), all.len()])
+    }
+}
+
+/// The collision of a case by the table; none if its law or its loss is not that of the table.
+fn tabled(case: &ImpactCase) -> Option<(TabledCollision, [f64; 3])> {
+    let is_analytic = match case.contact.law {
+        CollisionLaw::Analytic(_) => true,
+        CollisionLaw::Auto => case.collision.default_law() == NeededLaw::Analytic,
+        _ => false,
+    };
+    let tabled = case.collision.tabled().filter(|_| is_analytic)?;
+    let ratio = tabled.stiffness_ratio();
+    let friction = case.collision.friction().coefficient()?;
+    let e = tabled.normal_restitution();
+    Some((tabled, [friction, ratio, e]))
+}
+
+/// Whether the law of a case has an error that differences must bridge.
+fn is_coarse(case: &ImpactCase) -> bool {
+    match case.contact.law {
+        CollisionLaw::Rings | CollisionLaw::Numerical => true,
+        CollisionLaw::Analytic(_) => false,
+        CollisionLaw::Auto => case.collision.default_law() != NeededLaw::Analytic,
+    }
+}
+
+fn of_bounce(own: &Observable, bounce: &Bounce) -> f64 {
+    match own {
+        Observable::Bounce(part) => part.of(bounce).unwrap_or(f64::NAN),
+        Observable::Outcome(_) => f64::NAN,
+    }
+}
+
+fn of_outcome(own: &Observable, bounce: &Bounce, outcome: &Outcome) -> f64 {
+    match own {
+        Observable::Bounce(part) => part.of(bounce).unwrap_or(f64::NAN),
+        Observable::Outcome(part) => part.of(outcome).unwrap_or(f64::NAN),
+    }
+}
+
+impl Model for Impacts<'_> {
+    fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    fn count(&self) -> usize {
+        self.rows.iter().map(|row| row.measured.len()).sum()
+    }
+
+    fn predict(&self, values: &[f64], into: &mut [f64]) -> Result<(), FitError> {
+        if interrupt::is_wanted() {
+            return Err(Error::from(ErrorKind::Interrupted).into());
+        }
+        let ask = interrupt::asked();
+        let is_quick = self.rows.iter().all(|row| row.tabled.is_some());
+        self.parts(into, if is_quick { SHARE } else { 1 }).into_par_iter().try_for_each(
+            |(rows, into)| {
+                interrupt::under(ask.clone(), || {
+                    let first = rows.first().map_or(0, Row::place);
+                    let mut put = |place: usize, value: f64| into[place - first] = value;
+                    rows.iter().try_for_each(|row| self.row(row, values, &mut put))
+                })
+            },
+        )?;
+        match into.iter().position(|value| !value.is_finite()) {
+            None => Ok(()),
+            Some(place) => Err(FitError::Undefined { row: self.row_of(place) + 1 }),
+        }
+    }
+
+    fn step(&self) -> f64 {
+        self.smoothness[0]
+    }
+
+    fn jitter(&self) -> f64 {
+        self.smoothness[1]
+    }
+}
+
+impl Impacts<'_> {
+    /// Rows with the places of their predictions, which follow one another as the rows do.
+    fn parts<'b>(&self, mut rest: &'b mut [f64], share: usize) -> Vec<(&[Row], &'b mut [f64])> {
+        let mut parts = Vec::with_capacity(self.rows.len().div_ceil(share));
+        for rows in self.rows.chunks(share) {
+            let count = rows.iter().map(|row| row.measured.len()).sum();
+            let (own, others) = rest.split_at_mut(count);
+            parts.push((rows, own));
+            rest = others;
+        }
+        parts
+    }
+
+    fn row_of(&self, place: usize) -> usize {
+        let has = |row: &&Row| row.measured.iter().any(|(own, _)| *own == place);
+        self.rows.iter().find(has).map_or(0, |row| row.index)
+    }
+}

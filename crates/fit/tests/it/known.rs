@@ -1,0 +1,146 @@
+//! Fits with known results: exact data, closed forms, scattered and wrong values.
+
+use crate::common::{BOTH, alumina, close, fitted, of};
+use carom_fit::{Data, Knowledge, Loss, Options, fit};
+use carom_impact::restitution::of_spheres;
+
+/// Ratios at these angles for friction .1 and kappa 1.2.
+fn exact(angles: &[f64]) -> Vec<f64> {
+    let ratio = |angle: &f64| {
+        let lambda = angle.to_radians().tan() / 0.1;
+        1.0 - 2.0 / 7.0 * (1.0 + of_spheres(1.2, lambda).unwrap())
+    };
+    angles.iter().map(ratio).collect()
+}
+
+fn data(angles: &[f64], ratios: Vec<f64>) -> Data {
+    let columns =
+        [("angle".to_owned(), angles.to_vec()), ("body_1_tangential_ratio".to_owned(), ratios)];
+    Data::new(columns.to_vec()).unwrap()
+}
+
+const ANGLES: [f64; 8] = [3.0, 7.0, 12.0, 16.0, 22.0, 28.0, 40.0, 60.0];
+
+#[test]
+fn exact_data_give_back_their_numbers() {
+    let fit = fitted(&alumina(BOTH), &data(&ANGLES, exact(&ANGLES)), Some(0.01)).unwrap();
+    close(of(&fit, "friction").value, 0.1, 1e-7);
+    close(of(&fit, "stiffness").value, 1.2, 1e-6);
+    assert!(fit.points.iter().all(|point| point.residual().abs() < 1e-5));
+    let leverage: f64 = fit.points.iter().map(|point| point.leverage).sum();
+    close(leverage, 2.0, 1e-9);
+    assert!(fit.warnings[0].contains("smaller than given"), "{:?}", fit.warnings);
+}
+
+#[test]
+fn friction_of_sliding_impacts_is_a_weighted_mean() {
+    // r = 1 - 2 f/tan(angle): linear in f, so that everything is known in closed form.
+    let angles = [50.0, 60.0, 70.0, 80.0_f64];
+    let by: Vec<f64> = angles.iter().map(|angle| -2.0 / angle.to_radians().tan()).collect();
+    let noise = [0.003, -0.002, 0.001, 0.004];
+    let ratios: Vec<f64> =
+        by.iter().zip(noise).map(|(slope, noise)| 1.0 + 0.1 * slope + noise).collect();
+    let squares: f64 = by.iter().map(|slope| slope * slope).sum();
+    let best: f64 =
+        by.iter().zip(&ratios).map(|(slope, ratio)| slope * (ratio - 1.0)).sum::<f64>() / squares;
+    let rest: f64 =
+        by.iter().zip(&ratios).map(|(slope, ratio)| (ratio - 1.0 - best * slope).powi(2)).sum();
+    let case = alumina("friction = { fit = [0.01, 1] }\nlaw = \"coulomb\"");
+    let estimated = fitted(&case, &data(&angles, ratios.clone()), None).unwrap();
+    let one = of(&estimated, "friction");
+    close(one.value, best, 1e-9);
+    let sd = (rest / 3.0 / squares).sqrt();
+    close(one.deviation.unwrap(), sd, 1e-6 * sd);
+    // Student's t of three degrees of freedom.
+    close(one.interval.unwrap()[1] - best, 3.182_446_305 * sd, 1e-6 * sd);
+    // The sum is a parabola: the profile is the same interval.
+    close(one.profile.unwrap()[0], one.interval.unwrap()[0], 3e-3 * sd);
+    let given = fitted(&case, &data(&angles, ratios), Some(0.003)).unwrap();
+    let one = of(&given, "friction");
+    let sd = 0.003 / squares.sqrt();
+    close(one.interval.unwrap()[1] - best, 1.959_963_985 * sd, 1e-6 * sd);
+    close(given.quality.chi_squared, rest / 9e-6, 1e-6 * rest / 9e-6);
+}
+
+#[test]
+fn a_prior_counts_as_one_more_measurement() {
+    let angles = [50.0, 60.0, 70.0, 80.0_f64];
+    let squares: f64 = angles.iter().map(|angle| (2.0 / angle.to_radians().tan()).powi(2)).sum();
+    let case = alumina("friction = { prior = { mean = 0.12, sd = 0.004 } }\nlaw = \"coulomb\"");
+    let fit = fitted(&case, &data(&angles, exact(&angles)), Some(0.01)).unwrap();
+    let (of_data, of_prior) = (squares / 1e-4, 1.0 / 0.004_f64.powi(2));
+    let one = of(&fit, "friction");
+    close(one.value, (of_data * 0.1 + of_prior * 0.12) / (of_data + of_prior), 1e-8);
+    close(one.deviation.unwrap(), (of_data + of_prior).sqrt().recip(), 1e-8);
+    assert_eq!(fit.quality.freedom, 4);
+}
+
+#[test]
+fn a_prior_determines_what_data_do_not() {
+    let angles = [50.0, 60.0, 70.0];
+    let case = alumina(
+        "friction = { fit = [0.01, 1] }\nnormal_over_tangential_stiffness = { prior = { mean = 1.1, sd = 0.05 } }",
+    );
+    let fit = fitted(&case, &data(&angles, exact(&angles)), Some(0.01)).unwrap();
+    let kappa = of(&fit, "stiffness");
+    assert_eq!(kappa.knowledge, Knowledge::Prior);
+    close(kappa.value, 1.1, 1e-9);
+    close(kappa.deviation.unwrap(), 0.05, 1e-9);
+    assert!(fit.statements.join(" ").contains("its interval is that of its prior"));
+}
+
+#[test]
+fn a_wrong_value_counts_little_with_a_robust_loss() {
+    let mut ratios = exact(&ANGLES);
+    let noise = [1.0, -1.0, 0.5, -0.7, 0.3, 1.0, -0.2, -0.8].map(|part| 0.004 * part);
+    ratios.iter_mut().zip(noise).for_each(|(ratio, noise)| *ratio += noise);
+    ratios[4] += 0.2;
+    let data = data(&ANGLES, ratios);
+    let errors = [(None, 0.004)];
+    let run = |loss| {
+        let options = Options { errors: &errors, loss, ..Options::default() };
+        of(&fit(&alumina(BOTH), &data, &options).unwrap(), "friction").value
+    };
+    let [squares, huber] = [Loss::Squares, Loss::Huber].map(run);
+    assert!((huber - 0.1).abs() < 0.25 * (squares - 0.1).abs(), "{huber} {squares}");
+}
+
+#[test]
+fn a_best_value_at_a_bound_is_told() {
+    let case = alumina(
+        "friction = { fit = [0.11, 1] }\nlaw = \"coulomb\"\nnormal_over_tangential_stiffness = 1.2",
+    );
+    let fit = fitted(&case, &data(&ANGLES, exact(&ANGLES)), Some(0.02)).unwrap();
+    let one = of(&fit, "friction");
+    assert_eq!((one.knowledge, one.value), (Knowledge::AtBound, 0.11));
+    assert_eq!(one.interval, None);
+    assert_eq!(one.profile.unwrap()[0], 0.11);
+    assert!(fit.statements[0].contains("is its bound, 0.11"), "{:?}", fit.statements);
+}
+
+#[test]
+fn without_degrees_of_freedom_there_are_no_intervals() {
+    let angles = [5.0, 40.0];
+    for error in [None, Some(0.01)] {
+        let fit = fitted(&alumina(BOTH), &data(&angles, exact(&angles)), error).unwrap();
+        assert_eq!(fit.quality.freedom, 0);
+        assert!(fit.parameters.iter().all(|one| one.interval.is_none() && one.profile.is_none()));
+        assert!(fit.statements.join(" ").contains("no degrees of freedom"));
+    }
+}
+
+#[test]
+fn predictions_have_bands_that_follow_the_unknown() {
+    let angles = [50.0, 60.0, 70.0, 80.0];
+    let ahead = Data::new(vec![("angle".to_owned(), vec![45.0, 65.0])]).unwrap();
+    let errors = [(None, 0.01)];
+    let options = Options { errors: &errors, predict: Some(&ahead), ..Options::default() };
+    let case = alumina("friction = { fit = [0.01, 1] }\nlaw = \"coulomb\"");
+    let fit = fit(&case, &data(&angles, exact(&angles)), &options).unwrap();
+    for (one, angle) in fit.predictions.iter().zip([45.0_f64, 65.0]) {
+        let slope = 2.0 / angle.to_radians().tan();
+        close(one.value, 1.0 - 0.1 * slope, 1e-8);
+        let half = slope * 1.959_963_985 * of(&fit, "friction").deviation.unwrap();
+        close(one.interval.unwrap()[1] - one.value, half, 1e-6 * half);
+    }
+}

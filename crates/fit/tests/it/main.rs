@@ -1,0 +1,9 @@
+//! Tests of fits against published data, closed forms and drawn data.
+
+mod common;
+mod contacts;
+mod coverage;
+mod impacts;
+mod known;
+mod measured;
+mod wrong;

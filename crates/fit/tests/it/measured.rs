@@ -1,0 +1,77 @@
+//! Published measurements: values of an independent fit of the same points (reduced dimensionality, least squares of scipy).
+
+use crate::common::{BOTH, alumina, close, fitted, of};
+use carom_cases::input::CaseFile;
+use carom_fit::{Data, Knowledge};
+
+/// Kharaz, Gorham and Salman 2001: angle and tangential velocity of the centre after over that before.
+const ALUMINA: &str = include_str!("../../../../examples/fit/alumina.csv");
+
+fn rows_above(least: f64) -> String {
+    let is_kept = |line: &&str| {
+        let angle = line.split(',').next().and_then(|text| text.parse::<f64>().ok());
+        angle.is_none_or(|angle| angle > least)
+    };
+    ALUMINA.lines().filter(is_kept).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn alumina_on_glass_has_the_values_of_an_independent_fit() {
+    let data = Data::from_csv(ALUMINA).unwrap();
+    let fit = fitted(&alumina(BOTH), &data, Some(0.014)).unwrap();
+    let (friction, kappa) = (of(&fit, "friction"), of(&fit, "stiffness"));
+    close(friction.value, 0.0927, 5e-5);
+    close(kappa.value, 1.110, 5e-4);
+    close(friction.deviation.unwrap(), 0.0029, 5e-5);
+    close(kappa.deviation.unwrap(), 0.026, 5e-4);
+    close(fit.quality.chi_squared_per_degree().unwrap(), 0.70, 5e-3);
+    assert!(fit.statements.is_empty() && fit.warnings.is_empty(), "{fit:?}");
+}
+
+#[test]
+fn the_steep_half_of_the_data_says_nothing_of_stiffness() {
+    let data = Data::from_csv(&rows_above(29.0)).unwrap();
+    let fit = fitted(&alumina(BOTH), &data, Some(0.014)).unwrap();
+    let kappa = of(&fit, "stiffness");
+    assert_eq!(kappa.knowledge, Knowledge::Nothing);
+    assert_eq!((kappa.deviation, kappa.interval, kappa.profile), (None, None, None));
+    assert_eq!(of(&fit, "friction").knowledge, Knowledge::Data);
+    let told = fit.statements.join(" ");
+    assert!(told.contains("do not determine normal_over_tangential_stiffness"), "{told}");
+    assert!(told.contains("slide throughout"), "{told}");
+    assert!(fit.correlations.is_empty());
+}
+
+/// Two spheres of glass, with these lines in `[contact]`.
+fn glass(contact: &str) -> CaseFile {
+    let sphere = "shape = \"sphere\"
+         radius = 1.59e-3
+         material = { young_modulus = 71e9, poisson = 0.22 }
+         density = 2500";
+    CaseFile::from_text(format!(
+        "[body_1]\n{sphere}\nvelocity = [1, 0, -1]\n[body_2]\n{sphere}\n[contact]\n{contact}"
+    ))
+}
+
+/// Of the independent fit friction counts e, and the ratio of stiffness does not.
+#[test]
+fn glass_on_glass_has_the_values_of_an_independent_fit() {
+    // Foerster, Louge, Chang and Allia 1994: single impacts of two spheres, with their own normal and tangential velocities.
+    let data = Data::from_csv(include_str!("../../../../examples/fit/glass.csv")).unwrap();
+    let elastic = fitted(&glass(BOTH), &data, Some(0.06)).unwrap();
+    close(of(&elastic, "stiffness").value, 1.26, 5e-3);
+    let lossy = format!("{BOTH}\nnormal_restitution = 0.97\nloss = \"yield\"");
+    let lossy = fitted(&glass(&lossy), &data, Some(0.06)).unwrap();
+    close(of(&lossy, "friction").value, 0.094, 5e-4);
+}
+
+#[test]
+fn spins_of_alumina_have_the_values_of_an_independent_fit() {
+    let text = include_str!("../../../../examples/fit/alumina_spin.csv");
+    let data = Data::from_csv(text).unwrap();
+    let elastic = fitted(&alumina(BOTH), &data, None).unwrap();
+    close(of(&elastic, "stiffness").value, 1.195, 5e-4);
+    let lossy = format!("{BOTH}\nnormal_restitution = 0.98\nloss = \"yield\"");
+    let lossy = fitted(&alumina(&lossy), &data, None).unwrap();
+    close(of(&lossy, "friction").value, 0.0948, 5e-5);
+}
