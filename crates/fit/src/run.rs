@@ -173,7 +173,7 @@ fn begin<K: Kind>(
     if apart < 2 {
         return Ok(None);
     }
-    let is_chosen = |one: &&Measurement| one.row % apart == 0;
+    let is_chosen = |one: &&Measurement| one.row.is_multiple_of(apart);
     let chosen: Vec<Measurement> = read.measured.iter().filter(is_chosen).copied().collect();
     let model = K::model(case, unknowns.clone(), read, &chosen)?;
     Ok(Some(estimate(&model, &chosen, loss, None)?.found.places))
