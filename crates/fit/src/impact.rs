@@ -18,7 +18,7 @@ use rayon::prelude::*;
 const SMOOTH: [f64; 2] = [2e-3, 1e-13];
 const COARSE: [f64; 2] = [1e-2, 1e-6];
 /// Rows that a thread takes at least.
-const SHARE: usize = 64;
+const SHARE: usize = 256;
 
 impl Known for Observable {
     fn find(name: &str) -> Option<Self> {

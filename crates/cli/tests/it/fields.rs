@@ -1,6 +1,6 @@
 //! The tables of fields: the reader, its errors, the examples and new cases agree with them.
 
-use crate::common::{carom, case, examples, stdout};
+use crate::common::{carom, case, examples, examples_in, stdout};
 use carom_cases::case::{CaseKind, Entry, Form, Need};
 use std::collections::BTreeSet;
 use toml::{Table, Value};
@@ -54,7 +54,7 @@ fn every_field_and_every_word_stands_in_an_example() {
     for kind in CaseKind::ALL {
         let entries = kind.entries();
         let mut found = BTreeSet::new();
-        for (_, text) in examples(kind) {
+        for (_, text) in [examples(kind), examples_in("fit", kind)].concat() {
             paths("", &Value::Table(text.parse().unwrap()), &mut found);
         }
         let mut found: BTreeSet<String> = found.iter().map(|path| merged(path, &entries)).collect();

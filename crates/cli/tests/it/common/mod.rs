@@ -131,11 +131,15 @@ pub(crate) fn close(value: &serde_json::Value, expected: f64, tolerance: f64) {
     assert!((value - expected).abs() <= tolerance, "{value} is not {expected}");
 }
 
-/// Names and texts of the examples of a kind, those of `carom fit` too.
+/// Names and texts of the examples of a kind.
 pub(crate) fn examples(kind: CaseKind) -> Vec<(String, String)> {
+    examples_in("", kind)
+}
+
+/// The same in a folder of the examples.
+pub(crate) fn examples_in(folder: &str, kind: CaseKind) -> Vec<(String, String)> {
     let mut found = Vec::new();
-    let entries = ["", "fit"].map(|folder| std::fs::read_dir(example(folder)).unwrap());
-    for entry in entries.into_iter().flatten() {
+    for entry in std::fs::read_dir(example(folder)).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let of =
