@@ -1,6 +1,5 @@
 //! Unknown numbers of a case from measured data.
 
-use carom_cases::input::CaseFile;
 use carom_fit::{
     Correlation, Data, Determined, Fit, FitError, GivenError, Loss, Options, Point, Prediction,
     Quality,
@@ -8,9 +7,8 @@ use carom_fit::{
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
 
-use crate::cases::raised;
+use crate::cases::{Source, raised};
 use crate::error::CaromError;
 use crate::records::arrays;
 use crate::threads::beside;
@@ -35,7 +33,7 @@ pub(crate) fn fit_table(text: &str) -> PyResult<Table> {
 #[allow(clippy::type_complexity)] // as Python has it: tables
 pub(crate) fn fit<'py>(
     py: Python<'py>,
-    path: PathBuf,
+    case: Source,
     data: Table,
     errors: Vec<GivenError>,
     robust: bool,
@@ -46,7 +44,7 @@ pub(crate) fn fit<'py>(
         let predict = predict.map(Data::new).transpose()?;
         let loss = if robust { Loss::Huber } else { Loss::Squares };
         let options = Options { errors: &errors, loss, predict: predict.as_ref(), curve: 0 };
-        carom_fit::fit(&CaseFile::read(&path)?, &data, &options)
+        carom_fit::fit(&case.read()?, &data, &options)
     });
     let fit = found?.map_err(refused)?;
     let tables = [

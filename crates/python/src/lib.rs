@@ -71,7 +71,9 @@ mod _carom {
     #[pymodule_export]
     use super::records::columns;
     #[pymodule_export]
-    use super::restitution::{restitution, restitution_of_dissimilar, restitution_of_groups};
+    use super::restitution::{
+        restitution, restitution_of_dissimilar, restitution_of_groups, restitution_table,
+    };
     #[pymodule_export]
     use super::roll::roll;
     #[pymodule_export]

@@ -10,7 +10,7 @@ use carom::laws::friction::Friction;
 use carom::special::RangeError;
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::arrays::{Numbers, map_by, of_three, same_length};
 use crate::error::Fault;
@@ -20,6 +20,12 @@ use crate::records::arrays;
 const SHARE: usize = 16;
 /// What the table of alike spheres is within.
 const ALIKE: f64 = 1e-8;
+
+/// The bytes of the table of R_x, as `RestitutionTable::to_bytes` describes them.
+#[pyfunction]
+pub(crate) fn restitution_table(py: Python<'_>) -> Bound<'_, PyBytes> {
+    PyBytes::new(py, &RestitutionTable::shared().to_bytes())
+}
 
 /// R_x of solid spheres.
 #[pyfunction]

@@ -13,7 +13,7 @@ from ._arrays import number
 from ._record import Result
 from ._records import FitCorrelations, FitParameter, FitParameters, FitPoints, FitPredictions, FitQuality
 from ._validity import warn
-from .cases import Path, _file
+from .cases import Case, _given
 
 #: Measured data: columns by name, a DataFrame, or the path of a file of comma-separated values.
 Columns = Union[Mapping[str, Any], Any]
@@ -75,7 +75,7 @@ def _table(name: str, data: Columns) -> list[tuple[str, list[float]]]:
 
 
 def fit(
-    case: Path,
+    case: Case,
     data: Columns,
     *,
     sd: float | Mapping[str, float] | None = None,
@@ -110,7 +110,7 @@ def fit(
     else:
         errors = [(None, number("sd", sd))]
     ahead = None if predict is None else _table("predict", predict)
-    tables, statements, told = _carom.fit(_file(case), _table("data", data), errors, bool(robust), ahead)
+    tables, statements, told = _carom.fit(_given(case), _table("data", data), errors, bool(robust), ahead)
     warn(told)
     parameters, quality, correlations, points, predictions = tables
     results = {
