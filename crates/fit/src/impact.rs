@@ -117,6 +117,13 @@ impl<'a> Impacts<'a> {
             _ => one.at(0.5),
         };
         let nominal: Vec<f64> = self.parameters.iter().map(middle).collect();
+        let ends = NEAR_BOUNDS.map(|x| {
+            let at = |one: &Parameter| match Direct::of(one.field) {
+                Some(Direct::Friction) => one.at(x),
+                _ => middle(one),
+            };
+            self.parameters.iter().map(at).collect::<Vec<f64>>()
+        });
         // The cause of a loss shows where there is one.
         let first = self.rows.first().map(|row| {
             let inner: Vec<f64> = self.parameters.iter().map(|one| one.at(0.5)).collect();
@@ -134,7 +141,12 @@ impl<'a> Impacts<'a> {
             if case.collision.velocity().z <= 0.0 {
                 return Err(FitError::NoImpact { row: row.index + 1 });
             }
-            let is_direct = self.direct.is_some() && !needs_outcome(row);
+            // Whether the coupling counts depends on friction: the table must hold over its bounds.
+            let is_analytic = |friction: &Vec<f64>| {
+                self.case_of(row, friction).is_ok_and(|case| has_analytic_law(&case))
+            };
+            let is_direct =
+                self.direct.is_some() && !needs_outcome(row) && ends.iter().all(is_analytic);
             let tabled = is_direct.then(|| tabled(&case)).flatten();
             Ok(tabled.and_then(|(one, own)| Some((one.with_normal_restitution(&loss)?, own))))
         };
@@ -200,17 +212,24 @@ impl<'a> Impacts<'a> {
 
 /// The collision of a case by the table; none if its law or its loss is not that of the table.
 fn tabled(case: &ImpactCase) -> Option<(TabledCollision, [f64; 3])> {
-    let is_analytic = match case.contact.law {
-        CollisionLaw::Analytic(_) => true,
-        CollisionLaw::Auto => case.collision.default_law() == NeededLaw::Analytic,
-        _ => false,
-    };
-    let tabled = case.collision.tabled().filter(|_| is_analytic)?;
+    let tabled = case.collision.tabled().filter(|_| has_analytic_law(case))?;
     let ratio = tabled.stiffness_ratio();
     let friction = case.collision.friction().coefficient()?;
     let e = tabled.normal_restitution();
     Some((tabled, [friction, ratio, e]))
 }
+
+/// Whether the law of a case is one of those in closed form.
+fn has_analytic_law(case: &ImpactCase) -> bool {
+    match case.contact.law {
+        CollisionLaw::Analytic(_) => true,
+        CollisionLaw::Auto => case.collision.default_law() == NeededLaw::Analytic,
+        _ => false,
+    }
+}
+
+/// Places near the bounds of friction, from 0 to 1.
+const NEAR_BOUNDS: [f64; 2] = [0.02, 0.98];
 
 /// Whether the law of a case has an error that differences must bridge.
 fn is_coarse(case: &ImpactCase) -> bool {

@@ -273,7 +273,8 @@ impl<M: Model + ?Sized> Squares<'_, M> {
 /// Starts that are followed to their minima, of those that are tried.
 const CHOSEN: usize = 3;
 
-/// Places spread evenly over all unknowns: Halton's sequence, about the middle.
+/// Places spread evenly over all unknowns, Halton's sequence about the middle; and for each unknown places near its lower bound
+/// by powers of ten, since a value that is positive may be far below its upper bound.
 pub(crate) fn starts(unknowns: usize) -> Vec<DVector<f64>> {
     const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
     let radical = |mut n: u32, base: u32| {
@@ -287,8 +288,15 @@ pub(crate) fn starts(unknowns: usize) -> Vec<DVector<f64>> {
     };
     let count = 8 * unknowns.min(8) as u32;
     let start = |n: u32| DVector::from_fn(unknowns, |j, _| radical(n, PRIMES[j % PRIMES.len()]));
-    (1..=count).map(start).collect()
+    let low = |j: usize, n: i32| {
+        DVector::from_fn(unknowns, |i, _| if i == j { 0.1_f64.powi(n) } else { 0.5 })
+    };
+    let low = (0..unknowns.min(8)).flat_map(|j| (1..=LOW_STARTS).map(move |n| low(j, n)));
+    (1..=count).map(start).chain(low).collect()
 }
+
+/// Places near the lower bound of each unknown: a tenth of the range, a hundredth and so on.
+const LOW_STARTS: i32 = 6;
 
 #[cfg(test)]
 mod tests {

@@ -154,13 +154,34 @@ impl Ground {
         (self.pressing * self.radius).sqrt()
     }
 
+    /// The acceleration of the centre at the beginning of a course.
+    pub(super) fn acceleration(&self, course: &Course, now: &Gliding) -> Vector3<f64> {
+        match course {
+            Course::Rests => Vector3::zeros(),
+            Course::Constant(steady) => steady.acceleration,
+            Course::Turning(manner) => self.rates(*manner, now)[0],
+        }
+    }
+
+    /// The slip of the contact point; zero within round-off.
+    fn slip(&self, now: &Gliding) -> Vector3<f64> {
+        let slip = now.slip();
+        if slip.norm() <= OVER * self.unit() { Vector3::zeros() } else { slip }
+    }
+
     /// What is over in a motion that turns.
     pub(super) fn is_over(&self, manner: Manner, now: &Gliding) -> Option<Stop> {
         let unit = self.unit();
         match manner {
             Manner::Slides => {
                 let size = now.velocity.norm().max(now.spinning.norm()).max(unit);
-                (now.slip().norm() <= OVER * size).then_some(Stop::Slip)
+                // Where the torque that resists exceeds that of friction the ball ends without spin.
+                let still = self.rolling > 0.0 && now.spinning.norm() <= OVER * size;
+                let stops = still && now.spinning.norm() > 0.0;
+                match now.slip().norm() <= OVER * size {
+                    true => Some(Stop::Slip),
+                    false => stops.then_some(Stop::Spin),
+                }
             }
             Manner::Rolls => (now.velocity.norm() <= OVER * unit).then_some(Stop::Motion),
         }
@@ -224,12 +245,13 @@ impl Ground {
 
     /// How the ball goes on from a motion.
     pub(super) fn course(&self, now: &Gliding) -> Result<Course, RangeError> {
-        let slip = now.slip();
+        let slip = self.slip(now);
         if slip.norm() > 0.0 {
             return self.slide(now, direction(&slip), slip.norm());
         }
         let resistance = self.rolling * self.pressing;
-        if now.velocity.norm() == 0.0 && self.along.norm() <= resistance.min(self.sticking()?) {
+        let stands = now.velocity.norm() <= OVER * self.unit();
+        if stands && self.along.norm() <= resistance.min(self.sticking()?) {
             return Ok(Course::Rests);
         }
         let towards = if now.velocity.norm() > 0.0 {
@@ -312,8 +334,15 @@ impl Turned {
             Manner::Rolls => now.velocity,
         };
         let [rate, turning] = ground.rates(manner, now);
-        let rate = if manner == Manner::Slides { rate + turning } else { rate };
-        let lasts = if rate.norm() > 0.0 { SHARE * moving.norm() / rate.norm() } else { most };
+        let over = |moving: &Vector3<f64>, rate: &Vector3<f64>| match rate.norm() > 0.0 {
+            true => SHARE * moving.norm() / rate.norm(),
+            false => most,
+        };
+        let slides = manner == Manner::Slides;
+        let moves = over(&moving, &if slides { rate + turning } else { rate });
+        // The direction of the torque that resists changes at once where the spin vanishes.
+        let turns = slides && ground.rolling > 0.0 && now.spinning.norm() > 0.0;
+        let lasts = if turns { moves.min(over(&now.spinning, &turning)) } else { moves };
         let end = most.min(lasts);
         let slope = |_: f64, y: &[f64; 9]| {
             let now = gliding(y);

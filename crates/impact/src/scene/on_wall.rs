@@ -1,14 +1,19 @@
 //! The legs of a path on a wall.
 
+use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::flight::Flight;
-use super::glide::{Course, Gliding, Ground, Steady, Turned};
-use super::path::{Ending, Leg, Manner, TimedFlight};
+use super::glide::{Course, Gliding, Ground, Steady, Stop, Turned};
+use super::path::{Ending, Leg, Manner, PathPoint, TimedFlight};
 use super::run::Legs;
-use super::wall::Meeting;
+use super::wall::{Meeting, Wall};
 use crate::collision::CollisionSolver;
 use crate::scene::SceneError;
+
+/// Velocities along the normal of a second wall below this part of sqrt(g R), and accelerations below this part of g, are
+/// round-off.
+const LEANING: f64 = 1e-9;
 
 /// What ends a leg on a wall before its motion does.
 enum Met {
@@ -31,8 +36,15 @@ impl<S: CollisionSolver> Legs<'_, S> {
         let ground = self.ground(wall, normal);
         let gliding = ground.gripped(self.gliding(&normal));
         self.set(&ground, gliding);
-        match ground.course(&gliding)? {
-            Course::Rests => Ok(Leg::ending_with(Ending::Rest { wall })),
+        let course = ground.course(&gliding)?;
+        if let Some(other) = self.pressed_on(wall, &ground.acceleration(&course, &gliding)) {
+            return Ok(Leg::ending_with(Ending::Wedged { wall, other }));
+        }
+        match course {
+            Course::Rests => {
+                self.set(&ground, gliding.stopped(Stop::Motion));
+                Ok(Leg::ending_with(Ending::Rest { wall }))
+            }
             Course::Constant(steady) => self.steadily((wall, &ground), &gliding, steady, left),
             Course::Turning(manner) => self.turning((wall, &ground), &gliding, manner, left),
         }
@@ -76,7 +88,7 @@ impl<S: CollisionSolver> Legs<'_, S> {
             Some((time, stop)) if time <= left => (time, Some(stop)),
             _ => (left, None),
         };
-        let met = self.met(wall, &flight, end);
+        let met = self.met(wall, &flight, end)?;
         let time = met.as_ref().map_or(end, |(time, _)| *time);
         let leg = TimedFlight {
             turning: ground.spin(&steady.spinning),
@@ -115,6 +127,9 @@ impl<S: CollisionSolver> Legs<'_, S> {
                 }
             }
             met = self.passed(wall, (begin.time + over, &turned.position(over)));
+            if free == 0.0 {
+                return self.closed(Leg::empty(), met, false);
+            }
             turned.cut(free);
         }
         let leg = turned.flight(begin.time, begin.motion.spin, ground);
@@ -154,15 +169,17 @@ impl<S: CollisionSolver> Legs<'_, S> {
 
     /// What a ball that moves on a wall with a constant acceleration meets first, up to a time: another wall, or the edge of
     /// its own.
-    fn met(&self, own: usize, flight: &Flight, end: f64) -> Option<(f64, Met)> {
+    fn met(&self, own: usize, flight: &Flight, end: f64) -> Result<Option<(f64, Met)>, RangeError> {
         let rim = self.scene.walls()[own].rim(flight);
         let mut first =
             rim.filter(|time| *time <= end).map(|time| (time, Met::Edge { index: own }));
-        for (index, wall) in
-            self.scene.walls().iter().enumerate().filter(|(index, _)| *index != own)
-        {
+        for (index, wall) in self.scene.walls().iter().enumerate() {
+            // It moves along a wall that it touches, or away from it.
+            if index == own || self.leans_on(wall).is_some() {
+                continue;
+            }
             let until = first.as_ref().map_or(end, |(time, _)| *time);
-            let met = match wall.meeting(self.now.time, flight, self.radius, until) {
+            let met = match wall.meeting(self.now.time, flight, self.radius, until)? {
                 Some(Meeting::Face { time, normal }) => (time, Met::Wall { index, normal }),
                 Some(Meeting::Edge { time }) => (time, Met::Edge { index }),
                 None => continue,
@@ -171,7 +188,26 @@ impl<S: CollisionSolver> Legs<'_, S> {
                 first = Some(met);
             }
         }
-        first
+        Ok(first)
+    }
+
+    /// The normal of a fixed wall that the ball touches without moving against it.
+    fn leans_on(&self, wall: &Wall) -> Option<Vector3<f64>> {
+        let PathPoint { position, motion, .. } = self.now;
+        let normal = wall.face(&position).filter(|_| wall.motion().is_none())?;
+        let touches = wall.gap(&position, self.radius) <= wall.tolerance(&position, self.radius);
+        let least = LEANING * (self.scene.gravity().norm() * self.radius).sqrt();
+        (touches && motion.velocity.dot(&normal).abs() <= least).then_some(normal)
+    }
+
+    /// Another wall on which the ball leans, and into which it would accelerate.
+    fn pressed_on(&self, own: usize, acceleration: &Vector3<f64>) -> Option<usize> {
+        let least = LEANING * self.scene.gravity().norm();
+        let presses = |wall: &Wall| {
+            self.leans_on(wall).is_some_and(|normal| acceleration.dot(&normal) < -least)
+        };
+        let mut walls = self.scene.walls().iter().enumerate();
+        walls.find(|(index, wall)| *index != own && presses(wall)).map(|(index, _)| index)
     }
 
     /// What a ball on a wall has passed at this place.
@@ -182,7 +218,9 @@ impl<S: CollisionSolver> Legs<'_, S> {
         let mut others = self.scene.walls().iter().enumerate().filter(|(index, _)| *index != own);
         others.find_map(|(index, wall)| {
             let wall = wall.placed(time);
-            (wall.gap(place, self.radius) < 0.0).then(|| match wall.face(place) {
+            (wall.gap(place, self.radius) < -wall.tolerance(place, self.radius)).then(|| match wall
+                .face(place)
+            {
                 Some(normal) => Met::Wall { index, normal },
                 None => Met::Edge { index },
             })

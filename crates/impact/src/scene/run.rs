@@ -199,6 +199,9 @@ const LOW: f64 = 1e-6;
 /// Velocities along a normal below this part of sqrt(g R) are round-off in a corner.
 const STILL: f64 = 1e-12;
 
+/// Legs without time before a path is refused.
+const MOST_IDLE: usize = 1000;
+
 /// The legs of a path in order, each computed when it is requested.
 #[derive(Debug)]
 pub struct Legs<'a, S = AnalyticOrRings> {
@@ -211,6 +214,8 @@ pub struct Legs<'a, S = AnalyticOrRings> {
     bounces: usize,
     /// The moving wall from which the ball does not rise any more.
     carried: Option<usize>,
+    /// Legs without time, one after the other.
+    idle: usize,
     /// How the ball moved in the last leg.
     on: Option<(usize, Manner)>,
     is_over: bool,
@@ -223,7 +228,8 @@ impl<S: CollisionSolver> Iterator for Legs<'_, S> {
         if self.is_over {
             return None;
         }
-        let leg = self.step().map(|leg| {
+        let before = self.now.time;
+        let leg = self.step().and_then(|leg| self.watched(leg, before)).map(|leg| {
             let begins = leg.flight.is_some() && leg.on != self.on;
             if leg.flight.is_some() {
                 // A bounce begins a motion anew.
@@ -256,9 +262,20 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
             now: PathPoint { time: 0.0, position: ball.position(), motion },
             bounces: 0,
             carried: None,
+            idle: 0,
             on: None,
             is_over: false,
         }
+    }
+
+    /// Refuses a path that goes on without time passing.
+    fn watched(&mut self, leg: Leg, before: f64) -> Result<Leg, SceneError<S::Error>> {
+        let idles = leg.bounce.is_none() && leg.ending.is_none() && self.now.time <= before;
+        self.idle = if idles { self.idle + 1 } else { 0 };
+        let allowed =
+            "earlier: here the ball changes its motion again and again without time passing";
+        RangeError::check("time", self.now.time, self.idle < MOST_IDLE, allowed)?;
+        Ok(leg)
     }
 
     /// Computes the leg to the next event.
@@ -274,14 +291,14 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         if let Some((wall, normal)) = pressed.next() {
             return self.on_wall(wall, normal);
         }
-        if let Some(wall) = self.carried.take() {
+        if let Some(wall) = self.carried.take().or_else(|| self.carried_by()) {
             return Ok(Leg::ending_with(Ending::Carried { wall }));
         }
         let left = self.limits.time() - self.now.time;
         let mut first: Option<(usize, Meeting)> = None;
         for (index, wall) in walls() {
             let end = first.map_or(left, |(_, meeting)| meeting.time());
-            match wall.meeting(self.now.time, &flight, self.radius, end) {
+            match wall.meeting(self.now.time, &flight, self.radius, end)? {
                 Some(met) if first.is_none_or(|(_, m)| met.time() < m.time()) => {
                     first = Some((index, met));
                 }
@@ -305,7 +322,33 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         }
     }
 
-    /// Two walls that the ball touches, without moving towards or away from them, and into which gravity presses it.
+    /// A moving wall that the ball touches without moving against it, and into which gravity presses it.
+    fn carried_by(&self) -> Option<usize> {
+        let PathPoint { position, motion, time } = self.now;
+        self.scene.walls.iter().position(|wall| {
+            let placed = wall.placed(time);
+            let touches =
+                placed.gap(&position, self.radius) <= placed.tolerance(&position, self.radius);
+            let pull = along(&(wall.acceleration(time) - self.scene.gravity), &wall.normal());
+            let least = STILL * (pull.max(0.0) * self.radius).sqrt();
+            let speed = (motion.velocity - wall.velocity(time)).dot(&wall.normal());
+            wall.motion().is_some() && touches && pull > 0.0 && speed.abs() <= least
+        })
+    }
+
+    /// Whether the ball also touches another wall, into which gravity presses it.
+    fn lies_on_another(&self, wall: usize) -> bool {
+        let position = self.now.position;
+        self.scene.walls.iter().enumerate().any(|(index, other)| {
+            let other = other.placed(self.now.time);
+            let touches =
+                other.gap(&position, self.radius) <= other.tolerance(&position, self.radius);
+            let normal = other.face(&position).filter(|_| touches && index != wall);
+            normal.is_some_and(|normal| along(&self.scene.gravity, &normal) < 0.0)
+        })
+    }
+
+    /// Two walls that the ball touches, nearly without moving towards or away from them, and into which gravity presses it.
     fn wedged(&self) -> Option<(usize, usize)> {
         let PathPoint { position, motion, .. } = self.now;
         let is_held = |wall: &Wall| {
@@ -314,8 +357,9 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
                 wall.gap(&position, self.radius) <= wall.tolerance(&position, self.radius);
             let normal = wall.face(&position).filter(|_| touches)?;
             let pull = -along(&self.scene.gravity, &normal);
-            let least = STILL * (pull.max(0.0) * self.radius).sqrt();
-            (pull > 0.0 && motion.velocity.dot(&normal).abs() <= least).then_some(())
+            let least = (2.0 * pull.max(0.0) * LOW * self.radius).sqrt();
+            let speed = (motion.velocity - wall.velocity(self.now.time)).dot(&normal);
+            (pull > 0.0 && speed.abs() <= least).then_some(())
         };
         let mut held =
             self.scene.walls.iter().enumerate().filter(|(_, wall)| is_held(wall).is_some());
@@ -372,14 +416,17 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         self.now.motion = after;
         self.bounces += 1;
         let speed = (after.velocity - moves.velocity(now)).dot(&normal);
-        let least = if loses { LOW * self.radius } else { 0.0 };
+        // In a corner friction may drive the ball into a wall again and again, whatever its loss.
+        let cornered = self.lies_on_another(wall);
+        let least = if loses || cornered { LOW * self.radius } else { 0.0 };
+        let height = self.limits.rebound_height().max(least);
+        let pull = if cornered { pull.max(self.scene.gravity.norm()) } else { pull };
         // v^2/(2 g) is the height of the rebound.
-        let rests =
-            pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height().max(least);
+        let rests = pull > 0.0 && speed * speed < 2.0 * pull * height;
         if rests {
             self.stay(wall, &normal);
         }
-        let ending = (!rests && self.bounces >= self.limits.bounces()).then_some(Ending::Bounces);
+        let ending = (self.bounces >= self.limits.bounces()).then_some(Ending::Bounces);
         Ok(Leg { bounce: Some(bounce), ending, ..Leg::empty() })
     }
 

@@ -296,13 +296,15 @@ impl Wall {
         flight: &Flight,
         radius: f64,
         end: f64,
-    ) -> Option<Meeting> {
-        let Some(motion) = &self.motion else { return self.still_meeting(flight, radius, end) };
+    ) -> Result<Option<Meeting>, RangeError> {
+        let Some(motion) = &self.motion else {
+            return Ok(self.still_meeting(flight, radius, end));
+        };
         let wall = self.placed(start);
         let gap = wall.gap(&flight.position, radius);
         let gap = if gap <= wall.tolerance(&flight.position, radius) { 0.0 } else { gap };
         let time = motion.closing(start, flight, gap, &self.normal, end)?;
-        Some(Meeting::Face { time, normal: self.normal })
+        Ok(time.map(|time| Meeting::Face { time, normal: self.normal }))
     }
 
     /// The same of a fixed wall.

@@ -30,6 +30,8 @@ enum Course {
     Positions(Vec<(f64, Vector3<f64>)>),
 }
 
+/// A step in which a ball that touches without moving stays where it is within round-off, s.
+const TOUCHING: f64 = 1e-9;
 /// Steps to a meeting; each is at least half of the way that the greatest acceleration allows.
 const MOST_STEPS: usize = 1_000_000;
 
@@ -109,6 +111,14 @@ impl WallMotion {
         }
     }
 
+    /// The period of an oscillation; 0 of a table.
+    fn period(&self) -> f64 {
+        match &self.0 {
+            Course::Oscillation { omega, .. } => TAU / omega,
+            Course::Positions(_) => 0.0,
+        }
+    }
+
     /// The acceleration at a time; that of a table is 0 between its times.
     pub(super) fn acceleration(&self, time: f64) -> Vector3<f64> {
         match &self.0 {
@@ -125,12 +135,24 @@ impl WallMotion {
         gap: f64,
         normal: &Vector3<f64>,
         end: f64,
-    ) -> Option<f64> {
+    ) -> Result<Option<f64>, RangeError> {
         match &self.0 {
             Course::Oscillation { amplitude, omega, .. } => {
-                let most = along(&flight.gravity, normal).abs()
-                    + amplitude.dot(normal).abs() * omega * omega;
-                self.stepped(start, flight, gap, normal, (most, end))
+                let reach = amplitude.dot(normal).abs();
+                let most = along(&flight.gravity, normal).abs() + reach * omega * omega;
+                // Nothing is met above the highest place of the wall.
+                let above = gap - (reach - self.displacement(start).dot(normal));
+                let from = match above > 0.0 {
+                    true => match flight.closing(above, normal) {
+                        Some(from) => from,
+                        None => return Ok(None),
+                    },
+                    false => 0.0,
+                };
+                if most == 0.0 {
+                    return Ok(flight.closing(gap, normal).filter(|time| *time <= end));
+                }
+                self.stepped(start, flight, gap, normal, [from, end, most])
             }
             Course::Positions(places) => {
                 // Times at which the velocity of the wall changes, from `start` on.
@@ -152,11 +174,11 @@ impl WallMotion {
                     if let Some(time) =
                         relative.closing(now, normal).filter(|time| from + time <= to)
                     {
-                        return Some(from + time);
+                        return Ok(Some(from + time));
                     }
                     from = to;
                 }
-                None
+                Ok(None)
             }
         }
     }
@@ -168,31 +190,38 @@ impl WallMotion {
         flight: &Flight,
         gap: f64,
         normal: &Vector3<f64>,
-        (most, end): (f64, f64),
-    ) -> Option<f64> {
+        [from, end, most]: [f64; 3],
+    ) -> Result<Option<f64>, RangeError> {
         let origin = self.displacement(start).dot(normal);
         let (v, g) = (along(&flight.velocity, normal), along(&flight.gravity, normal));
         let gap_at = |t: f64| {
             gap + t * (v + 0.5 * t * g) - (self.displacement(start + t).dot(normal) - origin)
         };
         let rate_at = |t: f64| v + t * g - self.velocity(start + t).dot(normal);
-        let mut t = 0.0;
+        let mut t = from;
         for _ in 0..MOST_STEPS {
             let (left, rate) = (gap_at(t).max(0.0), rate_at(t));
             if left == 0.0 && rate < 0.0 {
-                return Some(t);
+                return Ok(Some(t));
             }
             // The root of left + rate s - most s^2/2, without cancellation.
             let root = (rate * rate + 2.0 * most * left).sqrt();
-            let step = if rate > 0.0 { (rate + root) / most } else { 2.0 * left / (root - rate) };
-            if !step.is_finite() || t + step > end {
-                return None;
+            let step = match (rate > 0.0, root > 0.0) {
+                (true, _) => (rate + root) / most,
+                (false, true) => 2.0 * left / (root - rate),
+                // It touches without moving: what follows shows where it goes.
+                (false, false) => TOUCHING,
+            };
+            if t + step > end {
+                return Ok(None);
             }
             if step <= f64::EPSILON * t {
-                return (rate < 0.0).then_some(t);
+                return Ok((rate < 0.0).then_some(t));
             }
             t += step;
         }
-        None
+        let allowed =
+            "such that the ball meets the oscillating wall within a million steps of the search";
+        Err(RangeError::new("period", self.period(), allowed))
     }
 }

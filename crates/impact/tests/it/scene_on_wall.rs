@@ -438,3 +438,112 @@ fn a_rolling_ball_bounces_off_the_next_wall() {
     let path = scene.run(&ball.unwrap(), Limits::new(100.0, 1000).unwrap()).unwrap();
     assert_eq!(path.ending(), Ending::Wedged { wall: 0, other: 1 });
 }
+
+/// The floor, and a wall across x = 0.1, with a loss.
+fn corner(e: f64, mu: f64) -> [Wall; 2] {
+    let across = Wall::new([0.1, 0.0, 0.0], [-1.0, 0.0, 0.0], Material::RIGID, friction(0.2));
+    let lossy = |wall: Wall| {
+        let wall = wall.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        wall.with_rolling_resistance(mu).unwrap()
+    };
+    [lossy(floor(0.0)), lossy(across.unwrap())]
+}
+
+fn between(walls: &[Wall], gravity: [f64; 3], ball: &Ball, limits: [f64; 2]) -> Path {
+    let scene = Scene::new(gravity).unwrap();
+    let scene = walls.iter().fold(scene, |scene, wall| scene.with(wall.clone()));
+    scene.run(ball, Limits::new(limits[0], limits[1] as usize).unwrap()).unwrap()
+}
+
+/// Paths end in corners, whatever the losses, and energy does not rise.
+#[test]
+fn corners_end_or_are_followed() {
+    let ball = ball([0.05, 0.0, R], [0.3, 0.2, 0.0], [0.0; 3]);
+    for (e, gravity, ending) in [
+        (0.5, [1.0, 0.0, -G], Some(Ending::Wedged { wall: 0, other: 1 })),
+        (0.0, [0.5, 0.3, -G], Some(Ending::Wedged { wall: 0, other: 1 })),
+        (0.0, [0.0, 0.0, -G], None),
+        (0.5, [0.0, 0.0, -G], None),
+        (1.0, [0.0, 0.0, -G], None),
+    ] {
+        let path = between(&corner(e, 0.01), gravity, &ball, [3.0, 50.0]);
+        assert!(path.bounces().len() <= 50);
+        assert!(ending.is_none_or(|ending| path.ending() == ending), "{e} {:?}", path.ending());
+        let energy = |at: &PathPoint| {
+            let Motion { velocity, spin } = at.motion;
+            0.5 * velocity.norm_squared() + 0.2 * R * R * spin.norm_squared()
+                - Vector3::from(gravity).dot(&at.position)
+        };
+        let energies: Vec<f64> = path.events().iter().map(|event| energy(&event.at)).collect();
+        assert!(energies.windows(2).all(|two| two[1] <= two[0] + 1e-9), "{energies:?}");
+    }
+    // A groove, with friction and without.
+    for f in [0.0, 0.2] {
+        let side = |x: f64| {
+            let wall = Wall::new([0.0; 3], [x, 0.0, 0.866], Material::RIGID, friction(f)).unwrap();
+            wall.with_normal_restitution(NormalRestitution::new(0.5).unwrap())
+        };
+        let ball =
+            Ball::new(Body::sphere(R, rubber(), 0.03).unwrap().at([1e-3, 0.0, 0.05]).unwrap());
+        let path = between(&[side(0.5), side(-0.5)], [0.0, 0.0, -G], &ball.unwrap(), [20.0, 100.0]);
+        assert!(path.bounces().len() <= 100);
+        assert!(matches!(path.ending(), Ending::Wedged { .. } | Ending::Bounces));
+    }
+}
+
+/// Where the torque that resists exceeds that of friction, the ball slides without turning.
+#[test]
+fn a_ball_may_end_its_spin_and_slide() {
+    for (f, mu) in [(0.15, 0.5), (0.15, 0.3), (0.01, 0.02)] {
+        let wall = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, friction(f)).unwrap();
+        let wall = wall.with_rolling_resistance(mu).unwrap();
+        let path = run(wall, &ball([0.0, 0.0, R], [0.5, 0.3, 0.0], [20.0, 0.0, 0.0]), 100.0);
+        assert_eq!(path.ending(), Ending::Rest { wall: 0 });
+    }
+}
+
+/// Rolling with a torque near friction stays rolling: no event but its begin and the rest.
+#[test]
+fn rolling_is_not_interrupted_by_rounding() {
+    let slope = 10.0_f64.to_radians();
+    let n = Vector3::new(slope.sin(), 0.0, slope.cos());
+    let velocity = Vector3::new(0.492403876506104, -0.6, -0.08682408883346517);
+    let spin = n.cross(&velocity) / R;
+    let wall = floor(slope).with_rolling_resistance(0.3).unwrap();
+    let path = run(wall, &ball((R * n).into(), velocity.into(), spin.into()), 3.0);
+    let names: Vec<&str> = path.events().iter().map(|event| event.kind.name()).collect();
+    assert_eq!(names.last(), Some(&"rest"), "{names:?}");
+    assert!(names.len() <= 3, "{names:?}");
+}
+
+/// A ball that lies on a moving wall is carried, at the start too; none falls through.
+#[test]
+fn a_ball_that_lies_on_a_moving_wall_is_carried() {
+    let oscillation =
+        |amplitude, period, phase| WallMotion::oscillation(amplitude, period, phase).unwrap();
+    let table = |rows: &[[f64; 4]]| WallMotion::positions(rows).unwrap();
+    for (motion, height, speed) in [
+        (oscillation([1e-3, 0.0, 0.0], 0.02, 0.0), R, 0.0),
+        (table(&[[1.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0, 0.1]]), R, 0.0),
+        (table(&[[0.0; 4], [1.0, 0.0, 0.0, 0.1]]), R, 0.1),
+        (oscillation([0.0, 0.0, 1e-3], 2.0, -std::f64::consts::FRAC_PI_2), R - 1e-3, 0.0),
+    ] {
+        let wall = floor(0.0).with_motion(motion).unwrap();
+        let path = run(wall, &ball([0.0, 0.0, height], [0.0, 0.0, speed], [0.0; 3]), 1.0);
+        assert_eq!((path.ending(), path.bounces().len()), (Ending::Carried { wall: 0 }, 0));
+    }
+}
+
+/// A slow ball meets an oscillating wall within its reach, however many oscillations that takes.
+#[test]
+fn a_slow_ball_meets_an_oscillating_wall() {
+    for period in [1.0, 1e-3] {
+        let motion = WallMotion::oscillation([0.0, 0.0, 1e-3], period, 0.0).unwrap();
+        let wall = floor(0.0).with_motion(motion).unwrap();
+        let scene = Scene::new([0.0; 3]).unwrap().with(wall);
+        let slow = ball([0.0, 0.0, R + 1.1e-2], [0.0, 0.0, -1e-5], [0.0; 3]);
+        let path = scene.run(&slow, Limits::new(2000.0, 1).unwrap()).unwrap();
+        let [bounce] = path.bounces() else { panic!("{:?}", path.ending()) };
+        assert!((bounce.time - 1000.0).abs() < 1.0, "{}", bounce.time);
+    }
+}
