@@ -121,12 +121,11 @@ impl Chosen {
     pub fn places(&self, heads: &[String]) -> Result<Vec<usize>, CliError> {
         let mut places = Vec::new();
         for name in self.names {
+            let name = name.trim();
             // A vector stands for its components.
             let is_of = |head: &String| {
                 head == name
-                    || head
-                        .strip_prefix(name.as_str())
-                        .is_some_and(|end| ["_x", "_y", "_z"].contains(&end))
+                    || head.strip_prefix(name).is_some_and(|end| ["_x", "_y", "_z"].contains(&end))
             };
             let found = places.len();
             places.extend((0..heads.len()).filter(|place| is_of(&heads[*place])));
@@ -137,7 +136,7 @@ impl Chosen {
                     None => likely(name, &valid),
                 };
                 let columns = heads.join(", ");
-                return Err(CliError::Column { name: name.clone(), meant, columns });
+                return Err(CliError::Column { name: name.to_owned(), meant, columns });
             }
         }
         Ok(places)

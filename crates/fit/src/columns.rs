@@ -67,10 +67,23 @@ pub(crate) fn inputs<C: Renewed, O: Known>(
     let mut inputs = Vec::new();
     for column in data.columns() {
         if let Role::Input(stated) = role::<C, O>(case, column)? {
-            inputs.push(input(column, stated)?);
+            let own = input(column, stated)?;
+            refuse_twice(&inputs, &own, column)?;
+            inputs.push(own);
         }
     }
     Ok(inputs)
+}
+
+/// Refuses a number of the case that two columns give.
+fn refuse_twice(inputs: &[Input], own: &Input, column: &DataColumn) -> Result<(), FitError> {
+    match inputs.iter().any(|other| other.place == own.place) {
+        true => Err(FitError::Table(format!(
+            "the column `{}` gives `{}`, which another column gives too: remove one of them",
+            column.name, own.field
+        ))),
+        false => Ok(()),
+    }
 }
 
 /// Sorts the columns of the data.
@@ -90,7 +103,11 @@ pub(crate) fn read<C: Renewed, O: Known>(
     let mut values: Vec<Vec<f64>> = Vec::new();
     for column in data.columns() {
         match role::<C, O>(case, column)? {
-            Role::Input(stated) => read.inputs.push(input(column, stated)?),
+            Role::Input(stated) => {
+                let own = input(column, stated)?;
+                refuse_twice(&read.inputs, &own, column)?;
+                read.inputs.push(own);
+            }
             Role::Measured(own) => {
                 let [unit, meaning] = own.about();
                 values.push(converted(&column.values, [&column.unit, unit], &column.name)?);

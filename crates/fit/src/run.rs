@@ -205,6 +205,9 @@ fn unknowns<C: Renewed>(
     if found.0.is_empty() { Err(FitError::NoUnknown) } else { Ok(found) }
 }
 
+/// The data tell less of an unknown than its prior if its standard error is more than this part of the prior's.
+const MOSTLY: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
 fn determined<M: Model>(
     squares: &Squares<'_, M>,
     estimate: &Estimate,
@@ -213,13 +216,16 @@ fn determined<M: Model>(
     let one = |(j, parameter): (usize, &Parameter)| {
         let (value, place) = (estimate.values[j], estimate.found.places[j]);
         let is_known = estimate.is_determined(j);
-        let knowledge = match (is_known, estimate.is_determined_by_data(j)) {
+        let own = deviation(squares.model, estimate, j);
+        let prior = parameter.unknown.prior.zip(own);
+        let narrows = prior.is_none_or(|([_, prior], own)| own < MOSTLY * prior);
+        let knowledge = match (is_known, narrows && estimate.is_determined_by_data(j)) {
             (false, _) => Knowledge::Nothing,
             _ if place <= 0.0 || place >= 1.0 => Knowledge::AtBound,
             (true, false) => Knowledge::Prior,
             (true, true) => Knowledge::Data,
         };
-        let deviation = deviation(squares.model, estimate, j)
+        let deviation = own
             .filter(|_| estimate.freedom > 0 || !estimate.is_estimated)
             .filter(|_| knowledge != Knowledge::AtBound);
         let interval = width

@@ -30,9 +30,12 @@ pub(crate) fn statements(
     for direction in &estimate.open {
         told.push(open(parameters, direction, estimate));
     }
-    for one in determined {
+    for (j, one) in determined.iter().enumerate() {
         let of = name(one.parameter);
         match one.knowledge {
+            Knowledge::Prior if estimate.is_determined_by_data(j) => told.push(format!(
+                "The prior of {of} tells more than these data: its interval is for the greater part that of its prior."
+            )),
             Knowledge::Prior => told.push(format!(
                 "These data do not determine {of}: its interval is that of its prior."
             )),

@@ -89,6 +89,35 @@ fn a_prior_determines_what_data_do_not() {
     assert!(fit.statements.join(" ").contains("its interval is that of its prior"));
 }
 
+/// What a prior tells more of than the data do is its own; what the data narrow is theirs.
+#[test]
+fn an_interval_belongs_to_what_tells_more() {
+    let angles = [50.0, 60.0, 70.0];
+    let case = |sd: f64| {
+        let friction = format!("friction = {{ prior = {{ mean = 0.1, sd = {sd} }} }}");
+        alumina(&(friction + "\nlaw = \"coulomb\""))
+    };
+    let found = |sd| fitted(&case(sd), &data(&angles, exact(&angles)), Some(0.01)).unwrap();
+    let (narrow, wide) = (found(1e-3), found(0.1));
+    assert_eq!(of(&narrow, "friction").knowledge, Knowledge::Prior);
+    assert!(narrow.statements.join(" ").contains("The prior of friction tells more"));
+    assert_eq!(of(&wide, "friction").knowledge, Knowledge::Data);
+    assert!(wide.statements.is_empty(), "{:?}", wide.statements);
+}
+
+/// The best value is found far below an upper bound, at which all impacts grip alike.
+#[test]
+fn a_wide_bound_does_not_hide_the_best_value() {
+    for high in [1.0, 5.0, 10.0, 100.0, 1e4] {
+        let case = alumina(&format!("friction = {{ fit = [0, {high}] }}\nlaw = \"coulomb\""));
+        let angles = [30.0, 45.0, 60.0, 75.0];
+        let fit = fitted(&case, &data(&angles, exact(&angles)), Some(0.01)).unwrap();
+        let one = of(&fit, "friction");
+        assert_eq!(one.knowledge, Knowledge::Data, "{high}");
+        assert!((one.value - 0.1).abs() < 0.01, "{high}: {}", one.value);
+    }
+}
+
 #[test]
 fn a_wrong_value_counts_little_with_a_robust_loss() {
     let mut ratios = exact(&ANGLES);

@@ -57,6 +57,10 @@ fn wrong_data_are_told() {
         ),
         ("angle,R_x,R_x\n10,0.1,1\n20,0.2,1\n", "column `R_x` of the data: it stands twice"),
         ("angle,R_x\n10,0.1,3\n", "the data: "),
+        (
+            "angle,approach.angle,R_x\n10,10,0.1\n20,20,0.2\n",
+            "the column `approach.angle` gives `approach.angle`, which another column gives too",
+        ),
     ] {
         let found = error(&case, text);
         assert!(found.contains(told), "{text}: {found}");
