@@ -17,7 +17,7 @@ use crate::told::{Told, of_loads};
 /// Entries that a thread takes at least: the springs of a contact take a tenth of a millisecond.
 const SHARE: usize = 4;
 /// Forces from which on the table of their shape is made first; the bits are the same.
-const MANY: usize = 200;
+const MANY: usize = 400;
 
 /// Kalker's creep coefficients by the table.
 #[pyfunction]

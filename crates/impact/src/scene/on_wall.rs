@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::flight::Flight;
 use super::glide::{Course, Gliding, Ground, Steady, Stop, Turned};
-use super::path::{Ending, Leg, Manner, PathPoint, TimedFlight};
+use super::path::{Ending, Leg, Manner, TimedFlight};
 use super::run::Legs;
 use super::wall::{Meeting, Wall};
 use crate::collision::CollisionSolver;
@@ -193,11 +193,10 @@ impl<S: CollisionSolver> Legs<'_, S> {
 
     /// The normal of a fixed wall that the ball touches without moving against it.
     fn leans_on(&self, wall: &Wall) -> Option<Vector3<f64>> {
-        let PathPoint { position, motion, .. } = self.now;
-        let normal = wall.face(&position).filter(|_| wall.motion().is_none())?;
-        let touches = wall.gap(&position, self.radius) <= wall.tolerance(&position, self.radius);
+        let normal = self.touched(wall).filter(|_| wall.motion().is_none())?;
         let least = LEANING * (self.scene.gravity().norm() * self.radius).sqrt();
-        (touches && motion.velocity.dot(&normal).abs() <= least).then_some(normal)
+        let speed = self.now.motion.velocity.dot(&normal);
+        (speed.abs() <= least).then_some(normal)
     }
 
     /// Another wall on which the ball leans, and into which it would accelerate.

@@ -324,38 +324,36 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
 
     /// A moving wall that the ball touches without moving against it, and into which gravity presses it.
     fn carried_by(&self) -> Option<usize> {
-        let PathPoint { position, motion, time } = self.now;
+        let PathPoint { motion, time, .. } = self.now;
         self.scene.walls.iter().position(|wall| {
-            let placed = wall.placed(time);
-            let touches =
-                placed.gap(&position, self.radius) <= placed.tolerance(&position, self.radius);
             let pull = along(&(wall.acceleration(time) - self.scene.gravity), &wall.normal());
             let least = STILL * (pull.max(0.0) * self.radius).sqrt();
             let speed = (motion.velocity - wall.velocity(time)).dot(&wall.normal());
-            wall.motion().is_some() && touches && pull > 0.0 && speed.abs() <= least
+            let touches = wall.motion().is_some() && self.touched(wall).is_some();
+            touches && pull > 0.0 && speed.abs() <= least
         })
     }
 
     /// Whether the ball also touches another wall, into which gravity presses it.
     fn lies_on_another(&self, wall: usize) -> bool {
-        let position = self.now.position;
         self.scene.walls.iter().enumerate().any(|(index, other)| {
-            let other = other.placed(self.now.time);
-            let touches =
-                other.gap(&position, self.radius) <= other.tolerance(&position, self.radius);
-            let normal = other.face(&position).filter(|_| touches && index != wall);
+            let normal = self.touched(other).filter(|_| index != wall);
             normal.is_some_and(|normal| along(&self.scene.gravity, &normal) < 0.0)
         })
     }
 
+    /// The normal of a wall whose face the ball touches now, into the ball.
+    pub(super) fn touched(&self, wall: &Wall) -> Option<Vector3<f64>> {
+        let (wall, place) = (wall.placed(self.now.time), self.now.position);
+        let touches = wall.gap(&place, self.radius) <= wall.tolerance(&place, self.radius);
+        wall.face(&place).filter(|_| touches)
+    }
+
     /// Two walls that the ball touches, nearly without moving towards or away from them, and into which gravity presses it.
     fn wedged(&self) -> Option<(usize, usize)> {
-        let PathPoint { position, motion, .. } = self.now;
+        let motion = self.now.motion;
         let is_held = |wall: &Wall| {
-            let wall = wall.placed(self.now.time);
-            let touches =
-                wall.gap(&position, self.radius) <= wall.tolerance(&position, self.radius);
-            let normal = wall.face(&position).filter(|_| touches)?;
+            let normal = self.touched(wall)?;
             let pull = -along(&self.scene.gravity, &normal);
             let least = (2.0 * pull.max(0.0) * LOW * self.radius).sqrt();
             let speed = (motion.velocity - wall.velocity(self.now.time)).dot(&normal);

@@ -29,7 +29,7 @@ pub struct CreepContact {
 }
 
 /// Contacts of one axis ratio and one material, for many forces: a force takes a fifth of the time of [`CreepContact`]'s, to the
-/// same bits, and the table of the shape a hundred times as long once.
+/// same bits, and the table of the shape some three hundred times as long once.
 ///
 /// ```
 /// use carom_laws::creep::force::{CreepContact, CreepShape};
