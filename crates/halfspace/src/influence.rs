@@ -144,6 +144,17 @@ impl RectangleInfluence {
     pub(crate) fn independent(&self, offset: Offset) -> Independent {
         Independent::of(&self.pair, &self.rectangle.trusted_integrals(offset))
     }
+
+    /// The normal displacement due to pressure alone, to the bits of [`RectangleInfluence::independent`].
+    pub(crate) fn normal(&self, offset: Offset) -> f64 {
+        normal(&self.pair, self.rectangle.inverse_distance(offset))
+    }
+}
+
+/// The normal displacement due to pressure, (4.14), from the integral of 1/r.
+fn normal(pair: &MaterialPair, inverse_distance: f64) -> f64 {
+    let direct = 1.0 / (2.0 * PI * pair.shear_modulus());
+    direct * (1.0 - pair.poisson()) * inverse_distance
 }
 
 impl Independent {
@@ -156,7 +167,7 @@ impl Independent {
             // I0 - nu d2r/dx2, written as a sum of positive terms
             xx: direct * (integrals.yy + (1.0 - nu) * integrals.xx),
             yy: direct * (integrals.xx + (1.0 - nu) * integrals.yy),
-            zz: direct * (1.0 - nu) * integrals.inverse_distance,
+            zz: normal(pair, integrals.inverse_distance),
             xy: -direct * nu * integrals.xy,
             xz: coupling * integrals.log_x,
             yz: coupling * integrals.log_y,

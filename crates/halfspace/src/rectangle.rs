@@ -126,24 +126,48 @@ impl Rectangle {
         if x.max(y) > POINT_LIKE * self.width_x.max(self.width_y) {
             return self.as_point(x, y);
         }
+        let (ix, iy) = self.intervals(x, y);
+        let value = if let Some([rule_x, rule_y]) = self.far_rules(x, y) {
+            tensor(ix, rule_x, iy, rule_y)
+        } else if iy.centre >= gauss::NEAREST * iy.half {
+            strip(ix, iy, gauss::rule(iy.centre / iy.half))
+        } else if ix.centre >= gauss::NEAREST * ix.half {
+            strip(iy, ix, gauss::rule(ix.centre / ix.half)).transposed()
+        } else {
+            closed_form(ix, iy)
+        };
+        value.scaled(self.scale)
+    }
+
+    /// The sides of the rectangle as seen from the receiving point, over `scale`.
+    fn intervals(&self, x: f64, y: f64) -> (Interval, Interval) {
         let (x, y) = (x / self.scale, y / self.scale);
-        let (hx, hy) = (self.half_x, self.half_y);
+        (Interval { centre: x, half: self.half_x }, Interval { centre: y, half: self.half_y })
+    }
+
+    /// Gauss rules along both sides, where the point is far enough for them.
+    fn far_rules(&self, x: f64, y: f64) -> Option<[&'static [Node]; 2]> {
+        let (Interval { centre: x, half: hx }, Interval { centre: y, half: hy }) =
+            self.intervals(x, y);
         // Distance to the nearest singularity of each rule, in half-widths.
         let gap_x = (x - hx).max(0.0);
         let gap_y = (y - hy).max(0.0);
         let along_x = (x * x + gap_y * gap_y).sqrt() / hx;
         let along_y = (y * y + gap_x * gap_x).sqrt() / hy;
-        let (ix, iy) = (Interval { centre: x, half: hx }, Interval { centre: y, half: hy });
-        let value = if along_x >= gauss::NEAREST && along_y >= gauss::NEAREST {
-            tensor(ix, gauss::rule(along_x), iy, gauss::rule(along_y))
-        } else if y >= gauss::NEAREST * hy {
-            strip(ix, iy, gauss::rule(y / hy))
-        } else if x >= gauss::NEAREST * hx {
-            strip(iy, ix, gauss::rule(x / hx)).transposed()
-        } else {
-            closed_form(ix, iy)
-        };
-        value.scaled(self.scale)
+        let far = along_x >= gauss::NEAREST && along_y >= gauss::NEAREST;
+        far.then(|| [along_x, along_y].map(gauss::rule))
+    }
+
+    /// The integral of 1/r alone, to the bits of [`Rectangle::trusted_integrals`].
+    pub(crate) fn inverse_distance(&self, offset: Offset) -> f64 {
+        let (x, y) = (offset.x.abs(), offset.y.abs());
+        if x.max(y) <= POINT_LIKE * self.width_x.max(self.width_y)
+            && let Some([rule_x, rule_y]) = self.far_rules(x, y)
+        {
+            let (ix, iy) = self.intervals(x, y);
+            return inverse_tensor(ix, rule_x, iy, rule_y) * self.scale;
+        }
+        self.in_first_quadrant(x, y).inverse_distance
     }
 
     /// The integrands at the centre times the area.
@@ -205,6 +229,19 @@ fn tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> Rectang
         }
     }
     sum.scaled(x.half * y.half)
+}
+
+/// The integral of 1/r of [`tensor`].
+fn inverse_tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> f64 {
+    let mut sum = 0.0;
+    for ny in rule_y {
+        let py = y.centre + y.half * ny.position;
+        for nx in rule_x {
+            let px = x.centre + x.half * nx.position;
+            sum += nx.weight * ny.weight * (1.0 / (px * px + py * py)).sqrt();
+        }
+    }
+    sum * (x.half * y.half)
 }
 
 /// Closed form along x, Gauss rule across, for a cell that is far in y.

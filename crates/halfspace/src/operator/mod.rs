@@ -13,7 +13,9 @@
 //! exact one. [`SurfaceOperator::on_fewer`] is the same influence on a part of the grid, for a step that is solved
 //! about the contact only. [`SurfaceOperator::apply_roughly`] is a product in single precision, in half of the time
 //! on large grids: the tangential solve of uncoupled problems takes it for its corrections and computes the slip
-//! again in double precision where the error may count.
+//! again in double precision where the error may count. [`SurfaceOperator::among`] is the normal influence among some
+//! cells alone: where few cells of a large grid touch, the solver corrects their pressures with it, and checks the gap
+//! of all cells with the exact product.
 
 mod error;
 mod field;
@@ -29,6 +31,7 @@ mod precision;
 mod preconditioner;
 mod product;
 mod rolled;
+mod sparse;
 mod spectrum;
 mod table;
 mod tabulated;
@@ -46,6 +49,7 @@ pub use periodic::PeriodicOperator;
 pub use plate::{Plate, PlateOperator, PlateSymbol};
 pub use preconditioner::Preconditioner;
 pub use rolled::RolledOperator;
+pub use sparse::SPARSENESS;
 pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{InflcfUnits, KernelBlock, KernelOperator, TabulatedKernel};
 pub use threads::Threads;
@@ -164,6 +168,13 @@ pub trait SurfaceOperator: Send + Sync {
         _nx: usize,
         _ny: usize,
     ) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        None
+    }
+
+    /// The normal influence among some cells, in ascending order, with the errors of [`SPARSENESS`], in a time that grows
+    /// with their number: for contacts that cover a small part of a large grid. Its fields hold the values of these cells.
+    /// `None` unless overridden, and where the grid is too small or its cells too slender.
+    fn among(&self, _cells: &[usize]) -> Option<Box<dyn SurfaceOperator>> {
         None
     }
 

@@ -1,12 +1,13 @@
 //! The half-space under tractions that are periodic with the sides of the grid.
 
 use std::f64::consts::TAU;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::length::Sizes;
 use super::memory;
 use super::plan::Plan;
 use super::product::{Term, apply};
+use super::sparse::Hierarchy;
 use super::spectrum::{Parity, Spectrum};
 use super::torus::TorusInverse;
 use super::{
@@ -55,6 +56,7 @@ pub struct PeriodicOperator {
     /// Displacements due to unit tractions x, y, normal on the first cell.
     responses: [Vec<f64>; 9],
     inverse: TorusInverse,
+    hierarchy: Arc<OnceLock<Option<Arc<Hierarchy>>>>,
 }
 
 impl PeriodicOperator {
@@ -75,7 +77,8 @@ impl PeriodicOperator {
         let inverse = TorusInverse::new(&pair, grid, threads);
         let spectra = spectra(&pair, grid, &sizes);
         let responses = Default::default();
-        let mut own = Self { pair, grid, plan, spectra, responses, inverse };
+        let hierarchy = Arc::default();
+        let mut own = Self { pair, grid, plan, spectra, responses, inverse, hierarchy };
         own.respond()?;
         Ok(own)
     }
@@ -207,6 +210,19 @@ impl SurfaceOperator for PeriodicOperator {
             let coarse = Self::new(self.pair, grid, self.plan.threads.on_smaller(grid))?;
             Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
         })
+    }
+
+    fn among(&self, cells: &[usize]) -> Option<Box<dyn SurfaceOperator>> {
+        let hierarchy = self.hierarchy.get_or_init(|| {
+            let [nx, ny] = [self.grid.nx(), self.grid.ny()];
+            let kernel = |columns: i32, rows: i32| {
+                let place = |offset: i32, count: usize| offset.rem_euclid(count as i32) as usize;
+                self.responses[8][self.grid.index(place(columns, nx), place(rows, ny))]
+            };
+            Hierarchy::new((self.grid, self.plan.threads), kernel, &self.pair, true).map(Arc::new)
+        });
+        let operator = hierarchy.as_ref()?.among(cells)?;
+        Some(Box::new(operator))
     }
 
     fn apply(

@@ -101,6 +101,12 @@ impl CoefficientTable {
         let rows = split_rows(&mut blocks, grid);
         let fill = |(iy, mut row): (usize, [&mut [f64]; 6])| {
             let y = iy as f64 * grid.dy();
+            if held == Blocks::Normal {
+                for (ix, value) in row[Entry::Zz as usize].iter_mut().enumerate() {
+                    *value = influence.normal(Offset { x: ix as f64 * grid.dx(), y });
+                }
+                return;
+            }
             for ix in 0..grid.nx() {
                 let all = influence.independent(Offset { x: ix as f64 * grid.dx(), y });
                 for (entry, values) in Entry::ALL.into_iter().zip(&mut row) {

@@ -6,6 +6,7 @@ use super::length::Sizes;
 use super::memory;
 use super::plan::Plan;
 use super::product::{Term, apply};
+use super::sparse::Hierarchy;
 use super::spectrum::Spectrum;
 use super::table::Entry;
 use super::torus::TorusInverse;
@@ -48,6 +49,7 @@ pub struct HalfSpaceOperator {
     single: Arc<OnceLock<Single>>,
     inverse: TorusInverse,
     rough_inverse: TorusInverse<f32>,
+    hierarchy: Arc<OnceLock<Option<Arc<Hierarchy>>>>,
 }
 
 /// The transforms in single precision.
@@ -92,7 +94,8 @@ impl HalfSpaceOperator {
         let (plan, spectra, single) = (Plan::new(grid, threads), Arc::default(), Arc::default());
         let inverse = TorusInverse::new(&table.pair(), grid, threads);
         let rough_inverse = TorusInverse::new(&table.pair(), grid, threads);
-        Self { blocks, table, grid, plan, spectra, single, inverse, rough_inverse }
+        let hierarchy = Arc::default();
+        Self { blocks, table, grid, plan, spectra, single, inverse, rough_inverse, hierarchy }
     }
 
     /// Memory of all transforms and one workspace, in bytes.
@@ -146,6 +149,16 @@ impl HalfSpaceOperator {
             let spectrum = place.get_or_init(|| spectrum.over(single.unit));
             Term { spectrum, sign: sign as f32 }
         }))
+    }
+
+    /// The normal displacement due to a pressure, also beyond the table.
+    fn normal(&self, columns: i32, rows: i32) -> f64 {
+        let grid = self.table.grid();
+        let [n, m] = [columns, rows].map(|count| count.unsigned_abs() as usize);
+        if self.blocks != Blocks::Tangential && n < grid.nx() && m < grid.ny() {
+            return self.table.block(Entry::Zz)[grid.index(n, m)];
+        }
+        self.table.influence().normal(self.grid.offset(columns, rows))
     }
 
     fn single(&self) -> &Single {
@@ -264,6 +277,16 @@ impl SurfaceOperator for HalfSpaceOperator {
             Ok(Box::new(fewer) as Box<dyn SurfaceOperator>)
         };
         Some(build())
+    }
+
+    fn among(&self, cells: &[usize]) -> Option<Box<dyn SurfaceOperator>> {
+        let hierarchy = self.hierarchy.get_or_init(|| {
+            let kernel = |columns: i32, rows: i32| self.normal(columns, rows);
+            let place = (self.grid, self.plan.threads);
+            Hierarchy::new(place, kernel, &self.pair(), false).map(Arc::new)
+        });
+        let operator = hierarchy.as_ref()?.among(cells)?;
+        Some(Box::new(operator))
     }
 
     fn apply(

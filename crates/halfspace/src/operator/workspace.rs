@@ -6,6 +6,7 @@ use super::plan::Plan;
 use super::plate::SineSpace;
 use super::pool;
 use super::precision::Real;
+use super::sparse::SparseSpace;
 use super::threads::Threads;
 
 /// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
@@ -16,6 +17,7 @@ pub struct Workspace {
     pub(super) double: Space<f64>,
     pub(super) single: Space<f32>,
     pub(super) sines: SineSpace,
+    pub(super) sparse: SparseSpace,
 }
 
 /// Buffers of one precision.

@@ -1,5 +1,6 @@
 //! The integration tests of `carom-halfspace`: one executable with a module for each subject.
 
+mod among;
 mod ellipsoid;
 mod far;
 mod interior;

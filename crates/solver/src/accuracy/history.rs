@@ -107,7 +107,7 @@ impl<M: Method> Level<M> {
         observer: &mut dyn Observer,
     ) -> Result<(ContactState, Convergence), M::Error> {
         let (problem, from) = (&self.problem, &self.state);
-        let mut to = from.clone();
+        let mut to = ContactState::apart(problem.grid());
         let convergence =
             method.step(problem, from, drive, &mut to, &mut self.scratch, observer)?;
         Ok((to, convergence))

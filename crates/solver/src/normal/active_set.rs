@@ -77,7 +77,7 @@ impl ActiveSet {
     }
 
     /// Makes room after a release.
-    fn make_room(&mut self, cells: usize) {
+    pub(super) fn make_room(&mut self, cells: usize) {
         if self.active.len() == cells {
             return;
         }
@@ -155,7 +155,7 @@ impl ActiveSet {
     }
 
     /// The number of cells with pressure.
-    fn touching(&self, task: &NormalTask<'_>) -> usize {
+    pub(super) fn touching(&self, task: &NormalTask<'_>) -> usize {
         let count = |pressures: &[f64]| pressures.iter().filter(|p| **p > 0.0).count();
         fold(self.threads, &*task.pressure, &count, &|one, other| one + other)
     }

@@ -3,6 +3,7 @@
 mod active_set;
 mod iteration_state;
 mod signs;
+mod sparse;
 mod task;
 
 use std::sync::Arc;
@@ -246,7 +247,7 @@ impl Level {
             pressure: &mut self.pressure,
             approach,
         };
-        let convergence = self.set.solve(&mut task, limits, observer)?;
+        let convergence = self.set.solve_any(&mut task, limits, observer)?;
         Ok((task.approach, convergence))
     }
 }

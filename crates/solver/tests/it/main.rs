@@ -35,6 +35,7 @@ mod rough_waves;
 mod same_grid;
 mod second_axis;
 mod slender_periods;
+mod sparse_contacts;
 mod strong_coupling;
 mod summary;
 mod torque;

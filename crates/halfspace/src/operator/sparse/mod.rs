@@ -1,0 +1,310 @@
+//! The influence of pressures among a small part of the cells, in a time that grows with their number.
+//!
+//! Where a hundredth of a rough surface touches, a product with all cells by Fourier transforms is wasted on the
+//! others. Here the influence between points far apart is that between the nodes of coarser and coarser grids (Brandt
+//! and Lubrecht, J. Comput. Phys. 90, 1990), with nodes only about the chosen cells, and the coarsest grid uses
+//! transforms. All is in single precision, in units of the influence of a cell on itself and of the greatest pressure.
+//! The product is symmetric; its error is [`SPARSENESS`] of the greatest displacement.
+
+mod level;
+mod stencil;
+
+use std::sync::Arc;
+
+use super::length::Sizes;
+use super::plan::Plan;
+use super::precision::Real as _;
+use super::product::{Term, Terms};
+use super::spectrum::Spectrum;
+use super::torus::TorusInverse;
+use super::{
+    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
+    TractionField, Workspace,
+};
+use crate::{Coefficients, Grid, MaterialPair};
+use level::{Frame, Level};
+use stencil::Stencil;
+
+/// Error of a product among some of the cells, over the greatest displacement.
+pub const SPARSENESS: f64 = 1e-3;
+
+/// The coarsest grid has at most about so many cells.
+const COARSEST: usize = 1 << 16;
+/// No grid of fewer cells along an axis has a coarser one.
+const LEAST: usize = 64;
+/// The sides of a cell differ by this factor at most.
+const SLENDEREST: f64 = 2.0;
+
+/// The inverse counts neighbours up to this offset.
+const INVERSE_REACH: usize = 4;
+type InverseStencil = [[f32; 2 * INVERSE_REACH + 2]; 2 * INVERSE_REACH + 1];
+
+/// The influence on all grids, of one operator.
+pub(crate) struct Hierarchy {
+    grid: Grid,
+    threads: Threads,
+    /// The finest grid and those below it.
+    frames: Vec<Frame>,
+    stencils: Vec<[Stencil; 4]>,
+    plan: Plan<f32>,
+    coarsest: Spectrum<f32>,
+    /// The unit of the coarsest spectrum.
+    unit: f64,
+    inverse: InverseStencil,
+    /// The influence of a cell on itself.
+    own: f64,
+}
+
+impl Hierarchy {
+    /// From the normal displacement of a cell due to the pressure on another one, by their offset, the
+    /// materials and whether the surface repeats itself. `None` if grids cannot be made coarser.
+    pub(crate) fn new(
+        (grid, threads): (Grid, Threads),
+        kernel: impl Fn(i32, i32) -> f64,
+        pair: &MaterialPair,
+        periodic: bool,
+    ) -> Option<Self> {
+        let slender = grid.dx().max(grid.dy()) / grid.dx().min(grid.dy());
+        if slender > SLENDEREST {
+            return None;
+        }
+        let own = kernel(0, 0);
+        let kernel = |columns: i32, rows: i32| kernel(columns, rows) / own;
+        let mut frames = vec![Frame { first: [0, 0], counts: [grid.nx(), grid.ny()], periodic }];
+        let mut stencils = Vec::new();
+        loop {
+            let last = frames[frames.len() - 1];
+            let [nx, ny] = last.counts;
+            let even = !periodic || (nx.is_multiple_of(2) && ny.is_multiple_of(2));
+            let small = !stencils.is_empty() && nx * ny <= COARSEST * 5 / 4;
+            if small || nx.min(ny) < LEAST || !even {
+                break;
+            }
+            let spacing = 1 << stencils.len();
+            stencils.push(stencil::stencils(&|x, y| kernel(spacing * x, spacing * y)));
+            frames.push(last.coarser());
+        }
+        let (spacing, coarse) = (1 << stencils.len(), frames[frames.len() - 1]);
+        if stencils.is_empty() {
+            return None;
+        }
+        let [nx, ny] = coarse.counts;
+        let cells = Grid::new(nx, ny, grid.dx(), grid.dy()).ok()?;
+        let sizes = if periodic { Sizes::of_period(cells) } else { Sizes::of(cells) };
+        let coarsest =
+            Spectrum::general(&Plan::on(sizes, threads), |x, y| kernel(spacing * x, spacing * y));
+        let (plan, unit) = (Plan::on(sizes, threads), coarsest.greatest());
+        let (coarsest, inverse) = (coarsest.over(unit), inverse_stencil(grid, pair)?);
+        Some(Self { grid, threads, frames, stencils, plan, coarsest, unit, inverse, own })
+    }
+
+    /// The influence among these cells, in ascending order.
+    pub(crate) fn among(self: &Arc<Self>, cells: &[usize]) -> Option<SparseOperator> {
+        let (frame, nx) = (self.frames[0], self.grid.nx());
+        let points = cells.iter().map(|cell| frame.at(cell % nx, cell / nx) as u32).collect();
+        let grid = Grid::new(cells.len(), 1, self.grid.dx(), self.grid.dy()).ok()?;
+        let mut levels = vec![Level { frame, points }];
+        for _ in &self.stencils {
+            levels.push(levels[levels.len() - 1].coarser());
+        }
+        Some(SparseOperator { hierarchy: Arc::clone(self), levels: levels.into(), grid })
+    }
+}
+
+/// The inverse on a small torus about one cell. Factors that fall towards the end of the stencil keep it positive
+/// definite.
+fn inverse_stencil(grid: Grid, pair: &MaterialPair) -> Option<InverseStencil> {
+    const SIDE: usize = 32;
+    let torus = Grid::new(SIDE, SIDE, grid.dx(), grid.dy()).ok()?;
+    let (mut unit, mut pressure) = (vec![0.0; torus.cells()], vec![0.0; torus.cells()]);
+    let middle = SIDE / 2;
+    unit[torus.index(middle, middle)] = 1.0;
+    let inverse = TorusInverse::<f64>::new(pair, torus, Threads::One);
+    inverse.pressure(&unit, &mut pressure, &mut Workspace::default());
+    let scale = pressure[torus.index(middle, middle)];
+    let mut stencil = InverseStencil::default();
+    let factor =
+        |place: usize| 1.0 - place.abs_diff(INVERSE_REACH) as f64 / (INVERSE_REACH + 1) as f64;
+    for (row, values) in stencil.iter_mut().enumerate() {
+        for (column, value) in values[..=2 * INVERSE_REACH].iter_mut().enumerate() {
+            let at = torus.index(middle + column - INVERSE_REACH, middle + row - INVERSE_REACH);
+            *value = (factor(row) * factor(column) * pressure[at] / scale) as f32;
+        }
+    }
+    Some(stencil)
+}
+
+/// The influence of pressures among chosen cells. Fields hold the values of these cells, so that its grid is a row of
+/// them.
+pub(crate) struct SparseOperator {
+    hierarchy: Arc<Hierarchy>,
+    levels: Arc<[Level]>,
+    grid: Grid,
+}
+
+/// The working memory of a product. All pressures are zero between products.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SparseSpace {
+    pressures: Vec<Vec<f32>>,
+    displacements: Vec<Vec<f32>>,
+    /// The values of the points of one grid.
+    values: Vec<f32>,
+    /// Pressures and displacements on the coarsest grid.
+    coarsest: [Vec<f64>; 2],
+}
+
+impl SparseSpace {
+    fn prepare(&mut self, levels: &[Level]) {
+        let fits = |fields: &[Vec<f32>]| {
+            fields.len() == levels.len()
+                && fields
+                    .iter()
+                    .zip(levels)
+                    .all(|(field, level)| field.len() == level.frame.stored())
+        };
+        if !fits(&self.pressures) {
+            let zero = || levels.iter().map(|level| vec![0.0; level.frame.stored()]).collect();
+            (self.pressures, self.displacements) = (zero(), zero());
+            let cells = levels.last().map_or(0, |level| level.frame.counts.iter().product());
+            self.coarsest = [vec![0.0; cells], vec![0.0; cells]];
+        }
+        self.values.resize(levels.iter().map(|level| level.points.len()).max().unwrap_or(0), 0.0);
+    }
+}
+
+impl SurfaceOperator for SparseOperator {
+    fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    fn threads(&self) -> Threads {
+        self.hierarchy.threads
+    }
+
+    fn is_coupled(&self) -> bool {
+        false
+    }
+
+    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        let mut coefficients = Coefficients::default();
+        if (columns, rows) == (0, 0) {
+            coefficients.rows[2][2] = self.hierarchy.own;
+        }
+        coefficients
+    }
+
+    fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
+        let (levels, hierarchy) = (Arc::clone(&self.levels), Arc::clone(&self.hierarchy));
+        Some(Arc::new(SparseInverse { hierarchy, levels }))
+    }
+
+    fn apply(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        tractions.check(self.grid.cells())?;
+        displacements.check(self.grid.cells())?;
+        let [None, None, Some(pressure)] = tractions.by_axis() else {
+            let (of, by) = (Axis::Normal.displacement_name(), Axis::X.traction_name());
+            return Err(OperatorError::Missing { of, by });
+        };
+        let [None, None, Some(found)] = displacements.by_axis() else {
+            let (of, by) = (Axis::X.displacement_name(), Axis::Normal.traction_name());
+            return Err(OperatorError::Missing { of, by });
+        };
+        self.product(pressure, found, workspace);
+        Ok(())
+    }
+}
+
+impl SparseSpace {
+    /// Puts the values of cells into the finest grid; returns their unit.
+    fn take(&mut self, level: &Level, values: &[f64]) -> f64 {
+        let unit = f32::unit(&[values], Threads::One);
+        let per_unit = 1.0 / unit;
+        for (own, value) in self.values.iter_mut().zip(values) {
+            *own = (value * per_unit) as f32;
+        }
+        level.scatter(&self.values, &mut self.pressures[0]);
+        unit
+    }
+
+    /// Gives the values found for the cells, in a unit.
+    fn give(&self, unit: f64, found: &mut [f64]) {
+        for (found, value) in found.iter_mut().zip(&self.values) {
+            *found = unit * f64::from(*value);
+        }
+    }
+}
+
+impl SparseOperator {
+    fn product(&self, pressure: &[f64], found: &mut [f64], workspace: &mut Workspace) {
+        let (levels, threads) = (&self.levels, self.hierarchy.threads);
+        let mut space = std::mem::take(&mut workspace.sparse);
+        space.prepare(levels);
+        let unit = space.take(&levels[0], pressure);
+        for at in 1..levels.len() {
+            let (fine, coarse) = space.pressures.split_at_mut(at);
+            levels[at].gather(&levels[at - 1].frame, &fine[at - 1], &mut space.values);
+            levels[at].scatter(&space.values, &mut coarse[0]);
+        }
+        self.on_coarsest(&mut space, workspace);
+        for at in (0..levels.len() - 1).rev() {
+            let (level, count) = (&levels[at], levels[at].points.len());
+            let given = (&self.hierarchy.stencils[at], &space.pressures[at][..]);
+            let (fine, coarse) = space.displacements.split_at_mut(at + 1);
+            let nodes = (&levels[at + 1].frame, &coarse[0][..]);
+            level.displacements(given, nodes, threads, &mut space.values[..count]);
+            if at > 0 {
+                level.scatter(&space.values, &mut fine[at]);
+            }
+        }
+        space.give(unit * self.hierarchy.own, found);
+        for (level, pressures) in levels.iter().zip(&mut space.pressures) {
+            level.clear(pressures);
+        }
+        workspace.sparse = space;
+    }
+
+    /// Displacements of the coarsest nodes, by Fourier transforms.
+    fn on_coarsest(&self, space: &mut SparseSpace, workspace: &mut Workspace) {
+        let last = self.levels.len() - 1;
+        let (hierarchy, frame) = (&self.hierarchy, self.levels[last].frame);
+        let (nx, [given, found]) = (frame.counts[0], &mut space.coarsest);
+        for (row, values) in given.chunks_exact_mut(nx).enumerate() {
+            let from = &space.pressures[last][frame.at(0, row)..][..nx];
+            values.iter_mut().zip(from).for_each(|(value, from)| *value = f64::from(*from));
+        }
+        let mut blocks = [[None; 3]; 3];
+        blocks[0][0] = Some(Term { spectrum: &hierarchy.coarsest, sign: 1.0 });
+        let terms = Terms { blocks: &blocks, unit: hierarchy.unit };
+        hierarchy.plan.product(&[given], &terms, &mut [found], workspace);
+        let displacements = &mut space.displacements[last];
+        for (row, values) in found.chunks_exact(nx).enumerate() {
+            let to = &mut displacements[frame.at(0, row)..][..nx];
+            values.iter().zip(to).for_each(|(value, to)| *to = *value as f32);
+        }
+        frame.repeat(displacements);
+    }
+}
+
+/// The inverse among chosen cells, from their neighbours alone.
+struct SparseInverse {
+    hierarchy: Arc<Hierarchy>,
+    levels: Arc<[Level]>,
+}
+
+impl Preconditioner for SparseInverse {
+    fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
+        let (level, space) = (&self.levels[0], &mut workspace.sparse);
+        space.prepare(&self.levels);
+        let unit = space.take(level, displacement);
+        let SparseSpace { pressures, values, .. } = space;
+        let found = &mut values[..level.points.len()];
+        level.product(&self.hierarchy.inverse, &pressures[0], self.hierarchy.threads, found);
+        space.give(unit / self.hierarchy.own, pressure);
+        level.clear(&mut space.pressures[0]);
+    }
+}

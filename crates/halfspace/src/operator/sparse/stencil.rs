@@ -1,0 +1,70 @@
+//! The part of the influence of near cells that interpolation from a grid with twice the spacing misses.
+//!
+//! The influence between two points far apart is smooth in both. It is taken from the influence between the nodes of a
+//! grid of twice the spacing, by cubic interpolation along both axes at both points; an even place is a node itself. For
+//! points at most [`REACH`] apart the difference to the exact influence is added. It depends on the offset and on
+//! whether the places of the receiver are odd.
+
+/// Points at most so far apart along both axes have their exact influence.
+pub(super) const REACH: usize = 8;
+/// Numbers in a row of a stencil: those of all offsets, and a zero.
+pub(super) const ROW: usize = 2 * REACH + 2;
+/// Nodes reach so far from an odd place.
+pub(super) const NODES: usize = 5;
+
+/// The nodes of cubic interpolation at an odd place, by their offsets on the fine grid.
+pub(super) const ODD: [(i32, f32); 6] = [
+    (-5, 0.01171875),
+    (-3, -0.09765625),
+    (-1, 0.5859375),
+    (1, 0.5859375),
+    (3, -0.09765625),
+    (5, 0.01171875),
+];
+/// The node at an even place.
+pub(super) const EVEN: [(i32, f32); 1] = [(0, 1.0)];
+
+/// What is missing, by offset along y and x.
+pub(super) type Stencil = [[f32; ROW]; 2 * REACH + 1];
+
+/// The stencils of the four kinds of receivers, see [`kind`].
+pub(super) fn stencils(kernel: &impl Fn(i32, i32) -> f64) -> [Stencil; 4] {
+    [[0, 0], [1, 0], [0, 1], [1, 1]].map(|odd| {
+        let mut stencil = Stencil::default();
+        for (row, values) in stencil.iter_mut().enumerate() {
+            for (column, value) in values[..=2 * REACH].iter_mut().enumerate() {
+                let offset = [column, row].map(|place| place as i32 - REACH as i32);
+                let missing = kernel(offset[0], offset[1]) - interpolated(kernel, odd, offset);
+                *value = missing as f32;
+            }
+        }
+        stencil
+    })
+}
+
+/// The kind of a receiver: 1 if its place along x is odd, and 2 if that along y is.
+pub(super) const fn kind(column: usize, row: usize) -> usize {
+    column % 2 + 2 * (row % 2)
+}
+
+/// The influence at an offset by interpolation at both points.
+fn interpolated(kernel: &impl Fn(i32, i32) -> f64, odd: [i32; 2], offset: [i32; 2]) -> f64 {
+    let [along_x, along_y] = [0, 1].map(|axis| shares(odd[axis] == 1, offset[axis] % 2 != 0));
+    let mut sum = 0.0;
+    for (y, of_y) in &along_y {
+        for (x, of_x) in &along_x {
+            sum += of_x * of_y * kernel(offset[0] + x, offset[1] + y);
+        }
+    }
+    sum
+}
+
+/// Offsets between nodes, less that between the points, with their weights along one axis.
+fn shares(receiver_is_odd: bool, offset_is_odd: bool) -> Vec<(i32, f64)> {
+    let odd = ODD.map(|(offset, weight)| (offset, f64::from(weight)));
+    match (receiver_is_odd, offset_is_odd) {
+        (false, false) => vec![(0, 1.0)],
+        (_, true) => odd.to_vec(),
+        (true, false) => odd.iter().flat_map(|(a, p)| odd.map(|(b, q)| (a - b, p * q))).collect(),
+    }
+}
