@@ -6,6 +6,8 @@
 //! cattaneo_nu: nu = 0.28. history: an ellipse of 40 x 10 cells between dissimilar bodies, pressed and
 //! shifted in 39 increments, with the friction instead of the number of cells. loop: a sphere pressed by a
 //! force and shifted to and fro in 19 further steps, nu = 0.28; loop_finely: the first tenth of it.
+//! rough: the surface that `peers/rough.py` has written to the folder CAROM_ROUGH, pressed by a force; pressures are
+//! written beside it.
 //! product: the least time of one product of all pressures, of both tangential tractions, and of the inverses.
 //! CAROM_THREADS=2 uses two threads.
 
@@ -14,7 +16,7 @@ use std::time::Instant;
 use carom_halfspace::operator::{
     Blocks, DisplacementField, HalfSpaceOperator, Threads, TractionField,
 };
-use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
@@ -44,6 +46,7 @@ fn main() -> Result<(), Failure> {
         "cattaneo_nu" => cattaneo(0.28, number.parse()?, tolerance),
         "history" => history(number.parse()?, tolerance),
         "loop" => shift_to_and_fro(number.parse()?, 19, tolerance),
+        "rough" => rough(number.parse()?, tolerance),
         "product" => product(number.parse()?),
         "loop_finely" => shift_to_and_fro(number.parse()?, 190, tolerance),
         _ => Err(format!("no case {case}").into()),
@@ -86,6 +89,36 @@ fn hertz(by_force: bool, cells: usize, tolerance: f64) -> Result<(), Failure> {
     let error =
         if by_force { state.shift.zeta / approach - 1.0 } else { state.load().f_z / force - 1.0 };
     tell([set_up, solve], went.products, error);
+    Ok(())
+}
+
+fn rough(cells: usize, tolerance: f64) -> Result<(), Failure> {
+    let folder = std::env::var("CAROM_ROUGH")?;
+    let (side, modulus) = (2.4, SHEAR / 0.7);
+    let grid = Grid::new(cells, cells, side / cells as f64, side / cells as f64)?;
+    let bytes = std::fs::read(format!("{folder}/rough{cells}.f64"))?;
+    let heights = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+    drop(bytes);
+    let begin = Instant::now();
+    let body = Material::from_shear(SHEAR, 0.3)?;
+    let operator = HalfSpaceOperator::with_blocks(
+        MaterialPair::new(body, body)?,
+        grid,
+        Blocks::Normal,
+        Threads::One,
+    )?;
+    let gap = Gap::new(Field::new(grid, heights)?)?;
+    let problem = ContactProblem::new(gap, std::sync::Arc::new(operator), Friction::NONE)?;
+    let method = Frictionless::default().within(tolerance)?;
+    let mut scratch = method.scratch(&problem)?;
+    let (set_up, begin) = (begin.elapsed().as_secs_f64(), Instant::now());
+    let drive = Drive { normal: Driven::Load(1e-3 * modulus * side * side), ..Drive::default() };
+    let (apart, mut state) = (ContactState::apart(grid), ContactState::apart(grid));
+    let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+    let solve = begin.elapsed().as_secs_f64();
+    let pressures: Vec<u8> = state.pressure.values().iter().flat_map(|p| p.to_le_bytes()).collect();
+    std::fs::write(format!("{folder}/carom{cells}.f64"), pressures)?;
+    tell([set_up, solve], went.products, went.residuals.normal);
     Ok(())
 }
 

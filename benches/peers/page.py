@@ -107,7 +107,7 @@ class Answers:
     def __init__(self, told):
         self.told = told
         self.all = told["answers"]
-        self.sizes = sorted({one["cells"] for one in self.all if "cells" in one})
+        self.sizes = sorted({one["cells"] for one in self.all if one.get("case") in CASES and "cells" in one})
 
     def of(self, program, case=None, cells=None, **more):
         """The answers of a program, those to the tight tolerance left out."""
@@ -193,6 +193,45 @@ def loop_section(answers):
     text = "\n## A loop of friction, on one and two threads\n\nThe ball is pressed, then shifted to and fro in 19 steps; times by the clock, "
     text += "$\\nu=0.28$:\nboth components of traction, with memory. CONTACT has such histories too, which are not measured here.\nTwo threads gain only where both cores are free: see the load of this run.\n\n"
     return text + table(["N", "one thread", "two threads", "gain"], rows)
+
+
+ROUGH = """
+## A rough surface
+
+A self-affine surface, $H=.8$, with waves of a quarter to a 64th of the side and a rms height of .002 of it, is pressed on a
+plane by a mean pressure of $.001E^*$. carom is asked for a residual of $10^{-5}$; ASPHER has its fastest setting for that:
+nested grids, single precision, an active set. *Residual* is the greatest gap in the contact, or overlap outside, over the
+greatest displacement, by a product that shares no code with either; *load* is the error of the mean pressure.
+Times are compared where the residuals differ by less than three times, or the slower answer is the worse.
+
+"""
+
+
+def rough_section(answers):
+    """Times of carom and ASPHER on a rough surface, with what the judge found."""
+    rows = []
+    for judged in (one for one in answers.all if one["program"] == "judge" and "residual" in one):
+        program, cells = judged["of"], judged["cells"]
+        found = [one for one in answers.of(program, "rough", cells) if "solve" in one]
+        own = [one for one in answers.of("carom", "rough", cells) if "solve" in one]
+        mine = [one["residual"] for one in answers.of("judge", "rough", cells, of="carom") if "residual" in one]
+        if not found or not own or not mine:
+            continue
+        ratios = [total(one) / total(other) for one, other in zip(found, own)]
+        is_alike = judged["residual"] < 3 * mine[0] and mine[0] < 3 * judged["residual"]
+        is_compared = is_alike or (judged["residual"] > mine[0]) == (median(ratios) > 1)
+        rows.append([
+            str(cells),
+            program,
+            f"{100 * judged['contact']:.2f} %",
+            f"{seconds(min(map(total, found)))} ({spread([total(one) for one in found], seconds)}; {len(found)} runs)",
+            "1" if program == "carom" else f"**{significant(median(ratios))}** ({spread(ratios)})" if is_compared else "not compared",
+            small(judged["residual"]),
+            small(abs(judged["load"])),
+            memory(max(one["megabytes"] for one in found)),
+        ])
+    heads = ["N", "program", "contact", "processor", "ratio", "residual", "load", "memory"]
+    return ROUGH + table(heads, rows) if rows else ""
 
 
 GROWTH = """
@@ -290,7 +329,7 @@ def main(source, page):
     told = json.loads(pathlib.Path(source).read_text())
     answers = Answers(told)
     cases = "".join(case_section(answers, case) for case in CASES)
-    parts = [head(told), summary(answers), cases, loop_section(answers), growth_section(answers), limits_section(answers), lammps_section(told)]
+    parts = [head(told), summary(answers), cases, rough_section(answers), loop_section(answers), growth_section(answers), limits_section(answers), lammps_section(told)]
     pathlib.Path(page).write_text("".join(parts))
 
 

@@ -18,6 +18,7 @@ import pathlib
 import platform
 import subprocess
 import sys
+import tempfile
 import time
 
 from child import answer_of
@@ -26,6 +27,8 @@ from problem import CASES
 HERE = pathlib.Path(__file__).parent
 # Tolerance of carom's steps, and one at which what is left of the error is that of the grid.
 TOLERANCE, TIGHT = "1e-6", "1e-11"
+# That of rough surfaces, which is ASPHER's finest in single precision.
+ROUGH_TOLERANCE = "1e-5"
 MINUTE = 60.0
 # A program takes longer by more than the number of cells grows.
 GROWTH = 5.0
@@ -34,6 +37,8 @@ CONVERGED = 0.1
 LOOPS = (128, 256, 512)
 # Grids on which carom alone is run, once, for its time and memory by size, without and with friction.
 LARGE = {"hertz_force": (512, 1024, 2048, 4096), "cattaneo": (512, 1024, 2048)}
+# Rough surfaces, with the number of times that each program presses them.
+ROUGH = {512: 3, 1024: 3, 2048: 2}
 # Such grids are solved once, at the end, by the programs for which there is time.
 FINEST = 1024
 
@@ -64,6 +69,28 @@ class Bench:
             if cells in LOOPS:
                 for threads in (1, 2):
                     self.carom("loop", cells, number, threads=threads)
+
+    def rough(self):
+        """A rough surface by carom and by ASPHER, in turn; both answers are judged by one product."""
+        python = self.peers.get("ASPHER")
+        if not python:
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            os.environ["CAROM_ROUGH"] = folder
+            script = [python, HERE / "rough.py"]
+            for cells, times in ROUGH.items():
+                subprocess.run([*script, "make", folder, str(cells)], check=True)
+                runs = {
+                    "carom": [self.program, "rough", str(cells), ROUGH_TOLERANCE],
+                    "ASPHER": [*script, "ASPHER", folder, str(cells)],
+                }
+                for number in range(times):
+                    for program, command in runs.items():
+                        answer = answer_of(command, 1, 2 * MINUTE)
+                        self.keep(answer, program=program, case="rough", cells=cells, round=number, threads=1)
+                for program in runs:
+                    judged = answer_of([*script, "judge", folder, str(cells), program], 1, 2 * MINUTE)
+                    self.keep(judged, program="judge", of=program, case="rough", cells=cells)
 
     def large(self):
         """Time and memory of carom by size."""
@@ -116,7 +143,7 @@ class Bench:
 
 def version(peer, python):
     """The version of a peer's package; of CONTACT, which tells none, nothing."""
-    package = {"FFTW": "pyfftw"}.get(peer, peer)
+    package = {"FFTW": "pyfftw", "ASPHER": "aspher"}.get(peer, peer)
     code = f"import importlib.metadata as m; print(m.version({package!r}))"
     done = subprocess.run([python, "-c", code], capture_output=True, text=True)
     return done.stdout.strip() if peer != "CONTACT" and done.returncode == 0 else ""
@@ -160,6 +187,7 @@ def main():
     for number in range(options.rounds):
         bench.round(number, [cells for cells in sizes if cells < FINEST])
     bench.round(0, [cells for cells in sizes if cells >= FINEST])
+    bench.rough()
     bench.large()
     loads.append(os.getloadavg()[0])
     told = {

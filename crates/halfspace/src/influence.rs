@@ -146,6 +146,7 @@ impl RectangleInfluence {
     }
 
     /// The normal displacement due to pressure alone, to the bits of [`RectangleInfluence::independent`].
+    #[cfg(feature = "operators")]
     pub(crate) fn normal(&self, offset: Offset) -> f64 {
         normal(&self.pair, self.rectangle.inverse_distance(offset))
     }

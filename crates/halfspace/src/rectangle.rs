@@ -159,6 +159,7 @@ impl Rectangle {
     }
 
     /// The integral of 1/r alone, to the bits of [`Rectangle::trusted_integrals`].
+    #[cfg(feature = "operators")]
     pub(crate) fn inverse_distance(&self, offset: Offset) -> f64 {
         let (x, y) = (offset.x.abs(), offset.y.abs());
         if x.max(y) <= POINT_LIKE * self.width_x.max(self.width_y)
@@ -232,6 +233,7 @@ fn tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> Rectang
 }
 
 /// The integral of 1/r of [`tensor`].
+#[cfg(feature = "operators")]
 fn inverse_tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> f64 {
     let mut sum = 0.0;
     for ny in rule_y {

@@ -1,16 +1,19 @@
 // R_x(chi, psi, e) of an impact of a viscous material, from the table that the library carom stores.
 //
 // For each restitution below 1 a grid over chi and psi, in two blocks: up to psi = 1, and from there to the border of
-// sliding throughout. Interpolation is cubic in all three; at e = 1 the table of elastic impacts takes part.
+// sliding throughout. Interpolation is cubic in all three, with each restitution at the same part of its block; at e = 1
+// the table of elastic impacts takes part.
 
 import { losses } from './table-data.js';
 import { decoded, restitution as elastic } from './table.js';
 
 const NODES = [0.99, 0.98, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.15, 0.1];
 const RANGE = [0.66, 6.5];
-const CHIS = 17;
+const CHIS = 25;
+// Nodes of psi up to 1, and beyond.
 const PSIS = 17;
-const ROW = 2 * PSIS;
+const PSIS_BEYOND = 33;
+const ROW = PSIS + PSIS_BEYOND;
 
 let kept = null;
 const table = () => {
@@ -40,15 +43,12 @@ const ofE = e => {
 
 const sliding = (chi, psi, e) => chi * (1 + e) / psi - 1;
 
-// R_x at one restitution of the table.
-const at = (loss, chi, psi) => {
-  const e = NODES[loss];
-  const end = border(chi, e);
-  if (psi >= end) return sliding(chi, psi, e);
-  const part = Math.log(chi / RANGE[0]) / Math.log(RANGE[1] / RANGE[0]);
-  const [column, byChi] = evenly(part * (CHIS - 1), CHIS);
-  const [block, place] = psi < 1 ? [0, psi] : [PSIS, (psi - 1) / (end - 1)];
-  const [row, byPsi] = evenly(place * (PSIS - 1), PSIS);
+// R_x at one restitution of the table, at a part of the way from psi = 1 to sliding throughout.
+const at = (loss, chi, psi, part) => {
+  const along = Math.log(chi / RANGE[0]) / Math.log(RANGE[1] / RANGE[0]);
+  const [column, byChi] = evenly(along * (CHIS - 1), CHIS);
+  const [block, place, count] = psi < 1 ? [0, psi, PSIS] : [PSIS, part, PSIS_BEYOND];
+  const [row, byPsi] = evenly(place * (count - 1), count);
   let sum = 0;
   for (let i = 0; i < 4; i += 1) {
     for (let j = 0; j < 4; j += 1) {
@@ -68,7 +68,9 @@ export const restitution = (chi, psi, e) => {
     const rests = Math.min(chi / psi - 1, 0);
     return rests + e / least * (restitution(chi, psi, least) - rests);
   }
+  const part = psi < 1 ? 0 : (psi - 1) / (border(chi, e) - 1);
+  const elasticPsi = psi < 1 ? psi : 1 + part * (border(chi, 1) - 1);
   const [first, weights] = ofE(e);
   return weights.reduce((sum, weight, k) =>
-    sum + weight * (first + k === 0 ? elastic(chi, psi) : at(first + k - 1, chi, psi)), 0);
+    sum + weight * (first + k === 0 ? elastic(chi, elasticPsi) : at(first + k - 1, chi, psi, part)), 0);
 };

@@ -17,7 +17,7 @@ from pooltool.physics.resolve.resolver import default_resolver
 SLIDING = 2
 TABLE = 1e-7  # carom.restitution reads a table that is within 1e-8 where nothing is lost,
 LOSSY = 3e-3  # and one that is within 3e-3 where the material takes something,
-MEAN = 1e-4  # 2e-4 in the mean; of speeds it is less
+MEAN = 1e-4  # 4e-5 in the mean; of speeds it is less
 ROUND_OFF = 1e-13
 # The cushion at x = 0; the ball comes from the left.
 TO_BALL = np.array([-1.0, 0.0, 0.0])

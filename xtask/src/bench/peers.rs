@@ -17,6 +17,13 @@ struct Package {
 }
 
 const PACKAGES: &[Package] = &[
+    // Built from its source, with a compiler of C++, CMake and Eigen 3.4.
+    Package {
+        name: "ASPHER",
+        environment: "present",
+        requirements: &["numpy", "aspher==0.1.3.post1"],
+        alone: None,
+    },
     Package {
         name: "ContactMechanics",
         environment: "present",

@@ -204,7 +204,7 @@ def restitution(
     Of dissimilar materials give `gamma`, which is `MaterialPair.gamma`, and `friction`: R_x is then that of
     `restitution_of_dissimilar`, where gamma = 0 the same bits as without them.
 
-    A `normal_restitution` e below 1 is that of a viscous material: R_x from a table within 3e-3, 2e-4 in the mean, or
+    A `normal_restitution` e below 1 is that of a viscous material: R_x from a table within 3e-3, 4e-5 in the mean, or
     exact within 1e-5.
 
     >>> restitution(1.0, 7.0)

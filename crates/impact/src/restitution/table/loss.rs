@@ -13,15 +13,16 @@ use super::RestitutionTable;
 const LOSSES: [f64; 15] =
     [0.99, 0.98, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.25, 0.2, 0.15, 0.1];
 /// Nodes of chi, from and to.
-const CHIS: usize = 17;
+const CHIS: usize = 25;
 const RANGE: [f64; 2] = [0.66, 6.5];
 /// Nodes over the logarithm of chi: (CHIS - 1)/ln(6.5/.66).
-const PER_LOG: f64 = 6.995_093_228_006_278;
-/// Nodes of psi in a block.
+const PER_LOG: f64 = 10.492_639_842_009_416;
+/// Nodes of psi up to 1, and beyond.
 const PSIS: usize = 17;
+const PSIS_BEYOND: usize = 33;
 /// Numbers of one restitution, of one chi.
 const GRID: usize = CHIS * ROW;
-const ROW: usize = 2 * PSIS;
+const ROW: usize = PSIS + PSIS_BEYOND;
 /// All numbers.
 const COUNT: usize = LOSSES.len() * GRID;
 /// Tolerance of the impacts that fill the table.
@@ -39,7 +40,7 @@ type Weights = (usize, [f64; 4]);
 
 impl RestitutionTable {
     /// R_x of a viscous material with the normal restitution e: within 3e-3 of [`ViscoelasticImpact`] for solid spheres with
-    /// e from .1, 2e-4 in the mean; exact where the contact slides throughout. At e = 1 it is [`RestitutionTable::restitution`].
+    /// e from .1, 4e-5 in the mean; exact where the contact slides throughout. At e = 1 it is [`RestitutionTable::restitution`].
     ///
     /// Outside chi from .66 to 6.5 and e from .1 the impact is integrated, some thousand times slower; an e outside 0 to 1 is
     /// taken as the nearest.
@@ -66,17 +67,17 @@ impl RestitutionTable {
         if !covers {
             return Ok(followed(groups, e, BEYOND));
         }
-        let at = At::new(chi, psi);
+        let at = At::new(chi, psi, border(chi, e));
         let (first, weights) = of_e(e);
-        let mut sum = 0.0;
-        for (k, weight) in weights.into_iter().enumerate() {
-            sum += weight
-                * match (first + k).checked_sub(1) {
-                    None => self.restitution(groups)?,
-                    Some(loss) => at.loss(loss),
-                };
-        }
-        Ok(sum)
+        // Each restitution is taken at the same part of its way from psi = 1 to sliding throughout.
+        let Some(second) = first.checked_sub(1) else {
+            let elastic =
+                self.restitution(Groups::new(chi, at.elastic_psi(psi)).unwrap_or(groups))?;
+            let [a, b, c] = [0, 1, 2].map(|loss| weights[loss + 1] * at.loss(loss));
+            return Ok((weights[0] * elastic + a) + (b + c));
+        };
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| weights[k] * at.loss(second + k));
+        Ok((a + b) + (c + d))
     }
 
     /// The numbers of the table with a loss, as bytes.
@@ -87,8 +88,12 @@ impl RestitutionTable {
             for i in 0..CHIS {
                 let chi = RANGE[0] * libm::pow(RANGE[1] / RANGE[0], i as f64 / (CHIS - 1) as f64);
                 for k in 0..ROW {
-                    let part = (k % PSIS) as f64 / (PSIS - 1) as f64;
-                    let psi = if k < PSIS { part } else { 1.0 + part * (border(chi, e) - 1.0) };
+                    let psi = if k < PSIS {
+                        k as f64 / (PSIS - 1) as f64
+                    } else {
+                        let part = (k - PSIS) as f64 / (PSIS_BEYOND - 1) as f64;
+                        1.0 + part * (border(chi, e) - 1.0)
+                    };
                     let r_x = Groups::new(chi, psi.max(SLOWEST))
                         .map_or(f64::NAN, |groups| followed(groups, e, FILLING));
                     bytes.extend((r_x as f32).to_le_bytes());
@@ -101,59 +106,44 @@ impl RestitutionTable {
 
 /// What all restitutions of the table share at a chi and a psi.
 struct At {
+    /// The place of the first number within the grid of a restitution.
+    start: usize,
+    /// Weights of four chi, of four psi each.
+    weights: [[f64; 4]; 4],
     chi: f64,
-    psi: f64,
-    column: usize,
-    along_chi: [f64; 4],
-    /// (psi - 1)/(chi - 1): beyond psi = 1, psi over its border is this over 1 + e.
-    beyond: f64,
-    /// Below psi = 1.
-    along_psi: Weights,
+    /// The part of the way from psi = 1 to sliding throughout; 0 below psi = 1.
+    part: f64,
 }
 
 impl At {
-    fn new(chi: f64, psi: f64) -> Self {
+    fn new(chi: f64, psi: f64, border: f64) -> Self {
         let (column, along_chi) = of_chi(chi);
-        let beyond = if psi < 1.0 { 0.0 } else { (psi - 1.0) / (chi - 1.0) };
-        let along_psi = evenly(psi.min(1.0) * (PSIS - 1) as f64, PSIS);
-        Self { chi, psi, column, along_chi, beyond, along_psi }
+        let part = if psi < 1.0 { 0.0 } else { (psi - 1.0) / (border - 1.0) };
+        let (block, place, count) =
+            if psi < 1.0 { (0, psi, PSIS) } else { (PSIS, part, PSIS_BEYOND) };
+        let (row, along_psi) = evenly(place * (count - 1) as f64, count);
+        let weights = along_chi.map(|of_chi| along_psi.map(|of_psi| of_chi * of_psi));
+        Self { start: column * ROW + block + row, weights, chi, part }
+    }
+
+    /// psi of an elastic impact at the same part.
+    fn elastic_psi(&self, psi: f64) -> f64 {
+        if psi < 1.0 { psi } else { 1.0 + self.part * (border(self.chi, 1.0) - 1.0) }
     }
 
     /// R_x at one restitution of the table.
     #[inline(always)]
     fn loss(&self, loss: usize) -> f64 {
-        let start = loss * GRID + self.column * ROW;
-        if self.psi < 1.0 {
-            return self.sum(start, &self.along_psi);
+        let mut sums = [0.0; 4];
+        for (i, weights) in self.weights.iter().enumerate() {
+            let numbers = stored(loss * GRID + self.start + i * ROW);
+            for k in 0..4 {
+                sums[k] += weights[k] * numbers[k];
+            }
         }
-        let part = self.beyond * PARTS[loss];
-        if self.chi <= 1.0 || part >= 1.0 {
-            return slid(self.chi, self.psi, LOSSES[loss]);
-        }
-        self.sum(start + PSIS, &evenly(part * (PSIS - 1) as f64, PSIS))
-    }
-
-    #[inline(always)]
-    fn sum(&self, start: usize, (row, along_psi): &Weights) -> f64 {
-        let along = |i: usize| {
-            let [a, b, c, d] = stored(start + row + i * ROW);
-            (along_psi[0] * a + along_psi[1] * b) + (along_psi[2] * c + along_psi[3] * d)
-        };
-        let [a, b, c, d] = [0, 1, 2, 3].map(|i| self.along_chi[i] * along(i));
-        (a + b) + (c + d)
+        (sums[0] + sums[1]) + (sums[2] + sums[3])
     }
 }
-
-/// 1/(1 + e) of each restitution.
-const PARTS: [f64; LOSSES.len()] = {
-    let mut parts = [0.0; LOSSES.len()];
-    let mut loss = 0;
-    while loss < parts.len() {
-        parts[loss] = 1.0 / (1.0 + LOSSES[loss]);
-        loss += 1;
-    }
-    parts
-};
 
 /// Four numbers of the table.
 fn stored(from: usize) -> [f64; 4] {
@@ -238,7 +228,7 @@ mod tests {
     fn the_stored_numbers_are_those_of_impacts() {
         for (loss, e) in LOSSES.into_iter().enumerate() {
             let chi = RANGE[0] * libm::pow(RANGE[1] / RANGE[0], 0.5);
-            for (k, psi) in [(4, 0.25), (PSIS + 8, 0.5 * (1.0 + border(chi, e)))] {
+            for (k, psi) in [(4, 0.25), (PSIS + PSIS_BEYOND / 2, 0.5 * (1.0 + border(chi, e)))] {
                 let known = followed(Groups::new(chi, psi).unwrap(), e, FILLING);
                 let [told, ..] = stored(loss * GRID + (CHIS / 2) * ROW + k);
                 assert!((told - known).abs() < 1e-6, "{e} {psi}: {told} {known}");
