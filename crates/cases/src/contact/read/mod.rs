@@ -2,13 +2,16 @@
 
 mod motion;
 mod sequence;
+mod springs;
 
 use super::block::Block;
 use super::case::{Asked, ContactCase, ContactDrive, Rolling};
 use super::digits::Digits;
+use super::falling::Falling;
 use super::fault::Fault;
 use super::lines::{Given, Lines};
 use super::potential::{Area, Potential};
+use super::springs::Fastsim;
 use super::surface::Surface;
 use carom_halfspace::{Material, MaterialPair};
 use carom_solver::Driven;
@@ -57,10 +60,12 @@ struct Reader<'a> {
     eps: f64,
     was_rolling: bool,
     friction: Option<(Arc<[f64]>, bool)>,
+    falling: Option<Falling>,
     rolling: Option<Rolling>,
     materials: Option<MaterialPair>,
+    fastsim: Option<Fastsim>,
     influence: Option<String>,
-    /// The area as it is given, as it lies, and whether it gives the surface.
+    /// The area as it is given, as it lies, and the surface that it gives.
     area: Option<Area>,
     placed: Option<Potential>,
     surface: Option<Arc<Surface>>,
@@ -82,8 +87,8 @@ macro_rules! digits {
 }
 
 digits! {
-    pvtime: 0, 1; tang: 0, 3; norm: 0, 4; force: 0, 5; stress: 0, 6;
-    varfrc: 1, 0; frclaw: 1, 1; discns: 1, 2; inflcf: 1, 3; rznorm: 1, 5; exrhs: 1, 6;
+    pvtime: 0, 1; bound: 0, 2; tang: 0, 3; norm: 0, 4; force: 0, 5; stress: 0, 6;
+    varfrc: 1, 0; frclaw: 1, 1; discns: 1, 2; inflcf: 1, 3; mater: 1, 4; rznorm: 1, 5; exrhs: 1, 6;
     xflow: 2, 0; gausei: 2, 2; ret: 2, 7;
 }
 
@@ -98,8 +103,10 @@ impl<'a> Reader<'a> {
             eps: 1e-5,
             was_rolling: false,
             friction: None,
+            falling: None,
             rolling: None,
             materials: None,
+            fastsim: None,
             influence: None,
             area: None,
             placed: None,
@@ -153,8 +160,18 @@ impl<'a> Reader<'a> {
         }
         self.solver_numbers()?;
         let drive = self.drive()?;
-        if self.frclaw() != 1 && self.varfrc() == 0 {
-            self.friction = Some(([self.friction_numbers()?].into(), true));
+        self.check_springs()?;
+        match (self.frclaw(), self.varfrc()) {
+            (0, 0) => {
+                self.friction = Some(([self.friction_numbers()?].into(), true));
+                self.falling = None;
+            }
+            (law @ 2..=4, 0) => {
+                let falling = Falling::read(&mut self.lines, law)?;
+                self.friction = Some(([falling.at(0.0)].into(), true));
+                self.falling = Some(falling);
+            }
+            _ => {}
         }
         if self.inflcf() >= 2 {
             self.bodies()?;
@@ -259,6 +276,10 @@ impl<'a> Reader<'a> {
         };
         let pair = MaterialPair::new(body(&nu_1, &g_1)?, body(&nu_2, &g_2)?);
         self.materials = Some(pair.map_err(|error| g_2.must(error.allowed))?);
+        self.fastsim = match self.mater() {
+            mater @ (2 | 3) => Some(Fastsim::read(&mut self.lines, mater)?),
+            _ => None,
+        };
         Ok(())
     }
 
@@ -272,10 +293,10 @@ impl<'a> Reader<'a> {
         };
         let mut surface = None;
         if self.discns() > 0 || (area.is_hertzian() && self.rznorm() > 0) {
-            let (placed, own) = area.placed(materials, normal)?;
-            surface = own;
+            let placed = area.placed(materials, normal)?;
+            surface = placed.surface;
             if self.discns() > 0 {
-                self.placed = Some(placed);
+                self.placed = Some(placed.area);
             }
         }
         if self.rznorm() == 2 && !area.is_hertzian() {
@@ -294,6 +315,7 @@ impl<'a> Reader<'a> {
         if self.frclaw() != 1 && self.varfrc() == 2 {
             let all: Result<Vec<f64>, _> = (0..rows).map(|_| self.friction_numbers()).collect();
             self.friction = Some((all?.into(), false));
+            self.falling = None;
         }
         match self.exrhs() {
             0 => self.extra = None,
@@ -336,6 +358,8 @@ impl<'a> Reader<'a> {
         if self.ret() < 2 {
             self.solved = Some(area);
         }
+        let falling = self.falling_friction()?;
+        let (bound, ellipse) = self.pressures(materials, drive.normal)?;
         let wanted = self.stress() > 0;
         Ok(ContactCase {
             number: self.number,
@@ -344,7 +368,11 @@ impl<'a> Reader<'a> {
             motion,
             drive,
             friction,
+            falling,
             by_friction,
+            bound,
+            ellipse,
+            fastsim: self.fastsim,
             materials,
             influence: self.influence.clone(),
             area,
