@@ -1,5 +1,6 @@
 //! Reads the cases of an input of CONTACT in the order of the file.
 
+mod friction;
 mod motion;
 mod sequence;
 mod springs;
@@ -23,8 +24,6 @@ const MOST_CASES: usize = 10_000;
 const MODULI: [f64; 2] = [1e-5, 1e20];
 /// CONTACT's default of FACPHI.
 const FACPHI: f64 = 1.0 / 6.0;
-/// Relative difference of FSTAT and FKIN that counts as none.
-const SAME_FRICTION: f64 = 1e-3;
 
 /// Reads all cases of a file.
 ///
@@ -161,18 +160,7 @@ impl<'a> Reader<'a> {
         self.solver_numbers()?;
         let drive = self.drive()?;
         self.check_springs()?;
-        match (self.frclaw(), self.varfrc()) {
-            (0, 0) => {
-                self.friction = Some(([self.friction_numbers()?].into(), true));
-                self.falling = None;
-            }
-            (law @ 2..=4, 0) => {
-                let falling = Falling::read(&mut self.lines, law)?;
-                self.friction = Some(([falling.at(0.0)].into(), true));
-                self.falling = Some(falling);
-            }
-            _ => {}
-        }
+        self.uniform_friction()?;
         if self.inflcf() >= 2 {
             self.bodies()?;
         }
@@ -232,14 +220,6 @@ impl<'a> Reader<'a> {
             [x, y, ..] => [x.value, y.value],
         };
         Ok(ContactDrive { normal, along, spin: spin.value, spin_centre })
-    }
-
-    fn friction_numbers(&mut self) -> Result<f64, Fault> {
-        let [rest, motion] = self.lines.numbers(["FSTAT", "FKIN"])?;
-        let value = rest.checked(|value| value >= 1e-4, "at least 1e-4")?;
-        let same = |motion: f64| (motion - value).abs() <= SAME_FRICTION * value;
-        motion.checked(same, &format!("FSTAT = {value}: CONTACT has one coefficient"))?;
-        Ok(value)
     }
 
     /// How it rolls, influence numbers and materials.
@@ -312,11 +292,7 @@ impl<'a> Reader<'a> {
     /// Friction of rows, extra slip of cells, and points below the surface.
     fn per_cell(&mut self) -> Result<(), Fault> {
         let [columns, rows] = self.placed.map_or([0, 0], |placed| placed.cells);
-        if self.frclaw() != 1 && self.varfrc() == 2 {
-            let all: Result<Vec<f64>, _> = (0..rows).map(|_| self.friction_numbers()).collect();
-            self.friction = Some((all?.into(), false));
-            self.falling = None;
-        }
+        self.friction_of_rows(rows)?;
         match self.exrhs() {
             0 => self.extra = None,
             9 => {
@@ -352,13 +328,13 @@ impl<'a> Reader<'a> {
             return Err(self.digit("E (EXRHS)", self.exrhs(), "0 or 9 with other cells"));
         }
         let mut notes = Vec::new();
+        let falling = self.falling_friction(&mut notes)?;
         let motion = self.motion(area, &mut notes)?;
         let begin = self.begin(area, motion, &mut notes)?;
         self.was_rolling = self.is_rolling();
         if self.ret() < 2 {
             self.solved = Some(area);
         }
-        let falling = self.falling_friction()?;
         let (bound, ellipse) = self.pressures(materials, drive.normal)?;
         let wanted = self.stress() > 0;
         Ok(ContactCase {

@@ -1,6 +1,5 @@
-//! FASTSIM and friction that falls: what their digits need of the others.
+//! FASTSIM: what its digits need of the others.
 
-use super::super::falling::Falling;
 use super::super::fault::Fault;
 use super::super::potential::Ellipse;
 use super::super::springs::Bound;
@@ -37,19 +36,6 @@ impl Reader<'_> {
             }
             () => Ok(()),
         }
-    }
-
-    /// The friction of a case by its slip velocity.
-    pub(super) fn falling_friction(&self) -> Result<Option<Falling>, Fault> {
-        let Some(falling) = self.falling.filter(|_| self.tang() != 0) else { return Ok(None) };
-        if self.fastsim.is_none() {
-            falling.check_solver(self.line)?;
-            if self.tang() != 3 {
-                let allowed = "0 or 3 with L = 4: carom has no steps with friction that falls";
-                return Err(self.digit("T (TANG)", self.tang(), allowed));
-            }
-        }
-        Ok(Some(falling))
     }
 
     /// The pressures of FASTSIM, and the ellipse for its springs.
