@@ -293,7 +293,7 @@ fn what_carom_does_not_do_is_refused_by_digit_and_name() {
         (
             " 203100",
             " 213100",
-            "line 2: control digit B (BOUND) is 1 (thin sheet), which carom does not do, must be 0",
+            "line 2: control digit B (BOUND) is 1 (thin sheet), which carom does not do, must be one of 0",
         ),
         (
             " 203100",
