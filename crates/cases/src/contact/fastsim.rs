@@ -1,6 +1,6 @@
 //! FASTSIM: tractions by springs under given pressures.
 
-use super::case::{Asked, ContactCase};
+use super::case::ContactCase;
 use super::springs::Fastsim;
 use carom_laws::creep::CreepCoefficients;
 use carom_rolling::{Creepage, Springs, Way};
@@ -9,18 +9,15 @@ use carom_special::RangeError;
 use std::f64::consts::PI;
 
 impl Fastsim {
-    /// Tractions under the pressures of a state, and the friction heat per distance rolled.
+    /// Tractions at creepages CKSI and CETA under the pressures of a state, and the friction heat per distance rolled.
     pub(super) fn roll(
         &self,
         case: &ContactCase,
+        [x, y]: [f64; 2],
         way: &Way,
         force: f64,
         state: &mut ContactState,
     ) -> Result<f64, RangeError> {
-        let [x, y] = case.drive.along.map(|asked| match asked {
-            Asked::Creepage(own) => own,
-            Asked::Force(_) => f64::NAN,
-        });
         let velocity = case.motion.rolling().map_or(0.0, |rolling| rolling.veloc);
         let sliding = velocity * libm::hypot(x, y);
         let friction = |row: usize| match case.falling {
@@ -51,6 +48,9 @@ impl Fastsim {
         friction: f64,
     ) -> Result<f64, RangeError> {
         let ([k0, alfa, beta], [along, across, spin]) = (self.slope, whole.creepage);
+        if alfa == 1.0 || beta == 0.0 {
+            return Ok(k0);
+        }
         let turned = across + spin * a;
         let across = if turned.abs() < across.abs() { across } else { turned };
         let materials = whole.case.materials;

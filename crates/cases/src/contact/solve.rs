@@ -279,8 +279,12 @@ impl<'a> Contact<'a> {
         last: Option<&Last>,
     ) -> Result<(Solved, Last), Error> {
         let case = self.case;
-        let Motion::Steady(rolling) = case.motion else {
-            return Err(Error::input("FASTSIM (M = 2 or 3) is for steady rolling (T = 3)"));
+        let (Motion::Steady(rolling), [Asked::Creepage(x), Asked::Creepage(y)]) =
+            (case.motion, case.drive.along)
+        else {
+            return Err(Error::input(
+                "FASTSIM (M = 2 or 3) is for steady rolling at creepages (T = 3, F = 0)",
+            ));
         };
         let given = case.bound.given(self.window.grid(), self.area.middle());
         let (mut state, force) = match (given, case.ellipse) {
@@ -295,7 +299,7 @@ impl<'a> Contact<'a> {
                 (state, force)
             }
         };
-        let heat = rolling.dq * fastsim.roll(case, &rolling.way()?, force, &mut state)?;
+        let heat = rolling.dq * fastsim.roll(case, [x, y], &rolling.way()?, force, &mut state)?;
         let row = Row::of(case, &state, force, None, heat, 0.0);
         let below = extremes(case, &state, &self.area)?;
         let last = Last { area: self.area, state, coarse: [None, None] };

@@ -48,6 +48,11 @@ impl Bound {
 }
 
 impl Fastsim {
+    /// MATER.
+    pub(super) const fn mater(&self) -> u8 {
+        if self.flexibility.is_some() { 2 } else { 3 }
+    }
+
     /// Reads what MATER = 2 or 3 adds to the materials.
     pub(super) fn read(lines: &mut Lines<'_>, mater: u8) -> Result<Self, Fault> {
         let (flexibility, [k0, alfa, beta]) = if mater == 2 {

@@ -174,6 +174,10 @@ fn springs_and_falling_friction_are_refused_beside_other_digits() {
             "control digit B (BOUND) is 3, must be 0 unless IPOTCN is -3 to -1",
         ),
         (springs.replace("1 1 1\n", "1.5 1 1\n"), "K0_MF is 1.5, must be from 1e-10 to 1"),
+        (
+            springs.replace("\n0\n", "\n3\n 203100\n 100000\n 0100341\n 82000 0 0 0\n0\n"),
+            "line 14: control digit C (INFLCF) is 0, must be 2 or 9 where M changes",
+        ),
         (springs.replace("022320", "022220"), "line 11: BETAMF is -3, must be from 0 to 1e20"),
         (falling("2", " .2 .1 100 0 0\n 0 1"), "must be 4 with FEXP2 = 0"),
         (falling("4", " .2 .1 100 .1 100\n 0 1"), "must be 4 with FEXP2 = 0"),

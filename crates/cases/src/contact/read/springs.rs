@@ -11,6 +11,7 @@ impl Reader<'_> {
     /// Checks the digits B, M and L beside those of the other lines.
     pub(super) fn check_springs(&self) -> Result<(), Fault> {
         let is_fastsim = matches!(self.mater(), 2 | 3);
+        let before = self.fastsim.map_or(0, |fastsim| fastsim.mater());
         let wrong = |name, value, allowed| Err(self.digit(name, value, allowed));
         match () {
             () if is_fastsim && self.tang() != 3 => {
@@ -22,11 +23,8 @@ impl Reader<'_> {
             () if is_fastsim && self.exrhs() != 0 => {
                 wrong("E (EXRHS)", self.exrhs(), "0 with M = 2 or 3")
             }
-            () if is_fastsim && self.inflcf() < 2 && self.fastsim.is_none() => {
-                wrong("C (INFLCF)", self.inflcf(), "2 where FASTSIM begins (M = 2 or 3)")
-            }
-            () if !is_fastsim && self.inflcf() < 2 && self.fastsim.is_some() => {
-                wrong("C (INFLCF)", self.inflcf(), "2 or 9 where FASTSIM ends (M = 0)")
+            () if self.inflcf() < 2 && self.mater() != before => {
+                wrong("C (INFLCF)", self.inflcf(), "2 or 9 where M changes")
             }
             () if !is_fastsim && self.bound() != 0 => {
                 wrong("B (BOUND)", self.bound(), "0 with M = 0")
