@@ -64,7 +64,7 @@ impl Fastsim {
             (None, lines.numbers(["K0_MF", "ALFAMF", "BETAMF"])?)
         };
         let slope = [
-            k0.checked(|value| value >= 1e-10 && value <= 1.0, "from 1e-10 to 1")?,
+            k0.checked(|value| (1e-10..=1.0).contains(&value), "from 1e-10 to 1")?,
             alfa.checked(|value| (0.0..=1.0).contains(&value), "from 0 to 1")?,
             beta.checked(|value| (0.0..=1e20).contains(&value), "from 0 to 1e20")?,
         ];

@@ -42,7 +42,7 @@ fn each_file_of_the_testbank_is_solved_or_refused() {
 }
 
 /// A case of FASTSIM: pressures, creepages and cells of CONTACT's example.
-pub fn spinning(bound: u8, step: &str, cells: u16) -> String {
+pub(crate) fn spinning(bound: u8, step: &str, cells: u16) -> String {
     format!(
         "3\n 2{bound}3100\n 022320\n 0001341\n 80 200 5 1 1e-6\n 82000 0 -.000625 .000625\n .3 .3\n 0 {step} 30000\n \
          .28 .28 82000 82000\n 1 1 1\n -3\n {cells} {cells} 8 4 1.1\n"
@@ -115,7 +115,7 @@ fn springs_of_one_flexibility_stick_as_they_must() {
 }
 
 /// The first case of veldep_fric.
-pub fn veldep() -> String {
+pub(crate) fn veldep() -> String {
     let text = FILES.split_once("[veldep_fric]\n").unwrap().1.split_once('\n').unwrap().1;
     format!("{}\n0\n", text.split_once("\n3\n002100").unwrap().0)
 }

@@ -11,7 +11,7 @@ const CONFORMAL: &str = include_str!("../data/contact/conformal_rows.txt");
 /// The example is solved by CONTACT to this part of FSTAT FN.
 const EPS: f64 = 1e-6;
 
-pub fn data(name: &str) -> String {
+pub(crate) fn data(name: &str) -> String {
     let path = match name {
         "cattaneo" => example("contact_cattaneo.inp"),
         _ => format!("{}/tests/data/contact/{name}.inp", env!("CARGO_MANIFEST_DIR")),
@@ -20,14 +20,14 @@ pub fn data(name: &str) -> String {
 }
 
 /// The rows of an input that lies in a file of this name.
-pub fn solved(name: &str, text: &str) -> Value {
+pub(crate) fn solved(name: &str, text: &str) -> Value {
     let folder = folder();
     let path = folder.join(format!("{name}.inp"));
     std::fs::write(&path, text).unwrap();
     json(&["contact", path.to_str().unwrap()])
 }
 
-pub fn refused(text: &str) -> String {
+pub(crate) fn refused(text: &str) -> String {
     let folder = folder();
     let path = folder.join("wrong.inp");
     std::fs::write(&path, text).unwrap();
@@ -38,7 +38,7 @@ pub fn refused(text: &str) -> String {
 }
 
 /// Half a unit of the last digit of a printed number.
-pub fn half_unit(printed: &str) -> f64 {
+pub(crate) fn half_unit(printed: &str) -> f64 {
     let (mantissa, exponent) = printed.split_once('E').unwrap_or((printed, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, after)| after.len());
     0.5 * 10f64.powi(exponent.parse::<i32>().unwrap() - decimals as i32)
