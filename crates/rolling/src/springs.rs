@@ -11,7 +11,7 @@ use super::{CreepCoefficients, Creepage, Way};
 /// by spin. [`crate::Fastsim`] has the same springs, and cells that fit the ellipse.
 ///
 /// ```
-/// use carom_halfspace::Grid;
+/// use carom_halfspace::{Field, Grid};
 /// use carom_rolling::{Creepage, Springs, Way};
 /// use carom_solver::ContactState;
 /// let grid = Grid::new(20, 1, 0.1, 1.0)?;
