@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 use carom_table::Column;
 
-use super::{CreepCoefficients, Creepage};
+use super::{CreepCoefficients, Creepage, Springs};
 
 /// Kalker's simplified theory: each particle has springs of its own, with three flexibilities from
 /// the creep coefficients and a parabolic friction limit. For two equal bodies.
@@ -73,10 +73,9 @@ impl Fastsim {
     /// [`RangeError`] unless lengths, modulus, force and friction are positive, there are 1 to 1000
     /// strips and elements, and the creepage is finite.
     pub fn forces(&self, creepage: Creepage) -> Result<FastsimForces, RangeError> {
-        let ([a, b], g) = (self.semi_axes, self.shear_modulus);
-        for (field, value) in [("a", a), ("b", b), ("shear_modulus", g), ("force", self.force)] {
-            RangeError::positive(field, value)?;
-        }
+        let [a, b] = self.semi_axes;
+        let springs = Springs::of_ellipse([a, b], self.shear_modulus, &self.coefficients)?;
+        RangeError::positive("force", self.force)?;
         RangeError::positive("friction", self.friction)?;
         let [strips, elements] = self.mesh;
         for count in self.mesh {
@@ -84,10 +83,9 @@ impl Fastsim {
             RangeError::check("mesh", count as f64, fits, "from 1 to 1000 strips and elements")?;
         }
         creepage.check()?;
-        let CreepCoefficients { c11, c22, c23, .. } = self.coefficients;
-        let along = creepage.along * 3.0 * g * c11 / (8.0 * a);
-        let across = creepage.across * 3.0 * g * c22 / (8.0 * a);
-        let spin = creepage.spin * 4.0 * g * (a * b).sqrt() * c23 / (std::f64::consts::PI * a * a);
+        let [l_1, l_2, l_3] = springs.flexibilities();
+        let (along, across, spin) =
+            (creepage.along / l_1, creepage.across / l_2, creepage.spin / l_3);
         let top = 2.0 * self.friction * self.force / (std::f64::consts::PI * a * b);
         let height = 2.0 * b / strips as f64;
         let mut sum = FastsimForces::default();

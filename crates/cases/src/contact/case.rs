@@ -1,7 +1,9 @@
 //! A case of an input of CONTACT, with everything that it takes from the cases before it.
 
 use super::block::Block;
-use super::potential::Potential;
+use super::falling::Falling;
+use super::potential::{Ellipse, Potential};
+use super::springs::{Bound, Fastsim};
 use super::surface::Surface;
 use carom_halfspace::MaterialPair;
 use carom_rolling::{SteadyMethod, Way};
@@ -22,10 +24,18 @@ pub struct ContactCase {
     pub motion: Motion,
     /// What drives it.
     pub drive: ContactDrive,
-    /// One coefficient of friction, or one for each row of cells.
+    /// One coefficient of friction, or one for each row of cells; that at rest if it falls.
     pub friction: Arc<[f64]>,
+    /// How it falls with the slip velocity.
+    pub falling: Option<Falling>,
     /// Whether forces are given and told over FSTAT FN, not over FN.
     pub by_friction: bool,
+    /// The pressures.
+    pub bound: Bound,
+    /// The contact of Hertz that gives the cells.
+    pub ellipse: Option<Ellipse>,
+    /// Springs for the particles instead of elastic bodies.
+    pub fastsim: Option<Fastsim>,
     /// Both bodies.
     pub materials: MaterialPair,
     /// The file of influence numbers; none for half-spaces.
@@ -108,8 +118,13 @@ impl Rolling {
         Way::new(self.dq)?.towards(self.chi)?.with_spin_at(self.facphi)
     }
 
-    pub(super) fn method(&self) -> Result<SteadyMethod, RangeError> {
-        SteadyMethod::default().towards(self.chi)?.with_spin_at(self.facphi)?.in_steps_of(self.dq)
+    pub(super) fn method(&self, falling: Option<Falling>) -> Result<SteadyMethod, RangeError> {
+        let method = SteadyMethod::default().towards(self.chi)?.with_spin_at(self.facphi)?;
+        let method = method.in_steps_of(self.dq)?;
+        Ok(match falling {
+            Some(falling) => method.with_friction_by_slip(falling.rolling(self.veloc)?),
+            None => method,
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! The motions of CONTACT as one method, on one grid or on nested ones.
 
 use super::case::Motion;
+use super::falling::Falling;
 use crate::solve::ChosenError;
 use crate::{Error, ErrorKind};
 use carom_halfspace::Field;
@@ -21,12 +22,16 @@ pub(super) enum Way {
 }
 
 impl Way {
-    /// The way of a motion; `local` are the extra creepages of steady rolling.
-    pub(super) fn new(motion: Motion, local: Option<[Field; 2]>) -> Result<Self, RangeError> {
+    /// The way of a motion; `local` are the extra creepages of steady rolling, `falling` its friction by slip.
+    pub(super) fn new(
+        motion: Motion,
+        local: Option<[Field; 2]>,
+        falling: Option<Falling>,
+    ) -> Result<Self, RangeError> {
         Ok(match motion {
             Motion::None | Motion::Shift => Self::Shift(Frictional::default()),
-            Motion::Step(rolling) => Self::Step(TransientMethod::new(rolling.method()?)),
-            Motion::Steady(rolling) => Self::Steady(rolling.method()?, local),
+            Motion::Step(rolling) => Self::Step(TransientMethod::new(rolling.method(None)?)),
+            Motion::Steady(rolling) => Self::Steady(rolling.method(falling)?, local),
         })
     }
 }

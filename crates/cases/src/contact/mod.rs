@@ -5,8 +5,11 @@
 
 mod below;
 mod block;
+mod carried;
 mod case;
 mod digits;
+mod falling;
+mod fastsim;
 mod fault;
 mod lines;
 mod method;
@@ -14,6 +17,7 @@ mod potential;
 mod read;
 mod row;
 mod solve;
+mod springs;
 mod surface;
 mod toml;
 
@@ -21,10 +25,12 @@ pub use below::{BELOW, Below};
 pub use block::Block;
 pub use case::{Asked, Begin, ContactCase, ContactDrive, Motion, Rolling};
 pub use digits::{Choice, Digit, Does, LINES};
+pub use falling::Falling;
 pub use fault::Fault;
-pub use potential::Potential;
+pub use potential::{Ellipse, Potential};
 pub use read::cases;
 pub use row::{COLUMNS, Row};
 pub use solve::{Solved, solved};
+pub use springs::{Bound, Fastsim};
 pub use surface::Surface;
 pub use toml::toml;

@@ -24,6 +24,25 @@ pub struct Potential {
     pub corner: [f64; 2],
 }
 
+/// The contact of Hertz: semi-axes along x and y, mm, normal force and approach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ellipse {
+    /// Semi-axes.
+    pub semi_axes: [f64; 2],
+    /// FN.
+    pub force: f64,
+    /// PEN.
+    pub approach: f64,
+}
+
+/// Where a case lies.
+pub(super) struct Placed {
+    pub(super) area: Potential,
+    /// Of a contact of Hertz, its surface, and its ellipse if it is one.
+    pub(super) surface: Option<Surface>,
+    pub(super) ellipse: Option<Ellipse>,
+}
+
 /// What a file says of the potential contact area.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Area {
@@ -138,23 +157,25 @@ impl Area {
     }
 
     /// Cells, and of a contact of Hertz the surface, under a normal force or at an approach.
-    pub(super) fn placed(
-        &self,
-        materials: MaterialPair,
-        normal: Driven,
-    ) -> Result<(Potential, Option<Surface>), Fault> {
+    pub(super) fn placed(&self, materials: MaterialPair, normal: Driven) -> Result<Placed, Fault> {
         if !self.is_hertzian() {
-            return Ok((self.plain()?, None));
+            return Ok(Placed { area: self.plain()?, surface: None, ellipse: None });
         }
         let scale = self.numbers[2].positive()?;
-        let ([a, b], curvatures) = match self.kind {
-            -5 | -4 => self.line(materials, normal)?,
-            _ => self.ellipse(materials, normal)?,
+        let ([a, b], curvatures, ellipse) = match self.kind {
+            -5 | -4 => {
+                let (semi_axes, curvatures) = self.line(materials, normal)?;
+                (semi_axes, curvatures, None)
+            }
+            _ => {
+                let (ellipse, curvatures) = self.ellipse(materials, normal)?;
+                (ellipse.semi_axes, curvatures, Some(ellipse))
+            }
         };
         let half = [scale * a, if self.kind <= -4 { self.wide(b, scale) } else { scale * b }];
         let size = [0, 1].map(|i| 2.0 * half[i] / self.cells[i] as f64);
-        let potential = Potential { cells: self.cells, size, corner: half.map(|half| -half) };
-        Ok((potential, Some(Surface::paraboloid(curvatures))))
+        let area = Potential { cells: self.cells, size, corner: half.map(|half| -half) };
+        Ok(Placed { area, surface: Some(Surface::paraboloid(curvatures)), ellipse })
     }
 
     /// Half the width of the area of a line contact: a whole number of cells covers the line.
@@ -188,7 +209,7 @@ impl Area {
         &self,
         materials: MaterialPair,
         normal: Driven,
-    ) -> Result<([f64; 2], [f64; 2]), Fault> {
+    ) -> Result<(Ellipse, [f64; 2]), Fault> {
         let [first, second, ..] = &self.numbers;
         let given = [first.positive()?, second.positive()?];
         let made = self.hertz(given, materials, normal).and_then(|hertz| {
@@ -200,7 +221,9 @@ impl Area {
         });
         let (hertz, state) = made.map_err(|error| first.must(format!("of a contact: {error}")))?;
         let (axes, curvature) = (state.ellipse, hertz.curvature());
-        Ok(([axes.semi_axis_a(), axes.semi_axis_b()], [curvature.a(), curvature.b()]))
+        let semi_axes = [axes.semi_axis_a(), axes.semi_axis_b()];
+        let ellipse = Ellipse { semi_axes, force: state.force, approach: state.approach };
+        Ok((ellipse, [curvature.a(), curvature.b()]))
     }
 
     fn hertz(

@@ -59,6 +59,7 @@ impl Row {
     pub(super) fn of(
         case: &ContactCase,
         state: &ContactState,
+        force: f64,
         estimates: Option<Estimates>,
         heat: f64,
         energy: f64,
@@ -68,7 +69,7 @@ impl Row {
         let adhesion = if case.motion == Motion::None { stick + slip } else { stick };
         // carom's torque has the sign of y t_x - x t_y about the middle of the cells.
         let mz = x * load.f_y - y * load.f_x - load.m_z;
-        let limit = scale * load.f_z;
+        let limit = scale * force;
         let told = |value: f64| if value.abs() < 0.5 * case.eps * limit { 0.0 } else { value };
         let relative = |force: f64| if limit > 0.0 { told(force) / limit } else { 0.0 };
         let middle = case.of_middle();
@@ -84,13 +85,13 @@ impl Row {
             motion: case.motion,
             forced: case.drive.along.map(|asked| matches!(asked, Asked::Force(_))),
             pressed: matches!(case.drive.normal, Driven::Load(_)),
-            fn_: load.f_z,
+            fn_: force,
             fx: told(load.f_x),
             fy: told(load.f_y),
             mz: told(mz),
             elastic: JOULE * energy,
             friction: -JOULE * rate * heat,
-            fn_over_g: 0.5 * load.f_z / pair.shear_modulus(),
+            fn_over_g: 0.5 * force / pair.shear_modulus(),
             fx_rel: relative(load.f_x),
             fy_rel: relative(load.f_y),
             cksi: motion(0, state.shift.xi),

@@ -1,18 +1,18 @@
 //! Solves the cases of an input of CONTACT in turn.
 
 use super::below::{Below, extremes};
+use super::carried::{at_rest, bring, displace, moved, padding};
 use super::case::{Asked, Begin, ContactCase, Motion};
 use super::method::Way;
 use super::potential::Potential;
 use super::row::Row;
+use super::springs::Fastsim;
 use crate::Error;
 use crate::case::InfluenceFile;
 use crate::input::CaseFile;
 use crate::roll::of_one_line;
 use crate::solve::{border, influence_of_contact};
-use carom_halfspace::operator::{
-    Blocks, DisplacementField, KernelOperator, OperatorError, RolledOperator, TractionField,
-};
+use carom_halfspace::operator::{Blocks, KernelOperator, OperatorError, RolledOperator};
 use carom_halfspace::{Field, Grid};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
@@ -148,7 +148,7 @@ impl<'a> Contact<'a> {
 
     fn history(&self, local: Option<[Field; 2]>) -> Result<NestedHistory<Way>, Error> {
         let alone = local.is_some() || self.is_padded();
-        let way = Way::new(self.case.motion, local)?;
+        let way = Way::new(self.case.motion, local, self.case.falling)?;
         let made = if alone {
             NestedHistory::without_estimates(way, self.problem(self.window.grid())?)
         } else {
@@ -237,6 +237,9 @@ impl<'a> Contact<'a> {
 
     fn follow(&self, last: Option<&Last>) -> Result<(Solved, Last), Error> {
         let case = self.case;
+        if let Some(fastsim) = &case.fastsim {
+            return self.roll_on_springs(fastsim, last);
+        }
         let local = self.local()?;
         let mut history = self.history(local.clone())?;
         let before = self.before(history.problem(), last, local.as_ref())?;
@@ -252,7 +255,8 @@ impl<'a> Contact<'a> {
         let (problem, state) = (history.problem(), history.state());
         let slipped = self.slipped(problem, &before, state, local.as_ref())?;
         let stored = StoredEnergy::of(problem, state).map_err(ProblemError::from)?;
-        let row = Row::of(case, state, history.estimates(), slipped, stored.total());
+        let force = state.load().f_z;
+        let row = Row::of(case, state, force, history.estimates(), slipped, stored.total());
         let below = extremes(case, state, &self.area)?;
         let mut notes = case.notes.clone();
         // A line of cells is as long as the bodies.
@@ -266,6 +270,40 @@ impl<'a> Contact<'a> {
         }
         let coarse = history.coarse_states().map(|state| state.cloned());
         Ok((Solved { row, below, notes }, Last { area: self.area, state: state.clone(), coarse }))
+    }
+
+    /// FASTSIM: pressures that are given or solved for, then springs.
+    fn roll_on_springs(
+        &self,
+        fastsim: &Fastsim,
+        last: Option<&Last>,
+    ) -> Result<(Solved, Last), Error> {
+        let case = self.case;
+        let (Motion::Steady(rolling), [Asked::Creepage(x), Asked::Creepage(y)]) =
+            (case.motion, case.drive.along)
+        else {
+            return Err(Error::input(
+                "FASTSIM (M = 2 or 3) is for steady rolling at creepages (T = 3, F = 0)",
+            ));
+        };
+        let given = case.bound.given(self.window.grid(), self.area.middle());
+        let (mut state, force) = match (given, case.ellipse) {
+            (Some(state), Some(ellipse)) => (state, ellipse.force),
+            _ => {
+                let bare = ContactCase { motion: Motion::None, fastsim: None, ..case.clone() };
+                let state = Contact { case: &bare, table: self.table.clone(), ..*self }
+                    .follow(last)?
+                    .1
+                    .state;
+                let force = state.load().f_z;
+                (state, force)
+            }
+        };
+        let heat = rolling.dq * fastsim.roll(case, [x, y], &rolling.way()?, force, &mut state)?;
+        let row = Row::of(case, &state, force, None, heat, 0.0);
+        let below = extremes(case, &state, &self.area)?;
+        let last = Last { area: self.area, state, coarse: [None, None] };
+        Ok((Solved { row, below, notes: case.notes.clone() }, last))
     }
 
     /// The friction heat of the cells that slip, in a shift or a step.
@@ -309,77 +347,4 @@ impl<'a> Contact<'a> {
         let cells = state.cells.values().iter().zip(heat.values());
         Ok(cells.filter(|(cell, _)| **cell == CellState::Slip).map(|(_, heat)| heat).sum())
     }
-}
-
-/// A state whose shifts count from here.
-fn at_rest(state: ContactState) -> ContactState {
-    ContactState { shift: Shift { zeta: state.shift.zeta, ..Shift::default() }, ..state }
-}
-
-/// Replaces the displacements of a state by those that particles bring from ahead.
-fn bring(rolled: &RolledOperator, state: &mut ContactState) -> Result<(), Error> {
-    use carom_halfspace::operator::SurfaceOperator as _;
-    let grid = state.pressure.grid();
-    let [mut along, mut across] = [Field::uniform(grid, 0.0), Field::uniform(grid, 0.0)];
-    let load = TractionField::full(
-        state.traction_x.values(),
-        state.traction_y.values(),
-        state.pressure.values(),
-    );
-    let change = DisplacementField::tangential(along.values_mut(), across.values_mut());
-    rolled.apply(load, change, &mut rolled.workspace()).map_err(ProblemError::from)?;
-    let fields = [(&mut state.displacement_x, along), (&mut state.displacement_y, across)];
-    for (own, change) in fields {
-        own.values_mut().iter_mut().zip(change.values()).for_each(|(own, change)| *own -= change);
-    }
-    Ok(())
-}
-
-/// Writes the displacements of the tractions of a state.
-fn displace(problem: &ContactProblem, state: &mut ContactState) -> Result<(), Error> {
-    let load = TractionField::full(
-        state.traction_x.values(),
-        state.traction_y.values(),
-        state.pressure.values(),
-    );
-    let out = DisplacementField::tangential(
-        state.displacement_x.values_mut(),
-        state.displacement_y.values_mut(),
-    );
-    let operator = problem.operator();
-    Ok(operator.apply(load, out, &mut operator.workspace()).map_err(ProblemError::from)?)
-}
-
-/// Cells that a step of rolling needs beyond those of a case.
-fn padding(case: &ContactCase) -> Result<[usize; 2], Error> {
-    let Some(rolling) = case.motion.rolling() else { return Ok([0; 2]) };
-    let (ahead, area) = (rolling.way()?.ahead(), &case.area);
-    let more = |i: usize, ahead: f64| {
-        let cells = (ahead.abs() / area.size[i]).ceil();
-        if cells < area.cells[i] as f64 { Some(0) } else { (cells < 1e4).then_some(cells as usize) }
-    };
-    match [more(0, ahead.x), more(1, ahead.y)] {
-        [Some(x), Some(y)] => Ok([x, y]),
-        _ => Err(Error::input("DQ is longer than 10000 cells")),
-    }
-}
-
-/// The values of a field on the cells of another area; `beyond` elsewhere.
-fn moved(
-    field: &Field,
-    from: &Potential,
-    to: &Potential,
-    beyond: f64,
-) -> Result<Field, carom_special::RangeError> {
-    let [x, y] = to.offset_from(from).unwrap_or([i64::MAX; 2]);
-    let grid = to.window()?.grid();
-    let [nx, ny] = to.cells.map(|count| count as i64);
-    let value = |i: i64, j: i64| {
-        let place =
-            |at: i64, offset: i64| at.checked_add(offset).and_then(|at| usize::try_from(at).ok());
-        let cell = place(i, x).zip(place(j, y)).and_then(|(i, j)| field.get(i, j));
-        cell.copied().unwrap_or(beyond)
-    };
-    let rows = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
-    Field::new(grid, rows.map(|(i, j)| value(i, j)).collect())
 }

@@ -45,6 +45,7 @@ fn written(case: &ContactCase) -> Result<String, &'static str> {
         (aside, "cells whose middle is not the origin (XL, YL)"),
         (case.extra.is_some(), "extra rigid slip (E)"),
         (case.friction.len() > 1, "friction of rows (V = 2)"),
+        (case.fastsim.is_some(), "FASTSIM (M = 2 or 3)"),
         (case.drive.spin_centre != [0.0; 2], "a spin beside the origin (SPINXO, SPINYO)"),
         (!case.blocks.is_empty(), "points below the surface (S)"),
     ] {
@@ -59,7 +60,7 @@ fn written(case: &ContactCase) -> Result<String, &'static str> {
             let _ = write!(
                 text,
                 "\n[contact]\nfriction = {}\n\n[rolling]\nspeed = {}\ndirection = {}\nstep = {}\nspin_offset = {}\n",
-                case.friction[0],
+                friction(case),
                 rolling.veloc * MILLIMETRE,
                 rolling.chi.to_degrees(),
                 rolling.dq * MILLIMETRE,
@@ -76,6 +77,18 @@ fn written(case: &ContactCase) -> Result<String, &'static str> {
         }
     }
     Ok(text)
+}
+
+/// One coefficient, or that of the slip speed in m/s.
+fn friction(case: &ContactCase) -> String {
+    let law = case.falling.and_then(|falling| falling.law().ok());
+    law.map_or_else(
+        || case.friction[0].to_string(),
+        |law| {
+            let [a, b, c] = law.coefficients();
+            format!("{{ a = {a}, b = {b}, c = {} }}", c / MILLIMETRE)
+        },
+    )
 }
 
 /// Bodies, gap and grid.

@@ -8,6 +8,7 @@ mod command;
 mod common;
 mod compare;
 mod contact;
+mod contact_files;
 mod contact_point;
 mod contact_program;
 mod curves;

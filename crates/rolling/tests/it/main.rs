@@ -9,3 +9,4 @@ mod nested;
 mod oracle;
 mod rolling;
 mod slip_speed;
+mod springs;

@@ -7,6 +7,7 @@ mod coefficients;
 mod conformal;
 mod creep_table;
 mod curves;
+mod fastsim;
 mod growth;
 mod onset;
 mod printed;
@@ -20,6 +21,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("rolling.curves", "Forces by creepage and spin").slowly_by(curves::draw),
     Entry::check("rolling.tractcurv", "CONTACT's shipped cases: a traction curve")
         .by(tractcurv::draw),
+    Entry::check("rolling.fastsim", "CONTACT's shipped cases: FASTSIM").by(fastsim::draw),
     Entry::check("rolling.creep_table", "CONTACT's published table of creep forces")
         .by(creep_table::draw),
     Entry::check("rolling.bentall", "CONTACT's shipped cases: dissimilar cylinders")

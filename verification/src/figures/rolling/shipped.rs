@@ -1,13 +1,14 @@
-//! CONTACT's examples of a wheel that slides across and spins, and of polymer cylinders.
+//! CONTACT's examples of a wheel that slides across and spins, of polymer cylinders, and of friction that falls.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
-use carom_rolling::{Creepage, RollingDrive, SteadyContact, SteadyRolling, Way};
+use carom_laws::slip_speed::SlipSpeedFriction;
+use carom_rolling::{Creepage, RollingDrive, RollingFriction, SteadyContact, SteadyRolling, Way};
 use carom_solver::{CellState, ContactProblem, Driven, Gap};
 
 use super::super::printed::{Compared, SOURCE, all_digits, beside};
-use super::printed::{highest, number, rows};
-use crate::{Failure, Figure, FigureResult, Marker, Panel, Series};
+use super::printed::{counts, highest, number, own_counts, rows};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 
 const FRICTION: f64 = 0.3;
 
@@ -45,6 +46,17 @@ fn cylinders(modulus: f64) -> Result<SteadyRolling, Failure> {
     Ok(SteadyContact::new(&problem, Way::new(0.16)?)?.roll(&drive, &mut ())?)
 }
 
+/// A cylinder on a plane whose friction is halved, beyond a limit, every 100 mm/s of slip.
+fn falling() -> Result<SteadyRolling, Failure> {
+    let grid = Grid::new(92, 1, 0.1, 200.0)?;
+    let problem = problem(grid, [82_000.0, 0.28], |x, _| (x - 0.05).powi(2) / 920.0)?;
+    let law = SlipSpeedFriction::new(0.18, 0.12, std::f64::consts::LN_2 / 100.0)?;
+    let contact = SteadyContact::new(&problem, Way::new(0.1)?)?;
+    let mut contact = contact.with_friction_by_slip(RollingFriction::new(law, 45_000.0)?);
+    let creepage = Creepage { along: 0.000_999_9, ..Creepage::default() };
+    Ok(contact.roll(&RollingDrive::by_creepage(Driven::Load(622_216.0), creepage), &mut ())?)
+}
+
 /// The cells of the wheel that stick and that slip.
 fn places(rolled: &SteadyRolling) -> Panel {
     let (grid, cells) = (rolled.state.pressure.grid(), rolled.state.cells.values());
@@ -58,17 +70,17 @@ fn places(rolled: &SteadyRolling) -> Panel {
     panel
 }
 
-/// Traction and friction limit of the cylinders, over the highest limit.
-fn curves(rolled: &SteadyRolling, title: &str) -> Panel {
+/// Traction and friction limit at rest, over the highest limit, of a contact about a middle.
+fn curves(rolled: &SteadyRolling, title: &str, (limited, sign): (&str, f64), middle: f64) -> Panel {
     let state = &rolled.state;
     let (grid, limit) = (state.pressure.grid(), highest(rolled));
     let mut panel = Panel::new("x in mm", "t_x/(f p_max)").titled(title);
     let along = |value: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
-        (0..grid.nx()).map(|cell| (grid.centred_x(cell) - 0.08, value(cell))).collect()
+        (0..grid.nx()).map(|cell| (grid.centred_x(cell) - middle, value(cell))).collect()
     };
     let pressure = state.pressure.values();
     let traction = state.traction_x.values();
-    panel.add(Series::dotted("− f p", along(&|cell| -pressure[cell] / limit)).coloured(2));
+    panel.add(Series::dotted(limited, along(&|cell| sign * pressure[cell] / limit)).coloured(2));
     panel.add(Series::line("t_x", along(&|cell| traction[cell] / (FRICTION * limit))).coloured(0));
     panel
 }
@@ -86,6 +98,11 @@ pub(super) fn draw() -> FigureResult {
     figure.stated(
         "cylinders",
         "ν = 0.4, f = 0.3, F_z = 600 kN on 1000 mm, F_x = −0.6 f F_z, 99 × 1 cells of 0.16 mm",
+    );
+    figure.stated(
+        "falling friction",
+        "a cylinder of radius 460 mm, F_z = 622 kN on 200 mm, ξ = −0.0009999, 92 × 1 cells of 0.1 mm; \
+         f = 0.18 + 0.12/2^(v/100 mm/s) at 45 m/s",
     );
     figure.stated("signs", "as printed: body 1 against body 2");
     let (wheel, row) = (wheel()?, &rows("conformal")?[0]);
@@ -109,8 +126,21 @@ pub(super) fn draw() -> FigureResult {
             let printed = number(&row, name)?;
             compared.push(Compared { name: format!("{title}: {name}"), printed, own });
         }
-        figure.panel(curves(&rolled, &title));
+        figure.panel(curves(&rolled, &title, ("− f p", -1.0), 0.08));
     }
+    let (rolled, row) = (falling()?, &rows("veldep_fric")?[0]);
+    for (name, own) in [("F_x", rolled.state.load().f_x), ("p_max", highest(&rolled))] {
+        compared.push(Compared {
+            name: format!("falling friction: {name}"),
+            printed: number(row, name)?,
+            own,
+        });
+    }
+    let cells = own_counts(&rolled).into_iter().zip(counts(row)?);
+    figure
+        .all_close("falling friction: cells that stick and slip", cells, Absolute(0.0))
+        .source(SOURCE);
+    figure.panel(curves(&rolled, "falling friction", ("f p at rest", 1.0), 0.05));
     figure.table(beside(&compared));
     let pairs = compared.iter().map(|one| (one.own, one.printed));
     all_digits(&mut figure, "all numbers", pairs).source(SOURCE);

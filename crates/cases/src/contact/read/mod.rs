@@ -1,14 +1,18 @@
 //! Reads the cases of an input of CONTACT in the order of the file.
 
+mod friction;
 mod motion;
 mod sequence;
+mod springs;
 
 use super::block::Block;
 use super::case::{Asked, ContactCase, ContactDrive, Rolling};
 use super::digits::Digits;
+use super::falling::Falling;
 use super::fault::Fault;
 use super::lines::{Given, Lines};
 use super::potential::{Area, Potential};
+use super::springs::Fastsim;
 use super::surface::Surface;
 use carom_halfspace::{Material, MaterialPair};
 use carom_solver::Driven;
@@ -20,8 +24,6 @@ const MOST_CASES: usize = 10_000;
 const MODULI: [f64; 2] = [1e-5, 1e20];
 /// CONTACT's default of FACPHI.
 const FACPHI: f64 = 1.0 / 6.0;
-/// Relative difference of FSTAT and FKIN that counts as none.
-const SAME_FRICTION: f64 = 1e-3;
 
 /// Reads all cases of a file.
 ///
@@ -57,10 +59,12 @@ struct Reader<'a> {
     eps: f64,
     was_rolling: bool,
     friction: Option<(Arc<[f64]>, bool)>,
+    falling: Option<Falling>,
     rolling: Option<Rolling>,
     materials: Option<MaterialPair>,
+    fastsim: Option<Fastsim>,
     influence: Option<String>,
-    /// The area as it is given, as it lies, and whether it gives the surface.
+    /// The area as it is given, as it lies, and the surface that it gives.
     area: Option<Area>,
     placed: Option<Potential>,
     surface: Option<Arc<Surface>>,
@@ -82,8 +86,8 @@ macro_rules! digits {
 }
 
 digits! {
-    pvtime: 0, 1; tang: 0, 3; norm: 0, 4; force: 0, 5; stress: 0, 6;
-    varfrc: 1, 0; frclaw: 1, 1; discns: 1, 2; inflcf: 1, 3; rznorm: 1, 5; exrhs: 1, 6;
+    pvtime: 0, 1; bound: 0, 2; tang: 0, 3; norm: 0, 4; force: 0, 5; stress: 0, 6;
+    varfrc: 1, 0; frclaw: 1, 1; discns: 1, 2; inflcf: 1, 3; mater: 1, 4; rznorm: 1, 5; exrhs: 1, 6;
     xflow: 2, 0; gausei: 2, 2; ret: 2, 7;
 }
 
@@ -98,8 +102,10 @@ impl<'a> Reader<'a> {
             eps: 1e-5,
             was_rolling: false,
             friction: None,
+            falling: None,
             rolling: None,
             materials: None,
+            fastsim: None,
             influence: None,
             area: None,
             placed: None,
@@ -153,9 +159,8 @@ impl<'a> Reader<'a> {
         }
         self.solver_numbers()?;
         let drive = self.drive()?;
-        if self.frclaw() != 1 && self.varfrc() == 0 {
-            self.friction = Some(([self.friction_numbers()?].into(), true));
-        }
+        self.check_springs()?;
+        self.uniform_friction()?;
         if self.inflcf() >= 2 {
             self.bodies()?;
         }
@@ -217,14 +222,6 @@ impl<'a> Reader<'a> {
         Ok(ContactDrive { normal, along, spin: spin.value, spin_centre })
     }
 
-    fn friction_numbers(&mut self) -> Result<f64, Fault> {
-        let [rest, motion] = self.lines.numbers(["FSTAT", "FKIN"])?;
-        let value = rest.checked(|value| value >= 1e-4, "at least 1e-4")?;
-        let same = |motion: f64| (motion - value).abs() <= SAME_FRICTION * value;
-        motion.checked(same, &format!("FSTAT = {value}: CONTACT has one coefficient"))?;
-        Ok(value)
-    }
-
     /// How it rolls, influence numbers and materials.
     fn bodies(&mut self) -> Result<(), Fault> {
         if self.is_rolling() {
@@ -259,6 +256,10 @@ impl<'a> Reader<'a> {
         };
         let pair = MaterialPair::new(body(&nu_1, &g_1)?, body(&nu_2, &g_2)?);
         self.materials = Some(pair.map_err(|error| g_2.must(error.allowed))?);
+        self.fastsim = match self.mater() {
+            mater @ (2 | 3) => Some(Fastsim::read(&mut self.lines, mater)?),
+            _ => None,
+        };
         Ok(())
     }
 
@@ -272,10 +273,10 @@ impl<'a> Reader<'a> {
         };
         let mut surface = None;
         if self.discns() > 0 || (area.is_hertzian() && self.rznorm() > 0) {
-            let (placed, own) = area.placed(materials, normal)?;
-            surface = own;
+            let placed = area.placed(materials, normal)?;
+            surface = placed.surface;
             if self.discns() > 0 {
-                self.placed = Some(placed);
+                self.placed = Some(placed.area);
             }
         }
         if self.rznorm() == 2 && !area.is_hertzian() {
@@ -291,10 +292,7 @@ impl<'a> Reader<'a> {
     /// Friction of rows, extra slip of cells, and points below the surface.
     fn per_cell(&mut self) -> Result<(), Fault> {
         let [columns, rows] = self.placed.map_or([0, 0], |placed| placed.cells);
-        if self.frclaw() != 1 && self.varfrc() == 2 {
-            let all: Result<Vec<f64>, _> = (0..rows).map(|_| self.friction_numbers()).collect();
-            self.friction = Some((all?.into(), false));
-        }
+        self.friction_of_rows(rows)?;
         match self.exrhs() {
             0 => self.extra = None,
             9 => {
@@ -330,12 +328,14 @@ impl<'a> Reader<'a> {
             return Err(self.digit("E (EXRHS)", self.exrhs(), "0 or 9 with other cells"));
         }
         let mut notes = Vec::new();
+        let falling = self.falling_friction(&mut notes)?;
         let motion = self.motion(area, &mut notes)?;
         let begin = self.begin(area, motion, &mut notes)?;
         self.was_rolling = self.is_rolling();
         if self.ret() < 2 {
             self.solved = Some(area);
         }
+        let (bound, ellipse) = self.pressures(materials, drive.normal)?;
         let wanted = self.stress() > 0;
         Ok(ContactCase {
             number: self.number,
@@ -344,7 +344,11 @@ impl<'a> Reader<'a> {
             motion,
             drive,
             friction,
+            falling,
             by_friction,
+            bound,
+            ellipse,
+            fastsim: self.fastsim,
             materials,
             influence: self.influence.clone(),
             area,

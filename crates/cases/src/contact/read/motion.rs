@@ -31,10 +31,10 @@ impl Reader<'_> {
         Ok(motion)
     }
 
-    /// CONTACT's solvers of steady rolling, but ConvexGS, roll along x in steps of a cell.
+    /// CONTACT's solvers of steady rolling, but ConvexGS, roll along x in steps of a cell, as FASTSIM does.
     fn steadily(&self, given: Rolling, area: Potential, notes: &mut Vec<String>) -> Rolling {
         let (mut rolling, dx) = (given, area.size[0]);
-        if self.solver == 2 {
+        if self.solver == 2 && self.fastsim.is_none() {
             return rolling;
         }
         let back = std::f64::consts::PI;
