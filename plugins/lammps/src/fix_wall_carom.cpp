@@ -30,6 +30,7 @@ enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, ROLLING, TORQ
 
 FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
+  carom::Given given;
   for (int k = 3; k < narg;) {
     const std::string word = arg[k];
     int words = material.take(lmp, who(), narg - k, arg + k);
@@ -49,8 +50,9 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     if (words == 0) words = wall.take(lmp, who(), narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who() + " does not know '" + word +
-                            "': only plane, cylinder, cone, sphere, stl, scale, smooth, edges, between, velocity, omega and center (with all their "
-                            "values), young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, restitution, rolling, conductivity, temperature, law, tolerance and torsion");
+                            "': only plane, cylinder, cone, sphere, stl, scale, smooth, edges, between, velocity, omega, center, "
+                            "young, shear, poisson, rigid, yield, friction, static_friction, slip_friction, damping, restitution, rolling, conductivity, temperature, law, tolerance and torsion");
+    given.add(lmp, who(), word);
     k += words;
   }
   material.check(lmp, who());
@@ -99,7 +101,8 @@ void FixWallCarom::init()
   if (has_temperature) carom::need_temperatures(lmp, who());
   for (int axis = 0; axis < 3; axis++)
     if (domain->periodicity[axis] && !wall.extends_along(axis))
-      error->all(FLERR, who() + ": the box is periodic across the wall");
+      error->all(FLERR, who() + ": the box is periodic along " + "xyz"[axis] + ", where " + wall.why_not_along(axis) +
+                            ": must be bounded there");
   if (wall.is_mesh()) wall.repeat(lmp, who());
   const auto pairs = carom::find_pairs(force);
   if (pairs.empty()) error->all(FLERR, who() + " requires pair_style carom: grains get their material there");
@@ -385,6 +388,10 @@ void FixWallCarom::write_restart(FILE *fp)
 void FixWallCarom::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
+  if (!wall.is_shape(all + SUMS)) damaged("the wall has no shape");
+  if (!wall.is_of(all + SUMS))
+    error->all(FLERR, who() + ": the restart file has a " + carom::WallShape::name_of(all + SUMS) + " under this name, this run a " +
+                          wall.name() + ": give the wall another name, or the shape of the file");
   if (!std::all_of(all, all + SUMS, [](double number) { return std::isfinite(number); }) || !wall.read(all + SUMS))
     damaged("the position or a sum of the wall is not a finite number");
   if (comm->me != 0) return;

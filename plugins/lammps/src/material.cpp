@@ -40,6 +40,11 @@ double numeric(LAMMPS *lmp, const std::string &who, char **arg, int place)
   return utils::numeric(FLERR, arg[place], false, lmp);
 }
 
+void Given::add(LAMMPS *lmp, const std::string &who, const std::string &word)
+{
+  if (!words.insert(word).second) lmp->error->all(FLERR, who + ": " + word + " is given twice");
+}
+
 static double number(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   if (narg < 2) lmp->error->all(FLERR, who + ": " + arg[0] + " requires a value");
@@ -97,6 +102,7 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   if (word == "rigid") {
     young = std::numeric_limits<double>::infinity();
     is_set = has_body = 1;
+    is_rigid = true;
     return 1;
   }
   if (word == "rolling") return take_rolling(lmp, who, narg, arg);
@@ -128,10 +134,12 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
       out_of_range(lmp, who, "conductivity", conductivity, "finite and >= 0");
   } else if (word == "damping") {
     damping = number(lmp, who, narg, arg);
+    has_loss = true;
     if (!(damping >= 0.0 && damping < INFINITY))
       out_of_range(lmp, who, "damping", damping, "finite and >= 0 (a time)");
   } else if (word == "restitution") {
     restitution = number(lmp, who, narg, arg);
+    has_loss = true;
     if (!(restitution >= 0.01 && restitution <= 1.0))
       out_of_range(lmp, who, "restitution", restitution, "from 0.01 to 1");
   } else {
@@ -153,7 +161,8 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 bool Material::come_from_file()
 {
   shear = 0.0;
-  has_young = has_shear = has_poisson = has_friction = has_slip = false;
+  has_young = has_shear = has_poisson = has_friction = has_slip = is_rigid = false;
+  has_loss = loses();
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
   const bool none = !is_set && !has_body;
   const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
@@ -171,6 +180,9 @@ bool Material::come_from_file()
 
 void Material::check(LAMMPS *lmp, const std::string &who) const
 {
+  if (is_rigid && (has_young || has_shear || has_poisson))
+    lmp->error->all(FLERR, who + ": rigid and " + (has_young ? "young" : has_shear ? "shear" : "poisson") +
+                               " are both given: give one of them");
   if (has_friction && has_slip)
     lmp->error->all(FLERR, who + ": friction and slip_friction are both given: give one of them");
   if (static_friction > 0.0 && has_slip)

@@ -5,6 +5,7 @@
 #include "carom.h"
 #include "made_law.h"
 
+#include <set>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -15,6 +16,15 @@ namespace carom {
 
 // The number at a place after the keyword arg[0], or an error that names the keyword.
 double numeric(LAMMPS_NS::LAMMPS *lmp, const std::string &who, char **arg, int place);
+
+// Keywords that were given: an error names one that is given twice.
+class Given {
+ public:
+  void add(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const std::string &word);
+
+ private:
+  std::set<std::string> words;
+};
 
 // Whether the word after the keyword arg[0] is yes, on or true rather than no, off or false; an error names what it is.
 int flag(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
@@ -46,10 +56,14 @@ struct Material {
   carom_material body() const { return {young, poisson, yield}; }
   bool rolls() const { return rolling.friction > 0.0; }
   bool slips() const { return slip_b != 0.0; }
+  // Whether damping or restitution was given in this run.
+  bool names_loss() const { return has_loss; }
+  bool loses() const { return damping > 0.0 || restitution < 1.0; }
 
  private:
   double shear = 0.0;
-  bool has_young = false, has_shear = false, has_poisson = false, has_friction = false, has_slip = false;
+  bool has_young = false, has_shear = false, has_poisson = false, has_friction = false, has_slip = false,
+       is_rigid = false, has_loss = false;
   int take_slip_friction(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
   int take_rolling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
 };

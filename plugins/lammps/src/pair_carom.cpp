@@ -99,6 +99,7 @@ void PairCarom::settings(int narg, char **arg)
 {
   law_ = {};
   account = space = 0;
+  carom::Given given;
   for (int k = 0; k < narg;) {
     int words = law_.take(lmp, "pair_style carom", narg - k, arg + k);
     if (words == 0 && strcmp(arg[k], "energy") == 0) {
@@ -108,6 +109,7 @@ void PairCarom::settings(int narg, char **arg)
     if (words == 0)
       error->all(FLERR, std::string("pair_style carom does not know '") + arg[k] +
                             "': only law, tolerance, torsion and energy");
+    given.add(lmp, "pair_style carom", arg[k]);
     k += words;
   }
   if (comm->me == 0) utils::logmesg(lmp, std::string("pair_style carom: law ") + law_.name() + "\n");
@@ -122,12 +124,14 @@ void PairCarom::coeff(int narg, char **arg)
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   carom::Material material;
+  carom::Given given;
   for (int k = 2; k < narg;) {
     const int words = material.take(lmp, who, narg - k, arg + k);
     if (words == 0)
       error->all(FLERR, who + " does not know '" + arg[k] +
                             "': only young, shear, poisson, yield, friction, static_friction, slip_friction, damping, "
                             "restitution, rolling and conductivity");
+    given.add(lmp, who, arg[k]);
     k += words;
   }
   if (std::isinf(material.young))
@@ -150,6 +154,10 @@ void PairCarom::init_style()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "pair carom requires atom_style sphere");
+  if (force->ftm2v != 1.0)
+    error->all(FLERR, std::string("pair carom: units = ") + update->unit_style +
+                          " is out of range: must be si, cgs, lj, micro or nano, where force is mass times acceleration");
+  tell_of_spin();
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom requires comm_modify vel yes");
   conducts = std::any_of(coefficients.begin(), coefficients.end(),
                          [](const carom::Material &material) { return material.conductivity > 0.0; });
@@ -214,6 +222,35 @@ void PairCarom::set_space()
                        [](const carom::Material &material) { return material.restitution < 1.0; });
 }
 
+// Friction turns grains, which only some integrators follow.
+void PairCarom::tell_of_spin()
+{
+  const auto &fixes = modify->get_fix_list();
+  const auto moves = [](const Fix *fix) { return fix->time_integrate != 0; };
+  const auto turns = [&](const Fix *fix) {
+    const std::string style = fix->style;
+    const auto has = [&](const char *part) { return style.find(part) != std::string::npos; };
+    return moves(fix) && (has("sphere") || has("rigid") || has("poems") || has("move"));
+  };
+  const bool is_due = std::any_of(fixes.begin(), fixes.end(), moves) && std::none_of(fixes.begin(), fixes.end(), turns);
+  if (is_due && !has_told_of_spin && comm->me == 0)
+    error->warning(FLERR, "pair carom: no fix integrates the spin of the grains, as nve/sphere does: friction cannot turn them");
+  has_told_of_spin = has_told_of_spin || is_due;
+}
+
+// The loss is that of a pair: what its two types lose among themselves is not taken over.
+void PairCarom::tell_of_loss(const std::string &who, int i, int j) const
+{
+  if (comm->me != 0 || coefficients[place(i, j)].names_loss()) return;
+  for (const int type : {i, j}) {
+    if (!setflag[type][type] || !material(type).loses()) continue;
+    const std::string own = std::to_string(type);
+    error->warning(FLERR, who + ": neither restitution nor damping is given, so that nothing is lost along the normal; " + own +
+                              " " + own + " has one: write restitution here too (1 for no loss)");
+    return;
+  }
+}
+
 void PairCarom::make_laws()
 {
   for (int i = 1; i <= atom->ntypes; i++)
@@ -235,7 +272,10 @@ void PairCarom::make_laws(int i, int j)
   const carom_material two = own ? pair.body() : material(j).body();
   laws[place(i, j)] = carom::make_law(lmp, who, one, two, pair, law_);
   laws[place(j, i)] = i == j ? laws[place(i, j)] : carom::make_law(lmp, who, two, one, pair, law_);
-  if (!told[place(i, j)]) carom::tell_of_coupling(lmp, who, laws[place(i, j)]);
+  if (!told[place(i, j)]) {
+    carom::tell_of_coupling(lmp, who, laws[place(i, j)]);
+    tell_of_loss(who, i, j);
+  }
   told[place(i, j)] = 1;
 }
 
@@ -594,7 +634,7 @@ void PairCarom::read_restart_settings(FILE *fp)
 // Of the contacts, by the library, and of what this style writes beside them.
 static uint32_t file_version()
 {
-  constexpr uint32_t OF_STYLE = 6;
+  constexpr uint32_t OF_STYLE = 7;
   return 1000 * OF_STYLE + carom_state_version();
 }
 

@@ -83,6 +83,9 @@ class PairCarom : public Pair {
   double energy_of(const carom_touch *touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
+  bool has_told_of_spin = false;
+  void tell_of_spin();
+  void tell_of_loss(const std::string &who, int i, int j) const;
   void make_laws();
   void make_laws(int i, int j);
   void set_space();

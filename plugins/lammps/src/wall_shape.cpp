@@ -5,6 +5,7 @@
 
 #include "error.h"
 #include "lammps.h"
+#include "utils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,11 +42,41 @@ static bool is_unit(const double *vector)
   return std::fabs(dot(vector, vector) - 1.0) < 1e-9;
 }
 
+// The keywords, how many words each requires, and these.
+static constexpr struct {
+  const char *name;
+  int count;
+  const char *words;
+} KEYWORDS[] = {
+    {"plane", 6, "six numbers: X Y Z NX NY NZ"},
+    {"cylinder", 8, "seven numbers and a side: X Y Z DX DY DZ R inside, outside or both"},
+    {"cone", 8, "seven numbers and a side: X Y Z DX DY DZ ANGLE inside, outside or both"},
+    {"sphere", 5, "four numbers and a side: X Y Z R inside, outside or both"},
+    {"between", 2, "two numbers"},
+    {"velocity", 3, "three numbers"},
+    {"omega", 3, "three numbers"},
+    {"center", 3, "three numbers"},
+    {"stl", 1, "a file"},
+    {"scale", 1, "a number"},
+    {"smooth", 1, "a number"},
+    {"edges", 1, "a number"},
+};
+
 int WallShape::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
 {
   const std::string word = arg[0];
+  const char *required = "";
+  for (const auto &keyword : KEYWORDS) {
+    if (word != keyword.name) continue;
+    required = keyword.words;
+    if (narg <= keyword.count) lmp->error->all(FLERR, who + ": " + word + " requires " + required);
+  }
   const auto numbers = [&](int first, int count, double *to) {
-    for (int k = 0; k < count; k++) to[k] = numeric(lmp, who, arg, first + k);
+    for (int k = 0; k < count; k++) {
+      if (!utils::is_double(arg[first + k]))
+        lmp->error->all(FLERR, who + ": " + word + " requires " + required + "; '" + arg[first + k] + "' is no number");
+      to[k] = numeric(lmp, who, arg, first + k);
+    }
   };
   if (word == "plane" && narg > 6) {
     set(lmp, who, PLANE);
@@ -117,7 +148,7 @@ void WallShape::take_side(LAMMPS *lmp, const std::string &who, const std::string
   if (word == "inside") side = INSIDE;
   else if (word == "outside") side = OUTSIDE;
   else if (word == "both") side = BOTH;
-  else lmp->error->all(FLERR, who + ": grains are neither inside, outside nor on both sides: '" + word + "'");
+  else lmp->error->all(FLERR, who + ": after the radius or the angle comes the side of the grains: inside, outside or both, not '" + word + "'");
 }
 
 static std::string told(const char *field, double value, const char *allowed)
@@ -338,11 +369,17 @@ bool WallShape::near_axis(const double *x, double radius, Near &near) const
   return true;
 }
 
+bool WallShape::turns_out_of(int axis) const
+{
+  for (int k = 0; k < 3; k++)
+    if (k != axis && spin[k] != 0.0) return true;
+  return false;
+}
+
 bool WallShape::extends_along(int axis) const
 {
   if (kind == MESH) return true;
-  for (int k = 0; k < 3; k++)
-    if (k != axis && spin[k] != 0.0) return false;
+  if (turns_out_of(axis)) return false;
   if (kind == PLANE) return direction[axis] == 0.0;
   return kind == CYLINDER && !is_bounded && std::fabs(direction[axis]) == 1.0;
 }
@@ -405,6 +442,18 @@ void WallShape::write(double *numbers) const
   std::copy_n(direction, 3, numbers + 3);
   std::copy_n(middle, 3, numbers + 6);
   std::copy_n(second, 3, numbers + 9);
+  numbers[12] = kind;
+}
+
+bool WallShape::is_shape(const double *numbers)
+{
+  const double number = numbers[NUMBERS - 1];
+  return number > NONE && number < KINDS && number == std::floor(number);
+}
+
+const char *WallShape::name_of(const double *numbers)
+{
+  return NAMES[static_cast<int>(numbers[NUMBERS - 1])];
 }
 
 bool WallShape::read(const double *numbers)

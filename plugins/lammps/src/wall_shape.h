@@ -60,6 +60,8 @@ class WallShape {
   // Whether a box may be periodic along this axis: shape and motion are then the same all along it, or a mesh repeats
   // itself.
   bool extends_along(int axis) const;
+  // Why it does not.
+  const char *why_not_along(int axis) const { return turns_out_of(axis) ? "omega turns the wall away" : "the wall ends or is curved"; }
   // Makes the surface of a mesh, which repeats itself where the box is periodic. Raises an error if box, shape or motion
   // do not allow it.
   void repeat(LAMMPS_NS::LAMMPS *lmp, const std::string &who);
@@ -74,14 +76,20 @@ class WallShape {
   const double *omega() const { return spin; }
   const double *center() const { return middle; }
 
-  // Position in a restart file: a point, two directions and the centre of rotation.
-  static constexpr int NUMBERS = 12;
+  // Position in a restart file: a point, two directions, the centre of rotation and the kind of shape.
+  static constexpr int NUMBERS = 13;
+  // Whether these numbers are of a wall of the same shape.
+  static bool is_shape(const double *numbers);
+  bool is_of(const double *numbers) const { return numbers[NUMBERS - 1] == kind; }
+  const char *name() const { return NAMES[kind]; }
+  static const char *name_of(const double *numbers);
   void write(double *numbers) const;
   // False if they are no position.
   bool read(const double *numbers);
 
  private:
-  enum Kind { NONE, PLANE, CYLINDER, CONE, SPHERE, MESH };
+  enum Kind { NONE, PLANE, CYLINDER, CONE, SPHERE, MESH, KINDS };
+  static constexpr const char *NAMES[KINDS] = {"wall without shape", "plane", "cylinder", "cone", "sphere", "surface of triangles"};
   enum Side { INSIDE, OUTSIDE, BOTH };
   Kind kind = NONE;
   Side side = INSIDE;
@@ -99,6 +107,7 @@ class WallShape {
   bool has_edges = false, is_for_mesh = false;    // whether a radius was given, or any of the three
   double speed[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0}, middle[3] = {0.0, 0.0, 0.0};
 
+  bool turns_out_of(int axis) const;
   void set(LAMMPS_NS::LAMMPS *lmp, const std::string &who, Kind shape);
   void take_side(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const std::string &word);
   int take_of_mesh(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);

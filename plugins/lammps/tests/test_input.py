@@ -65,9 +65,17 @@ PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
         (f"{PAIRS}run 1", ["comm_modify vel yes"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 friction 1", ["young", "missing"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 0 rigid friction 1", ["normal"]),
-        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 1 rigid friction 1", ["fix w wall/carom", "plane takes numbers only, not 'rigid'"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 1 rigid friction 1", ["fix w wall/carom", "plane requires six numbers: X Y Z NX NY NZ", "'rigid' is no number"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1 velocity 1 0", ["velocity requires three numbers"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom cylinder 0 0 0 0 0 1 2 rigid friction 1", ["after the radius", "inside, outside or both, not 'rigid'"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 rigid young 7e10 poisson 0.2 friction 1", ["rigid and young are both given"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 {GLASS} rigid", ["rigid and young are both given"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1 friction 0", ["fix w wall/carom: friction is given twice"]),
+        (f"pair_style carom\npair_coeff 1 1 {GLASS} young 7e9", ["pair_coeff 1 1", "young is given twice"]),
+        (f"pair_style carom law coulomb law rings", ["pair_style carom: law is given twice"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1 omega 3 0 0\nrun 1", ["periodic along y", "omega turns the wall away"]),
         (f"{PAIRS}{VEL}fix w all wall/carom rigid friction 1", ["plane", "missing"]),
-        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 1 0 0 rigid friction 1\nrun 1", ["periodic"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 1 0 0 rigid friction 1\nrun 1", ["periodic along x", "the wall ends or is curved", "bounded there"]),
         (f"{VEL}pair_style zero 0.2\npair_coeff * *\nfix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1\nrun 1", ["requires pair_style carom"]),
         (f"{PAIRS}{VEL}compute e all carom/energy\nrun 1", ["energy yes"]),
         (f"{PAIRS}{VEL}compute e all carom/heat/atom\nrun 1", ["carom/heat/atom", "energy yes"]),
@@ -82,6 +90,43 @@ def test_what_is_wrong_is_named(tmp_path, commands, words):
     assert "ERROR" in said
     for word in words:
         assert word in said, said[-600:]
+
+
+def test_units_without_newtons_law_are_refused(tmp_path):
+    for units in ("metal", "real", "electron"):
+        with pytest.raises(Failed) as failed:
+            lmp(START.replace("units si", f"units {units}") + PAIRS + VEL + "run 0\n", tmp_path)
+        assert f"units = {units} is out of range: must be si, cgs, lj, micro or nano" in str(failed.value)
+
+
+def test_what_is_missing_without_being_wrong_is_warned_of(tmp_path):
+    own = f"pair_style carom\npair_coeff 1 1 {GLASS} restitution 0.5\npair_coeff 2 2 {GLASS}\n"
+    loss = "pair_coeff 1 2 of pair carom: neither restitution nor damping is given"
+    spin = "no fix integrates the spin of the grains, as nve/sphere does"
+    run = f"{VEL}timestep 1e-7\nfix 1 all FIX\nrun 1\n"
+    bare = lmp(START + own + "pair_coeff 1 2 friction 0.3\n" + run.replace("FIX", "nve"), tmp_path)
+    whole = lmp(START + own + "pair_coeff 1 2 friction 0.3 restitution 1\n" + run.replace("FIX", "nve/sphere"), tmp_path)
+    for words in (loss, spin):
+        assert bare.count(words) == 1 and words not in whole, bare[-800:]
+
+
+def test_a_surface_in_millimetres_is_warned_of(tmp_path):
+    corners = "".join(f"vertex {x} {y} 0\n" for x, y in ((0, 0), (1000, 0), (0, 1000)))
+    (tmp_path / "mm.stl").write_text(f"solid s\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\nendsolid s\n")
+    wall = f"{PAIRS}{VEL}fix w all wall/carom stl mm.stl rigid friction 1"
+    said = lmp(START + wall + "\n", tmp_path)
+    assert "1 triangles from mm.stl, from (0 0 0) to (1000 1000 0): far beyond the box" in said, said[-600:]
+    assert "far beyond" not in lmp(START + wall + " scale 0.001\n", tmp_path)
+
+
+def test_a_wall_of_another_shape_than_in_the_restart_file(tmp_path):
+    start = START.replace("boundary p p f", "boundary f f f")
+    wall = f"{PAIRS}{VEL}timestep 1e-7\nfix 1 all nve/sphere\nfix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1\n"
+    lmp(start + wall + "run 1\nwrite_restart whole.bin\n", tmp_path)
+    other = "plugin load ${plugin}\nread_restart whole.bin\nfix w all wall/carom sphere 0.5 0.5 0.5 2 inside rigid friction 1\n"
+    with pytest.raises(Failed) as failed:
+        lmp(other, tmp_path)
+    assert "the restart file has a plane under this name, this run a sphere" in str(failed.value)
 
 
 def test_a_release_it_was_not_built_for_is_refused(tmp_path):

@@ -352,7 +352,7 @@ def test_a_ball_on_a_rim_keeps_its_energy(tmp_path):
     [
         ("cylinder 0 0 0 0 0 1 -1 inside", ["radius of the cylinder = -1", "finite and > 0"]),
         ("cylinder 0 0 0 0 0 0 1 inside", ["the direction of the axis is zero"]),
-        ("cylinder 0 0 0 0 0 1 1 within", ["neither inside, outside nor on both sides", "within"]),
+        ("cylinder 0 0 0 0 0 1 1 within", ["inside, outside or both, not 'within'"]),
         ("sphere 0 0 0 0 inside", ["radius of the sphere = 0", "finite and > 0"]),
         ("cone 0 0 0 0 0 1 90 inside", ["angle of the cone = 90", "(0, 90) degrees"]),
         ("cone 0 0 0 0 0 1 30 inside between -1 1", ["first value of between = -1", "0 or more"]),
@@ -360,8 +360,8 @@ def test_a_ball_on_a_rim_keeps_its_energy(tmp_path):
         ("sphere 0 0 0 1 inside between 0 1", ["between is for cylinder and cone only"]),
         ("plane 0 0 0 0 0 1 sphere 0 0 0 1 inside", ["more than one of plane"]),
         ("omega 0 0 1", ["plane, cylinder, cone, sphere or stl is missing"]),
-        ("cylinder 0 0 0 0 0 1 1", ["neither inside, outside nor on both sides"]),
-        ("cylinder 0 0 0 0 0 1", ["cylinder takes numbers only, not"]),
+        ("cylinder 0 0 0 0 0 1 1", ["after the radius or the angle comes the side of the grains"]),
+        ("cylinder 0 0 0 0 0 1", ["cylinder requires seven numbers and a side", "is no number"]),
     ],
 )
 def test_what_is_wrong_is_named(tmp_path, wall, words):
@@ -376,10 +376,10 @@ def test_what_is_wrong_is_named(tmp_path, wall, words):
     [
         ("cylinder 0 0 -0.4 1 0 0 0.4 inside", "", ["a grain of radius 0.5 does not fit", "above -1 over the radius"]),
         ("cylinder 0 0 0 0 0 1 0.6 inside law rings", "", ["law rings needs a plane, a sphere or an STL file without edges"]),
-        ("cylinder 0 0 0 1 0 0 0.6 inside", "change_box all boundary f p f", ["periodic across the wall"]),
-        ("plane 0 0 0 0 0 1 omega 0 0 1", "change_box all boundary p f f", ["periodic across the wall"]),
+        ("cylinder 0 0 0 1 0 0 0.6 inside", "change_box all boundary f p f", ["periodic along y", "the wall ends or is curved"]),
+        ("plane 0 0 0 0 0 1 omega 0 0 1", "change_box all boundary p f f", ["periodic along x", "omega turns the wall away"]),
         ("cylinder 0 0 0 1 0 0 0.6 inside omega 1 0 0", "change_box all boundary p f f", []),
-        ("cylinder 0 0 0 1 0 0 0.6 inside between -1 1", "change_box all boundary p f f", ["periodic across the wall"]),
+        ("cylinder 0 0 0 1 0 0 0.6 inside between -1 1", "change_box all boundary p f f", ["periodic along x", "bounded there"]),
     ],
 )
 def test_what_does_not_fit_is_named(tmp_path, wall, more, words):
