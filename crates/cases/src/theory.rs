@@ -5,8 +5,8 @@ use carom_laws::validity::{Limit, Validity};
 use carom_table::short;
 
 const APPROXIMATE: &str = "The results are approximate.";
-const MEANINGLESS: &str = "The results are meaningless. Is a unit wrong? Plain numbers are SI, others are \
-                      texts such as \"380 GPa\" or \"2.5 mm\".";
+const MEANINGLESS: &str = "The results are meaningless. Is a unit wrong? Plain numbers are SI; in a case file \
+                      texts such as \"380 GPa\" or \"2.5 mm\" have their own.";
 
 /// A number with three digits.
 #[must_use]

@@ -260,7 +260,7 @@ fn finite(column: &DataColumn, values: &[f64], may: bool) -> Result<(), FitError
             column: column.name.clone(),
             row: row + 1,
             found: if values[row].is_nan() {
-                "nothing".to_owned()
+                "a missing number (NaN)".to_owned()
             } else {
                 values[row].to_string()
             },

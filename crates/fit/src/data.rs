@@ -63,11 +63,14 @@ impl Data {
     /// # Errors
     /// As [`Data::new`]; [`FitError::Entry`] for an entry that is not a finite number.
     pub fn from_csv(text: &str) -> Result<Self, FitError> {
-        let failed = |error: csv::Error| FitError::Table(error.to_string());
+        let failed = |error: csv::Error| FitError::Table(ragged(&error));
         let text = text.trim_start_matches('\u{feff}');
         let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
         let first =
             first.ok_or_else(|| FitError::Table("there is no line of headings".to_owned()))?;
+        if let Some(wrong) = no_headings(first) {
+            return Err(FitError::Table(wrong));
+        }
         let separator = [',', ';', '\t'].into_iter().find(|sign| first.contains(*sign));
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
@@ -101,6 +104,35 @@ impl Data {
     #[must_use]
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
+    }
+}
+
+/// Why a line is no line of headings, if it is none.
+fn no_headings(line: &str) -> Option<String> {
+    if line.contains('=') || line.starts_with('[') {
+        return Some(
+            "this is a case, not a table of numbers: the case comes first, then the data"
+                .to_owned(),
+        );
+    }
+    let is_number = |entry: &str| entry.trim().parse::<f64>().is_ok();
+    let all = line.split([',', ';', '\t']).all(is_number);
+    all.then(|| {
+        format!("the first line, \"{line}\", has numbers: headings are missing, as in \"angle (deg),R_x\"")
+    })
+}
+
+/// What is wrong with a row, in words.
+fn ragged(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            format!(
+                "line {line} has {len} entries, the headings are {expected_len}; with decimal commas the entries are \
+                 separated by semicolons"
+            )
+        }
+        _ => error.to_string(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The fit of a case to data, from file to result.
 
 use crate::columns::{self, GivenError, Input, Known, Read};
-use crate::data::Data;
+use crate::data::{Data, DataColumn};
 use crate::estimate::{Estimate, estimate};
 use crate::fitted::{Correlation, Curve, Determined, Fit, Knowledge, Point, Prediction, Quality};
 use crate::hertz::{Contacts, Pressing};
@@ -12,7 +12,7 @@ use crate::model::{Model, Parameter};
 use crate::observable::Observable;
 use crate::squares::{Loss, Squares};
 use crate::{FitError, told};
-use carom_cases::case::{CaseKind, HertzCase, ImpactCase, OpenCase, Renewed};
+use carom_cases::case::{CaseError, CaseFault, CaseKind, HertzCase, ImpactCase, OpenCase, Renewed};
 use carom_cases::input::CaseFile;
 use nalgebra::{DMatrix, DVector};
 
@@ -117,8 +117,31 @@ pub fn fit(file: &CaseFile, data: &Data, options: &Options<'_>) -> Result<Fit, F
     match kind {
         CaseKind::Impact => run::<OfImpacts>(&file.parse()?, data, options),
         CaseKind::Hertz => run::<OfContacts>(&file.parse()?, data, options),
-        other => Err(FitError::Kind { kind: other.name }),
+        other => {
+            // A text that is like no kind of case has the errors of an impact.
+            let is_other = |error: CaseError| matches!(error.fault, CaseFault::OtherKind { .. });
+            if CaseKind::Impact.check(file.text()).is_err_and(|error| !is_other(error)) {
+                file.told(|text| CaseKind::Impact.check(text))?;
+            }
+            Err(FitError::Kind { kind: other.name })
+        }
     }
+}
+
+/// Sentences about inputs without a unit whose numbers are unusual, as angles in radians.
+fn unusual(data: &Data, inputs: &[Input]) -> Vec<String> {
+    let of_input = |input: &Input| {
+        let bare = |column: &&DataColumn| {
+            column.unit.is_empty() && input.field.ends_with(column.name.as_str())
+        };
+        let column = data.columns().iter().find(bare)?;
+        let text = format!("{} = {:?}", input.field, input.values);
+        let told = CaseKind::Impact.unusual(&text).pop()?;
+        let (_, about) = told.split_once("` = ")?;
+        let unit = "a unit may stand behind the name, as in \"angle (rad)\"";
+        Some(format!("column `{}` = {about}; {unit}", column.name))
+    };
+    inputs.iter().filter_map(of_input).collect()
 }
 
 fn run<K: Kind>(
@@ -140,6 +163,7 @@ fn run<K: Kind>(
     let mut statements = K::told(&model, &estimate);
     statements.extend(told::statements(model.parameters(), &parameters, &estimate));
     let mut warnings = told::warnings(&parameters, &estimate, &quality, &residuals);
+    warnings.extend(unusual(data, &read.inputs));
     warnings.extend(read.unused.iter().map(|name| format!("column `{name}` is not used")));
     let ahead = |inputs: Vec<Input>| ahead::<K>(case, &unknowns, &read, inputs, &estimate);
     let curve = curve(&read, options.curve, ahead)?;

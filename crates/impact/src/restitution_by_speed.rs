@@ -29,10 +29,10 @@ impl RestitutionBySpeed {
         let [count, others] = [speeds.len(), restitutions.len()];
         RangeError::check("speed", count as f64, count >= 2, "a list of two numbers or more")?;
         RangeError::check(
-            "restitution",
+            "numbers of restitution",
             others as f64,
             others == count,
-            "a list of as many numbers as `speed`",
+            "as many as of `speed`",
         )?;
         let mut before = None;
         for &speed in speeds {

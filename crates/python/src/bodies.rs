@@ -63,21 +63,41 @@ pub(crate) struct Body {
     #[pyo3(get)]
     moments: Option<[f64; 3]>,
     /// The centre of mass, m.
-    #[pyo3(get)]
     centre: [f64; 3],
     /// The unit quaternion (w, i, j, k) that transforms components in body axes to space axes.
-    #[pyo3(get)]
     attitude: [f64; 4],
     /// The velocity of the centre of mass, m/s.
-    #[pyo3(get)]
     velocity: [f64; 3],
     /// The angular velocity in space axes, rad/s.
-    #[pyo3(get)]
     spin: [f64; 3],
 }
 
 #[pymethods]
 impl Body {
+    /// The centre of mass, m. Vectors are tuples, since a change of a list would be lost.
+    #[getter]
+    fn centre(&self) -> (f64, f64, f64) {
+        self.centre.into()
+    }
+
+    /// The unit quaternion (w, i, j, k) that transforms components in body axes to space axes.
+    #[getter]
+    fn attitude(&self) -> (f64, f64, f64, f64) {
+        self.attitude.into()
+    }
+
+    /// The velocity of the centre of mass, m/s.
+    #[getter]
+    fn velocity(&self) -> (f64, f64, f64) {
+        self.velocity.into()
+    }
+
+    /// The angular velocity in space axes, rad/s.
+    #[getter]
+    fn spin(&self) -> (f64, f64, f64) {
+        self.spin.into()
+    }
+
     #[new]
     #[pyo3(
         signature = (

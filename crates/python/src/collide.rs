@@ -124,14 +124,17 @@ fn missed(collision: &Collision, outcome: &Outcome) -> String {
     }
     // That of body 2 against body 1, along the normal into body 1.
     let speed = collision.velocity().z;
-    let how = match speed < 0.0 {
-        true => format!("move apart at {} m/s", readable(-speed)),
-        false => "have no speed".to_owned(),
+    let (how, way_out) = match speed < 0.0 {
+        true => (
+            format!("move apart at {} m/s", readable(-speed)),
+            "exchange the bodies, or change the sign of a velocity",
+        ),
+        false => ("have no speed".to_owned(), "give a body a `velocity` along it"),
     };
     let [x, y, z] = <[f64; 3]>::from(collision.frame().z()).map(readable);
     format!(
         "no impact: the bodies {how} along the normal ({x}, {y}, {z}), which points from body 2 into body 1:\n\
-         exchange the bodies, or change the sign of a velocity"
+         {way_out}"
     )
 }
 

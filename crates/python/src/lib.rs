@@ -42,7 +42,7 @@ mod _carom {
     #[pymodule_export]
     use super::cases::{
         case_hertz, case_history, case_impact, case_new, case_roll, case_scene, case_shell,
-        case_solve, case_stress,
+        case_solve, case_stress, case_unusual,
     };
     #[pymodule_export]
     use super::collide::{collide, collide_many, history, restitution_by_speed};

@@ -124,7 +124,7 @@ def test_an_impact_obeys_mechanics(hollow, moments):
     along = [v - (v @ normal) * normal for v in slip]
     assert r.R_x == pytest.approx(-(along[1] @ along[0]) / (along[0] @ along[0]), rel=1e-9)
     assert r.maximal_semi_axis_a < r.maximal_semi_axis_b and r.error_estimate > 0
-    assert carom.Body.__name__ in repr(one) and pickle.loads(pickle.dumps(one)).attitude == list(ATTITUDE)
+    assert carom.Body.__name__ in repr(one) and pickle.loads(pickle.dumps(one)).attitude == tuple(ATTITUDE)
 
 
 def test_friction_acts_on_the_spin_about_the_normal_where_it_matters_or_as_told():

@@ -256,3 +256,48 @@ def test_one_material_stands_for_two_alike():
     made = [carom.Solver(np.zeros((4, 4)), (1.0, 1.0), given, 0.3) for given in (RUBBER, PAIR)]
     assert repr(made[0]) == repr(made[1])
     assert carom.Hertz(RUBBER, 50.0, 50.0) == carom.Hertz(PAIR, 50.0, 50.0)
+
+
+UNUSUAL = {"shape": "sphere", "radius": 10, "density": 7.85, "material": {"young_modulus": 208, "poisson": 0.3}}
+
+
+@pytest.mark.parametrize(
+    "call, kind, words",
+    [
+        (lambda: carom.collide_many(BALL, FLOOR, 0.5, body_1_velocity=np.zeros((3, 7))), ValueError, ["(3, 7)", "(3,) or (n, 3)", "transpose it"]),
+        (lambda: carom.collide_many(BALL, FLOOR, [0.1, 0.2], body_1_velocity=np.zeros((7, 3))), ValueError, ["body_1_velocity 7, friction 2"]),
+        (lambda: carom.hertz(BALL, force=10), TypeError, ["contact: must be a Hertz, not Body", "hertz_of_spheres"]),
+        (lambda: carom.plot.pressure(carom.collide(BALL, FLOOR, 0.5)), TypeError, ["of: must be a Solver", "not Rebound"]),
+        (lambda: carom.plot.history(carom.collide(BALL, FLOOR, 0.5)), TypeError, ["course: must be what carom.history", "not Rebound"]),
+        (lambda: carom.cases.impact({"body_1": {"material": RUBBER}}), TypeError, ["`body_1.material` is a Material"]),
+        (lambda: setattr(BALL, "velocity", (1, 0, 0)), AttributeError, ["velocity"]),
+    ],
+)
+def test_what_is_meant_is_named(call, kind, words):
+    with pytest.raises(kind) as told:
+        call()
+    for word in words:
+        assert word in str(told.value), told.value
+
+
+def test_vectors_of_a_body_cannot_be_changed():
+    for name in ("velocity", "spin", "centre", "attitude"):
+        assert isinstance(getattr(BALL, name), tuple)
+
+
+def test_a_body_at_rest_is_told_to_move():
+    said = str(carom.collide(carom.sphere(0.02, RUBBER, 0.037), FLOOR, 0.5))
+    assert "have no speed along the normal" in said and "give a body a `velocity` along it" in said
+
+
+def test_unusual_numbers_of_a_case_are_warned_of():
+    case = {
+        "body_1": UNUSUAL | {"velocity": [0, 0, -1]},
+        "body_2": {"shape": "plane", "fixed": True, "material": UNUSUAL["material"]},
+        "contact": {"friction": 17},
+    }
+    with pytest.warns(carom.CaromWarning) as told:
+        carom.cases.impact(case)
+    text = "\n".join(str(one.message) for one in told)
+    for words in ("`body_1.radius` = 10 is unusual", "`body_1.density` = 7.85 is unusual", "`contact.friction` = 17 is unusual"):
+        assert words in text

@@ -57,6 +57,9 @@ impl Usual {
     /// Radii of bodies.
     pub(super) const RADIUS: Self =
         Self { low: 1e-7, high: 5.0, words: "it is in m; \"10 mm\" is 0.01" };
+    /// Semi-axes of contacts.
+    pub(super) const SEMI_AXIS: Self =
+        Self { low: 1e-9, high: 0.5, words: "it is in m; \"6 mm\" is 0.006" };
     /// Moduli of elasticity.
     pub(super) const MODULUS: Self =
         Self { low: 1e3, high: 2e12, words: "it is in Pa; \"208 GPa\" is steel" };

@@ -24,7 +24,9 @@ impl Followed {
 fn untouched(steps: &[StepSummary]) -> Option<String> {
     let are_apart = !steps.is_empty() && steps.iter().all(|step| step.contact_area == 0.0);
     are_apart.then(|| {
-        "no contact in any step: `zeta` > 0 or `F_z` > 0 presses the bodies together".to_owned()
+        "no contact in any step: a greater `zeta` or `F_z` > 0 presses the bodies together, unless \
+         `grid.size`, in m, makes cells so wide that they miss the place where the bodies are closest"
+            .to_owned()
     })
 }
 

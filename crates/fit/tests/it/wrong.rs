@@ -26,7 +26,7 @@ fn wrong_data_are_told() {
         ("angle,R_x\n10,inf\n20,0.2\n", "must be a finite number"),
         ("angle;R_x\n10;0,3\n20;0,2\n", "\"0,3\" must be a number with a point: 0.3"),
         ("angle,R_x\n10,0.1\n95,0.2\n", "column `angle` of the data, row 2: 95 must be in [0, 90]"),
-        ("angle,R_x\n10,0.1\n,0.2\n", "row 2: nothing must be a finite number"),
+        ("angle,R_x\n10,0.1\n,0.2\n", "row 2: a missing number (NaN) must be a finite number"),
         (
             "angle (kg),R_x\n10,0.1\n20,0.2\n",
             "column `angle` of the data: its unit `kg` is none of it; it is in deg",
@@ -56,7 +56,9 @@ fn wrong_data_are_told() {
             "there is no column `body_1_spin_y` whose errors",
         ),
         ("angle,R_x,R_x\n10,0.1,1\n20,0.2,1\n", "column `R_x` of the data: it stands twice"),
-        ("angle,R_x\n10,0.1,3\n", "the data: "),
+        ("angle,R_x\n10,0.1,3\n", "line 2 has 3 entries, the headings are 2; with decimal commas"),
+        ("10,0.3\n20,0.2\n", "has numbers: headings are missing, as in \"angle (deg),R_x\""),
+        ("shape = \"sphere\"\n", "the case comes first, then the data"),
         (
             "angle,approach.angle,R_x\n10,10,0.1\n20,20,0.2\n",
             "the column `approach.angle` gives `approach.angle`, which another column gives too",
@@ -92,6 +94,23 @@ fn wrong_cases_are_told() {
     }
     let scene = CaseFile::from_text(carom_cases::case::CaseKind::Scene.template());
     assert!(error(&scene, data).contains("a case for `carom scene` cannot be fitted"));
+    let none = error(&CaseFile::from_text("a = 1\n"), data);
+    assert!(none.contains("`body_1` is missing") && !none.contains("cannot be fitted"), "{none}");
+}
+
+/// Angles in radians without a unit are fitted as degrees, and warned of.
+#[test]
+fn unusual_inputs_are_warned_of() {
+    let case = alumina(BOTH);
+    let warned = |text: &str| {
+        let warnings = fitted(&case, &Data::from_csv(text).unwrap(), None).unwrap().warnings;
+        warnings.iter().any(|told| {
+            told.contains("column `angle` = 0.1 is unusual: it is in degrees")
+                && told.contains("(rad)")
+        })
+    };
+    assert!(warned("angle,R_x\n0.1,0.2\n0.3,0.1\n0.5,0.3\n0.7,0.3\n"));
+    assert!(!warned("angle (rad),R_x\n0.1,0.2\n0.3,0.1\n0.5,0.3\n0.7,0.3\n"));
 }
 
 #[test]

@@ -271,7 +271,7 @@ fn a_bad_restitution_by_speed_is_refused_by_name() {
     assert_eq!(field(&[1.0, 1.0], &[0.5, 0.4]), "speed");
     assert_eq!(field(&[-1.0, 1.0], &[0.5, 0.4]), "speed");
     assert_eq!(field(&[1.0, f64::NAN], &[0.5, 0.4]), "speed");
-    assert_eq!(field(&[1.0, 2.0], &[0.5]), "restitution");
+    assert_eq!(field(&[1.0, 2.0], &[0.5]), "numbers of restitution");
     assert_eq!(field(&[1.0, 2.0], &[0.5, 1.0 + 1e-9]), "restitution");
     assert_eq!(field(&[1.0, 2.0], &[f64::NAN, 0.5]), "restitution");
     let table = RestitutionBySpeed::new(&[1.0, 2.0], &[0.5, 0.05]).unwrap();

@@ -48,7 +48,7 @@ def path(name: str, x: ArrayLike, unit: str) -> Array:
     """A one-dimensional array of numbers in this unit."""
     given = numbers(name, x, unit)
     if given.ndim != 1:
-        raise ValueError(f"{name} has the shape {given.shape}: must be one-dimensional")
+        raise ValueError(f"{name} has the shape {given.shape}: must be one-dimensional, a list of numbers")
     return line(given)
 
 
@@ -116,5 +116,6 @@ def rows(name: str, x: ArrayLike, count: int) -> Array:
     """`count` vectors of three components; a single vector is repeated."""
     given = numbers(name, x)
     if given.shape not in ((3,), (count, 3)):
-        raise ValueError(f"{name} has the shape {given.shape}: must be (3,) or {(count, 3)}")
+        turned = "; transpose it" if given.ndim == 2 and given.shape[0] == 3 else ""
+        raise ValueError(f"{name} has the shape {given.shape}: must be (3,) or (n, 3), of {count} motions{turned}")
     return np.require(np.broadcast_to(given, (count, 3)), np.float64, ["C", "A"])

@@ -74,6 +74,9 @@ def hertz(
     >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a is proportional to the cube root of the force
     2.0
     """
+    if not isinstance(contact, Hertz):
+        way_out = "hertz_of_spheres, Hertz.of_radii or hertz_of_bodies makes one"
+        raise TypeError(f"contact: must be a Hertz, not {type(contact).__name__}: {way_out}")
     names: tuple[Given, ...] = ("force", "approach", "semi_axis_a", "semi_axis_b", "peak_pressure")
     all_ = zip(names, (force, approach, semi_axis_a, semi_axis_b, peak_pressure), strict=True)
     given = [(name, values) for name, values in all_ if values is not None]

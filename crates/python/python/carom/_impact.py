@@ -175,15 +175,17 @@ def collide_many(
     resting = None if static_friction is None else numbers("static_friction", static_friction)
     speed, _ = _beside(friction, None if resting is None else 0.0)
     coefficients = numbers("friction", 0.0 if isinstance(friction, SlipSpeedFriction) else friction)
-    counts = [len(v) for v in given.values() if v.ndim == 2]
+    counts = {name: len(v) for name, v in given.items() if v.ndim == 2 and v.shape[1] == 3}
     cause, lost, table = losses_of(normal_restitution, loss, wave_loss, relaxation)
-    counts += [len(given) for given in (coefficients, lost, resting) if given is not None and given.ndim == 1]
-    if len(set(counts)) > 1:
-        raise ValueError(f"motions, frictions and loss: must have the same length, not {sorted(set(counts))}")
-    count = counts[0] if counts else 1
+    what = "relaxation" if cause == "relaxation" else "normal_restitution"
+    beside_them = {"friction": coefficients, what: lost, "static_friction": resting}
+    counts |= {name: len(v) for name, v in beside_them.items() if v is not None and v.ndim == 1}
+    if len(set(counts.values())) > 1:
+        told_lengths = ", ".join(f"{name} {length}" for name, length in counts.items())
+        raise ValueError(f"motions, frictions and loss: must have the same length, not {told_lengths}")
+    count = next(iter(counts.values()), 1)
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", coefficients, (count,)))
-    what = "relaxation" if cause == "relaxation" else "normal_restitution"
     beside = (speed, None if resting is None else line(spread("static_friction", resting, (count,))))
     losses = (cause, line(spread(what, lost, (count,))), table)
     columns, exceeded = _carom.collide_many(

@@ -90,31 +90,39 @@ def new(kind: str) -> str:
     return _carom.case_new(kind)
 
 
-def _toml(value: object) -> str:
-    """A value of a case in TOML, on one line."""
+def _toml(value: object, name: str = "") -> str:
+    """A value of a case in TOML, on one line; the name of its field is that of errors."""
     import json
 
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{json.dumps(str(key))} = {_toml(one)}" for key, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{json.dumps(str(key))} = {_toml(one, f'{name}.{key}')}" for key, one in value.items()) + " }"
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(_toml, value)) + "]"
+        return "[" + ", ".join(_toml(one, name) for one in value) + "]"
     if isinstance(value, (bool, str)):
         return json.dumps(value)
     if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, os.PathLike):
         return json.dumps(os.fspath(value))
-    raise TypeError(f"case: holds a {type(value).__name__}; must be numbers, texts, lists and dicts")
+    of = f"`{name}` is a {type(value).__name__}" if name else f"holds a {type(value).__name__}"
+    raise TypeError(f"case: {of}; must be a number, a text, a list or a dict of them, as in a case file")
 
 
 def _given(case: Case) -> str | tuple[str]:
+    """The path of a case file, or a text in TOML alone in a tuple. Warns of numbers that are unusual."""
+    given = _source(case)
+    warn((_carom.case_unusual(given), False))
+    return given
+
+
+def _source(case: Case) -> str | tuple[str]:
     """The path of a case file, or a text in TOML alone in a tuple."""
     if isinstance(case, Mapping):
         import json
 
-        return ("".join(f"{json.dumps(str(key))} = {_toml(value)}\n" for key, value in case.items()),)
+        return ("".join(f"{json.dumps(str(key))} = {_toml(value, str(key))}\n" for key, value in case.items()),)
     if isinstance(case, str) and ("\n" in case or "=" in case):
         return (case,)
     if not isinstance(case, (str, os.PathLike)):

@@ -86,6 +86,9 @@ def _places(of: Grid) -> tuple[Array, Array, str]:
 
 def _map(of: Grid, axes: Axes, title: str) -> tuple[Axes, Array, Array]:
     """Axes of a picture of the contact, and the cell centres in their unit; the view is the contact with a margin."""
+    if not hasattr(of, "cells") or not hasattr(of, "pressure"):
+        what = "a Solver after a step, or a case that was solved or rolled"
+        raise TypeError(f"of: must be {what}, not {type(of).__name__}")
     x, y, unit = _places(of)
     axes.set(xlabel=f"x / {unit}", ylabel=f"y / {unit}", title=title, aspect="equal")
     touching = of.cells > 0
@@ -161,6 +164,8 @@ def restitution(kappa: ArrayLike, lam: ArrayLike, axes: Axes | None = None, *, a
 
 def history(course: HistoryPoints, axes: Axes | None = None, *, ax: Axes | None = None) -> Axes:
     """The forces on body 1 in the course of an impact; a component that is zero throughout is left out."""
+    if not isinstance(course, HistoryPoints):
+        raise TypeError(f"course: must be what carom.history(...) returns, not {type(course).__name__}")
     axes = _axes(axes, ax)
     time, unit = _scaled(course.time, "s")
     force, newton = _scaled(course.F, "N")

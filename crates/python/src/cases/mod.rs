@@ -55,6 +55,14 @@ impl Source {
     }
 }
 
+/// A sentence for each plain number of a case that is unusual, probably in another unit. A case that cannot be read has
+/// none: its reader says why.
+#[pyfunction]
+pub(crate) fn case_unusual(case: Source) -> Vec<String> {
+    let Ok(file) = case.read() else { return Vec::new() };
+    CaseKind::of(file.text()).map_or_else(|_| Vec::new(), |kind| kind.unusual(file.text()))
+}
+
 /// The impact of a case, or all impacts of its sweep, and warnings.
 #[pyfunction]
 pub(crate) fn case_impact<'py>(

@@ -83,6 +83,9 @@ impl ContactState {
 
     /// Contours at the level 1/2 of the smoothed indicator function of a set of cells.
     fn outlines(&self, among: impl Fn(CellState) -> bool) -> Vec<Contour> {
+        if !self.cells.values().iter().any(|cell| among(*cell)) {
+            return Vec::new();
+        }
         let mask = self.cells.map(|cell| f64::from(u8::from(among(*cell))));
         contours(&smoothed(&mask), 0.5, 0.0)
     }

@@ -276,8 +276,7 @@ impl Estimates {
         let along = Along { order, at_edge: tangential_edge };
         let border = Border::of(state);
         let (radius, compliance) = (state.radius(), state.compliance());
-        let pressed = |value: &dyn Fn(&ContactState) -> f64, at_border: f64| {
-            let values = states.map(value);
+        let pressed = |values: [f64; 3], at_border: f64| {
             if normal_edge {
                 Estimated::of_edge(values)
             } else {
@@ -300,7 +299,8 @@ impl Estimates {
         let pulled = x.iter().chain(y).any(|t| *t != 0.0);
         let may_stick = pulled || state.count(CellState::Stick) > 0;
         let tangential = border.tangential;
-        let load = |value: fn(ContactLoad) -> f64| states.map(|state| value(state.load()));
+        let loads = states.map(ContactState::load);
+        let load = |value: fn(ContactLoad) -> f64| loads.map(value);
         let shift = |value: fn(Shift) -> f64| states.map(|state| value(state.shift));
         let forces = [load(|all| all.f_x), load(|all| all.f_y)];
         let shifts = [shift(|all| all.xi), shift(|all| all.eta)];
@@ -311,9 +311,9 @@ impl Estimates {
         Self {
             f_x,
             f_y,
-            f_z: pressed(&|state| state.load().f_z, border.normal),
+            f_z: pressed(load(|all| all.f_z), border.normal),
             m_z: along.turned(load(|all| all.m_z), forces, radius, tangential * radius),
-            zeta: pressed(&|state| state.shift.zeta, border.normal * compliance),
+            zeta: pressed(shift(|all| all.zeta), border.normal * compliance),
             xi,
             eta,
             omega: along.turned(shift(|all| all.omega), shifts, 1.0 / radius, twisted),

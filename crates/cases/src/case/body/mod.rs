@@ -203,7 +203,11 @@ fn read_attitude(body: &Section<'_>, is_plane: bool) -> Result<Option<Attitude>,
         [] => return Ok(None),
         [field] if field.name == QUATERNION.name => {
             Attitude::from_quaternion(body.vector(&QUATERNION)?).map_err(|error| {
-                body.out_of_range(&QUATERNION, error.value, "of norm 1 to within 1e-6")
+                body.out_of_range(
+                    &QUATERNION,
+                    error.value,
+                    "of norm 1 to within 1e-6, and this is its norm",
+                )
             })
         }
         [field] if field.name == ANGLES.name => {

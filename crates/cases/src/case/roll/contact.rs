@@ -28,7 +28,8 @@ const SEMI_AXES: Field = Field::new(
     "semi-axes of the contact ellipse",
 )
 .or("`radii`, `radius` and `length`, or `gap`")
-.such_as("[0.006, 0.004]");
+.such_as("[0.006, 0.004]")
+.usually(Usual::SEMI_AXIS);
 const RADII: Field =
     Field::new("radii", Form::Vector(&["x", "y"], LENGTH, PAIR), "relative radii of curvature")
         .or("`semi_axes`, `radius` or `gap`")

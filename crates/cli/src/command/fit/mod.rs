@@ -34,7 +34,7 @@ pub(super) struct Arguments {
     data: PathBuf,
     /// Standard error of all values of a quantity, such as body_1_tangential_ratio=0.014; the name may be left
     /// out if there is one quantity.
-    #[arg(long, value_name = "[NAME=]ERROR", value_parser = error)]
+    #[arg(long, value_name = "[NAME=]ERROR", value_parser = error, allow_hyphen_values = true)]
     sd: Vec<GivenError>,
     /// Let single wrong values count little: pseudo-Huber loss, by squares up to some 1.345 standard errors, by size
     /// beyond.
