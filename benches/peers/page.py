@@ -201,7 +201,7 @@ ROUGH = """
 A self-affine surface, $H=.8$, with waves of a quarter to a 64th of the side and a rms height of .002 of it, is pressed on a
 plane by a mean pressure of $.001E^*$. carom is asked for a residual of $10^{-5}$; ASPHER has its fastest setting for that:
 nested grids, single precision, an active set. *Residual* is the greatest gap in the contact, or overlap outside, over the
-greatest displacement, by a product that shares no code with either; *load* is the error of the mean pressure.
+greatest displacement, by a product that shares no code with either.
 Times are compared where the residuals differ by less than three times, or the slower answer is the worse.
 
 """
@@ -227,10 +227,9 @@ def rough_section(answers):
             f"{seconds(min(map(total, found)))} ({spread([total(one) for one in found], seconds)}; {len(found)} runs)",
             "1" if program == "carom" else f"**{significant(median(ratios))}** ({spread(ratios)})" if is_compared else "not compared",
             small(judged["residual"]),
-            small(abs(judged["load"])),
             memory(max(one["megabytes"] for one in found)),
         ])
-    heads = ["N", "program", "contact", "processor", "ratio", "residual", "load", "memory"]
+    heads = ["N", "program", "contact", "processor", "ratio", "residual", "memory"]
     return ROUGH + table(heads, rows) if rows else ""
 
 

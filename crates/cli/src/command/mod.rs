@@ -1,6 +1,7 @@
 //! The commands, one module each. A command returns an [`Answer`] and writes nothing itself, except
 //! for tables too large to hold in memory.
 
+mod between;
 mod case_arguments;
 mod check;
 mod completions;

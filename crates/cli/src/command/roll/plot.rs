@@ -1,6 +1,7 @@
 //! The picture of a rolling contact.
 
 use super::contact::{contact, line};
+use crate::command::between::curve_through;
 use crate::command::plot::{VANISHES, Value, add_curve, without};
 use crate::command::solve::plot::pressures;
 use crate::error::CliError;
@@ -92,7 +93,7 @@ pub(super) fn draw(case: &RollCase, rolled: &Rolled) -> Result<Picture, CliError
             sorted.iter().map(|(place, row)| (*place, of(row))).collect()
         };
         let add = |panel: &mut Panel, name: &str, points: Vec<(f64, f64)>| match is_curve {
-            true => add_curve(panel, name, points.clone(), points),
+            true => add_curve(panel, name, curve_through(&points), points),
             false => {
                 let colour = panel.series.len();
                 panel.add(
@@ -120,12 +121,14 @@ pub(super) fn draw(case: &RollCase, rolled: &Rolled) -> Result<Picture, CliError
                 let springs = points(&|row| {
                     row.springs.map_or(0.0, |both| [both.f_x, both.f_y][i]) / row.limit
                 });
+                let springs = curve_through(&springs);
                 forces.add(Series::dashed(format!("{name}, FASTSIM"), springs).coloured(colour));
             }
             if is_curve && sorted.iter().all(|(_, row)| row.table.is_some()) {
                 let table = points(&|row| {
                     row.table.map_or(0.0, |both| [both.f_x, both.f_y][i]) / row.limit
                 });
+                let table = curve_through(&table);
                 forces.add(Series::dotted(format!("{name}, table"), table).coloured(colour));
             }
         }
