@@ -153,7 +153,7 @@ impl MaterialPair {
             return Err(RangeError::new(
                 "shear_modulus",
                 f64::INFINITY,
-                "finite for at least one of the two bodies (both are rigid)",
+                "finite for at least one of the two bodies: both are rigid, give one `young_modulus` and `poisson`",
             ));
         }
         let shear_modulus = 1.0 / compliance; // (4.7)

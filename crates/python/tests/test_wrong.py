@@ -266,6 +266,8 @@ UNUSUAL = {"shape": "sphere", "radius": 10, "density": 7.85, "material": {"young
     [
         (lambda: carom.collide_many(BALL, FLOOR, 0.5, body_1_velocity=np.zeros((3, 7))), ValueError, ["(3, 7)", "(3,) or (n, 3)", "transpose it"]),
         (lambda: carom.collide_many(BALL, FLOOR, [0.1, 0.2], body_1_velocity=np.zeros((7, 3))), ValueError, ["body_1_velocity 7, friction 2"]),
+        (lambda: carom.creep_force(HERTZ, 0.3, F_z=1.0, creepage=[1e-3, 2e-3], spin=[0.0, 1.0, 2.0]), ValueError, ["creepage (2,), spin (3,)"]),
+        (lambda: carom.Contacts(100, HERTZ, 0.3).follow(np.zeros((5, 100))), ValueError, ["(5, 100)", "(100, steps)", "transpose it"]),
         (lambda: carom.hertz(BALL, force=10), TypeError, ["contact: must be a Hertz, not Body", "hertz_of_spheres"]),
         (lambda: carom.plot.pressure(carom.collide(BALL, FLOOR, 0.5)), TypeError, ["of: must be a Solver", "not Rebound"]),
         (lambda: carom.plot.history(carom.collide(BALL, FLOOR, 0.5)), TypeError, ["course: must be what carom.history", "not Rebound"]),

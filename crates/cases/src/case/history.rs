@@ -127,7 +127,7 @@ impl HistoryCase {
     /// # Errors
     /// [`RangeError`] of the first twist.
     pub fn check_twist(&self, shifts: &[Shift]) -> Result<(), RangeError> {
-        let allowed = "0 with `contact.static_friction`: torsion has one coefficient of friction";
+        let allowed = "0 as `omega` of all steps with `contact.static_friction`: torsion has one coefficient of friction";
         let twisted = shifts.iter().find(|shift| shift.omega != 0.0);
         match twisted.filter(|_| self.friction.drops()) {
             Some(shift) => Err(RangeError::new("omega", shift.omega, allowed)),

@@ -24,7 +24,8 @@ pub enum StepsError {
     Missing(&'static str),
     /// An unknown column.
     #[error(
-        "unknown column `{0}`: the columns must be zeta, xi, eta and optionally omega, in any order"
+        "unknown column `{0}`: the columns must be zeta, xi, eta and optionally omega, in any order, in m and rad, without units \
+         behind their names"
     )]
     Unknown(String),
     /// The table has no rows.

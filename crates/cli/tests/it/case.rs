@@ -262,7 +262,7 @@ fn conflicts_name_both_fields() {
     insta::assert_snapshot!(error(&changed("density = 4000.0", "density = 4000.0\nmass = 1.0")), @"line 5: `body_1.density` excludes `body_1.mass`: give one of them");
     insta::assert_snapshot!(error(&changed("mass = 2.5", "fixed = true")), @"line 13: `body_2.velocity` excludes `body_2.fixed`: a fixed body is at rest; a moving one of infinite mass has `mass = inf`");
     insta::assert_snapshot!(error(&changed("rigid = true", "rigid = true, poisson = 0.3")), @"line 11: `body_2.material.poisson` excludes `body_2.material.rigid`: a rigid body has no elastic constants");
-    insta::assert_snapshot!(error(&changed("young_modulus = 380e9, poisson = 0.23", "rigid = true")), @"line 11: `body_2.material` = inf is out of range: must be finite for at least one of the two bodies (both are rigid)");
+    insta::assert_snapshot!(error(&changed("young_modulus = 380e9, poisson = 0.23", "rigid = true")), @"line 11: `body_2.material` = inf is out of range: must be finite for at least one of the two bodies: both are rigid, give one `young_modulus` and `poisson`");
     let heavy = changed("density = 4000.0", "mass = inf").replace("mass = 2.5", "mass = inf");
     insta::assert_snapshot!(error(&heavy), @"line 12: `body_2.mass` = inf is out of range: must be a finite mass for at least one of the two bodies");
     let planes = changed("shape = \"sphere\"\nradius = 0.0025", "shape = \"plane\"")

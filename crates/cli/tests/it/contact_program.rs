@@ -514,3 +514,19 @@ fn a_case_becomes_a_case_of_carom() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(said.contains("the file has no case 3 to solve: it has 2"), "{said}");
 }
+
+/// Moduli in Pa are taken as N/mm2, and told.
+#[test]
+fn moduli_that_are_probably_in_pascal_are_told() {
+    let text = data("cattaneo").replacen(".42 .42 200 200", ".42 .42 2e8 200", 1);
+    let folder = folder();
+    let path = folder.join("pascal.inp");
+    std::fs::write(&path, text).unwrap();
+    let told = String::from_utf8(carom(&["contact", path.to_str().unwrap()]).stderr).unwrap();
+    assert!(
+        told.contains("GG1 = 200000000 is unusual: it is in N/mm2, and steel has 82000"),
+        "{told}"
+    );
+    let usual = example("contact_cattaneo.inp");
+    assert!(!String::from_utf8(carom(&["contact", &usual]).stderr).unwrap().contains("unusual"));
+}

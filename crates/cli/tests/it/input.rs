@@ -376,6 +376,8 @@ fn answers_that_look_empty_say_what_to_change() {
     let swapped = case("swapped.toml", &swapped);
     let told = said(&["impact", &swapped]);
     assert!(told.contains("exchange the bodies"), "{told}");
+    let told = said(&["impact", &swapped, "--format", "csv"]);
+    assert!(told.contains("warning: no impact") && told.contains("exchange the bodies"), "{told}");
     let hertz = std::fs::read_to_string(example("solve_hertz.toml")).unwrap();
     let step = "\n[[step]]\nzeta = -1e-6\n";
     let apart = case("apart.toml", &(hertz[..hertz.find("[[step]]").unwrap()].to_owned() + step));

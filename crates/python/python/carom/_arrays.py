@@ -105,9 +105,18 @@ def counts(name: str, x: object, allowed: str) -> tuple[int, int]:
     return counted(name, pair[0]), counted(name, pair[1])
 
 
+def alike(given: Mapping[str, Array]) -> list[Array]:
+    """Numbers and arrays of arguments, broadcast to one shape."""
+    try:
+        return list(np.broadcast_arrays(*given.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {values.shape}" for name, values in given.items() if values.ndim)
+        raise ValueError(f"arrays must have shapes that fit each other, not {shapes}") from None
+
+
 def over(function: Callable[..., Array], /, **arguments: ArrayLike) -> Numbers:
     """Applies a native function to broadcast arguments; numbers in give a number."""
-    arrays = np.broadcast_arrays(*(numbers(name, x) for name, x in arguments.items()))
+    arrays = alike({name: numbers(name, x) for name, x in arguments.items()})
     values = function(*(line(x) for x in arrays)).reshape(arrays[0].shape)
     return values if values.ndim else float(values)
 

@@ -110,6 +110,10 @@ class Contacts:
         lengths = (v.shape[-1] for v in given.values() if v.ndim)
         steps = next((length for length in lengths if length != 1), 1)
         shape = (len(self), steps)
+        for name, v in given.items():
+            if v.ndim == 2 and v.shape[0] not in (1, len(self)):
+                turned = "; transpose it" if v.shape[1] == len(self) else ""
+                raise ValueError(f"{name} has the shape {v.shape}: must be ({len(self)}, steps){turned}")
         paths = {name: line(spread(name, v, shape)) for name, v in given.items()}
         whole = shape + (3 if omega is None else 4,)
         loads = np.empty(whole) if out is None else out

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import counts, line, numbers
+from ._arrays import alike, counts, line, numbers
 from ._carom import Hertz
 from ._records import CreepForce, CreepForces, FastsimForce, FastsimForces, LinearCreep, LinearCreeps
 from ._types import Number, Several
@@ -46,8 +46,8 @@ def creep_coefficients(axis_ratio: ArrayLike, poisson: ArrayLike) -> LinearCreep
            [4.11, 4.29],
            [5.1 , 5.27]])
     """
-    given = (numbers("axis_ratio", axis_ratio), numbers("poisson", poisson))
-    ratios, poissons = np.broadcast_arrays(*given)
+    given = {"axis_ratio": numbers("axis_ratio", axis_ratio), "poisson": numbers("poisson", poisson)}
+    ratios, poissons = alike(given)
     columns = _carom.creep_coefficients(line(ratios), line(poissons))
     return LinearCreeps._either(columns, ratios.shape)  # type: ignore[no-any-return]
 
@@ -170,8 +170,7 @@ def fastsim(
     names = ("friction", "F_z", "creepage", "creepage_across", "spin")
     values = (friction, F_z, creepage, creepage_across, spin)
     units = ("", "N", "", "", "rad/m")
-    given = (numbers(*one) for one in zip(names, values, units, strict=True))
-    arrays = np.broadcast_arrays(*given)
+    arrays = alike({one[0]: numbers(*one) for one in zip(names, values, units, strict=True)})
     pair = counts("mesh", mesh, "two numbers")
     columns, exceeded = _carom.fastsim(contact, [line(array) for array in arrays], pair)
     warn(exceeded)
@@ -273,7 +272,7 @@ def creep_force(
     names = ("friction", "F_z", "creepage", "creepage_across", "spin")
     units = ("", "N", "", "", "rad/m")
     given = zip(names, (friction, F_z, creepage, creepage_across, spin), units, strict=True)
-    arrays = np.broadcast_arrays(*(numbers(name, values, unit) for name, values, unit in given))
+    arrays = alike({name: numbers(name, values, unit) for name, values, unit in given})
     columns, exceeded = _carom.creep_force(contact, [line(values) for values in arrays])
     warn(exceeded)
     return CreepForces._either(columns, arrays[0].shape)  # type: ignore[no-any-return]

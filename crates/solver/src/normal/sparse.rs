@@ -35,7 +35,8 @@ impl ActiveSet {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         let (all, mut spent, mut iterations) = (task.heights.len(), Products::default(), 0);
-        if all >= LARGE && self.touching(task) * FEW <= all {
+        let is_sparse = all >= LARGE && self.touching(task) * FEW <= all;
+        if is_sparse && task.operator.among(&[0]).is_some() {
             let mut before = f64::INFINITY;
             for _ in 0..CORRECTIONS {
                 spent = spent.plus(self.exact_gap(task)?);

@@ -114,8 +114,11 @@ fn inner(name: &str, given: &[&str], fields: &[Field]) -> Option<String> {
     let table = tables.filter(|table| own(table, name).is_some()).max_by_key(taken)?;
     let named = own(table, name)?;
     let is_told = |field: &&Field| field.name == named || matches!(field.need, Need::Must);
-    let inside = table.fields().iter().filter(is_told).map(|field| format!("{} = ..", field.name));
-    Some(format!("{} = {{ {} }}", table.name, inside.collect::<Vec<_>>().join(", ")))
+    let mut inside: Vec<String> =
+        table.fields().iter().filter(is_told).map(|field| format!("{} = ..", field.name)).collect();
+    // A field may be a number or a table.
+    inside.dedup();
+    Some(format!("{} = {{ {} }}", table.name, inside.join(", ")))
 }
 
 /// The field of this name in another table, with its path.

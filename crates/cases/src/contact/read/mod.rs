@@ -16,6 +16,7 @@ use super::springs::Fastsim;
 use super::surface::Surface;
 use carom_halfspace::{Material, MaterialPair};
 use carom_solver::Driven;
+use carom_special::Readable;
 use std::sync::Arc;
 
 /// The most cases of a file.
@@ -327,7 +328,7 @@ impl<'a> Reader<'a> {
         if self.extra.as_ref().is_some_and(|extra| extra.len() != area.count()) {
             return Err(self.digit("E (EXRHS)", self.exrhs(), "0 or 9 with other cells"));
         }
-        let mut notes = Vec::new();
+        let mut notes = in_pascal(&materials);
         let falling = self.falling_friction(&mut notes)?;
         let motion = self.motion(area, &mut notes)?;
         let begin = self.begin(area, motion, &mut notes)?;
@@ -369,4 +370,24 @@ fn relative(given: &Given, is_force: bool) -> Result<Asked, Fault> {
     given
         .checked(|force| force.abs() <= 1.0, "from -1 to 1: a force over FSTAT FN")
         .map(Asked::Force)
+}
+
+/// Shear moduli in N/mm2 that are probably in Pa; still greater ones stand for rigid bodies.
+const PROBABLY_PASCAL: [f64; 2] = [1e8, 1e13];
+
+/// Notes on moduli that are probably in Pa.
+fn in_pascal(materials: &MaterialPair) -> Vec<String> {
+    let both = [("GG1", materials.body_1()), ("GG2", materials.body_2())];
+    let moduli = both.map(|(name, body)| (name, body.shear_modulus()));
+    let unusual = moduli
+        .into_iter()
+        .filter(|(_, modulus)| (PROBABLY_PASCAL[0]..PROBABLY_PASCAL[1]).contains(modulus));
+    unusual
+        .map(|(name, modulus)| {
+            format!(
+                "{name} = {} is unusual: it is in N/mm2, and steel has 82000",
+                Readable(modulus)
+            )
+        })
+        .collect()
 }

@@ -116,6 +116,10 @@ fn single(
     let mut report = ValidityReport::default();
     report.add_warned(|| place(&record), record.limits(), record.validity);
     let (caution, mut warnings) = report.told(several(&record));
+    // The table begins with it.
+    if record.rebound().is_none() && !matches!(format, Format::Table(_)) {
+        warnings.push(table::NO_IMPACT.trim_end().to_owned());
+    }
     if (arguments.history.is_some() || plot.is_some())
         && record.rebound().is_some_and(|rebound| rebound.energy.lost > 0.0)
     {

@@ -25,7 +25,7 @@ pub(super) const OF_SWEEP: [&str; 11] = [
 ];
 
 /// Instead of a rebound.
-const NO_IMPACT: &str = "no impact: the bodies do not approach each other\n\
+pub(super) const NO_IMPACT: &str = "no impact: the bodies do not approach each other\n\
     (body 1 lies on the side to which `z_axis` points: exchange the bodies, or change the sign of a velocity)\n";
 
 /// The column of friction in the table of a sweep, if friction depends on the slip speed.

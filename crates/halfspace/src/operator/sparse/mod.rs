@@ -65,12 +65,13 @@ impl Hierarchy {
         periodic: bool,
     ) -> Option<Self> {
         let slender = grid.dx().max(grid.dy()) / grid.dx().min(grid.dy());
-        if slender > SLENDEREST {
+        let first = Frame { first: [0, 0], counts: [grid.nx(), grid.ny()], periodic };
+        if slender > SLENDEREST || u32::try_from(first.stored()).is_err() {
             return None;
         }
         let own = kernel(0, 0);
         let kernel = |columns: i32, rows: i32| kernel(columns, rows) / own;
-        let mut frames = vec![Frame { first: [0, 0], counts: [grid.nx(), grid.ny()], periodic }];
+        let mut frames = vec![first];
         let mut stencils = Vec::new();
         loop {
             let last = frames[frames.len() - 1];
