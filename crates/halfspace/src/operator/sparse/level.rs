@@ -187,7 +187,9 @@ fn shares(threads: Threads, found: &mut [f32], work: impl Fn((usize, &mut [f32])
     }
 }
 
-/// The sum over a stencil about a place.
+/// The sum over a stencil about a place. By itself it is compiled to vector instructions; within the loop over points it
+/// is not always.
+#[inline(never)]
 fn near<const R: usize, const W: usize>(
     stencil: &[[f32; W]; R],
     values: &[f32],

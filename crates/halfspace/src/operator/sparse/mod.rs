@@ -37,7 +37,7 @@ const SLENDEREST: f64 = 2.0;
 
 /// The inverse counts neighbours up to this offset.
 const INVERSE_REACH: usize = 4;
-type InverseStencil = [[f32; 2 * INVERSE_REACH + 2]; 2 * INVERSE_REACH + 1];
+type InverseStencil = [[f32; 2 * INVERSE_REACH + 4]; 2 * INVERSE_REACH + 1];
 
 /// The influence on all grids, of one operator.
 pub(crate) struct Hierarchy {

@@ -7,8 +7,8 @@
 
 /// Points at most so far apart along both axes have their exact influence.
 pub(super) const REACH: usize = 8;
-/// Numbers in a row of a stencil: those of all offsets, and a zero.
-pub(super) const ROW: usize = 2 * REACH + 2;
+/// Numbers in a row of a stencil: those of all offsets, and zeros that fill vectors of four.
+pub(super) const ROW: usize = 2 * REACH + 4;
 /// Nodes reach so far from an odd place.
 pub(super) const NODES: usize = 5;
 
