@@ -4,7 +4,7 @@
 //! others. Here the influence between points far apart is that between the nodes of coarser and coarser grids (Brandt
 //! and Lubrecht, J. Comput. Phys. 90, 1990), with nodes only about the chosen cells, and the coarsest grid uses
 //! transforms. All is in single precision, in units of the influence of a cell on itself and of the greatest pressure.
-//! The product is symmetric; its error is [`SPARSENESS`] of the greatest displacement.
+//! The product is symmetric; its error is below [`SPARSENESS`].
 
 mod level;
 mod stencil;
@@ -25,7 +25,9 @@ use crate::{Coefficients, Grid, MaterialPair};
 use level::{Frame, Level};
 use stencil::Stencil;
 
-/// Error of a product among some of the cells, over the greatest displacement.
+/// Error of a product among some of the cells, over the greatest displacement plus what the influence of a cell on itself
+/// makes of the root of the sum of all squared pressures, as for [`ROUGHNESS`](super::ROUGHNESS). Measured: 5e-4 at most,
+/// under one loaded cell; 2e-4 under smooth pressures.
 pub const SPARSENESS: f64 = 1e-3;
 
 /// The coarsest grid has at most about so many cells.
