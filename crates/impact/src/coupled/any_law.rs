@@ -122,6 +122,10 @@ impl ContactLaw for AnyLaw {
         each!(self, law => law.jumps(to))
     }
 
+    fn used_friction(&self) -> Option<f64> {
+        each!(self, law => law.used_friction())
+    }
+
     fn slides_on(&self, rates: Shift) -> Option<bool> {
         each!(self, law => law.slides_on(rates))
     }

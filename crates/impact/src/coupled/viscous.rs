@@ -1,6 +1,7 @@
 //! Impacts whose material loses energy like a Kelvin-Voigt body, solved by its row of springs.
 
 use carom_laws::law::ContactLaw;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::viscous::{Viscosity, ViscousLaw};
 use carom_special::RangeError;
@@ -196,7 +197,8 @@ impl CoupledImpact {
     }
 
     pub(super) fn viscous_law<L: ContactLaw>(&self, law: L, viscosity: Viscosity) -> ViscousLaw<L> {
-        ViscousLaw::new(law, viscosity, self.friction.get(), self.scaled())
+        let sliding = self.static_friction.map_or(self.friction, StaticFriction::kinetic);
+        ViscousLaw::new(law, viscosity, sliding.get(), self.scaled())
     }
 
     /// The outcome of a stepped impact with a loss, less the error of the step law ([`ViscousLaw`]) in the same impact

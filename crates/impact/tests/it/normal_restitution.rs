@@ -6,9 +6,11 @@ use carom_halfspace::Material;
 use carom_impact::closed_form::wave_loss;
 use carom_impact::scene::{Ball, Ending, Limits, Scene, Wall};
 use carom_impact::{
-    Body, Collision, LossCause, Motion, NormalRestitution, Outcome, Rebound, RestitutionBySpeed,
+    Body, Collision, ImpactFriction, LossCause, Motion, NormalRestitution, Outcome, Rebound,
+    RestitutionBySpeed,
 };
 use carom_laws::friction::Friction;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::validity::Limit;
 use proptest::prelude::*;
 
@@ -47,6 +49,21 @@ fn a_ball_that_slides_throughout_has_the_closed_form() {
     assert_relative_eq!(after.spin.y, f * impulse * RADIUS / inertia, max_relative = 1e-13);
     let slip = vx - after.velocity.x + RADIUS * after.spin.y;
     assert_relative_eq!(rebound.r_x.unwrap(), slip / vx - 1.0, max_relative = 1e-12);
+}
+
+#[test]
+fn a_ball_that_slides_throughout_does_not_feel_static_friction() {
+    let (e, vx, vz) = (0.7, 3.0, -2.0);
+    let [f_s, f_k] = [0.2, 0.1].map(|f| Friction::new(f).unwrap());
+    let both = ImpactFriction::from(StaticFriction::new(f_s, f_k).unwrap());
+    let collision = on_floor(ball([vx, 0.0, vz], [0.0; 3]), 0.1).with_friction(both).unwrap();
+    let rebound = losing(collision, e);
+    let [after, _] = rebound.motions;
+    let dv = f_k.get() * (1.0 + e) * -vz;
+    assert!((after.velocity.x - (vx - dv)).abs() < 1e-3 * dv, "{}", after.velocity.x);
+    let kinetic = losing(on_floor(ball([vx, 0.0, vz], [0.0; 3]), 0.1), e);
+    let [heat, same] = [rebound, kinetic].map(|rebound| rebound.energy.dissipated);
+    assert!((heat - same).abs() < 1e-3 * same, "{heat}, {same}");
 }
 
 #[test]

@@ -237,7 +237,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The friction of a contact that slides as a whole at the present approach.
+    /// The friction of a contact that slides as a whole at the present approach; infinite where static friction holds it.
     #[inline]
     pub(crate) fn sliding_force(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
@@ -249,14 +249,15 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.scale.shift.components().map(|scale| self.kinetic_share() / scale)
     }
 
-    /// Kinetic friction over that of the limit of forces; infinite without a limit.
+    /// Kinetic friction over that of the limit of forces; infinite without a limit, and where static friction holds.
     #[inline]
     fn kinetic_share(&self) -> f64 {
         match &self.state {
             State::Adhesion(_) => f64::INFINITY,
             State::Frictionless | State::FixedDirection(_) | State::Coulomb(_) => 1.0,
-            State::StaticFixedDirection(memory) => memory.ratio(),
-            State::StaticCoulomb(memory) => memory.ratio(),
+            State::StaticFixedDirection(memory) if memory.slides() => memory.ratio(),
+            State::StaticCoulomb(memory) if memory.slides() => memory.ratio(),
+            State::StaticFixedDirection(_) | State::StaticCoulomb(_) => f64::INFINITY,
         }
     }
 
@@ -411,6 +412,18 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
             State::StaticCoulomb(memory) => memory.jumps(to.zeta, x),
             _ => false,
         }
+    }
+
+    fn used_friction(&self) -> Option<f64> {
+        let slides = match &self.state {
+            State::StaticFixedDirection(memory) => memory.slides(),
+            State::StaticCoulomb(memory) => memory.slides(),
+            _ => return None,
+        };
+        // The force drops to the limit of kinetic friction where sliding begins.
+        let ContactLoad { f_x, f_y, f_z, .. } = self.load();
+        let limit = self.friction().get() * f_z;
+        Some(if slides { 1.0 } else { libm::hypot(f_x, f_y) / limit.max(f64::MIN_POSITIVE) })
     }
 
     fn slides_on(&self, rates: Shift) -> Option<bool> {

@@ -225,7 +225,8 @@ impl<M: Slides> StaticMemory<M> {
         }
     }
 
-    fn slides(&self) -> bool {
+    /// Whether all of the contact slides.
+    pub(crate) fn slides(&self) -> bool {
         self.memory.stage() == Regime::Sliding
     }
 
