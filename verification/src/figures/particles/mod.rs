@@ -10,6 +10,7 @@ use crate::catalogue::Entry;
 
 mod alumina;
 mod dem;
+mod glancing;
 mod normal;
 mod pinned;
 mod shear;
@@ -29,6 +30,8 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(pinned::draw),
     Entry::check("particles.viscous", "Impacts that lose energy in a viscous material")
         .by(viscous::draw),
+    Entry::check("particles.glancing", "Glancing impacts: the line of centres turns")
+        .by(glancing::draw),
 ];
 
 /// Says where the published points come from.

@@ -1,11 +1,15 @@
 //! Impacts that lose energy: a viscous material, by all ways that the library has.
 
 use carom_halfspace::Material;
+use carom_impact::normal::NormalImpact;
 use carom_impact::oblique::Groups;
 use carom_impact::restitution::{RestitutionTable, of_spheres, with_yield};
 use carom_impact::viscoelastic::{ViscoelasticImpact, ViscousLoss};
 use carom_impact::{Body, Collision, Motion, NormalRestitution, RingImpact};
+use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Meeting, Wall};
+use carom_laws::shift_law::ShiftLaw;
 use rayon::prelude::*;
 
 use crate::reference::rows;
@@ -28,14 +32,102 @@ fn by_table(kappa: f64, lambda: f64, e: f64) -> Result<f64, Failure> {
     Ok(RestitutionTable::shared().restitution_with(Groups::of_spheres(kappa, lambda)?, e)?)
 }
 
-/// The ball of 1 mm on a plane of its material: kappa 1.2143, lambda 1.8719.
-fn ball(e: f64) -> Result<Collision, Failure> {
+/// A ball of 1 mm on a plane of its material: kappa 1.2143.
+const FRICTION: f64 = 0.35;
+const SPEED: f64 = 0.610_557_122_6;
+const RADIUS: f64 = 1e-3;
+
+/// The mass of the ball.
+fn mass() -> f64 {
+    2600.0 * 4.0 / 3.0 * std::f64::consts::PI * RADIUS.powi(3)
+}
+
+/// The ball with this velocity along the plane.
+fn ball(along: f64, e: f64) -> Result<Collision, Failure> {
     let material = Material::from_young(1e10, 0.3)?;
-    let mass = 2600.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-9;
-    let motion = Motion::new([0.4, 0.0, -0.610_557_122_6], [0.0; 3])?;
-    let ball = Body::sphere(1e-3, material, mass)?.moving(motion);
-    let collision = Collision::new(ball, Body::plane(material), Friction::new(0.35)?)?;
+    let motion = Motion::new([along, 0.0, -SPEED], [0.0; 3])?;
+    let ball = Body::sphere(RADIUS, material, mass())?.moving(motion);
+    let collision = Collision::new(ball, Body::plane(material), Friction::new(FRICTION)?)?;
     Ok(collision.with_normal_restitution(NormalRestitution::new(e)?))
+}
+
+/// R_x of the ball by the contact of particle codes, in 50 steps of velocity Verlet.
+fn by_steps(along: f64, e: f64) -> Result<f64, Failure> {
+    let collision = ball(along, e)?;
+    let law = ShiftLaw::<[f64; 2]>::new(collision.hertz().stiffness(), Friction::new(FRICTION)?);
+    let damping = HertzDamping::of_restitution(e)?;
+    let mut contact = GrainContact::new(law, 0.0)?.with_restitution(damping)?;
+    let dt = NormalImpact::new(1.0 / mass(), collision.hertz().stiffness().c_z, SPEED)?.duration()
+        / 50.0;
+    let mut grain = Grain {
+        place: [0.0, 0.0, RADIUS],
+        velocity: [along, 0.0, -SPEED],
+        spin: [0.0; 3],
+        radius: RADIUS,
+        mass: mass(),
+    };
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let mut load = GrainLoad::default();
+    loop {
+        let kick = |grain: &mut Grain, load: &GrainLoad| {
+            let inertia = 0.4 * grain.mass * RADIUS * RADIUS;
+            for k in 0..3 {
+                grain.velocity[k] += 0.5 * dt * load.force[k] / grain.mass;
+                grain.spin[k] += 0.5 * dt * load.torques[0][k] / inertia;
+            }
+        };
+        kick(&mut grain, &load);
+        (0..3).for_each(|k| grain.place[k] += dt * grain.velocity[k]);
+        load = contact.advance(&Meeting::on_wall(&grain, &wall, 0.5), dt)?;
+        kick(&mut grain, &load);
+        if grain.place[2] >= RADIUS {
+            return Ok((grain.velocity[0] - RADIUS * grain.spin[1]) / -along);
+        }
+    }
+}
+
+/// R_x of the ball over lambda by everything that the library has.
+fn doors(figure: &mut Figure) -> Result<(), Failure> {
+    const E: f64 = 0.5;
+    let kappa = {
+        let stiffness = ball(0.1, E)?.hertz().stiffness();
+        stiffness.c_z / stiffness.c_x
+    };
+    let mut panel = Panel::new(Axis::linear("λ = v_t/(f v_n)"), Axis::linear("R_x"))
+        .titled("All ways, a ball on a plane, e = 0.5, κ = 1.2143");
+    let solved = |outcome: carom_impact::Outcome| -> Result<f64, Failure> {
+        outcome.rebound().and_then(|rebound| rebound.r_x).ok_or_else(|| "they meet".into())
+    };
+    let ball = |lambda: f64| ball(lambda * FRICTION * SPEED, E);
+    let exact = |lambda: f64| solved(ball(lambda)?.solve()?);
+    let table = |lambda: f64| by_table(kappa, lambda, E);
+    let rings = |lambda: f64| solved(RingImpact::new(&ball(lambda)?).solve()?);
+    let steps = |lambda: f64| by_steps(lambda * FRICTION * SPEED, E);
+    let curve = |places: Vec<f64>, way: &dyn Fn(f64) -> Result<f64, Failure>| {
+        places
+            .into_iter()
+            .map(|lambda| Ok((lambda, way(lambda)?)))
+            .collect::<Result<Vec<_>, Failure>>()
+    };
+    panel.add(Series::line("exact impact", curve(linspace(0.02, 8.0, 134), &exact)?));
+    panel.add(Series::dashed("stored table", curve(linspace(0.02, 8.0, 134), &table)?));
+    let few = || linspace(0.25, 8.0, 32);
+    let [by_rings, by_steps] = [curve(few(), &rings)?, curve(few(), &steps)?];
+    let off: Result<Vec<f64>, Failure> =
+        by_steps.iter().map(|&(lambda, r_x)| Ok((r_x - exact(lambda)?).abs())).collect();
+    let off = off?.into_iter().fold(0.0, f64::max);
+    figure
+        .close("contacts of particles in 50 steps less the exact impact", off, 0.0, Absolute(0.036))
+        .source("the exact impact; the step law errs by up to 0.029, its steps by 0.007");
+    for (label, marker, points) in [
+        ("rings", Marker::Circle, by_rings),
+        ("contacts of particles, 50 steps", Marker::Dot, by_steps),
+    ] {
+        let points: Vec<[f64; 2]> = points.into_iter().map(|(x, y)| [x, y]).collect();
+        panel.add(Series::markers(label, marker, points));
+    }
+    figure.panel(panel);
+    Ok(())
 }
 
 fn curves(figure: &mut Figure, known: &[[f64; 4]]) -> Result<(), Failure> {
@@ -122,7 +214,7 @@ fn claims(figure: &mut Figure, known: &[[f64; 4]]) -> Result<(), Failure> {
         .source("the impulse of friction is f times the normal one");
     let (mut exact, mut rings) = (Vec::new(), Vec::new());
     for (e, r_x) in [(0.9, 0.2557), (0.7, 0.1956), (0.5, 0.1564), (0.3, 0.1102)] {
-        let collision = ball(e)?;
+        let collision = ball(0.4, e)?;
         let of = |outcome: carom_impact::Outcome| {
             outcome.rebound().and_then(|rebound| rebound.r_x).ok_or("they meet")
         };
@@ -154,6 +246,7 @@ pub(super) fn draw() -> FigureResult {
     let rheologies: Vec<[f64; 4]> = rows(include_str!("../../../data/particles/rheologies.csv"))?;
     curves(&mut figure, &known)?;
     causes(&mut figure, &rheologies)?;
+    doors(&mut figure)?;
     claims(&mut figure, &known)?;
     Ok(figure)
 }
