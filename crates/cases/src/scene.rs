@@ -28,6 +28,9 @@ impl End {
     pub fn reason(&self, case: &SceneCase) -> String {
         let name = |wall: usize| &case.names[wall];
         match self.ending {
+            Ending::Time if leaves_all(case) => {
+                "the time is over; gravity points away from every wall".to_owned()
+            }
             Ending::Time => "the time is over".to_owned(),
             Ending::Bounces => "the last bounce is done".to_owned(),
             Ending::Rest { wall } => format!("it rests on {}", name(wall)),
@@ -38,6 +41,12 @@ impl End {
             }
         }
     }
+}
+
+/// Whether gravity points away from every wall, so that the ball never comes back to one.
+fn leaves_all(case: &SceneCase) -> bool {
+    let gravity = case.scene.gravity();
+    case.scene.walls().iter().all(|wall| gravity.dot(&wall.normal()) > 0.0)
 }
 
 /// Computes the path; `visit` receives several legs at a time.

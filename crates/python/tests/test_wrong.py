@@ -22,6 +22,8 @@ def contacts():
 
 NO_NUMBERS = [
     "x",
+    True,
+    np.array([True, False, True]),
     b"1",
     np.array([1 + 2j]),
     np.array(["1"]),

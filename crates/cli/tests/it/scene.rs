@@ -23,6 +23,18 @@ fn the_ball_comes_back_from_under_the_book() {
 }
 
 #[test]
+fn a_ball_that_falls_away_from_all_walls_is_told() {
+    let book = std::fs::read_to_string(example("scene_book.toml")).unwrap();
+    let path = fresh("away.toml");
+    let [wall, scene] = ["[[wall]]\nname = \"book\"", "[scene]"].map(|at| book.find(at).unwrap());
+    let rises = book[scene..].replace("gravity = [0, 0, 0]", "gravity = [0, 0, 9.81]");
+    let away = format!("{}{rises}", &book[..wall]);
+    std::fs::write(&path, away).unwrap();
+    let ending = report(path.to_str().unwrap(), &[])["ending"].to_string();
+    assert!(ending.contains("gravity points away from every wall"), "{ending}");
+}
+
+#[test]
 fn a_superball_hops_to_and_fro_and_loses_energy() {
     let report = report(&example("scene_superball.toml"), &[]);
     let bounces = report["bounces"].as_array().unwrap();

@@ -22,12 +22,12 @@ def line(x: ArrayLike) -> Array:
 
 
 def numbers(name: str, x: ArrayLike, unit: str = "") -> Array:
-    """Real numbers, in this unit. Complex numbers, times, masked values and other units raise an error that names the
-    argument."""
+    """Real numbers, in this unit. Truth values, complex numbers, times, masked values and other units raise an error that
+    names the argument."""
     x = bare(name, x, unit)
     try:
         given = np.asarray(x)
-        if given.dtype.kind in "cSUmM" or np.ma.is_masked(x) or x is None:
+        if given.dtype.kind in "bcSUmM" or np.ma.is_masked(x) or x is None:
             raise TypeError
         return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):

@@ -1,7 +1,7 @@
 //! Errors of a step with friction.
 
 use carom_halfspace::operator::OperatorError;
-use carom_special::RangeError;
+use carom_special::{RangeError, Readable};
 
 use crate::convergence::{Convergence, Stop};
 use crate::problem::PeriodError;
@@ -20,7 +20,8 @@ pub enum FrictionalError {
     Period(#[from] PeriodError),
     /// The prescribed tangential force exceeds what friction can hold: the bodies slide.
     #[error(
-        "the tangential force {force} is not below the friction limit {limit}: the bodies slide"
+        "the tangential force {force} is not below the friction limit {}: the bodies slide",
+        rounded(*.limit)
     )]
     Slides {
         /// The tangential force.
@@ -79,4 +80,9 @@ pub(super) fn converged(
     } else {
         Err(FrictionalError::NotConverged { what, tolerance, reached })
     }
+}
+
+/// As many digits of a limit as are known.
+fn rounded(limit: f64) -> Readable {
+    Readable(format!("{limit:.9e}").parse().unwrap_or(limit))
 }

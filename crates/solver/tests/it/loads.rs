@@ -104,7 +104,7 @@ fn a_force_beyond_friction_slides() {
         let (went, _) = pull(part);
         let error = went.unwrap_err();
         assert!(matches!(error, FrictionalError::Slides { .. }), "{error}");
-        assert!(error.to_string().ends_with("the bodies slide"), "{error}");
+        assert!(error.to_string().ends_with("the friction limit 0.3: the bodies slide"), "{error}");
     }
     // A torque above the friction limit.
     let drive = Drive { normal: Driven::Load(1.0), twist: Driven::Load(1.0), ..Drive::default() };
