@@ -77,7 +77,7 @@ fn known_values_are_met_within_the_estimate() {
 fn the_estimate_covers_drawn_impacts() {
     let mut draw = Draw(0x5eed_2026);
     let (mut covered, mut counted) = (0, 0);
-    while counted < 250 {
+    while counted < 500 {
         let (kappa, ratio) = (1.0 + 0.5 * draw.next(), 2.0 + 3.0 * draw.next());
         let (lambda, e) = (0.2 * 40_f64.powf(draw.next()), 0.1 + 0.9 * draw.next());
         let groups = Groups::new(ratio / kappa, lambda / kappa).unwrap();
