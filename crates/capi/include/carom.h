@@ -88,7 +88,7 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 11
+#define CAROM_ABI_VERSION 12
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -773,6 +773,8 @@ typedef struct carom_rebound {
   double energy_lost;
   /* Estimated error of the velocity after the impact over that before; 0 for an exact solution. */
   double error_estimate;
+  /* How far R_x may be off by another cause of the loss along the normal; 0 for elastic bodies and a given cause. */
+  double model_uncertainty;
   /* The relative spin about the normal after the impact over that before; valid if `has_torsion` is 1. */
   double spin_ratio;
   /* The angular impulse on body 1 about the normal, N m s; valid if `has_torsion` is 1. */

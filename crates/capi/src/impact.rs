@@ -109,6 +109,8 @@ pub struct CaromRebound {
     pub energy_lost: f64,
     /// Estimated error of the velocity after the impact over that before; 0 for an exact solution.
     pub error_estimate: f64,
+    /// How far R_x may be off by another cause of the loss along the normal; 0 for elastic bodies and a given cause.
+    pub model_uncertainty: f64,
     /// The relative spin about the normal after the impact over that before; valid if `has_torsion` is 1.
     pub spin_ratio: f64,
     /// The angular impulse on body 1 about the normal, N m s; valid if `has_torsion` is 1.
@@ -254,6 +256,7 @@ fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
         energy_dissipated: rebound.energy.dissipated,
         energy_lost: rebound.energy.lost,
         error_estimate: rebound.error_estimate,
+        model_uncertainty: rebound.model_uncertainty,
         spin_ratio: rebound.torsion.map_or(0.0, |torsion| torsion.spin_ratio),
         torque_impulse: rebound.torsion.map_or(0.0, |torsion| torsion.torque_impulse),
         has_torsion: rebound.torsion.is_some().into(),

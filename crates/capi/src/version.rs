@@ -4,7 +4,7 @@ use std::ffi::c_char;
 
 /// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
 /// the loaded library.
-pub const CAROM_ABI_VERSION: u32 = 11;
+pub const CAROM_ABI_VERSION: u32 = 12;
 
 /// The version of the library, as "0.1.0"; not to be freed.
 #[unsafe(no_mangle)]

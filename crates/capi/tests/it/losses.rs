@@ -89,6 +89,8 @@ fn losses_are_those_of_the_library_to_the_bit() {
         }
         assert_eq!(told.impulse, <[f64; 3]>::from(known.impulse));
         assert_eq!(Some(told.R_x), known.r_x);
+        assert_eq!(told.model_uncertainty, known.model_uncertainty);
+        assert_eq!(told.model_uncertainty > 0.0, loss == CAROM_LOSS_GIVEN && e < 1.0, "{loss} {e}");
         let budget =
             [told.energy_before, told.energy_after, told.energy_dissipated, told.energy_lost];
         let energy = known.energy;
