@@ -3,6 +3,7 @@
 mod aftermath;
 mod balls;
 mod columns;
+mod derivatives;
 mod glancing;
 mod history;
 mod loss_cause;
@@ -31,6 +32,7 @@ use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
 pub(crate) use aftermath::Known;
+pub use derivatives::{Input, ReboundDerivatives};
 use glancing::Axes;
 pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};
