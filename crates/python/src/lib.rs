@@ -72,7 +72,7 @@ mod _carom {
     use super::records::columns;
     #[pymodule_export]
     use super::restitution::{
-        restitution, restitution_of_dissimilar, restitution_of_groups, restitution_table,
+        restitution, restitution_of_dissimilar, restitution_of_groups, restitution_tables,
     };
     #[pymodule_export]
     use super::roll::roll;

@@ -72,7 +72,7 @@ impl Drawn {
         let motions = self.collision().solve().unwrap().motions();
         let part = |i: usize| {
             let motion = motions[i / 2];
-            if i % 2 == 0 { motion.velocity } else { motion.spin }
+            if i.is_multiple_of(2) { motion.velocity } else { motion.spin }
         };
         std::array::from_fn(|row| part(row / 3)[row % 3])
     }
