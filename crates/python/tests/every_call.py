@@ -228,6 +228,10 @@ CALLS = {
         Call(carom.collide, COLLIDE | LOST),
         Call(carom.collide, {"body_1": BALL, "body_2": FLOOR, "friction": none(0.2), "relaxation": In(1e-7, "s")}),
     ],
+    "rebound_derivatives": [
+        Call(carom.rebound_derivatives, {"body_1": BALL, "body_2": FLOOR, "friction": none(0.2), "normal": (0.0, 0.0, 1.0), "kappa": none(1.2)},
+             lambda **given: carom.rebound_derivatives(**given).matrix),
+    ],
     "collide_many": [
         Call(carom.collide_many, COLLIDE | LOST | SPEEDS),
         Call(carom.collide_many, {"body_1": BALL, "body_2": FLOOR, "friction": none([0.2, 0.3]), "relaxation": In(1e-7, "s")}),

@@ -314,6 +314,9 @@ def collide(
     tolerance: float | None,
     loss: tuple[str, float, _Table | None],
 ) -> tuple[_Columns, _Told, str]: ...
+def rebound_derivatives(
+    body_1: Body, body_2: Body, friction: float, normal: Vector | None, kappa: float | None
+) -> tuple[list[float], Array, bool] | None: ...
 def collide_many(
     body_1: Body,
     body_2: Body,
