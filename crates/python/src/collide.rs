@@ -223,8 +223,8 @@ pub(crate) fn collide_many<'py>(
     told(py, &outcomes)
 }
 
-/// Velocities and spins after a collision, their derivatives row by row, and whether these are of one side.
-type Derivatives<'py> = (Vec<f64>, Bound<'py, PyArray1<f64>>, bool);
+/// Velocities and spins after a collision, their derivatives row by row, whether these are of one side, and warnings.
+type Derivatives<'py> = (Vec<f64>, Bound<'py, PyArray1<f64>>, bool, Told);
 
 /// The rebound of spheres and planes with its derivatives by all inputs; none where the theory is not closed.
 #[pyfunction]
@@ -239,18 +239,20 @@ pub(crate) fn rebound_derivatives<'py>(
 ) -> PyResult<Option<Derivatives<'py>>> {
     let way = Way::new(normal, Some(false), CollisionLaw::default().name(), None)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let solve = || -> Result<Option<ReboundDerivatives>, Fault> {
+    let solve = || -> Result<Option<(ReboundDerivatives, Outcome)>, Fault> {
         let collision = way.collision(one, two, checked(friction, (None, None))?)?.keeping_axes();
         let collision = match kappa {
             Some(kappa) => collision.with_stiffness_ratio(kappa)?,
             None => collision,
         };
-        Ok(collision.derivatives()?)
+        let Some(found) = collision.derivatives()? else { return Ok(None) };
+        Ok(Some((found, collision.solve()?)))
     };
-    let Some(found) = solve()? else { return Ok(None) };
+    let Some((found, outcome)) = solve()? else { return Ok(None) };
     let motions = found.motions.iter().flat_map(|one| one.velocity.iter().chain(&one.spin));
     let rows: Vec<f64> = found.matrix.transpose().iter().copied().collect();
-    Ok(Some((motions.copied().collect(), PyArray1::from_vec(py, rows), found.is_at_change)))
+    let (values, rows) = (motions.copied().collect(), PyArray1::from_vec(py, rows));
+    Ok(Some((values, rows, found.is_at_change, of_impacts(&[outcome]))))
 }
 
 /// The outcomes as arrays, and their warnings.

@@ -351,6 +351,7 @@ def test_derivatives_of_a_rebound_are_differences_of_it():
     motions = [rebound.body_1_velocity, rebound.body_1_spin, rebound.body_2_velocity, rebound.body_2_spin]
     assert found.values == pytest.approx(np.concatenate(motions), abs=1e-9)
     assert found.matrix.shape == (len(found.outputs), len(found.inputs)) and not found.is_at_change
+    assert found.to_dict()["matrix"] == found.matrix.tolist()
 
     def difference(step, friction=0.0, **changes):
         ends = [
@@ -359,7 +360,7 @@ def test_derivatives_of_a_rebound_are_differences_of_it():
         ]
         return (ends[0].values - ends[1].values) / (2 * (step if changes else friction))
 
-    names = list(found.inputs)
+    names = found.inputs
     for name, by in (
         ("friction", difference(0.0, friction=1e-5)),
         ("body_1_radius", difference(1e-7, radius=0.01)),

@@ -2,53 +2,48 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from . import _carom
 from ._arrays import number
 from ._carom import Body
 from ._impact import UP, _along
+from ._record import Result
 from ._types import Array, Vector
+from ._validity import warn
 
-_MOTION = [(f"_{what}_{axis}", unit) for what, unit in (("velocity", "m/s"), ("spin", "rad/s")) for axis in "xyz"]
-_OF_BODIES = {"radius": "m", "mass": "kg", "inertia_ratio": "", "shear_modulus": "Pa", "poisson": ""}
-#: Units of velocities and spins before and after, body by body, and of the inputs in their order.
-_MOTIONS = {f"body_{i}{name}": unit for i in (1, 2) for name, unit in _MOTION}
-_INPUTS = _MOTIONS | {f"body_{i}_{name}": unit for name, unit in _OF_BODIES.items() for i in (1, 2)}
-_INPUTS |= {"friction": "", "kappa": ""}
+#: Velocities and spins before and after, body by body, and all inputs, in their order.
+_MOTIONS = [f"body_{i}_{what}_{axis}" for i in (1, 2) for what in ("velocity", "spin") for axis in "xyz"]
+_OF_BODIES = ("radius", "mass", "inertia_ratio", "shear_modulus", "poisson")
+_INPUTS = [*_MOTIONS, *(f"body_{i}_{name}" for name in _OF_BODIES for i in (1, 2)), "friction", "kappa"]
 
 
-@dataclass(frozen=True, eq=False)
-class ReboundDerivatives:
-    """A rebound with its derivatives: `found["body_1_velocity_x", "friction"]` is one of them.
+class ReboundDerivatives(Result):
+    """A rebound with its derivatives: `found["body_1_velocity_x", "friction"]` is one of them, in SI units.
 
-    `inputs` and `outputs` are names with their units; `matrix` has a row for each output and a column for each input. An
-    `inertia_ratio` is I/(m R^2), which mass and radius leave as it is; `kappa` is the ratio of the stiffnesses alone. `is_at_change` says
-    whether the regimes of the impact change here, so that derivatives are those of one side.
+    An `inertia_ratio` is I/(m R^2), which mass and radius leave as it is; `kappa` is the ratio of the stiffnesses alone.
     """
 
     values: Array
     matrix: Array
     is_at_change: bool
+    outputs: list[str]
+    inputs: list[str]
 
-    @property
-    def inputs(self) -> dict[str, str]:
-        """Names and units of what the rebound depends on."""
-        return dict(_INPUTS)
-
-    @property
-    def outputs(self) -> dict[str, str]:
-        """Names and units of velocities and spins after the impact."""
-        return dict(_MOTIONS)
+    meanings = {
+        "values": "velocities and spins after the impact",
+        "matrix": "their derivatives, a row for each output and a column for each input",
+        "is_at_change": "whether the regimes of the impact change here, so that derivatives are those of one side",
+        "outputs": "names of the rows",
+        "inputs": "names of the columns",
+    }
+    units = dict.fromkeys(meanings, "")
 
     def __getitem__(self, names: tuple[str, str]) -> float:
-        output, of = names
-        for name, known in ((output, _MOTIONS), (of, _INPUTS)):
+        for name, known in zip(names, (self.outputs, self.inputs), strict=True):
             if name not in known:
                 raise KeyError(f"{name}: must be one of {', '.join(known)}")
-        return float(self.matrix[list(_MOTIONS).index(output), list(_INPUTS).index(of)])
+        return float(self.matrix[self.outputs.index(names[0]), self.inputs.index(names[1])])
 
 
 def rebound_derivatives(
@@ -72,5 +67,8 @@ def rebound_derivatives(
     found = _carom.rebound_derivatives(body_1, body_2, number("friction", friction), along, ratio)
     if found is None:
         raise ValueError("body_1 and body_2: must be spheres or planes that approach each other")
-    values, entries, is_at_change = found
-    return ReboundDerivatives(np.array(values), entries.reshape(len(_MOTIONS), len(_INPUTS)), is_at_change)
+    values, entries, is_at_change, told = found
+    warn(told)
+    matrix = entries.reshape(len(_MOTIONS), len(_INPUTS))
+    names = {"outputs": list(_MOTIONS), "inputs": list(_INPUTS)}
+    return ReboundDerivatives({"values": np.array(values), "matrix": matrix, "is_at_change": is_at_change, **names})

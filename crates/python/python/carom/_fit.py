@@ -43,11 +43,6 @@ class Fit(Result):
     }
     units = dict.fromkeys(meanings, "")
 
-    def to_dict(self) -> dict[str, Any]:
-        """All tables by name, each as a mapping, which `json.dumps` takes."""
-        values = self._values().items()
-        return {name: value.to_dict() if isinstance(value, Result) else value for name, value in values}
-
     def __getitem__(self, name: str) -> FitParameter:
         names = self.parameters.parameter
         fitting = [i for i, own in enumerate(names) if own == name or own.rsplit(".", 1)[-1] == name]
