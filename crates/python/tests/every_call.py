@@ -365,5 +365,7 @@ def same(one, other):
     if isinstance(one, (float, np.ndarray)):
         return np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
     if hasattr(one, "to_dict"):
-        return all(same(value, other.to_dict()[name]) for name, value in one.to_dict().items())
+        one, other = one.to_dict(), other.to_dict()
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(same(value, other[name]) for name, value in one.items())
     return one == other
