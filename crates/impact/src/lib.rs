@@ -57,7 +57,7 @@ pub mod viscoelastic;
 pub use body::Body;
 pub use collision::{
     AnalyticOrRings, Collision, CollisionError, CollisionSolver, Input, NeededLaw,
-    ReboundDerivatives, TabledCollision, TabledRebound, TwistBound,
+    ReboundDerivatives, ReboundDifferences, TabledCollision, TabledRebound, TwistBound,
 };
 pub use impact_friction::ImpactFriction;
 pub use mobility::{Lever, Mobility};

@@ -10,9 +10,9 @@ use crate::oblique::Groups;
 use crate::restitution::Sensitivity;
 
 /// Numbers of a rebound: velocity and spin of body 1, then of body 2, in axes of space.
-const OUTPUTS: usize = 12;
+pub(super) const OUTPUTS: usize = 12;
 /// The same before the impact, then the inputs of [`Input::ALL`].
-const INPUTS: usize = 24;
+pub(super) const INPUTS: usize = 24;
 
 type Row = RowSVector<f64, INPUTS>;
 type Rows = SMatrix<f64, 3, INPUTS>;
@@ -257,7 +257,7 @@ fn mobilities(parts: &[Part; 2]) -> [(f64, Row); 2] {
 
 /// What an impulse does to a body.
 #[derive(Clone, Copy)]
-struct Part {
+pub(super) struct Part {
     height: f64,
     inverse_mass: f64,
     /// R/I.
@@ -270,7 +270,7 @@ struct Part {
 
 impl Part {
     /// None if an impulse acts on a body otherwise than on a ball or on one that is fixed.
-    fn of(collision: &Collision, i: usize) -> Option<Self> {
+    pub(super) fn of(collision: &Collision, i: usize) -> Option<Self> {
         let body = &collision.bodies[i];
         let (height, inertia) = (body.height()?, body.inertia());
         let (inverse_mass, inverse) = (inertia.inverse_mass(), inertia.inverse_moments().x);

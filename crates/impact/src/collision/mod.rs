@@ -4,6 +4,7 @@ mod aftermath;
 mod balls;
 mod columns;
 mod derivatives;
+mod differences;
 mod glancing;
 mod history;
 mod loss_cause;
@@ -33,6 +34,7 @@ use crate::outcome::{Outcome, TorsionMode};
 
 pub(crate) use aftermath::Known;
 pub use derivatives::{Input, ReboundDerivatives};
+pub use differences::ReboundDifferences;
 use glancing::Axes;
 pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};

@@ -2,7 +2,10 @@
 
 use carom_geometry::{Inertia, Surface};
 use carom_halfspace::Material;
-use carom_impact::{Body, Collision, Input, Motion, NormalRestitution, TorsionMode};
+use carom_impact::{
+    Body, Collision, CollisionError, CollisionSolver, Input, Motion, NormalRestitution, Outcome,
+    TorsionMode,
+};
 use carom_laws::friction::Friction;
 use carom_laws::static_friction::StaticFriction;
 use nalgebra::Vector3;
@@ -176,6 +179,55 @@ fn the_motions_are_those_of_the_impact() {
                 [0, 3].map(|from| Vector3::from_row_slice(&exact[6 * i + from..][..3]));
             assert!((motion.velocity - velocity).norm() < 1e-13);
             assert!((motion.spin - spin).norm() < 1e-11);
+        }
+    }
+}
+
+/// The analytic law, whatever the materials are.
+struct Analytic;
+
+impl CollisionSolver for Analytic {
+    type Error = CollisionError;
+
+    fn solve(&self, collision: &Collision) -> Result<Outcome, CollisionError> {
+        collision.solve()
+    }
+
+    fn out_of_range(_: &CollisionError) -> Option<carom_special::RangeError> {
+        None
+    }
+}
+
+#[test]
+fn differences_are_the_closed_derivatives_within_their_errors() {
+    let mut draw = Draw(77);
+    for _ in 0..20 {
+        let drawn = Drawn::of(&mut draw);
+        let collision = drawn.collision();
+        if drawn.nearness(&collision).0 < 1e-2 {
+            continue;
+        }
+        let closed = collision.derivatives().unwrap().unwrap().matrix;
+        // Bodies that yield: the impulse is that of elastic ones times (1 + e)/2.
+        let part = |e: f64| 0.5 * (1.0 + e);
+        let of_yield = NormalRestitution::by_yield(0.6).unwrap();
+        let yields = collision.clone().with_normal_restitution(of_yield);
+        for (collision, part) in [(collision, 1.0), (yields, part(0.6))] {
+            let found = collision.differences(&Analytic, 1e-4).unwrap().unwrap();
+            for input in Input::ALL {
+                // Without a given ratio the one of the materials counts.
+                if input == Input::StiffnessRatio && !drawn.has_ratio {
+                    continue;
+                }
+                let column = input.column();
+                for row in 0..12 {
+                    let own = if row == column { 1.0 } else { 0.0 };
+                    let wanted = own + part * (closed[(row, column)] - own);
+                    let off = (found.derivatives.matrix[(row, column)] - wanted).abs();
+                    let scale = if row % 6 < 3 { 1.0 } else { 100.0 } / size(&drawn, input);
+                    assert!(off <= 1e-6 * scale, "{input:?} {row}: {off:e} {wanted}");
+                }
+            }
         }
     }
 }

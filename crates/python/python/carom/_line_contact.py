@@ -34,7 +34,7 @@ def crossing(ops: Ops, low: Any, high: Any) -> Any:
 def moved(ops: Ops, state: ContactState, zeta: Any, xi: Any, slope: Any) -> ContactState:
     """The memory after a straight step; `slope` is f c_z/c_x, shift over approach of a contact that slides."""
     where = ops.where
-    index = ops.arange(state.depth.shape[-1])
+    index = ops.index(state.depth)
     touches, meets = zeta > 0.0, ~(state.zeta > 0.0)
     # Where the bodies touch first the curve is one point.
     gap = where(meets & touches, state.zeta / where(meets & touches, state.zeta - zeta, 1.0), 0.0)
@@ -76,7 +76,7 @@ def load(ops: Ops, state: ContactState, stiffness: tuple[Any, Any]) -> tuple[Any
     where = ops.where
     c_x, c_z = stiffness
     size = state.depth.shape[-1]
-    index = ops.arange(size)
+    index = ops.index(state.depth)
     zeta = where(state.zeta > 0.0, state.zeta, 0.0)
     used = index < state.count[..., None]
     # The upper end of each segment: the next node, or the edge.

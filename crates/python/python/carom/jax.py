@@ -22,10 +22,12 @@ __all__ = ["ContactState", "advance", "contact_state", "rebound", "rebound_of_tw
 class _Jax:
     where = staticmethod(jnp.where)
     log = staticmethod(jnp.log)
-    arange = staticmethod(jnp.arange)
 
     def take(self, table: Any, index: Any) -> Any:
         return jnp.asarray(table)[index]
+
+    def index(self, values: Any) -> Any:
+        return jnp.arange(values.shape[-1])
 
     def integer(self, values: Any) -> Any:
         return jnp.asarray(values).astype(jnp.int32)

@@ -21,10 +21,12 @@ __all__ = ["ContactState", "advance", "contact_state", "rebound", "rebound_of_tw
 class _Torch:
     where = staticmethod(torch.where)
     log = staticmethod(torch.log)
-    arange = staticmethod(torch.arange)
 
     def take(self, table: Any, index: Any) -> Any:
         return torch.as_tensor(table, device=index.device)[index]
+
+    def index(self, values: Any) -> Any:
+        return torch.arange(values.shape[-1], device=values.device)
 
     def integer(self, values: Any) -> Any:
         return values.to(torch.int64)
