@@ -1,11 +1,12 @@
 //! The contact law in one direction with the derivatives of its load by friction and stiffness.
 //!
-//! The law depends on friction f and stiffness by the scales of [`crate::memory`] alone: `F = (2/3) f c_z Phi` of the path of
-//! `X = c_x xi/(f c_z)` over zeta. A factor of all X changes Phi by `Phi' = (3/2) int (X - W'(t^2)) dt`, where W' is how
-//! the zero-traction shift W of an annulus answers to the factor. An annulus that adheres keeps the X at which it came into contact,
-//! `W' = W`; one that slips keeps its distance from the X at which it slipped last, `W' = X` of then. Both last until it slips
-//! again, so that one number for each slip segment of the polyline suffices, and Phi' is closed. It is continuous where memory
-//! is wiped out and where sliding begins; it jumps only for annuli that form just on the limit of adhesion, |dX| = d zeta.
+//! The law depends on friction f and stiffness by the scales of [`crate::memory`] alone: `F = (2/3) f c_z Phi` of the
+//! path of `X = c_x xi/(f c_z)` over zeta. A factor of all X changes Phi by `Phi' = (3/2) int (X - W'(t^2)) dt`, where
+//! W' is how the zero-traction shift W of an annulus answers to the factor. An annulus that adheres keeps the X at
+//! which it came into contact, `W' = W`; one that slips keeps its distance from the X at which it slipped last, `W' =
+//! X` of then. Both last until it slips again, so that one number for each slip segment of the polyline suffices, and
+//! Phi' is closed. It is continuous where memory is wiped out and where sliding begins; it jumps only for annuli that
+//! form just on the limit of adhesion, |dX| = d zeta.
 
 use carom_special::RangeError;
 
@@ -29,9 +30,9 @@ const ON_CONE: f64 = 1e-12;
 /// law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
 /// law.advance(Shift { zeta: 1.0, xi: 0.1, ..Shift::default() })?;
 /// // Cattaneo and Mindlin: F = f F_z (1 - s^(3/2)), s = 1 - c_x xi/(f c_z zeta).
-/// let (found, s) = (law.sensitivity(), 1.0 - 0.1 / (0.3 * 1.2));
-/// assert!((found.by_c_x.f_x - 0.1 * s.sqrt()).abs() < 1e-15);
-/// assert!((found.by_friction.f_x - 0.8 * (1.0 - s.powf(1.5) - 1.5 * s.sqrt() * (1.0 - s))).abs() < 1e-15);
+/// let (found, s) = (law.sensitivity(), 1.0 - 0.1_f64 / (0.3 * 1.2));
+/// assert!((found.by_c_x.f_x - 0.1 * s.sqrt()).abs() < 1e-14);
+/// assert!((found.by_friction.f_x - 0.8 * (1.0 - s.powf(1.5) - 1.5 * s.sqrt() * (1.0 - s))).abs() < 1e-14);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -17,8 +17,8 @@ pub(super) const INPUTS: usize = 24;
 type Row = RowSVector<f64, INPUTS>;
 type Rows = SMatrix<f64, 3, INPUTS>;
 
-/// An input of an impact of spheres or planes; bodies are counted from 0. Of a body with a new mass or radius the shape of its
-/// mass stays: I/(m R^2) is an input of its own, [`Input::Inertia`].
+/// An input of an impact of spheres or planes; bodies are counted from 0. Of a body with a new mass or radius the
+/// shape of its mass stays: I/(m R^2) is an input of its own, [`Input::Inertia`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Input {
     /// A component of the velocity of a body.
@@ -97,8 +97,8 @@ impl Collision {
     /// normal and tangential motions are uncoupled. None for others: bodies of other shapes, static friction above kinetic
     /// friction, friction that changes the spin about the normal, balls whose line of centres turns.
     ///
-    /// The common normal is fixed. Friction by the slip speed has the value of this impact. Errors are those of [`Sensitivity`]: within 1e-7 of
-    /// the largest entry of a row, if the inputs are measured by their sizes.
+    /// The common normal is fixed. Friction by the slip speed has the value of this impact. Errors are those of
+    /// [`Sensitivity`]: within 1e-7 of the largest entry of a row, if the inputs are measured by their sizes.
     ///
     /// ```
     /// use carom_halfspace::Material;

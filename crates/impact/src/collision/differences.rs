@@ -22,10 +22,11 @@ impl Collision {
     /// The rebound of spheres or planes with its derivatives by differences of impacts of any solver: with a loss, with
     /// torsion, of dissimilar materials, by rings or on a grid. None for bodies of other shapes.
     ///
-    /// Central differences with `step` and with its half, extrapolated; one-sided at the end of a range, such as at Poisson's ratio
-    /// 1/2. The step is a part of each input, of speeds one of the speed at the contact. With an error e of the
-    /// solver the best is about the cube root of e: 1e-4 where the impact is exact, .02 by rings or with a viscous loss. The normal, and options
-    /// of the collision, are kept; friction by the slip speed has the value of this impact.
+    /// Central differences with `step` and with its half, extrapolated; one-sided at the end of a range, such as at
+    /// Poisson's ratio 1/2. The step is a part of each input, of speeds one of the speed at the contact. With an error
+    /// e of the solver the best is about the cube root of e: 1e-4 where the impact is exact, .02 by rings or with a
+    /// viscous loss. The normal, and options of the collision, are kept; friction by the slip speed has the value of
+    /// this impact.
     ///
     /// ```
     /// use carom_halfspace::Material;
