@@ -315,7 +315,7 @@ def collide(
     loss: tuple[str, float, _Table | None],
 ) -> tuple[_Columns, _Told, str]: ...
 def rebound_derivatives(
-    body_1: Body, body_2: Body, friction: float, normal: Vector | None, kappa: float | None
+    body_1: Body, body_2: Body, friction: float, normal: _Vector | None, kappa: float | None
 ) -> tuple[list[float], Array, bool, _Told] | None: ...
 def collide_many(
     body_1: Body,

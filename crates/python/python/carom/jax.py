@@ -20,8 +20,11 @@ __all__ = ["ContactState", "advance", "contact_state", "rebound", "rebound_of_tw
 
 
 class _Jax:
-    where = staticmethod(jnp.where)
-    log = staticmethod(jnp.log)
+    def where(self, condition: Any, one: Any, other: Any) -> Any:
+        return jnp.where(condition, one, other)
+
+    def log(self, values: Any) -> Any:
+        return jnp.log(values)
 
     def take(self, table: Any, index: Any) -> Any:
         return jnp.asarray(table)[index]

@@ -19,8 +19,11 @@ __all__ = ["ContactState", "advance", "contact_state", "rebound", "rebound_of_tw
 
 
 class _Torch:
-    where = staticmethod(torch.where)
-    log = staticmethod(torch.log)
+    def where(self, condition: Any, one: Any, other: Any) -> Any:
+        return torch.where(condition, one, other)
+
+    def log(self, values: Any) -> Any:
+        return torch.log(values)
 
     def take(self, table: Any, index: Any) -> Any:
         return torch.as_tensor(table, device=index.device)[index]
