@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::restitution::{
-    DissimilarGroups, DissimilarTable, RestitutionTable, of_dissimilar, of_spheres, restitution_map,
+    DissimilarGroups, DissimilarTable, RestitutionTable, Sensitivity, of_dissimilar, of_spheres,
+    restitution_map,
 };
 use carom_laws::friction::Friction;
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -31,7 +32,32 @@ fn exact(c: &mut Criterion) {
             cases.iter().map(|&case| ObliqueImpact::new(black_box(case))).collect::<Vec<_>>()
         });
     });
+    let cases = drawn();
+    group.bench_function("R_x of drawn spheres (mean of 1024)", |b| {
+        let mut next = 0;
+        b.iter(|| {
+            next = (next + 1) % cases.len();
+            ObliqueImpact::new(black_box(cases[next])).map(|impact| impact.restitution())
+        });
+    });
+    group.bench_function("R_x of drawn spheres with derivatives (mean of 1024)", |b| {
+        let mut next = 0;
+        b.iter(|| {
+            next = (next + 1) % cases.len();
+            Sensitivity::of(black_box(cases[next]))
+        });
+    });
     group.finish();
+}
+
+/// Solid spheres of kappa and lambda that do not slide throughout.
+fn drawn() -> Vec<Groups> {
+    let part = |i: u32, step: f64| (f64::from(i) * step).fract();
+    let spheres = |i: u32| {
+        let kappa = 0.8 + 0.7 * part(i, 0.618_034);
+        Groups::of_spheres(kappa, (7.0 - kappa) * part(i, 0.754_878)).expect("in range")
+    };
+    (1..=1024).map(spheres).collect()
 }
 
 fn table(c: &mut Criterion) {

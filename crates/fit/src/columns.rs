@@ -6,12 +6,15 @@ use crate::measured::{Measurement, Quantity};
 use crate::observable::{converted, in_dimension};
 use carom_cases::case::OpenCase;
 use carom_cases::case::{Measure, Renewed, Stated, likely};
+use carom_special::Readable;
 
 /// The ending of a column with standard errors.
 const ERROR: &str = "_sd";
 
-/// A standard error of all values of a quantity, or without a name of the only one.
-pub type GivenError = (Option<String>, f64);
+/// The standard error of the values of a quantity, or without a name of the only one: one of all, or one of each row.
+pub type GivenError = (Option<String>, Vec<f64>);
+/// The largest size of a measured value, over its standard error and alone, whose square can be summed.
+const LARGEST: f64 = 1e100;
 
 /// The data as a fit needs them.
 pub(crate) struct Read<O> {
@@ -135,6 +138,7 @@ pub(crate) fn read<C: Renewed, O: Known>(
                 continue;
             }
             check_error(&read.quantities[quantity].0.name, row, error)?;
+            check_size(&read.quantities[quantity].0.name, row, value, error)?;
             read.measured.push(Measurement { row, quantity, value, error });
         }
     }
@@ -150,6 +154,18 @@ fn check_error(name: &str, row: usize, error: Option<f64>) -> Result<(), FitErro
             allowed: "a standard error, finite and > 0".to_owned(),
         }),
         _ => Ok(()),
+    }
+}
+
+fn check_size(name: &str, row: usize, value: f64, error: Option<f64>) -> Result<(), FitError> {
+    match value.abs() <= LARGEST * error.unwrap_or(1.0).min(1.0) {
+        true => Ok(()),
+        false => Err(FitError::Entry {
+            column: name.to_owned(),
+            row: row + 1,
+            found: Readable(value).to_string(),
+            allowed: "at most 1e100 in size, and 1e100 standard errors".to_owned(),
+        }),
     }
 }
 
@@ -170,7 +186,7 @@ fn sorted_errors<O>(
         let unit = quantities[at].0.unit;
         errors[at] = Some(converted(&column.values, [&column.unit, unit], &column.name)?);
     }
-    for (name, error) in given {
+    for (name, own) in given {
         let at = match (name, quantities.len()) {
             (Some(name), _) => find(name),
             (None, 1) => Some(0),
@@ -182,8 +198,17 @@ fn sorted_errors<O>(
         };
         let name = name.clone().unwrap_or_default();
         let at = at.ok_or_else(|| FitError::column(&name, "the data have no such column"))?;
-        check_error(&quantities[at].0.name, 0, Some(*error))?;
-        errors[at] = Some(vec![*error; rows]);
+        errors[at] = Some(match own.as_slice() {
+            [one] => {
+                check_error(&quantities[at].0.name, 0, Some(*one))?;
+                vec![*one; rows]
+            }
+            all if all.len() == rows => all.to_vec(),
+            all => {
+                let reason = format!("{} standard errors are given for {rows} rows", all.len());
+                return Err(FitError::column(&quantities[at].0.name, reason));
+            }
+        });
     }
     Ok(errors)
 }

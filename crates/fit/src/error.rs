@@ -16,6 +16,14 @@ pub enum FitError {
         /// Why.
         source: Error,
     },
+    /// Bounds of several unknowns allow values that contradict each other.
+    #[error("the bounds of {bounds} allow values that contradict each other: {source}")]
+    Bounds {
+        /// The unknowns with their bounds.
+        bounds: String,
+        /// Of the values that were tried.
+        source: Error,
+    },
     /// The bodies of a row do not meet.
     #[error(
         "row {row} of the data: the bodies do not approach each other, so that nothing of a rebound can be compared"
@@ -99,7 +107,9 @@ impl FitError {
     #[must_use]
     pub fn is_bad_input(&self) -> bool {
         match self {
-            Self::Case(error) | Self::Row { source: error, .. } => error.is_bad_input(),
+            Self::Case(error)
+            | Self::Row { source: error, .. }
+            | Self::Bounds { source: error, .. } => error.is_bad_input(),
             Self::Inputs(error) => error.is_bad_input(),
             _ => true,
         }

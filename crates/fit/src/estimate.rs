@@ -13,8 +13,9 @@ const ROUNDS: usize = 30;
 const STEADY: f64 = 1e-10;
 /// A part of an open direction by which an unknown belongs to it.
 const SHARE: f64 = 0.1;
-/// An estimated error is at least this part of the largest measured value.
+/// An estimated error is at least this part of the largest measured value; up to the other part there is no scatter.
 const LEAST_ERROR: f64 = 1e-12;
+const NO_SCATTER: f64 = 1e-9;
 
 /// The best values, and the state of the fit there.
 #[derive(Debug, Clone)]
@@ -38,6 +39,8 @@ pub(crate) struct Estimate {
     pub(crate) freedom: usize,
     /// Whether a standard error was estimated.
     pub(crate) is_estimated: bool,
+    /// The quantities whose error should be estimated, but whose values do not scatter.
+    pub(crate) without_scatter: Vec<usize>,
 }
 
 impl Estimate {
@@ -88,7 +91,10 @@ pub(crate) fn estimate<M: Model + ?Sized>(
     let n = measured.len();
     let freedom = (n + priors).saturating_sub(unknowns - state.open.len());
     let values = squares.values(&found.places);
+    let without_scatter =
+        if freedom > 0 { without_scatter(measured, &squares.errors) } else { Vec::new() };
     Ok(Estimate {
+        without_scatter,
         values,
         predicted: state.predicted,
         errors: squares.errors,
@@ -113,6 +119,22 @@ fn first_errors(measured: &[Measurement]) -> Vec<f64> {
         if spread > 0.0 { spread } else { mean.abs().max(1.0) }
     };
     measured.iter().map(|one| one.error.unwrap_or_else(|| spread(one.quantity))).collect()
+}
+
+/// The quantities whose estimated errors are round-off of their values.
+fn without_scatter(measured: &[Measurement], errors: &[f64]) -> Vec<usize> {
+    let most = measured.iter().map(|one| one.quantity).max().unwrap_or(0);
+    let is_without = |quantity: &usize| {
+        let own = || {
+            measured
+                .iter()
+                .zip(errors)
+                .filter(|(one, _)| one.quantity == *quantity && one.error.is_none())
+        };
+        let size = own().map(|(one, _)| one.value.abs()).fold(f64::MIN_POSITIVE, f64::max);
+        own().next().is_some_and(|(_, error)| *error <= NO_SCATTER * size)
+    };
+    (0..=most).filter(is_without).collect()
 }
 
 /// What the derivatives at a minimum tell.

@@ -5,12 +5,12 @@ use crate::columns::{Input, Known, Read};
 use crate::measured::Measurement;
 use crate::model::{Model, Parameter};
 use crate::observable::{Bounce, Observable};
-use carom_cases::case::{ImpactCase, OpenCase};
+use carom_cases::case::{CaseError, ImpactCase, OpenCase, Unknown};
 use carom_cases::impact::outcome;
 use carom_cases::{Error, ErrorKind};
 use carom_impact::{NeededLaw, Outcome, TabledCollision};
 use carom_numerical::CollisionLaw;
-use carom_special::interrupt;
+use carom_special::{Readable, interrupt};
 use rayon::prelude::*;
 
 /// Relative steps of differences, and changes of sums that mean nothing: by the table and the exact impact, and by laws that
@@ -160,11 +160,27 @@ impl<'a> Impacts<'a> {
     fn case_of(&self, row: &Row, values: &[f64]) -> Result<ImpactCase, FitError> {
         let mut numbers = row.numbers.clone();
         numbers.extend(self.places.iter().copied().zip(values.iter().copied()));
-        let failed = |source| FitError::Row {
-            row: row.index + 1,
-            source: Error::from(ErrorKind::from(source)),
+        let failed = |error: CaseError| {
+            let bounds = self.bounds_beside(&error.field);
+            let source = Error::from(ErrorKind::from(error));
+            match bounds {
+                Some(bounds) => FitError::Bounds { bounds, source },
+                None => FitError::Row { row: row.index + 1, source },
+            }
         };
         self.case.case(&numbers).map_err(failed)
+    }
+
+    /// The bounds of all unknowns, if there are several and this one, each within its own, is out of its range: it must be by
+    /// another one.
+    fn bounds_beside(&self, field: &str) -> Option<String> {
+        let all = &self.parameters;
+        let of = |one: &Parameter| {
+            let Unknown { low, high, .. } = one.unknown;
+            format!("`{}` from {} to {}", one.field, Readable(low), Readable(high))
+        };
+        let is_unknown = all.iter().any(|one| one.field == field) && all.len() > 1;
+        is_unknown.then(|| all.iter().map(of).collect::<Vec<_>>().join(" and "))
     }
 
     /// The predictions of a row: places and values.

@@ -13,10 +13,12 @@ const MOST: usize = 12;
 const CLOSE: f64 = 2e-3;
 
 /// The half width of an interval of 95 % in standard errors: by Student's t where the error of the measured values was
-/// estimated, by the normal distribution where it was given. None without degrees of freedom.
+/// estimated, by the normal distribution where it was given. None without degrees of freedom, and without scatter by
+/// which an error could be estimated.
 pub(crate) fn width(estimate: &Estimate) -> Option<f64> {
     match (estimate.freedom, estimate.is_estimated) {
         (0, _) => None,
+        _ if !estimate.without_scatter.is_empty() => None,
         (freedom, true) => {
             let of_freedom = StudentsT::new(0.0, 1.0, freedom as f64).ok()?;
             Some(of_freedom.inverse_cdf(UPPER))

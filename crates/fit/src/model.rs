@@ -17,6 +17,8 @@ pub(crate) struct Parameter {
 
 /// Bounds of a ratio of this size are searched by the logarithm.
 const WIDE: f64 = 30.0;
+/// How much farther from its mean a prior's bound is moved.
+const FARTHER: f64 = 8.0;
 /// Part of the range that counts as the size of a number that may be 0.
 const PART: f64 = 0.05;
 
@@ -37,14 +39,31 @@ impl Parameter {
         if self.is_wide() { self.at(x) * libm::log(high / low) } else { high - low }
     }
 
+    /// Moves a bound that is but where the search of a prior began outwards, if the best place is there; whether it did.
+    pub(crate) fn widen(&mut self, place: f64) -> bool {
+        let Unknown { low, high, prior, widest } = &mut self.unknown;
+        let Some([mean, _]) = *prior else { return false };
+        let [below, above] = [place <= 0.0 && *low > widest[0], place >= 1.0 && *high < widest[1]];
+        if below {
+            *low = (mean - FARTHER * (mean - *low)).max(widest[0]);
+        }
+        if above {
+            *high = (mean + FARTHER * (*high - mean)).min(widest[1]);
+        }
+        below || above
+    }
+
     fn is_wide(&self) -> bool {
-        let Unknown { low, high, prior } = self.unknown;
+        let Unknown { low, high, prior, .. } = self.unknown;
         prior.is_none() && low > 0.0 && high / low > WIDE
     }
 
     /// The size of a change that matters.
     fn size(&self, value: f64) -> f64 {
         let Unknown { low, high, .. } = self.unknown;
+        if self.is_wide() {
+            return value;
+        }
         if low >= 0.0 { value.max(1e-6 * (high - low)) } else { PART * (high - low) }
     }
 }

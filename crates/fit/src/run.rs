@@ -150,10 +150,17 @@ fn run<K: Kind>(
     options: &Options<'_>,
 ) -> Result<Fit, FitError> {
     let read = columns::read::<K::Case, K::Known>(case, data, options.errors)?;
-    let unknowns = unknowns(case, &read.inputs)?;
-    let model = K::model(case, unknowns.clone(), &read, &read.measured)?;
-    let begin = begin::<K>(case, &unknowns, &read, options.loss)?;
-    let estimate = estimate(&model, &read.measured, options.loss, begin)?;
+    let mut unknowns = unknowns(case, &read.inputs)?;
+    let (model, estimate) = loop {
+        let model = K::model(case, unknowns.clone(), &read, &read.measured)?;
+        let begin = begin::<K>(case, &unknowns, &read, options.loss)?;
+        let found = estimate(&model, &read.measured, options.loss, begin)?;
+        let places = unknowns.0.iter_mut().zip(&found.found.places);
+        let widened = places.filter_map(|(one, place)| one.widen(*place).then_some(())).count();
+        if widened == 0 {
+            break (model, found);
+        }
+    };
     let (values, errors) = (measured(&read.measured), estimate.errors.clone());
     let squares = Squares { model: &model, measured: &values, errors, loss: options.loss };
     let parameters = determined(&squares, &estimate)?;
@@ -162,6 +169,9 @@ fn run<K: Kind>(
     let residuals: Vec<f64> = points.iter().map(Point::residual).collect();
     let mut statements = K::told(&model, &estimate);
     statements.extend(told::statements(model.parameters(), &parameters, &estimate));
+    let name = |quantity: &usize| read.quantities[*quantity].0.name.as_str();
+    let without: Vec<&str> = estimate.without_scatter.iter().map(name).collect();
+    statements.extend(told::without_scatter(&without));
     let mut warnings = told::warnings(&parameters, &estimate, &quality, &residuals);
     warnings.extend(unusual(data, &read.inputs));
     warnings.extend(read.unused.iter().map(|name| format!("column `{name}` is not used")));
@@ -251,6 +261,7 @@ fn determined<M: Model>(
         };
         let deviation = own
             .filter(|_| estimate.freedom > 0 || !estimate.is_estimated)
+            .filter(|_| estimate.without_scatter.is_empty())
             .filter(|_| knowledge != Knowledge::AtBound);
         let interval = width
             .zip(deviation)

@@ -266,7 +266,19 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                 best = Some(found);
             }
         }
-        best.ok_or(FitError::NoUnknown)
+        let mut best = best.ok_or(FitError::NoUnknown)?;
+        // On a plateau where an unknown does nothing, as friction that no slip reaches, better values may be far away.
+        let (_, derivatives) = self.linear(&best.places)?;
+        let unknowns = best.places.len();
+        for j in (0..unknowns).filter(|j| derivatives.column(*j).amax() == 0.0) {
+            for start in (1..=LOW_STARTS).map(|n| low(unknowns, j, n)) {
+                let found = self.minimum(&start, &[])?;
+                if found.sum < best.sum {
+                    best = found;
+                }
+            }
+        }
+        Ok(best)
     }
 }
 
@@ -288,11 +300,13 @@ pub(crate) fn starts(unknowns: usize) -> Vec<DVector<f64>> {
     };
     let count = 8 * unknowns.min(8) as u32;
     let start = |n: u32| DVector::from_fn(unknowns, |j, _| radical(n, PRIMES[j % PRIMES.len()]));
-    let low = |j: usize, n: i32| {
-        DVector::from_fn(unknowns, |i, _| if i == j { 0.1_f64.powi(n) } else { 0.5 })
-    };
-    let low = (0..unknowns.min(8)).flat_map(|j| (1..=LOW_STARTS).map(move |n| low(j, n)));
+    let low = (0..unknowns.min(8)).flat_map(|j| (1..=LOW_STARTS).map(move |n| low(unknowns, j, n)));
     (1..=count).map(start).chain(low).collect()
+}
+
+/// The middle of the bounds, but for one unknown, which is near its lower bound.
+fn low(unknowns: usize, j: usize, n: i32) -> DVector<f64> {
+    DVector::from_fn(unknowns, |i, _| if i == j { 0.1_f64.powi(n) } else { 0.5 })
 }
 
 /// Places near the lower bound of each unknown: a tenth of the range, a hundredth and so on.
@@ -348,7 +362,7 @@ mod tests {
             10.07, 14.73, 17.94, 23.93, 29.61, 35.18, 40.02, 44.82, 50.76, 55.05, 61.01, 66.40,
             75.47, 81.78,
         ];
-        let unknown = |low, high| Unknown { low, high, prior: None };
+        let unknown = |low, high| Unknown { low, high, prior: None, widest: [low, high] };
         let parameters = vec![
             Parameter { field: "b1", unit: "", unknown: unknown(1.0, 1000.0) },
             Parameter { field: "b2", unit: "", unknown: unknown(1e-5, 1e-1) },

@@ -67,6 +67,17 @@ pub(crate) fn statements(
     told
 }
 
+/// What is wrong with quantities whose measured values do not scatter.
+pub(crate) fn without_scatter(names: &[&str]) -> Option<String> {
+    (!names.is_empty()).then(|| {
+        format!(
+            "The values of {} do not scatter about the fit, as measured ones do: no error of theirs can be estimated, and nothing \
+             has an interval. Give their standard error.",
+            names.join(" and ")
+        )
+    })
+}
+
 /// A direction that nothing determines.
 fn open(parameters: &[Parameter], direction: &DVector<f64>, estimate: &Estimate) -> String {
     let largest = direction.amax();

@@ -86,6 +86,12 @@ impl Body {
         Self { inertia, ..self }
     }
 
+    /// The same body of this material.
+    #[must_use]
+    pub fn with_material(self, material: Material) -> Self {
+        Self { material, ..self }
+    }
+
     /// The same body with this motion.
     #[must_use]
     pub fn moving(self, motion: Motion) -> Self {

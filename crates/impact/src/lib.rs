@@ -56,8 +56,8 @@ pub mod viscoelastic;
 
 pub use body::Body;
 pub use collision::{
-    AnalyticOrRings, Collision, CollisionError, CollisionSolver, NeededLaw, TabledCollision,
-    TabledRebound, TwistBound,
+    AnalyticOrRings, Collision, CollisionError, CollisionSolver, Input, NeededLaw,
+    ReboundDerivatives, ReboundDifferences, TabledCollision, TabledRebound, TwistBound,
 };
 pub use impact_friction::ImpactFriction;
 pub use mobility::{Lever, Mobility};

@@ -229,3 +229,25 @@ pub trait Energies: ContactLaw {
     /// The energy dissipated by slip or released at a receding edge since the beginning.
     fn dissipated(&self) -> f64;
 }
+
+/// Derivatives of a load by the parameters of its law, for the same history of shifts: that by kappa = c_z/c_x at the same c_z
+/// is `-c_x/kappa` times that by c_x, and c_x and c_z hold moduli and radii.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LoadSensitivity {
+    /// By the coefficient of friction f.
+    pub by_friction: ContactLoad,
+    /// By c_x, the tangential stiffness along the shift.
+    pub by_c_x: ContactLoad,
+    /// By c_z, the normal stiffness.
+    pub by_c_z: ContactLoad,
+    /// Whether an annulus of the contact grew just on the limit between adhesion and slip: the derivatives are then of one side,
+    /// that of adhesion.
+    pub is_at_change: bool,
+}
+
+/// A contact law whose load has derivatives by its parameters; those by the shift are of each law itself. Laws for which no
+/// theory gives them do not implement it.
+pub trait Sensitive: ContactLaw {
+    /// The derivatives of the present load.
+    fn sensitivity(&self) -> LoadSensitivity;
+}

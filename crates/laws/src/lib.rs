@@ -17,7 +17,7 @@
 //! - Dissimilar bodies: [`rings`], a law for approach, shift and twist with their coupling.
 //! - [`law::ContactLaw`] is the interface for the higher layers: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`], [`rings::RingLaw`].
-//!   [`accounted`] sums up the heat, [`grains`] moves contacts along with spheres and walls.
+//!   [`accounted`] sums up the heat, [`differentiated`] has derivatives by parameters, [`grains`] moves contacts along with spheres and walls.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};
@@ -44,6 +44,7 @@ pub mod coulomb;
 pub mod coupling;
 pub mod creep;
 pub mod damping;
+pub mod differentiated;
 pub mod ellipse;
 pub mod field;
 pub mod friction;

@@ -2,11 +2,13 @@
 
 use carom::impact::{
     Body as Colliding, Collision, HistoryPoint, ImpactFriction, LossCause, NormalRestitution,
-    Outcome, RestitutionBySpeed, TorsionMode,
+    Outcome, ReboundDerivatives, RestitutionBySpeed, TorsionMode,
 };
 use carom::numerical::CollisionLaw;
 use carom::special::{RangeError, WordError};
 use carom_cases::theory::readable;
+
+use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -219,6 +221,38 @@ pub(crate) fn collide_many<'py>(
         )?)?)
     })?;
     told(py, &outcomes)
+}
+
+/// Velocities and spins after a collision, their derivatives row by row, whether these are of one side, and warnings.
+type Derivatives<'py> = (Vec<f64>, Bound<'py, PyArray1<f64>>, bool, Told);
+
+/// The rebound of spheres and planes with its derivatives by all inputs; none where the theory is not closed.
+#[pyfunction]
+#[pyo3(signature = (body_1, body_2, friction, normal, kappa))]
+pub(crate) fn rebound_derivatives<'py>(
+    py: Python<'py>,
+    body_1: Body,
+    body_2: Body,
+    friction: f64,
+    normal: Option<Row<Normal, 3>>,
+    kappa: Option<f64>,
+) -> PyResult<Option<Derivatives<'py>>> {
+    let way = Way::new(normal, Some(false), CollisionLaw::default().name(), None)?;
+    let (one, two) = (body_1.colliding()?, body_2.colliding()?);
+    let solve = || -> Result<Option<(ReboundDerivatives, Outcome)>, Fault> {
+        let collision = way.collision(one, two, checked(friction, (None, None))?)?.keeping_axes();
+        let collision = match kappa {
+            Some(kappa) => collision.with_stiffness_ratio(kappa)?,
+            None => collision,
+        };
+        let Some(found) = collision.derivatives()? else { return Ok(None) };
+        Ok(Some((found, collision.solve()?)))
+    };
+    let Some((found, outcome)) = solve()? else { return Ok(None) };
+    let motions = found.motions.iter().flat_map(|one| one.velocity.iter().chain(&one.spin));
+    let rows: Vec<f64> = found.matrix.transpose().iter().copied().collect();
+    let (values, rows) = (motions.copied().collect(), PyArray1::from_vec(py, rows));
+    Ok(Some((values, rows, found.is_at_change, of_impacts(&[outcome]))))
 }
 
 /// The outcomes as arrays, and their warnings.

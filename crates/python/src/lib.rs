@@ -45,7 +45,9 @@ mod _carom {
         case_solve, case_stress, case_unusual,
     };
     #[pymodule_export]
-    use super::collide::{collide, collide_many, history, restitution_by_speed};
+    use super::collide::{
+        collide, collide_many, history, rebound_derivatives, restitution_by_speed,
+    };
     #[pymodule_export]
     use super::contact::Contact;
     #[pymodule_export]
@@ -72,7 +74,7 @@ mod _carom {
     use super::records::columns;
     #[pymodule_export]
     use super::restitution::{
-        restitution, restitution_of_dissimilar, restitution_of_groups, restitution_table,
+        restitution, restitution_of_dissimilar, restitution_of_groups, restitution_tables,
     };
     #[pymodule_export]
     use super::roll::roll;

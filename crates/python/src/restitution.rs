@@ -21,10 +21,12 @@ const SHARE: usize = 16;
 /// What the table of alike spheres is within.
 const ALIKE: f64 = 1e-8;
 
-/// The bytes of the table of R_x, as `RestitutionTable::to_bytes` describes them.
+/// The bytes of the tables of R_x of alike bodies, with a loss, and of dissimilar ones.
 #[pyfunction]
-pub(crate) fn restitution_table(py: Python<'_>) -> Bound<'_, PyBytes> {
-    PyBytes::new(py, &RestitutionTable::shared().to_bytes())
+pub(crate) fn restitution_tables(py: Python<'_>) -> [Bound<'_, PyBytes>; 3] {
+    let alike = RestitutionTable::shared().to_bytes();
+    [&alike, RestitutionTable::stored_losses(), DissimilarTable::as_bytes()]
+        .map(|bytes| PyBytes::new(py, bytes))
 }
 
 /// R_x of solid spheres.

@@ -228,6 +228,10 @@ CALLS = {
         Call(carom.collide, COLLIDE | LOST),
         Call(carom.collide, {"body_1": BALL, "body_2": FLOOR, "friction": none(0.2), "relaxation": In(1e-7, "s")}),
     ],
+    "rebound_derivatives": [
+        Call(carom.rebound_derivatives, {"body_1": BALL, "body_2": FLOOR, "friction": none(0.2), "normal": (0.0, 0.0, 1.0), "kappa": none(1.2)},
+             lambda **given: carom.rebound_derivatives(**given).matrix),
+    ],
     "collide_many": [
         Call(carom.collide_many, COLLIDE | LOST | SPEEDS),
         Call(carom.collide_many, {"body_1": BALL, "body_2": FLOOR, "friction": none([0.2, 0.3]), "relaxation": In(1e-7, "s")}),
@@ -361,5 +365,7 @@ def same(one, other):
     if isinstance(one, (float, np.ndarray)):
         return np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
     if hasattr(one, "to_dict"):
-        return all(same(value, other.to_dict()[name]) for name, value in one.to_dict().items())
+        one, other = one.to_dict(), other.to_dict()
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(same(value, other[name]) for name, value in one.items())
     return one == other

@@ -60,6 +60,7 @@ OUTSIDE = {
     "cases.scene": scene,
     "cases.solve": lambda path: carom.cases.solve(case(path, "solve")),
     "cases.stress": lambda path: carom.cases.stress(case(path, "stress")),
+    "rebound_derivatives": lambda _: carom.rebound_derivatives(BALL, FLOOR, 0.3),
     "Solver.step": lambda _: carom.Solver(*WINDOW, 0.3).step(F_z=1.0),
 }
 MADE, TOLD, PURE = "loads nothing", "reads what a step has told of", "has no sizes and no loads, only ratios"

@@ -1,5 +1,7 @@
 """Unknown numbers of a case from data in any form."""
 
+import json
+
 import numpy as np
 import pytest
 from every_call import REBOUNDS, unknown
@@ -62,3 +64,21 @@ def test_what_is_no_table_is_told():
         carom.fit(unknown(), {"angle": [1.0], "R_x": ["x"]})
     with pytest.raises(FileNotFoundError):
         carom.fit(unknown(), "no.csv")
+
+
+def test_a_fit_is_written_as_json():
+    fit = carom.fit(unknown(), REBOUNDS, sd=0.014, predict={"angle": [15.0]})
+    read = json.loads(json.dumps(fit.to_dict()))
+    assert read["parameters"]["value"] == fit.parameters.value.tolist()
+    assert read["quality"]["degrees_of_freedom"] == fit.quality.degrees_of_freedom
+    assert read["predictions"]["value"] == fit.predictions.value.tolist()
+
+
+def test_each_row_may_have_its_own_error():
+    count = len(REBOUNDS["angle"])
+    one = carom.fit(unknown(), REBOUNDS, sd=0.014)
+    assert carom.fit(unknown(), REBOUNDS, sd=np.full(count, 0.014)) == one
+    assert carom.fit(unknown(), REBOUNDS, sd={"body_1_tangential_ratio": [0.014] * count}) == one
+    assert carom.fit(unknown(), REBOUNDS, sd=np.linspace(0.01, 0.03, count)) != one
+    with pytest.raises(ValueError, match="2 standard errors are given for"):
+        carom.fit(unknown(), REBOUNDS, sd=[0.1, 0.2])

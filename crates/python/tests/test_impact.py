@@ -337,3 +337,39 @@ def test_waves_take_their_share():
     assert many.energy_lost[0] == rebound.energy_lost and many.energy_lost[1] > 4 * rebound.energy_lost
     with pytest.raises(ValueError, match="normal_restitution"):
         carom.collide(ball, plate, 0.2, normal_restitution=0.9, wave_loss=True)
+
+
+def test_derivatives_of_a_rebound_are_differences_of_it():
+    steel = carom.Material(208e9, 0.3)
+
+    def bodies(radius=0.01, speed=0.5, spin=0.0):
+        one = carom.sphere(radius, steel, 0.033, velocity=(speed, 0.1, -1.0), spin=(0.0, spin, 0.0))
+        return one, carom.sphere(0.012, steel, 0.05, spin=(0.0, 0.0, 3.0))
+
+    found = carom.rebound_derivatives(*bodies(), 0.2)
+    rebound = carom.collide(*bodies(), 0.2, torsion=False)
+    motions = [rebound.body_1_velocity, rebound.body_1_spin, rebound.body_2_velocity, rebound.body_2_spin]
+    assert found.values == pytest.approx(np.concatenate(motions), abs=1e-9)
+    assert found.matrix.shape == (len(found.outputs), len(found.inputs)) and not found.is_at_change
+    assert found.to_dict()["matrix"] == found.matrix.tolist()
+
+    def difference(step, friction=0.0, **changes):
+        ends = [
+            carom.rebound_derivatives(*bodies(**{name: value + sign * step for name, value in changes.items()}), 0.2 + sign * friction)
+            for sign in (1, -1)
+        ]
+        return (ends[0].values - ends[1].values) / (2 * (step if changes else friction))
+
+    names = found.inputs
+    for name, by in (
+        ("friction", difference(0.0, friction=1e-5)),
+        ("body_1_radius", difference(1e-7, radius=0.01)),
+        ("body_1_velocity_x", difference(1e-5, speed=0.5)),
+        ("body_1_spin_y", difference(1e-3, spin=0.0)),
+    ):
+        assert found.matrix[:, names.index(name)] == pytest.approx(by, abs=1e-5 * np.abs(by).max()), name
+    assert found["body_1_velocity_x", "friction"] == found.matrix[0, names.index("friction")]
+    with pytest.raises(KeyError, match="mass: must be one of body_1_velocity_x"):
+        found["body_1_velocity_x", "mass"]
+    with pytest.raises(ValueError, match="must be spheres or planes that approach"):
+        carom.rebound_derivatives(*reversed(bodies()), 0.2)

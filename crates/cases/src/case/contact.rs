@@ -242,8 +242,11 @@ pub(super) fn static_friction(
         Friction::new(section.number(field)?).map_err(|error| section.refused(error))
     };
     let kinetic = coefficient(&FRICTION)?;
-    let threshold = if section.has(threshold) { coefficient(threshold)? } else { kinetic };
-    StaticFriction::new(threshold, kinetic).map_err(|error| section.refused(error))
+    let own = if section.has(threshold) { coefficient(threshold)? } else { kinetic };
+    StaticFriction::new(own, kinetic).map_err(|error| {
+        let allowed = format!("{}, {}", error.allowed, section.stated(&FRICTION));
+        section.out_of_range(threshold, error.value, &allowed)
+    })
 }
 
 /// Rejects laws and torsion that have one coefficient of friction.

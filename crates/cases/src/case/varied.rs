@@ -50,8 +50,8 @@ const PRIOR: Field = Field::new(
     "an unknown of which this is known before the data: it counts as one more measurement",
 )
 .or(UNKNOWNS);
-/// How far from its mean an unknown with a prior is looked for, in standard deviations.
-const REACH: f64 = 8.0;
+/// How far from its mean an unknown with a prior is looked for at first and at most, in standard deviations.
+const REACH: [f64; 2] = [8.0, 1e4];
 
 /// The fields of a varied number of an impact.
 pub(super) const VARIED: &[Field] =
@@ -68,6 +68,8 @@ pub struct Unknown {
     pub high: f64,
     /// Mean and standard deviation of what is known before the data, if anything is.
     pub prior: Option<[f64; 2]>,
+    /// As far as a fit may move the bounds: those of a prior are but where the search begins.
+    pub widest: [f64; 2],
 }
 
 /// The values of a varied number.
@@ -244,15 +246,16 @@ fn read_unknown(
             true => value,
             false => measure.range.ends()[end].within(mean),
         };
-        let [low, high] = [within(mean - REACH * sd, 0), within(mean + REACH * sd, 1)];
-        return Ok(Unknown { low, high, prior: Some([mean, sd]) });
+        let ends = |reach: f64| [within(mean - reach * sd, 0), within(mean + reach * sd, 1)];
+        let ([low, high], widest) = (ends(REACH[0]), ends(REACH[1]));
+        return Ok(Unknown { low, high, prior: Some([mean, sd]), widest });
     }
     let ends = Field { form: Form::Vector(&["low", "high"], plain, ENDS), ..FIT };
     let [low, high] = section.vector::<2>(&ends)?;
     if low >= high || !(high - low).is_finite() {
         return Err(section.out_of_range(&FIT, high, "[low, high] with low < high"));
     }
-    Ok(Unknown { low, high, prior: None })
+    Ok(Unknown { low, high, prior: None, widest: [low, high] })
 }
 
 fn read_distribution(

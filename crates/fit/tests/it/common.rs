@@ -34,7 +34,7 @@ pub(crate) const BOTH: &str =
 
 /// The fit with one standard error of all values, if one is given.
 pub(crate) fn fitted(case: &CaseFile, data: &Data, error: Option<f64>) -> Result<Fit, FitError> {
-    let errors: Vec<_> = error.map(|error| (None, error)).into_iter().collect();
+    let errors: Vec<_> = error.map(|error| (None, vec![error])).into_iter().collect();
     carom_fit::fit(case, data, &Options { errors: &errors, ..Options::default() })
 }
 

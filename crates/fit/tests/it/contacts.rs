@@ -23,7 +23,7 @@ fn pressed(modulus: f64) -> Data {
 #[test]
 fn the_modulus_and_the_point_of_contact_come_back() {
     let case = CaseFile::from_text(CASE);
-    let errors = [(None, 1e-3)];
+    let errors = [(None, vec![1e-3])];
     let options = Options { errors: &errors, curve: 5, ..Options::default() };
     let found = fit(&case, &pressed(2e6), &options).unwrap();
     close(of(&found, "young_modulus").value, 2e6, 1.0);

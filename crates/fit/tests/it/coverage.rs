@@ -106,10 +106,10 @@ impl Design {
     /// How often each interval holds the truth, by Student's t and by the profile.
     fn coverage(&self, sets: usize) -> Result<Vec<(&'static str, [usize; 3])>, Failure> {
         let (case, mut draw) = (self.case(), Draw(sets as u64));
-        let ratio = (Some("body_1_tangential_ratio".to_owned()), self.error);
+        let ratio = (Some("body_1_tangential_ratio".to_owned()), vec![self.error]);
         let mut errors = vec![ratio];
         if self.has_unknown_e {
-            errors.push((Some("normal_restitution".to_owned()), 0.5 * self.error));
+            errors.push((Some("normal_restitution".to_owned()), vec![0.5 * self.error]));
         }
         let errors = if self.is_given { errors } else { Vec::new() };
         let mut found: Vec<(&'static str, [usize; 3])> = Vec::new();

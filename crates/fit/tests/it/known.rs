@@ -125,7 +125,7 @@ fn a_wrong_value_counts_little_with_a_robust_loss() {
     ratios.iter_mut().zip(noise).for_each(|(ratio, noise)| *ratio += noise);
     ratios[4] += 0.2;
     let data = data(&ANGLES, ratios);
-    let errors = [(None, 0.004)];
+    let errors = [(None, vec![0.004])];
     let run = |loss| {
         let options = Options { errors: &errors, loss, ..Options::default() };
         of(&fit(&alumina(BOTH), &data, &options).unwrap(), "friction").value
@@ -162,7 +162,7 @@ fn without_degrees_of_freedom_there_are_no_intervals() {
 fn predictions_have_bands_that_follow_the_unknown() {
     let angles = [50.0, 60.0, 70.0, 80.0];
     let ahead = Data::new(vec![("angle".to_owned(), vec![45.0, 65.0])]).unwrap();
-    let errors = [(None, 0.01)];
+    let errors = [(None, vec![0.01])];
     let options = Options { errors: &errors, predict: Some(&ahead), ..Options::default() };
     let case = alumina("friction = { fit = [0.01, 1] }\nlaw = \"coulomb\"");
     let fit = fit(&case, &data(&angles, exact(&angles)), &options).unwrap();
@@ -172,4 +172,62 @@ fn predictions_have_bands_that_follow_the_unknown() {
         let half = slope * 1.959_963_985 * of(&fit, "friction").deviation.unwrap();
         close(one.interval.unwrap()[1] - one.value, half, 1e-6 * half);
     }
+}
+
+#[test]
+fn data_that_contradict_a_prior_are_weighed_against_it() {
+    // Twenty standard deviations of the prior away.
+    let angles = [50.0, 60.0, 70.0, 80.0_f64];
+    let squares: f64 = angles.iter().map(|angle| (2.0 / angle.to_radians().tan()).powi(2)).sum();
+    let case = alumina("friction = { prior = { mean = 0.12, sd = 0.001 } }\nlaw = \"coulomb\"");
+    let fit = fitted(&case, &data(&angles, exact(&angles)), Some(5e-4)).unwrap();
+    let (of_data, of_prior) = (squares / 2.5e-7, 1e6);
+    let one = of(&fit, "friction");
+    close(one.value, (of_data * 0.1 + of_prior * 0.12) / (of_data + of_prior), 1e-8);
+    assert_eq!(one.knowledge, Knowledge::Data);
+    close(one.deviation.unwrap(), (of_data + of_prior).sqrt().recip(), 1e-8);
+}
+
+#[test]
+fn values_without_scatter_have_no_interval() {
+    let columns = [("angle".to_owned(), vec![60.0; 3]), ("R_x".to_owned(), vec![0.2; 3])];
+    let same = Data::new(columns.to_vec()).unwrap();
+    let case = alumina("friction = { fit = [0.01, 1] }");
+    let fit = fitted(&case, &same, None).unwrap();
+    let one = of(&fit, "friction");
+    assert_eq!((one.deviation, one.interval, one.profile), (None, None, None));
+    assert!(
+        fit.statements.join(" ").contains("The values of R_x do not scatter about the fit"),
+        "{fit:?}"
+    );
+    let given = fitted(&case, &same, Some(0.01)).unwrap();
+    assert!(of(&given, "friction").interval.is_some() && given.statements.is_empty(), "{given:?}");
+}
+
+#[test]
+fn friction_is_found_between_bounds_of_any_width() {
+    let data = data(&ANGLES, exact(&ANGLES));
+    for bounds in ["[0, 0.2]", "[0, 100]", "[0.01, 1e30]", "[1e-4, 1e6]"] {
+        let case = alumina(&BOTH.replace("[0.01, 1]", bounds));
+        let fit = fitted(&case, &data, Some(0.01)).unwrap();
+        close(of(&fit, "friction").value, 0.1, 1e-6);
+        assert_eq!(of(&fit, "friction").knowledge, Knowledge::Data, "{bounds}");
+    }
+}
+
+#[test]
+fn each_row_may_have_its_own_error() {
+    let all = data(&ANGLES, exact(&ANGLES));
+    let case = alumina(BOTH);
+    let with = |errors: Vec<f64>| {
+        let errors = [(None, errors)];
+        fit(&case, &all, &Options { errors: &errors, ..Options::default() })
+    };
+    let (one, each) = (with(vec![0.01]).unwrap(), with(vec![0.01; ANGLES.len()]).unwrap());
+    assert_eq!(of(&one, "friction").deviation, of(&each, "friction").deviation);
+    let mut errors = vec![0.01; ANGLES.len()];
+    errors[2] = 0.02;
+    assert!(of(&with(errors).unwrap(), "friction").deviation > of(&one, "friction").deviation);
+    let told = with(vec![0.01; 3]).unwrap_err().to_string();
+    assert!(told.contains("3 standard errors are given for 8 rows"), "{told}");
 }

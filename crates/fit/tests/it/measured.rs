@@ -75,3 +75,16 @@ fn spins_of_alumina_have_the_values_of_an_independent_fit() {
     let lossy = fitted(&alumina(&lossy), &data, None).unwrap();
     close(of(&lossy, "friction").value, 0.0948, 5e-5);
 }
+
+/// Whether coupling counts depends on friction: the law must be the one of the best values, however wide the bounds are.
+#[test]
+fn the_law_does_not_depend_on_the_width_of_bounds() {
+    let data = Data::from_csv(ALUMINA).unwrap();
+    let with = |bounds: &str| {
+        let case = alumina(&format!("friction = {{ fit = {bounds} }}"));
+        fitted(&case, &data, Some(0.014)).unwrap().quality.chi_squared_per_degree().unwrap()
+    };
+    let narrow = with("[0.05, 0.2]");
+    close(narrow, 14.1, 0.1);
+    close(with("[0, 10]"), narrow, 0.05);
+}

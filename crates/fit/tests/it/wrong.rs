@@ -60,6 +60,11 @@ fn wrong_data_are_told() {
         ("10,0.3\n20,0.2\n", "has numbers: headings are missing, as in \"angle (deg),R_x\""),
         ("shape = \"sphere\"\n", "the case comes first, then the data"),
         (
+            "angle,R_x\n10,0.1\n20,1e300\n30,0.2\n",
+            "column `R_x` of the data, row 2: 1e300 must be at most 1e100 in size",
+        ),
+        ("angle,R_x,R_x_sd\n10,0.1,0.1\n20,0.2,1e-200\n", "row 2: 0.2 must be at most 1e100"),
+        (
             "angle,approach.angle,R_x\n10,10,0.1\n20,20,0.2\n",
             "the column `approach.angle` gives `approach.angle`, which another column gives too",
         ),
@@ -82,6 +87,14 @@ fn wrong_cases_are_told() {
         (
             "friction = { fit = [0.1, 1] }\nnormal_restitution = [0.8, 0.9]",
             "`contact.normal_restitution` is a sweep",
+        ),
+        (
+            "friction = { fit = [0.3, 0.5] }\nstatic_friction = { fit = [0.1, 0.2] }",
+            "at least the coefficient of kinetic friction, `contact.friction` = { fit = [0.3, 0.5] }",
+        ),
+        (
+            "friction = { fit = [0.01, 0.5] }\nstatic_friction = { fit = [0.02, 0.6] }",
+            "`contact.friction` from 0.01 to 0.5 and `contact.static_friction` from 0.02 to 0.6 allow values",
         ),
         ("friction = 0.1\nlaw = { fit = [1, 2] }", "`contact.law`"),
         (
@@ -137,8 +150,10 @@ fn an_error_of_several_quantities_needs_a_name() {
         let options = Options { errors, ..Options::default() };
         fit(&alumina(BOTH), &data, &options).unwrap_err().to_string()
     };
-    assert!(run(&[(None, 0.1)]).contains("needs its quantity: R_x, slip_after"));
-    assert!(run(&[(Some("duration".to_owned()), 0.1)]).contains("the data have no such column"));
+    assert!(run(&[(None, vec![0.1])]).contains("needs its quantity: R_x, slip_after"));
+    assert!(
+        run(&[(Some("duration".to_owned()), vec![0.1])]).contains("the data have no such column")
+    );
 }
 
 #[test]

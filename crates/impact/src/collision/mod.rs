@@ -3,6 +3,8 @@
 mod aftermath;
 mod balls;
 mod columns;
+mod derivatives;
+mod differences;
 mod glancing;
 mod history;
 mod loss_cause;
@@ -31,6 +33,8 @@ use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
 pub(crate) use aftermath::Known;
+pub use derivatives::{Input, ReboundDerivatives};
+pub use differences::ReboundDifferences;
 use glancing::Axes;
 pub use needed_law::NeededLaw;
 pub use solver::{AnalyticOrRings, CollisionSolver};

@@ -63,17 +63,11 @@ impl Collision {
     /// of centres turns.
     #[must_use]
     pub fn tabled(&self) -> Option<TabledCollision> {
-        let before = self.velocity();
-        if before.z <= 0.0 || !self.is_symmetric() || self.static_friction.is_some() {
+        let loss = self.normal_restitution.constant()?;
+        if !self.is_plain() {
             return None;
         }
-        let loss = self.normal_restitution.constant()?;
-        let turns = self.turns_centres(self.pulse(before.z).ok()?.duration());
-        let twists = match self.torsion {
-            TorsionMode::LeftOut => false,
-            TorsionMode::Included => true,
-            TorsionMode::Auto => self.twist_bound().spin > Self::NEGLIGIBLE_COUPLING,
-        };
+        let before = self.velocity();
         let d = self.mobility.matrix();
         let stiffness = self.stiffness();
         let whole = [
@@ -82,7 +76,7 @@ impl Collision {
         ];
         let own = self.bodies.each_ref().map(Body::motion);
         let [across, along] = whole.map(|impulse| change(&self.pushed(&impulse), &own));
-        (!turns && !twists).then(|| TabledCollision {
+        Some(TabledCollision {
             collision: self.clone(),
             before,
             motions: [own, across, along],
@@ -91,6 +85,21 @@ impl Collision {
             stiffness_ratio: stiffness.c_z / stiffness.c_x,
             loss,
         })
+    }
+
+    /// Whether the impact without a loss is that of [`Groups`]: of spheres or planes that approach, with one coefficient of
+    /// friction that does not act on the spin about the normal, and with centres whose line does not turn.
+    pub(super) fn is_plain(&self) -> bool {
+        let speed = self.velocity().z;
+        if speed <= 0.0 || !self.is_symmetric() || self.static_friction.is_some() {
+            return false;
+        }
+        let twists = match self.torsion {
+            TorsionMode::LeftOut => false,
+            TorsionMode::Included => true,
+            TorsionMode::Auto => self.twist_bound().spin > Self::NEGLIGIBLE_COUPLING,
+        };
+        !twists && self.pulse(speed).is_ok_and(|pulse| !self.turns_centres(pulse.duration()))
     }
 }
 

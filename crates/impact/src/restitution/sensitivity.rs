@@ -12,7 +12,7 @@ const CURVED: f64 = 4e-3;
 const SHARE_OF_REACH: f64 = 4e-4;
 /// Smallest relative step: on a change itself.
 const SMALLEST: f64 = 1e-7;
-/// What curvatures by two widths may differ by, times the step, over the slope.
+/// What curvatures by two widths may differ by, times the step.
 const SURE: f64 = 1e-8;
 /// Smallest psi by which a step is measured.
 const LEAST: f64 = 0.05;
@@ -94,16 +94,15 @@ fn derivative(
     };
     let reach = reach(groups, along);
     let step = STEP * size;
-    if reach > 2.0 * CURVED * size {
+    if reach > 2.0 * CURVED * size
+        && let Some(curvature) = sure_curvature(groups, along, CURVED * size, SURE / step)?
+    {
         let (above, stays) = there(step)?;
         let (side, sign) = if stays { (above, 1.0) } else { (there(-step)?.0, -1.0) };
-        let slope = sign * (side - here.restitution()) / step;
-        let [wide, narrow] = [1.0, 0.5].map(|part| curvature(groups, along, part * CURVED * size));
-        let (wide, narrow) = (wide?, narrow?);
-        // The table has weak kinks, too.
-        if step * (wide - narrow).abs() <= SURE * slope.abs().max(SURE) {
-            return Ok((slope - 0.5 * sign * step * wide, false));
-        }
+        return Ok((
+            sign * (side - here.restitution()) / step - 0.5 * sign * step * curvature,
+            false,
+        ));
     }
     let step = (SHARE_OF_REACH * reach).min(0.25 * step).max(SMALLEST * size);
     let [(above, is_above), (below, is_below)] = [there(step)?, there(-step)?];
@@ -129,9 +128,20 @@ fn regimes(impact: &ObliqueImpact) -> impl Iterator<Item = Regime> {
     impact.phases().iter().map(|phase| phase.regime)
 }
 
-/// The second derivative along an input, by the table.
-fn curvature(groups: Groups, along: [f64; 2], width: f64) -> Result<f64, ObliqueError> {
+/// The second derivative along an input, by the table, if it is the same by half the width within `allowed`: the table has weak
+/// kinks, too.
+fn sure_curvature(
+    groups: Groups,
+    along: [f64; 2],
+    width: f64,
+    allowed: f64,
+) -> Result<Option<f64>, ObliqueError> {
     let table = RestitutionTable::shared();
-    let at = |part: f64| table.restitution(moved(groups, along, part * width));
-    Ok((at(1.0)? - 2.0 * at(0.0)? + at(-1.0)?) / (width * width))
+    let middle = table.restitution(groups)?;
+    let of = |width: f64| -> Result<f64, ObliqueError> {
+        let at = |part: f64| table.restitution(moved(groups, along, part * width));
+        Ok((at(1.0)? - 2.0 * middle + at(-1.0)?) / (width * width))
+    };
+    let (wide, narrow) = (of(width)?, of(0.5 * width)?);
+    Ok(((wide - narrow).abs() <= allowed).then_some(wide))
 }

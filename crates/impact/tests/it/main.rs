@@ -8,6 +8,7 @@ mod columns;
 mod continuity;
 mod coupled;
 mod coupled_extremes;
+mod derivatives;
 mod draw;
 mod encounters;
 mod exchange;

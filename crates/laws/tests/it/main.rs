@@ -11,6 +11,7 @@ mod coulomb_known;
 mod coulomb_slip;
 mod creep;
 mod creep_force;
+mod differentiated;
 mod energy_balance;
 mod energy_known;
 mod extremes;

@@ -84,6 +84,7 @@ from ._contact_theory import (
     von_mises,
 )
 from ._creep import creep_coefficients, creep_force, fastsim
+from ._derivatives import ReboundDerivatives, rebound_derivatives
 from ._fit import Fit, fit
 from ._friction import SlipSpeedFriction
 from ._impact import collide, collide_many, history, plane, sphere
@@ -185,6 +186,7 @@ __all__ = [
     "Plate",
     "RangeError",
     "Rebound",
+    "ReboundDerivatives",
     "Rebounds",
     "RestitutionBySpeed",
     "RollState",
@@ -215,6 +217,7 @@ __all__ = [
     "plane",
     "roll",
     "plot",
+    "rebound_derivatives",
     "restitution",
     "restitution_of_dissimilar",
     "restitution_of_groups",

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from typing import Any, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import number
+from ._arrays import numbers
 from ._record import Result
 from ._records import FitCorrelations, FitParameter, FitParameters, FitPoints, FitPredictions, FitQuality
 from ._validity import warn
@@ -78,7 +79,7 @@ def fit(
     case: Case,
     data: Columns,
     *,
-    sd: float | Mapping[str, float] | None = None,
+    sd: ArrayLike | Mapping[str, ArrayLike] | None = None,
     robust: bool = False,
     predict: Columns | None = None,
 ) -> Fit:
@@ -87,8 +88,8 @@ def fit(
     In the case a number is unknown if it is `{ fit = [low, high] }` or `{ prior = { mean, sd } }`. Columns of `data` are
     numbers that the case states and each row replaces (`angle`, `body_1.velocity.x`), measured quantities (`R_x`,
     `body_1_spin_y`; NaN where none was measured) and their standard errors (`R_x_sd`); a unit may follow the name, as
-    `angle (deg)`. `sd` is the standard error of the measured quantity, or a mapping from names to them; without any it is
-    estimated. `robust` lets single wrong values count little (pseudo-Huber loss). `predict` are inputs of predictions.
+    `angle (deg)`. `sd` is the standard error of the measured quantity, one or one of each row, or a mapping from names to them; without
+    any it is estimated. `robust` lets single wrong values count little (pseudo-Huber loss). `predict` are inputs of predictions.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
@@ -104,11 +105,11 @@ def fit(
     (0.09, 4)
     """
     if sd is None:
-        errors: list[tuple[str | None, float]] = []
+        errors: list[tuple[str | None, list[float]]] = []
     elif isinstance(sd, Mapping):
-        errors = [(str(name), number(f"sd[{name!r}]", error)) for name, error in sd.items()]
+        errors = [(str(name), numbers(f"sd[{name!r}]", error).ravel().tolist()) for name, error in sd.items()]
     else:
-        errors = [(None, number("sd", sd))]
+        errors = [(None, numbers("sd", sd).ravel().tolist())]
     ahead = None if predict is None else _table("predict", predict)
     tables, statements, told = _carom.fit(_given(case), _table("data", data), errors, bool(robust), ahead)
     warn(told)

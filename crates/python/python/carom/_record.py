@@ -29,7 +29,9 @@ def same(one: Any, other: Any) -> bool:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers and lists of Python in place of those of numpy."""
+    """Numbers and lists of Python in place of those of numpy, and mappings in place of results."""
+    if isinstance(value, Result):
+        return value.to_dict()
     return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
 
 

@@ -25,6 +25,11 @@ class Ops(Protocol):
     def where(self, condition: Any, one: Any, other: Any) -> Any: ...
     def take(self, table: Any, index: Any) -> Any: ...
     def integer(self, values: Any) -> Any: ...
+    def log(self, values: Any) -> Any: ...
+    def index(self, values: Any) -> Any: ...
+    def zeros(self, shape: tuple[int, ...]) -> Any: ...
+    def shifted(self, values: Any) -> Any: ...
+    def broadcast(self, values: list[Any]) -> list[Any]: ...
     def stack(self, parts: list[Any]) -> Any: ...
 
 
@@ -44,7 +49,7 @@ class Table:
 @functools.cache
 def stored() -> Table:
     """The table of the library."""
-    data = _carom.restitution_table()
+    data = _carom.restitution_tables()[0]
     numbers = np.frombuffer(data, "<f8", 2 * ORDER + 1)
     at = numbers.nbytes
     nodes, leaves = np.frombuffer(data, "<u4", 2, at)
@@ -138,33 +143,3 @@ def restitution(ops: Ops, table: Table, chi: Any, psi: Any) -> Any:
     known = inside & (ops.take(table.kinds, index) == LEAF)
     sliding = 2.0 * chi / ops.where(slides, psi, 1.0) - 1.0
     return ops.where(slides, sliding, ops.where(known, value, float("nan")))
-
-
-def of_spheres(ops: Ops, kappa: Any, lam: Any) -> Any:
-    """R_x of solid spheres of like materials; NaN unless kappa is above 0.75, at most 1.5, and lambda >= 0."""
-    holds = (kappa > 0.75) & (kappa <= 1.5) & (lam >= 0.0)
-    ratio = ops.where(holds, kappa, 1.0)
-    found = restitution(ops, stored(), 3.5 / ratio, ops.where(holds, lam, 1.0) / ratio)
-    return ops.where(holds, found, float("nan"))
-
-
-def bounce(
-    ops: Ops, velocity: Any, spin: Any, *, radius: Any, friction: Any, kappa: Any, inertia: Any, restitution_z: Any
-) -> tuple[Any, Any]:
-    """Velocity and spin of balls after an impact on the plane z = 0 from above; unchanged where they do not approach it."""
-    v, w = ([vector[..., axis] for axis in range(3)] for vector in (velocity, spin))
-    meets = v[2] < 0.0
-    down = ops.where(meets, -v[2], 1.0)
-    slip = [v[0] - radius * w[1], v[1] + radius * w[0]]
-    square = slip[0] ** 2 + slip[1] ** 2
-    moves = square > 0.0
-    speed = ops.where(moves, ops.where(moves, square, 1.0) ** 0.5, 0.0)
-    mobility = 1.0 + 1.0 / inertia
-    r_x = restitution(ops, stored(), mobility / kappa + 0.0 * speed, speed / (friction * down * kappa))
-    part = ops.where(meets, -(1.0 + r_x) * 0.5 * (1.0 + restitution_z) / mobility, 0.0)
-    along = [part * one for one in slip]
-    turn = 1.0 / (inertia * radius)
-    return (
-        ops.stack([v[0] + along[0], v[1] + along[1], ops.where(meets, -restitution_z * v[2], v[2])]),
-        ops.stack([w[0] + turn * along[1], w[1] - turn * along[0], w[2] + 0.0 * along[0]]),
-    )

@@ -1,9 +1,9 @@
-"""R_x and rebounds of balls in JAX, an optional dependency: `pip install carom[jax]`.
+"""R_x, rebounds of balls and a contact with memory in JAX, an optional dependency: `pip install carom[jax]`.
 
-Array code in double precision that `jit`, `vmap` and `grad` take, from the table that the library itself uses: values are those of
-`carom.restitution` within round-off. Derivatives are those of the table's polynomials, within 2e-6 of the exact impact; at
-psi = 1, where the contact begins to slide at first, and at the onset of sliding throughout they are one-sided. Where an
-argument is out of range the result is NaN, since compiled code cannot raise an error.
+Array code in double precision that `jit`, `vmap` and `grad` take, from the tables that the library itself uses: values are those of
+the library within round-off. Derivatives are those of the tables' polynomials: of like bodies without a loss within 2e-6 of the exact
+impact, else as smooth as their tables. At psi = 1, where the contact begins to slide at first, and at the onset of sliding throughout
+they are one-sided. Where an argument is out of range the result is NaN, since compiled code cannot raise an error.
 """
 
 from __future__ import annotations
@@ -13,25 +13,39 @@ from typing import Any
 import jax  # type: ignore[import-not-found,unused-ignore]
 import jax.numpy as jnp  # type: ignore[import-not-found,unused-ignore]
 
-from . import _table
+from ._gradients import Functions
+from ._line_contact import ContactState
 
-__all__ = ["rebound", "restitution"]
+__all__ = ["ContactState", "advance", "contact_state", "rebound", "rebound_of_two", "restitution"]
 
 
 class _Jax:
-    where = staticmethod(jnp.where)
+    def where(self, condition: Any, one: Any, other: Any) -> Any:
+        return jnp.where(condition, one, other)
+
+    def log(self, values: Any) -> Any:
+        return jnp.log(values)
 
     def take(self, table: Any, index: Any) -> Any:
         return jnp.asarray(table)[index]
 
+    def index(self, values: Any) -> Any:
+        return jnp.arange(values.shape[-1])
+
     def integer(self, values: Any) -> Any:
         return jnp.asarray(values).astype(jnp.int32)
 
+    def zeros(self, shape: tuple[int, ...]) -> Any:
+        return jnp.zeros(shape, dtype=jnp.float64)
+
+    def shifted(self, values: Any) -> Any:
+        return jnp.roll(values, -1, axis=-1)
+
+    def broadcast(self, values: list[Any]) -> list[Any]:
+        return list(jnp.broadcast_arrays(*values))
+
     def stack(self, parts: list[Any]) -> Any:
         return jnp.stack(jnp.broadcast_arrays(*parts), axis=-1)
-
-
-_OPS = _Jax()
 
 
 def __dir__() -> list[str]:
@@ -45,31 +59,9 @@ def _double(*values: Any) -> list[Any]:
     return [jnp.asarray(value, dtype=jnp.float64) for value in values]
 
 
-def restitution(kappa: Any, lam: Any) -> Any:
-    """R_x of solid spheres of like materials, as `carom.restitution`: kappa above 0.75 and at most 1.5, lambda >= 0."""
-    kappa, lam = _double(kappa, lam)
-    return _table.of_spheres(_OPS, kappa, lam)
-
-
-def rebound(
-    velocity: Any,
-    spin: Any,
-    *,
-    radius: Any,
-    friction: Any,
-    kappa: Any,
-    inertia: Any = 0.4,
-    normal_restitution: Any = 1.0,
-) -> tuple[Any, Any]:
-    """Velocity and spin of a ball, or many, after an impact on a fixed plane of like material, whose normal is z.
-
-    `velocity` and `spin` are (..., 3), in m/s and rad/s, before the impact; the ball comes from above, and one that does not
-    approach keeps its motion. `radius` in m, `friction` above 0, `kappa` is the ratio of the stiffnesses of the contact, (1 - nu/2)/(1 - nu) of a
-    half-space; `inertia` I/(m R^2) is 2/5 of a solid ball, 2/3 of a thin shell. A `normal_restitution` below 1 is that of a
-    body that yields, `loss="yield"` of `carom.collide`. The spin about the normal is kept, as by `torsion=False`.
-    """
-    velocity, spin, *numbers = _double(velocity, spin, radius, friction, kappa, inertia, normal_restitution)
-    radius, friction, kappa, inertia, restitution_z = numbers
-    return _table.bounce(
-        _OPS, velocity, spin, radius=radius, friction=friction, kappa=kappa, inertia=inertia, restitution_z=restitution_z
-    )
+_OWN = Functions(_Jax(), _double)
+restitution = _OWN.restitution
+rebound = _OWN.rebound
+rebound_of_two = _OWN.rebound_of_two
+contact_state = _OWN.contact_state
+advance = _OWN.advance

@@ -182,6 +182,13 @@ impl<'a> Section<'a> {
         fields.into_iter().filter(|field| self.has(*field)).collect()
     }
 
+    /// The field with its value as written in the file.
+    #[must_use]
+    pub(super) fn stated(&self, place: impl Place) -> String {
+        let value = self.find(&place).map_or_else(String::new, |value| self.written(value));
+        format!("`{}` = {value}", self.path(&place))
+    }
+
     /// The line of the field, or 0 if it is missing.
     #[must_use]
     pub(super) fn line(&self, place: impl Place) -> usize {

@@ -74,7 +74,7 @@ fn error(text: &str) -> Result<GivenError, String> {
     };
     let read = number.trim().parse().ok().filter(|error: &f64| error.is_finite() && *error > 0.0);
     let error = read.ok_or_else(|| format!("{number:?} must be a number > 0"))?;
-    Ok((name, error))
+    Ok((name, vec![error]))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {

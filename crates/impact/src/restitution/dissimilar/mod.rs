@@ -57,6 +57,13 @@ impl DissimilarTable {
         })
     }
 
+    /// What is stored: a head of 24 bytes, then the entries by gamma/f, lambda, D_xx/D_zz, kappa and gamma^2, the last
+    /// fastest, each of four bytes, little-endian.
+    #[must_use]
+    pub fn as_bytes() -> &'static [u8] {
+        stored::STORED
+    }
+
     /// R_x: -1 without friction, the exact one of alike bodies where gamma = 0, by the table, or by rings out of its
     /// range.
     ///

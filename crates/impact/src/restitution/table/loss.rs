@@ -80,7 +80,13 @@ impl RestitutionTable {
         Ok((a + b) + (c + d))
     }
 
-    /// The numbers of the table with a loss, as bytes.
+    /// The stored numbers of the table with a loss: by e, then chi, then psi, each of four bytes, little-endian.
+    #[must_use]
+    pub const fn stored_losses() -> &'static [u8] {
+        STORED
+    }
+
+    /// The numbers of the table with a loss, computed anew, as bytes.
     #[must_use]
     pub fn losses_to_bytes() -> Vec<u8> {
         let mut bytes = Vec::with_capacity(4 * COUNT);
