@@ -119,6 +119,14 @@ impl<M: Model + ?Sized> Squares<'_, M> {
         Ok(self.residuals(places)?.0.norm_squared())
     }
 
+    /// The sum of squares; infinite where the theory has no values of a row, which a step on the way need not have.
+    fn sum_if_possible(&self, places: &DVector<f64>) -> Result<f64, FitError> {
+        match self.sum(places) {
+            Err(FitError::Row { .. }) => Ok(f64::INFINITY),
+            found => found,
+        }
+    }
+
     /// The residuals, and their derivatives by the places.
     pub(crate) fn linear(
         &self,
@@ -188,7 +196,7 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                     next[*j] = (next[*j] + step[k]).clamp(0.0, 1.0);
                 }
                 let moved = (&next - &places).amax();
-                let reached = self.sum(&next)?;
+                let reached = self.sum_if_possible(&next)?;
                 if reached < sum {
                     is_settled = sum - reached <= error * (1.0 + sum) || moved <= SMALL;
                     places = next;
@@ -234,7 +242,7 @@ impl<M: Model + ?Sized> Squares<'_, M> {
             for (k, j) in free.iter().enumerate() {
                 next[*j] = (next[*j] + step[k]).clamp(0.0, 1.0);
             }
-            let (found, _) = self.residuals(&next)?;
+            let Ok((found, _)) = self.residuals(&next) else { break };
             let reached = found.norm_squared();
             // Where the derivatives are slightly others, the sum may rise a little at its least.
             let is_settled = (sum - reached).abs() < NEARLY;
@@ -254,25 +262,37 @@ impl<M: Model + ?Sized> Squares<'_, M> {
     /// The least of the minima that are reached from several starts, with those unknowns kept that are `held` at their
     /// `places`.
     pub(crate) fn least(&self, starts: &[DVector<f64>]) -> Result<Found, FitError> {
-        let mut tried: Vec<(f64, &DVector<f64>)> = Vec::with_capacity(starts.len());
-        for start in starts {
-            tried.push((self.sum(start)?, start));
+        let mut tried: Vec<(f64, usize)> = Vec::with_capacity(starts.len());
+        for (n, start) in starts.iter().enumerate() {
+            tried.push((self.sum_if_possible(start)?, n));
         }
         tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut best: Option<Found> = None;
-        for (_, start) in tried.into_iter().take(CHOSEN) {
-            let found = self.minimum(start, &[])?;
+        for (_, n) in tried.iter().take(CHOSEN) {
+            let found = self.minimum(&starts[*n], &[])?;
             if best.as_ref().is_none_or(|best| found.sum < best.sum) {
                 best = Some(found);
             }
         }
         let mut best = best.ok_or(FitError::NoUnknown)?;
-        // On a plateau where an unknown does nothing, as friction that no slip reaches, better values may be far away.
+        // Where an unknown does next to nothing, as friction that no slip reaches, and where residuals are large, better
+        // values may be far away.
         let (_, derivatives) = self.linear(&best.places)?;
         let unknowns = best.places.len();
-        for j in (0..unknowns).filter(|j| derivatives.column(*j).amax() == 0.0) {
-            for start in (1..=LOW_STARTS).map(|n| low(unknowns, j, n)) {
-                let found = self.minimum(&start, &[])?;
+        let of_data = derivatives.rows(0, self.measured.len());
+        // Less than a standard error for a change as large as its distance from its lower bound.
+        let does_nothing = |j: &usize| of_data.column(*j).amax() * best.places[*j] < 1.0;
+        let is_poor = best.sum > POOR * self.count() as f64;
+        let doubtful: Vec<usize> = (0..unknowns).filter(|j| is_poor || does_nothing(j)).collect();
+        for j in doubtful {
+            let mut far = Vec::with_capacity(FAR_STARTS as usize);
+            for mut start in (1..=FAR_STARTS).map(|n| low(unknowns, j, n)) {
+                (0..unknowns).filter(|i| *i != j).for_each(|i| start[i] = best.places[i]);
+                far.push((self.sum_if_possible(&start)?, start));
+            }
+            far.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (_, start) in far.iter().filter(|(sum, _)| sum.is_finite()).take(CHOSEN) {
+                let found = self.minimum(start, &[])?;
                 if found.sum < best.sum {
                     best = found;
                 }
@@ -284,6 +304,8 @@ impl<M: Model + ?Sized> Squares<'_, M> {
 
 /// Starts that are followed to their minima, of those that are tried.
 const CHOSEN: usize = 3;
+/// The mean square of residuals over their standard errors that is large.
+const POOR: f64 = 9.0;
 
 /// Places spread evenly over all unknowns, Halton's sequence about the middle; and for each unknown places near its lower bound
 /// by powers of ten, since a value that is positive may be far below its upper bound.
@@ -311,6 +333,8 @@ fn low(unknowns: usize, j: usize, n: i32) -> DVector<f64> {
 
 /// Places near the lower bound of each unknown: a tenth of the range, a hundredth and so on.
 const LOW_STARTS: i32 = 6;
+/// The same where better values may be far away.
+const FAR_STARTS: i32 = 24;
 
 #[cfg(test)]
 mod tests {

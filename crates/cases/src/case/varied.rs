@@ -52,6 +52,8 @@ const PRIOR: Field = Field::new(
 .or(UNKNOWNS);
 /// How far from its mean an unknown with a prior is looked for at first and at most, in standard deviations.
 const REACH: [f64; 2] = [8.0, 1e4];
+/// Standard deviations of a prior over the size of its mean.
+const DEVIATIONS: std::ops::RangeInclusive<f64> = 1e-12..=1e6;
 
 /// The fields of a varied number of an impact.
 pub(super) const VARIED: &[Field] =
@@ -238,8 +240,13 @@ fn read_unknown(
         let of = section.section(&PRIOR)?;
         let [mean, sd] =
             [of.number(&MEAN.measured(plain))?, of.number(&DEVIATION.measured(plain))?];
-        if sd <= 0.0 {
-            return Err(of.out_of_range(&DEVIATION, sd, "> 0"));
+        let size = if mean == 0.0 { 1.0 } else { mean.abs() };
+        if !DEVIATIONS.contains(&(sd / size)) {
+            return Err(of.out_of_range(
+                &DEVIATION,
+                sd,
+                "from 1e-12 to 1e6 times the size of the mean",
+            ));
         }
         // As far as the number may go.
         let within = |value: f64, end: usize| match measure.range.holds(value) {

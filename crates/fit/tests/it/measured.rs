@@ -28,6 +28,36 @@ fn alumina_on_glass_has_the_values_of_an_independent_fit() {
     assert!(fit.statements.is_empty() && fit.warnings.is_empty(), "{fit:?}");
 }
 
+/// However wide a prior is, the best value is found; on the way impossible stiffness ratios may be tried.
+#[test]
+fn wide_priors_do_not_move_the_values() {
+    let data = Data::from_csv(ALUMINA).unwrap();
+    let kappa = "normal_over_tangential_stiffness = { fit = [0.8, 1.5] }";
+    for sd in [1.0, 3.0, 30.0, 1e3, 1e5] {
+        let case =
+            alumina(&format!("friction = {{ prior = {{ mean = 0.1, sd = {sd} }} }}\n{kappa}"));
+        let fit = fitted(&case, &data, Some(0.014)).unwrap();
+        assert!(
+            (of(&fit, "friction").value - 0.0927).abs() < 1e-4,
+            "{sd}: {:?} {:?}",
+            fit.parameters,
+            fit.quality
+        );
+    }
+    for sd in [0.2, 0.5, 1.0] {
+        let case = alumina(&format!(
+            "friction = {{ fit = [0.01, 1] }}\nnormal_over_tangential_stiffness = {{ prior = {{ mean = 1.1, sd = {sd} }} }}"
+        ));
+        let fit = fitted(&case, &data, Some(0.014)).unwrap();
+        close(of(&fit, "stiffness").value, 1.110, 2e-3);
+    }
+    for sd in [1e-20, 1e6, 1e300] {
+        let case = alumina(&format!("friction = {{ prior = {{ mean = 0.1, sd = {sd} }} }}"));
+        let told = fitted(&case, &data, Some(0.014)).unwrap_err().to_string();
+        assert!(told.contains("from 1e-12 to 1e6 times the size of the mean"), "{told}");
+    }
+}
+
 #[test]
 fn the_steep_half_of_the_data_says_nothing_of_stiffness() {
     let data = Data::from_csv(&rows_above(29.0)).unwrap();

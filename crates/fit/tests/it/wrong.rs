@@ -82,7 +82,7 @@ fn wrong_cases_are_told() {
         ("friction = { fit = [0.3, 0.1] }", "[low, high] with low < high"),
         ("friction = { fit = [-1, 1] }", "`contact.friction` = -1 is out of range"),
         ("friction = { fit = [0.1] }", "two numbers [low, high]"),
-        ("friction = { prior = { mean = 0.1, sd = 0 } }", "must be > 0"),
+        ("friction = { prior = { mean = 0.1, sd = 0 } }", "must be from 1e-12 to 1e6 times"),
         ("friction = { fit = [0.1, 1], prior = { mean = 0.1, sd = 0.1 } }", "give one of them"),
         (
             "friction = { fit = [0.1, 1] }\nnormal_restitution = [0.8, 0.9]",

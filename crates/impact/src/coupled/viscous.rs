@@ -1,5 +1,6 @@
 //! Impacts whose material loses energy like a Kelvin-Voigt body, solved by its row of springs.
 
+use carom_laws::friction::Friction;
 use carom_laws::law::ContactLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
@@ -239,13 +240,15 @@ impl CoupledImpact {
     pub fn viscous_step_error(&self) -> Result<StepError, CoupledError> {
         let Some(loss) = &self.loss else { return Ok(StepError::NONE) };
         let (slip, direction) = length_and_direction(&self.velocity);
-        let Ok(groups) = self.groups(&direction) else { return Ok(StepError::NONE) };
-        if slip == 0.0 {
+        let friction = self.friction_at_first();
+        let own = Self { friction, ..*self };
+        let Ok(groups) = own.groups(&direction) else { return Ok(StepError::NONE) };
+        if slip == 0.0 || friction.get() == 0.0 {
             return Ok(StepError::NONE);
         }
         let impact = ViscoelasticImpact::new(groups, *loss);
         let exact = impact.solve(TOLERANCE);
-        let heat = self.friction_heat(exact.friction_heat, impact.psi(), &direction);
+        let heat = own.friction_heat(exact.friction_heat, impact.psi(), &direction);
         let twin = self.twin(&direction)?;
         let settled = twin.settled(TurningLaw::FixedDirection)?;
         let stepped = settled.run.velocity.x * self.velocity.z;
@@ -253,6 +256,15 @@ impl CoupledImpact {
             velocity: direction * (stepped + exact.restitution * slip),
             friction_heat: twin.stepped_heat(&settled) - heat,
         })
+    }
+
+    /// That of static friction where the first touch sticks at its edge, or else that of kinetic friction.
+    fn friction_at_first(&self) -> Friction {
+        let Some(both) = self.static_friction else { return self.friction };
+        let (slip, direction) = length_and_direction(&self.velocity);
+        let shift = self.tangential(&direction).0 * slip;
+        let sticks = shift <= both.threshold().get() * self.stiffness.c_z * self.velocity.z;
+        if sticks { both.threshold() } else { both.kinetic() }
     }
 
     // The same impact along its slip, solved in steps though nothing couples.
@@ -267,6 +279,7 @@ impl CoupledImpact {
         Ok(Self {
             mobility,
             stiffness,
+            friction: self.friction_at_first(),
             static_friction: None,
             velocity,
             unsettled: Unsettled::Accepted,

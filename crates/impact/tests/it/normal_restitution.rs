@@ -66,6 +66,22 @@ fn a_ball_that_slides_throughout_does_not_feel_static_friction() {
     assert!((heat - same).abs() < 1e-3 * same, "{heat}, {same}");
 }
 
+/// The error of the step law that is taken away is that of the friction by which the ball slides.
+#[test]
+fn friction_never_pushes_a_ball_that_slides() {
+    for (f_s, f_k, vx, vz) in
+        [(0.3, 1e-6, 0.5, -0.5), (0.1, 0.0, 0.5, -1.0), (0.3, 1e-3, 2.0, -1.0)]
+    {
+        let [f_s, f_k] = [f_s, f_k].map(|f| Friction::new(f).unwrap());
+        let both = ImpactFriction::from(StaticFriction::new(f_s, f_k).unwrap());
+        let collision = on_floor(ball([vx, 0.0, vz], [0.0; 3]), 0.1).with_friction(both).unwrap();
+        let rebound = losing(collision, 0.5);
+        let lost = vx - rebound.motions[0].velocity.x;
+        let wanted = f_k.get() * 1.5 * -vz;
+        assert!((lost - wanted).abs() < 1e-3 * wanted + 1e-12, "{lost} {wanted}");
+    }
+}
+
 #[test]
 fn without_friction_the_material_takes_what_the_definition_says() {
     for e in [0.0, 0.3, 0.95] {
