@@ -240,7 +240,7 @@ pub(crate) fn rebound_derivatives<'py>(
     let way = Way::new(normal, Some(false), CollisionLaw::default().name(), None)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve = || -> Result<Option<(ReboundDerivatives, Outcome)>, Fault> {
-        let collision = way.collision(one, two, checked(friction, (None, None))?)?.keeping_axes();
+        let collision = way.collision(one, two, checked(friction, (None, None))?)?;
         let collision = match kappa {
             Some(kappa) => collision.with_stiffness_ratio(kappa)?,
             None => collision,

@@ -373,3 +373,7 @@ def test_derivatives_of_a_rebound_are_differences_of_it():
         found["body_1_velocity_x", "mass"]
     with pytest.raises(ValueError, match="must be spheres or planes that approach"):
         carom.rebound_derivatives(*reversed(bodies()), 0.2)
+    soft = carom.Material(5e6, 0.3)
+    glancing = carom.sphere(0.14, soft, 0.5, velocity=(1, 1.5, -0.3)), carom.sphere(0.14, soft, 0.5)
+    with pytest.raises(ValueError, match="line of centres turns"):
+        carom.rebound_derivatives(*glancing, 0.3)

@@ -24,6 +24,7 @@ NO_NUMBERS = [
     "x",
     True,
     np.array([True, False, True]),
+    [True, 0.3],
     b"1",
     np.array([1 + 2j]),
     np.array(["1"]),
@@ -275,6 +276,7 @@ UNUSUAL = {"shape": "sphere", "radius": 10, "density": 7.85, "material": {"young
         (lambda: carom.plot.history(carom.collide(BALL, FLOOR, 0.5)), TypeError, ["course: must be what carom.history", "not Rebound"]),
         (lambda: carom.cases.impact({"body_1": {"material": RUBBER}}), TypeError, ["`body_1.material` is a Material"]),
         (lambda: setattr(BALL, "velocity", (1, 0, 0)), AttributeError, ["velocity"]),
+        (lambda: carom.collide(BALL, FLOOR, 0.5, wave_loss="no"), TypeError, ["wave_loss: must be True or False, not 'no'"]),
     ],
 )
 def test_what_is_meant_is_named(call, kind, words):

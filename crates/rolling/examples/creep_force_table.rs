@@ -1,9 +1,10 @@
-//! Makes the table of creep forces anew, in an hour on two free cores.
+//! Makes the table of creep forces anew, in one to two hours on two free cores.
 //!
-//! `creep_force_table FOLDER` solves all nodes and keeps each contact in the folder, so that it goes on where it was
-//! stopped; `creep_force_table drawn COUNT SEED` prints fresh solutions to judge the table by.
+//! `creep_force_table FOLDER` solves all nodes and keeps each row of directions in the folder, so that it goes on where
+//! it was stopped; `creep_force_table drawn COUNT SEED` prints fresh solutions to judge the table by.
 //!
-//! Each node is solved on grids of 24, 27 and 48 cells across the contact, and extrapolated.
+//! Each node is solved on grids of 24, 27 and 48 cells across the contact, and extrapolated. Contacts of an axis
+//! ratio from 2 to 7 bend most where the pole of the spin leaves them: of them twice as many rows are solved.
 
 use carom_laws::creep::CreepCoefficients;
 use carom_laws::creep::force::nodes;
@@ -60,29 +61,33 @@ fn line(
     Ok(line.into_iter().flatten().collect())
 }
 
-/// The values of one contact: for each direction and size the forces over the weight of the size.
-fn values(ratio: f64, poisson: f64) -> Result<Vec<f64>, Fault> {
-    let [_, thetas, psis, ..] = nodes::COUNTS;
+/// The values of one row of directions with one angle from the spin: for each angle between both creepages and each size
+/// the forces over the weight of the size.
+fn row(ratio: f64, poisson: f64, theta: usize) -> Result<Vec<f64>, Fault> {
     let mut contact = ContinuumForces::new(ratio, poisson, MESHES)?;
-    // All angles are one direction at the pole.
-    let pole = line(&mut contact, [ratio, poisson], [0, 0])?;
-    let mut all: Vec<f64> = (0..psis).flat_map(|_| pole.clone()).collect();
-    for (theta, psi) in (1..thetas).flat_map(|theta| (0..psis).map(move |psi| (theta, psi))) {
-        all.extend(line(&mut contact, [ratio, poisson], [theta, psi])?);
+    let psis = nodes::COUNTS[2];
+    if theta == 0 {
+        // All angles are one direction at the pole.
+        return Ok(line(&mut contact, [ratio, poisson], [0, 0])?.repeat(psis));
     }
-    Ok(all)
+    let lines = (0..psis).map(|psi| line(&mut contact, [ratio, poisson], [theta, psi]));
+    Ok(lines.collect::<Result<Vec<_>, Fault>>()?.concat())
 }
 
-/// [`values`], from a file of the folder where that is there.
-fn kept(folder: &Path, [ratio, poisson]: [usize; 2]) -> Result<Vec<f64>, Fault> {
-    let path = folder.join(format!("{ratio}-{poisson}.json"));
+/// [`row`], from a file of the folder where that is there.
+fn kept(folder: &Path, [ratio, poisson]: [usize; 2], theta: usize) -> Result<Vec<f64>, Fault> {
+    let path = folder.join(format!("{ratio}-{poisson}-{theta}.json"));
     if let Ok(text) = std::fs::read_to_string(&path) {
         return Ok(serde_json::from_str(&text)?);
     }
-    let found = values(nodes::ratio(ratio), nodes::poisson(poisson))?;
+    let found = row(nodes::ratio(ratio), nodes::poisson(poisson), theta)?;
     std::fs::write(path, serde_json::to_string(&found)?)?;
-    eprintln!("a/b = {:.4}, nu = {:.4}", nodes::ratio(ratio), nodes::poisson(poisson));
     Ok(found)
+}
+
+/// By how many nodes of the angle from the spin the solved rows of a contact are apart.
+fn stride(ratio: usize) -> usize {
+    if (2.0..9.0).contains(&nodes::ratio(ratio)) { 1 } else { 2 }
 }
 
 /// Draws fresh points and prints them with their forces on finer grids.
@@ -168,33 +173,53 @@ impl Lattice {
     }
 }
 
-/// The coefficients of one contact along both angles, as values of the quarter.
-fn around(quarter: &[f64]) -> Result<Vec<f64>, Fault> {
+/// The coefficients of one contact along both angles, as rows of the quarter, from the values of rows that are `stride` nodes apart.
+fn around(quarter: &[f64], stride: usize) -> Result<Vec<f64>, Fault> {
     let [_, thetas, psis, sizes, _] = nodes::COUNTS;
     let line = 3 * sizes;
-    let (circles, turns) = (4 * (thetas - 1), 2 * (psis - 1));
+    let (circles, turns) = (4 * (thetas - 1) / stride, 2 * (psis - 1));
     let mut values = Vec::with_capacity(circles * turns * line);
     for (theta, psi) in (0..circles).flat_map(|t| (0..turns).map(move |p| (t, p))) {
-        let ([row, column], signs) = nodes::reflected(theta as isize, psi as isize);
-        let first = (row * psis + column) * line;
+        let ([row, column], signs) = nodes::reflected((theta * stride) as isize, psi as isize);
+        let first = (row / stride * psis + column) * line;
         values.extend((0..line).map(|at| signs[at % 3] * quarter[first + at]));
     }
     let all = Lattice { counts: vec![circles, turns, line], values };
     let all = all.solve(0, circle(circles))?.solve(1, circle(turns))?;
-    let mut own = Vec::with_capacity(quarter.len());
+    // A spline over every second node is one over all nodes, too.
+    let part = |theta: usize| match (stride, theta % stride) {
+        (1, _) => vec![(theta, 1.0)],
+        (_, 0) => vec![(theta / 2 + circles - 1, 0.125), (theta / 2, 0.75), (theta / 2 + 1, 0.125)],
+        _ => vec![(theta / 2, 0.5), (theta / 2 + 1, 0.5)],
+    };
+    let mut own = Vec::with_capacity(thetas * psis * line);
     for (theta, psi) in (0..thetas).flat_map(|t| (0..psis).map(move |p| (t, p))) {
-        let first = (theta * turns + psi) * line;
-        own.extend_from_slice(&all.values[first..first + line]);
+        let parts = part(theta);
+        let value = |at: usize| {
+            let of = |(row, weight): &(usize, f64)| {
+                weight * all.values[(row % circles * turns + psi) * line + at]
+            };
+            parts.iter().map(of).sum::<f64>()
+        };
+        own.extend((0..line).map(value));
     }
     Ok(own)
 }
 
 fn table(folder: &Path) -> Result<(), Fault> {
     let [ratios, thetas, psis, sizes, poissons] = nodes::COUNTS;
-    let parts: Result<Vec<Vec<f64>>, Fault> = (0..ratios * poissons)
-        .into_par_iter()
-        .map(|part| around(&kept(folder, [part / poissons, part % poissons])?))
+    let contacts = (0..ratios).flat_map(|r| (0..poissons).map(move |p| [r, p]));
+    let rows: Vec<_> = contacts
+        .flat_map(|contact| (0..thetas).step_by(stride(contact[0])).map(move |t| (contact, t)))
         .collect();
+    rows.par_iter().try_for_each(|&(contact, theta)| kept(folder, contact, theta).map(|_| ()))?;
+    let part = |part: usize| {
+        let (contact, stride) = ([part / poissons, part % poissons], stride(part / poissons));
+        let rows = (0..thetas).step_by(stride).map(|theta| kept(folder, contact, theta));
+        around(&rows.collect::<Result<Vec<_>, Fault>>()?.concat(), stride)
+    };
+    let parts: Result<Vec<Vec<f64>>, Fault> =
+        (0..ratios * poissons).into_par_iter().map(part).collect();
     let values = parts?.into_iter().flatten().collect();
     let all = Lattice { counts: vec![ratios, poissons, thetas * psis, sizes, 3], values };
     let all = all.solve(0, open(ratios))?.solve(3, open(sizes))?;
@@ -207,7 +232,7 @@ fn table(folder: &Path) -> Result<(), Fault> {
         for (size, poisson) in (0..along).flat_map(|s| (0..inner).map(move |n| (s, n))) {
             let first = 3 * (((ratio * inner + poisson) * directions + direction) * along + size);
             for value in &all.values[first..first + 3] {
-                bytes.extend((*value as f32).to_le_bytes());
+                bytes.extend(nodes::stored(*value).ok_or_else(|| Error::other("a large value"))?);
             }
         }
     }

@@ -164,8 +164,28 @@ fn what_the_table_does_not_hold_is_refused() {
         (0.3, -1.0, [0.0; 3]),
         (0.3, 1.0, [f64::NAN, 0.0, 0.0]),
         (0.3, 1.0, [0.0, 0.0, f64::INFINITY]),
+        (0.3, 1e300, [1e-3, 0.0, 0.0]),
+        (1e-61, 1.0, [1e-3, 0.0, 0.0]),
+        (0.3, 1.0, [0.0, -1e61, 0.0]),
     ] {
         assert!(contact.force(friction, force, creepage).is_err());
     }
     assert_eq!(contact.force(0.3, 1.0, [0.0; 3]).unwrap().f_x, 0.0);
+}
+
+/// At the ends of all ranges forces are numbers within the friction limit.
+#[test]
+fn extreme_contacts_have_forces() {
+    let ends = [1e-60, 1.0, 1e60];
+    for (size, modulus) in ends.into_iter().flat_map(|size| ends.map(|modulus| (size, modulus))) {
+        let contact = CreepContact::of_size(size, 2.0, modulus, 0.3).unwrap();
+        for (friction, force) in ends.into_iter().flat_map(|f| ends.map(|force| (f, force))) {
+            for creepage in [[1e60, 0.0, 0.0], [0.0, 1e-60, -1e60], [1e60; 3], [0.0, 0.0, 1e-60]] {
+                let found = contact.force(friction, force, creepage).unwrap();
+                let limit = friction * force * (1.0 + 1e-12);
+                assert!(found.f_x.hypot(found.f_y) <= limit, "{found:?} {creepage:?}");
+                assert!(found.m_z.abs() <= limit * size && found.error <= limit, "{found:?}");
+            }
+        }
+    }
 }

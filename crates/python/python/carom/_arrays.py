@@ -27,11 +27,23 @@ def numbers(name: str, x: ArrayLike, unit: str = "") -> Array:
     x = bare(name, x, unit)
     try:
         given = np.asarray(x)
-        if given.dtype.kind in "bcSUmM" or np.ma.is_masked(x) or x is None:
+        if given.dtype.kind in "bcSUmM" or np.ma.is_masked(x) or x is None or _has_truths(x):
             raise TypeError
         return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: must be real numbers, not {str(x):.60}") from None
+
+
+def _has_truths(x: object) -> bool:
+    """Whether a list of numbers holds truth values, which count as 1 and 0 in an array."""
+    return isinstance(x, list | tuple) and any(isinstance(one, bool | np.bool_) for one in x)
+
+
+def flag(name: str, x: object) -> bool:
+    """A truth value."""
+    if not isinstance(x, bool | np.bool_):
+        raise TypeError(f"{name}: must be True or False, not {x!r:.60}")
+    return bool(x)
 
 
 def number(name: str, x: object, unit: str = "") -> float:

@@ -53,7 +53,8 @@ def rebound_derivatives(
 
     Derivatives are exact where the contact slides throughout, elsewhere within 1e-7 of the largest of a row (inputs measured by
     their sizes). The arguments are those of `collide`; `kappa` replaces the ratio of the stiffnesses, of the materials. The
-    spin about the normal and the line of centres are kept; the coupling of dissimilar materials is neglected.
+    spin about the normal is kept, and the coupling of dissimilar materials neglected. Balls that glance, so that their line
+    of centres turns, are refused.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
@@ -66,7 +67,10 @@ def rebound_derivatives(
     ratio = None if kappa is None else number("kappa", kappa)
     found = _carom.rebound_derivatives(body_1, body_2, number("friction", friction), along, ratio)
     if found is None:
-        raise ValueError("body_1 and body_2: must be spheres or planes that approach each other")
+        raise ValueError(
+            "body_1 and body_2: must be spheres or planes that approach each other, and no balls that glance, so that their "
+            "line of centres turns"
+        )
     values, entries, is_at_change, told = found
     warn(told)
     matrix = entries.reshape(len(_MOTIONS), len(_INPUTS))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import numbers
+from ._arrays import flag, numbers
 from ._record import Result
 from ._records import FitCorrelations, FitParameter, FitParameters, FitPoints, FitPredictions, FitQuality
 from ._validity import warn
@@ -111,7 +111,7 @@ def fit(
     else:
         errors = [(None, numbers("sd", sd).ravel().tolist())]
     ahead = None if predict is None else _table("predict", predict)
-    tables, statements, told = _carom.fit(_given(case), _table("data", data), errors, bool(robust), ahead)
+    tables, statements, told = _carom.fit(_given(case), _table("data", data), errors, flag("robust", robust), ahead)
     warn(told)
     parameters, quality, correlations, points, predictions = tables
     results = {

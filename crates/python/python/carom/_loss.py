@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import line, number, numbers, path
+from ._arrays import flag, line, number, numbers, path
 from ._types import Array, Number, Numbers, Several
 
 # Speeds and restitutions, if the restitution is given by speed.
@@ -83,7 +83,7 @@ def losses_of(
     is_given, relaxes = bool(np.any(coefficients != 1.0)), bool(np.any(times != 0.0))
     if loss is not None and not is_given:
         raise ValueError("loss: is the cause of a normal_restitution below 1, which is missing")
-    given = [("normal_restitution", is_given), ("wave_loss=True", wave_loss), ("relaxation", relaxes)]
+    given = [("normal_restitution", is_given), ("wave_loss=True", flag("wave_loss", wave_loss)), ("relaxation", relaxes)]
     causes = [name for name, is_there in given if is_there]
     if len(causes) > 1:
         raise ValueError(f"{causes[0]} and {causes[1]} are mutually exclusive")

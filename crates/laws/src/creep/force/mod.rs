@@ -4,6 +4,7 @@ pub mod nodes;
 mod table;
 
 use super::CreepCoefficients;
+use crate::bounds::{constant, in_contact};
 use carom_special::RangeError;
 use carom_table::Column;
 use table::{Mixed, Prepared, Stored};
@@ -88,12 +89,12 @@ impl CreepContact {
     /// bodies.
     ///
     /// # Errors
-    /// [`RangeError`] unless a/b is from 0.1 to 10, the shear modulus positive and Poisson's ratio from 0 to 0.5. Other
-    /// contacts, and dissimilar bodies, are for the solver.
+    /// [`RangeError`] unless a/b is from 0.1 to 10, Poisson's ratio from 0 to 0.5, and lengths and shear modulus from 1e-60
+    /// to 1e60. Other contacts, and dissimilar bodies, are for the solver.
     pub fn new(semi_axes: [f64; 2], shear_modulus: f64, poisson: f64) -> Result<Self, RangeError> {
         let [a, b] = semi_axes;
-        RangeError::positive("semi_axis_a", a)?;
-        RangeError::positive("semi_axis_b", b)?;
+        constant("semi_axis_a", a)?;
+        constant("semi_axis_b", b)?;
         Self::of_size(libm::sqrt(a * b), a / b, shear_modulus, poisson)
     }
 
@@ -107,7 +108,7 @@ impl CreepContact {
         shear_modulus: f64,
         poisson: f64,
     ) -> Result<Self, RangeError> {
-        let size = RangeError::positive("size", size)?;
+        let size = constant("size", size)?;
         Ok(Self { shape: Shape::new(axis_ratio, shear_modulus, poisson)?, size })
     }
 
@@ -124,7 +125,7 @@ impl CreepContact {
     /// large ones. Forces are clipped to the friction limit and to work that heats; the clip counts in the error.
     ///
     /// # Errors
-    /// [`RangeError`] unless friction and force are positive and finite, and the creepages finite.
+    /// [`RangeError`] unless friction and force are from 1e-60 to 1e60, and creepages at most 1e60 in magnitude.
     pub fn force(
         &self,
         friction: f64,
@@ -177,7 +178,7 @@ impl CreepShape {
     /// As [`CreepContact::force`], of the contact of a size sqrt(ab).
     ///
     /// # Errors
-    /// [`RangeError`] unless the size, friction and force are positive and finite, and the creepages finite.
+    /// [`RangeError`] unless size, friction and force are from 1e-60 to 1e60, and creepages at most 1e60 in magnitude.
     pub fn force(
         &self,
         size: f64,
@@ -185,14 +186,14 @@ impl CreepShape {
         force: f64,
         creepage: [f64; 3],
     ) -> Result<CreepForce, RangeError> {
-        let size = RangeError::positive("size", size)?;
+        let size = constant("size", size)?;
         self.shape.force(&self.table, size, limit(friction, force)?, creepage)
     }
 }
 
 /// The friction limit f F_z.
 fn limit(friction: f64, force: f64) -> Result<f64, RangeError> {
-    Ok(RangeError::positive("friction", friction)? * RangeError::positive("force", force)?)
+    Ok(constant("friction", friction)? * constant("force", force)?)
 }
 
 impl Shape {
@@ -204,7 +205,7 @@ impl Shape {
             holds,
             "a/b from 0.1 to 10; the solver takes others",
         )?;
-        RangeError::positive("shear_modulus", shear_modulus)?;
+        constant("shear_modulus", shear_modulus)?;
         let holds = (0.0..=0.5).contains(&poisson);
         RangeError::check("poisson", poisson, holds, "from 0 to 0.5; the solver takes others")?;
         let coefficients = CreepCoefficients::by_table(ratio, poisson)?;
@@ -223,9 +224,9 @@ impl Shape {
         creepage: [f64; 3],
     ) -> Result<CreepForce, RangeError> {
         let [along, across, spin] = creepage;
-        RangeError::finite("creepage", along)?;
-        RangeError::finite("creepage_across", across)?;
-        RangeError::finite("spin", spin)?;
+        in_contact("creepage", along)?;
+        in_contact("creepage_across", across)?;
+        in_contact("spin", spin)?;
         let scaled = self.scaled(size, limit, creepage);
         let greatest =
             along.abs().max(across.abs()).max((size * spin).abs()).max(f64::MIN_POSITIVE);
@@ -245,7 +246,7 @@ impl Shape {
         let stiffness = self.shear_modulus * size * size / limit;
         let [k_x, k_y, k_phi] = nodes::scales(&self.coefficients, self.ratio);
         let [along, across, spin] = creepage;
-        [k_x * stiffness * along, k_y * stiffness * across, k_phi * stiffness * size * spin]
+        [k_x * stiffness * along, k_y * stiffness * across, k_phi * stiffness * (size * spin)]
     }
 }
 

@@ -4,7 +4,7 @@ use crate::creep::CreepCoefficients;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Numbers of nodes: axis ratio, angle from the spin, angle between both creepages, size, Poisson's ratio.
-pub const COUNTS: [usize; 5] = [13, 13, 17, 25, 4];
+pub const COUNTS: [usize; 5] = [13, 25, 17, 25, 4];
 /// Numbers of stored coefficients: a spline that is not periodic has two more than nodes.
 pub const STORED: [usize; 5] = [COUNTS[0] + 2, COUNTS[1], COUNTS[2], COUNTS[3] + 2, COUNTS[4]];
 
@@ -119,4 +119,19 @@ pub fn reflected(mut theta: isize, mut psi: isize) -> ([usize; 2], [f64; 3]) {
         change(TURNED);
     }
     ([theta as usize, psi as usize], signs)
+}
+
+/// The unit of stored coefficients, all of which are below 2: its half is the error of storing one.
+const UNIT: f64 = 2.0 / 32768.0;
+
+/// A coefficient as it is stored; none from 2 on.
+#[must_use]
+pub fn stored(coefficient: f64) -> Option<[u8; 2]> {
+    let units = libm::round(coefficient / UNIT);
+    (units.abs() < 32768.0).then(|| (units as i16).to_le_bytes())
+}
+
+/// A coefficient from its two bytes.
+pub(super) fn coefficient([low, high]: [u8; 2]) -> f64 {
+    UNIT * f64::from(i16::from_le_bytes([low, high]))
 }

@@ -1,16 +1,9 @@
 //! The stored forces, and cubic interpolation between them.
 
 use super::nodes::{self, COUNTS, MIRRORED, STORED, TURNED};
-use std::sync::LazyLock;
 
 const VALUES: usize = 3 * STORED[0] * STORED[1] * STORED[2] * STORED[3] * STORED[4];
-static BYTES: &[u8; 4 * VALUES] = include_bytes!("stored.bin");
-
-/// Made at the first use.
-static TABLE: LazyLock<Vec<f32>> = LazyLock::new(|| {
-    let number = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
-    BYTES.chunks_exact(4).map(number).collect()
-});
+static BYTES: &[u8; 2 * VALUES] = include_bytes!("stored.bin");
 
 /// Forces over the friction limit, M_z also over sqrt(ab), and how far they may be off.
 pub(super) struct Found {
@@ -71,12 +64,14 @@ impl Mixed for Stored {
         for (i, part_of) in self.ratio.weights.iter().enumerate() {
             let contact = (self.ratio.first + 1) as usize + i;
             let direction = (contact * STORED[1] + row) * STORED[2] + column;
-            let begin = 3 * STORED[4] * (direction * STORED[3] + first);
-            let values = &TABLE[begin..begin + 12 * STORED[4]];
-            for (own, values) in sum.iter_mut().zip(values.chunks_exact(3 * STORED[4])) {
-                for (weight, values) in self.poisson.weights.iter().zip(values.chunks_exact(3)) {
-                    let weight = part_of * weight;
-                    (0..3).for_each(|part| own[part] += weight * f64::from(values[part]));
+            let begin = 6 * STORED[4] * (direction * STORED[3] + first);
+            let bytes = &BYTES[begin..begin + 24 * STORED[4]];
+            for (own, bytes) in sum.iter_mut().zip(bytes.chunks_exact(6 * STORED[4])) {
+                for (weight, bytes) in self.poisson.weights.iter().zip(bytes.chunks_exact(6)) {
+                    let (weight, value) = (part_of * weight, |part: usize| {
+                        nodes::coefficient([bytes[2 * part], bytes[2 * part + 1]])
+                    });
+                    (0..3).for_each(|part| own[part] += weight * value(part));
                 }
             }
         }
@@ -114,7 +109,8 @@ impl Mixed for Prepared {
 
 /// The forces at an axis ratio and scaled creepages of any signs; `rates` are the creepages on which they work, in any unit.
 pub(super) fn at(table: &impl Mixed, ratio: f64, scaled: [f64; 3], rates: [f64; 3]) -> Found {
-    // Beyond 1e6 the contact slides as a rigid one; infinities do not reach the table.
+    // Beyond 1e6 the contact slides as a rigid one.
+    let scaled = scaled.map(|part| part.clamp(-f64::MAX, f64::MAX));
     let most = scaled.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
     if most == 0.0 {
         return Found { forces: [0.0; 3], error: 0.0 };
