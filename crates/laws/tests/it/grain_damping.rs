@@ -301,8 +301,11 @@ fn drawn(mut seed: u64) -> impl FnMut() -> f64 {
 const LAWS: [&str; 5] =
     ["coulomb", "fixed-direction", "coulomb, static", "fixed-direction, static", "rings"];
 
+/// A step of a contact: the force.
+type Step = Box<dyn FnMut(&Meeting, f64) -> [f64; 3]>;
+
 /// One step of a damped contact of this law.
-fn stepping(law: &str, kappa: f64, loss: Loss) -> Box<dyn FnMut(&Meeting, f64) -> [f64; 3]> {
+fn stepping(law: &str, kappa: f64, loss: Loss) -> Step {
     let stiffness = ContactStiffness::new(1.5 / kappa, 1.5 / kappa, 1.5).unwrap();
     let friction = |f| Friction::new(f).unwrap();
     let turning = match law.starts_with("coulomb") {
@@ -330,7 +333,7 @@ enum Loss {
 }
 
 impl Loss {
-    fn of<L: GrainLaw + 'static>(self, law: L) -> Box<dyn FnMut(&Meeting, f64) -> [f64; 3]> {
+    fn of<L: GrainLaw + 'static>(self, law: L) -> Step {
         let mut contact = match self {
             Self::Restitution(e) => GrainContact::new(law, 0.0)
                 .unwrap()
