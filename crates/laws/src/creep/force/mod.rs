@@ -29,8 +29,8 @@ pub struct CreepContact {
     size: f64,
 }
 
-/// Contacts of one axis ratio and one material, for many forces: a force takes a fifth of the time of [`CreepContact`]'s, to the
-/// same bits, and the table of the shape some three hundred times as long once.
+/// Contacts of one axis ratio and one material, for many forces: a force takes a quarter of the time of [`CreepContact`]'s, to
+/// the same bits, and the table of the shape some five hundred times as long once.
 ///
 /// ```
 /// use carom_laws::creep::force::{CreepContact, CreepShape};
