@@ -100,8 +100,8 @@ impl Sizes {
     /// Bytes of the workspace of a product of `fields` tractions and displacements.
     pub(crate) fn workspace(&self, fields: usize, threads: Threads) -> u128 {
         let field = self.columns() as u128 * self.ny as u128;
-        let block = f64::BLOCK * ((fields + 1) * self.py + self.columns()) + self.px;
-        16 * (2 * fields as u128 * field + block as u128 * threads.count() as u128)
+        let lane = f64::BLOCK * (fields + 1) * self.py + self.columns() + self.px;
+        16 * (fields as u128 * field + lane as u128 * threads.count() as u128)
     }
 }
 

@@ -1,9 +1,12 @@
 //! The product of fields with spectra, in passes over rows and columns.
 //!
-//! Rows are transformed as real data, and only those with tractions; the padding is zero. Columns
-//! are processed in blocks that stay in the cache: gathered, transformed, multiplied with the
-//! spectra, transformed back and stored transposed, where the second pass over the rows reads them.
-//! The full spectrum is never stored, and no array is transposed in memory.
+//! Rows are transformed as real data, and only those with tractions; the padding is zero. Their spectra are stored in
+//! blocks of a few columns, which stay in the cache while they are transformed along the columns, multiplied with the
+//! spectra, transformed back and written in place, where the second pass over the rows reads them. The full spectrum is
+//! never stored, and no array is transposed in memory.
+//!
+//! Each thread has a part of the rows and a part of the columns. A tile is what a part of the rows has of a part of the
+//! columns: the threads exchange whole tiles between the passes.
 
 use std::ops::Range;
 
@@ -14,7 +17,7 @@ use super::pool;
 use super::precision::Real;
 use super::product::{Matrix, Term, Terms};
 use super::threads::Threads;
-use super::workspace::{Lane, Space, Workspace, each};
+use super::workspace::{Lane, Space, Tile, Workspace, each, exchange};
 
 impl<T: Real> Plan<T> {
     /// `outputs = terms * inputs`. Inputs and outputs hold `nx * ny` values; there is at least one
@@ -42,9 +45,17 @@ impl<T: Real> Plan<T> {
         space: &mut Space<T>,
     ) {
         let (used, unit) = (self.used_rows(inputs), T::unit(inputs, self.threads));
-        self.rows_forward((inputs, unit), &used, space);
-        self.columns_pass((inputs.len(), &used), terms.blocks, outputs.len(), space);
-        self.rows_inverse((outputs, unit * terms.unit), space);
+        let parts = Parts {
+            fields: inputs.len().max(outputs.len()),
+            rows: self.sizes.ny,
+            each: self.rows_of_part(space.lanes.len()),
+            blocks: self.blocks_of_part(space.lanes.len()),
+        };
+        self.rows_forward((inputs, unit), &used, &parts, space);
+        exchange(&mut space.tiles, space.lanes.len());
+        self.columns_pass((inputs.len(), &used), (terms.blocks, outputs.len()), &parts, space);
+        exchange(&mut space.tiles, space.lanes.len());
+        self.rows_inverse((outputs, unit * terms.unit), &parts, space);
     }
 
     /// The range of rows in which some input is not zero.
@@ -60,33 +71,46 @@ impl<T: Real> Plan<T> {
             .unwrap_or_default()
     }
 
-    /// Transforms the used rows of the inputs into `workspace.rows[row][input][column]`.
+    /// Number of rows of a part, but for the last.
+    pub(super) const fn rows_of_part(&self, parts: usize) -> usize {
+        self.sizes.ny.div_ceil(parts)
+    }
+
+    /// Number of blocks of columns of a part.
+    pub(super) const fn blocks_of_part(&self, parts: usize) -> usize {
+        self.sizes.columns().div_ceil(T::BLOCK).div_ceil(parts)
+    }
+
+    /// Transforms the used rows of the inputs.
     fn rows_forward(
         &self,
         (inputs, unit): (&[&[f64]], f64),
         used: &Range<usize>,
-        workspace: &mut Space<T>,
+        parts: &Parts,
+        space: &mut Space<T>,
     ) {
-        let per_unit = 1.0 / unit;
-        let row_length = inputs.len() * self.sizes.columns();
-        let rows = self.sizes.ny.div_ceil(workspace.lanes.len());
-        let all = &mut workspace.rows[..self.sizes.ny * row_length];
-        each(self.threads, &mut workspace.lanes, all, rows * row_length, |part, lane, spectra| {
-            for (row, spectra) in spectra.chunks_exact_mut(row_length).enumerate() {
-                if !used.contains(&(part * rows + row)) {
-                    continue;
-                }
-                let start = (part * rows + row) * self.sizes.nx;
-                for (input, spectrum) in
-                    inputs.iter().zip(spectra.chunks_exact_mut(self.sizes.columns()))
-                {
+        let (per_unit, count) = (1.0 / unit, space.lanes.len());
+        each(self.threads, &mut space.lanes, &mut space.tiles, count, |part, lane, tiles| {
+            let own = parts.rows(part);
+            for row in used.start.max(own.start)..used.end.min(own.end) {
+                for (field, input) in inputs.iter().enumerate() {
                     let (values, padding) = lane.row.split_at_mut(self.sizes.nx);
-                    let given = &input[start..start + self.sizes.nx];
+                    let given = &input[row * self.sizes.nx..][..self.sizes.nx];
                     for (value, given) in values.iter_mut().zip(given) {
                         *value = T::of(given * per_unit);
                     }
                     padding.fill(T::zero());
-                    self.row_forward(lane, spectrum);
+                    let mut spectrum = std::mem::take(&mut lane.spectrum);
+                    self.row_forward(lane, &mut spectrum[..self.sizes.columns()]);
+                    let mut some = spectrum[..self.sizes.columns()].chunks(T::BLOCK);
+                    let at = parts.place::<T>(part, field, row);
+                    for tile in tiles.iter_mut() {
+                        let blocks = tile.chunks_exact_mut(parts.block::<T>(part));
+                        for (block, values) in blocks.take(parts.blocks).zip(&mut some) {
+                            block[at..at + values.len()].copy_from_slice(values);
+                        }
+                    }
+                    lane.spectrum = spectrum;
                 }
             }
         });
@@ -99,24 +123,21 @@ impl<T: Real> Plan<T> {
         debug_assert!(done.is_ok(), "buffers are made for this plan");
     }
 
-    /// Multiplies with the terms; writes `workspace.columns[column][output][row]`.
+    /// Transforms the columns, multiplies with the terms, and transforms back, in place.
     fn columns_pass(
         &self,
-        (inputs, rows_used): (usize, &Range<usize>),
-        terms: &Matrix<'_, T>,
-        outputs: usize,
-        work: &mut Space<T>,
+        (inputs, used): (usize, &Range<usize>),
+        (terms, outputs): (&Matrix<'_, T>, usize),
+        parts: &Parts,
+        space: &mut Space<T>,
     ) {
-        let column_length = outputs * self.sizes.ny;
-        let columns = self.sizes.columns().div_ceil(work.lanes.len()).next_multiple_of(T::BLOCK);
-        let used = &mut work.columns[..self.sizes.columns() * column_length];
-        let rows = &work.rows;
-        each(self.threads, &mut work.lanes, used, columns * column_length, |part, lane, share| {
-            for (block, results) in share.chunks_mut(T::BLOCK * column_length).enumerate() {
-                let first = part * columns + block * T::BLOCK;
-                let width = results.len() / column_length;
+        let count = space.lanes.len();
+        each(self.threads, &mut space.lanes, &mut space.tiles, count, |part, lane, tiles| {
+            for block in 0..parts.blocks {
+                let first = (part * parts.blocks + block) * T::BLOCK;
+                let width = self.sizes.columns().saturating_sub(first).min(T::BLOCK);
                 for input in 0..inputs {
-                    self.gather((rows, rows_used), (inputs, input), (first, width), lane);
+                    self.gather((tiles, used), parts, (input, block, width), lane);
                 }
                 for (output, row) in terms.iter().enumerate().take(outputs) {
                     self.multiply(row, inputs, (first, width), lane);
@@ -124,38 +145,55 @@ impl<T: Real> Plan<T> {
                         &mut lane.sum[..width * self.sizes.py],
                         &mut lane.scratch,
                     );
-                    for (column, sums) in
-                        lane.sum.chunks_exact(self.sizes.py).take(width).enumerate()
-                    {
-                        let at = (column * outputs + output) * self.sizes.ny;
-                        results[at..at + self.sizes.ny].copy_from_slice(&sums[..self.sizes.ny]);
-                    }
+                    self.scatter(&lane.sum, parts, (output, block, width), tiles);
                 }
             }
         });
     }
 
-    /// Gathers `width` columns of one input from the row spectra and transforms them.
+    /// Gathers `width` columns of one input and transforms them.
     fn gather(
         &self,
-        (rows, used): (&[Complex<T>], &Range<usize>),
-        (inputs, input): (usize, usize),
-        (first, width): (usize, usize),
+        (tiles, used): (&[Tile<T>], &Range<usize>),
+        parts: &Parts,
+        (input, block, width): (usize, usize, usize),
         lane: &mut Lane<T>,
     ) {
         let py = self.sizes.py;
-        let block = &mut lane.blocks[input * T::BLOCK * py..][..width * py];
-        for row in used.clone() {
-            let at = (row * inputs + input) * self.sizes.columns() + first;
-            for (column, value) in rows[at..at + width].iter().enumerate() {
-                block[column * py + row] = *value;
+        let columns = &mut lane.blocks[input * T::BLOCK * py..][..width * py];
+        for (part, tile) in tiles.iter().enumerate() {
+            let (own, start) = (parts.rows(part), block * parts.block::<T>(part));
+            for row in used.start.max(own.start)..used.end.min(own.end) {
+                let at = start + parts.place::<T>(part, input, row);
+                for (column, value) in tile[at..at + width].iter().enumerate() {
+                    columns[column * py + row] = *value;
+                }
             }
         }
-        for column in block.chunks_exact_mut(py) {
+        for column in columns.chunks_exact_mut(py) {
             column[..used.start].fill(Complex::default());
             column[used.end..].fill(Complex::default());
         }
-        self.columns.forward.process_with_scratch(block, &mut lane.scratch);
+        self.columns.forward.process_with_scratch(columns, &mut lane.scratch);
+    }
+
+    /// Stores `width` columns of one output.
+    fn scatter(
+        &self,
+        columns: &[Complex<T>],
+        parts: &Parts,
+        (output, block, width): (usize, usize, usize),
+        tiles: &mut [Tile<T>],
+    ) {
+        for (part, tile) in tiles.iter_mut().enumerate() {
+            let start = block * parts.block::<T>(part);
+            for row in parts.rows(part) {
+                let at = start + parts.place::<T>(part, output, row);
+                for (column, value) in tile[at..at + width].iter_mut().enumerate() {
+                    *value = columns[column * self.sizes.py + row];
+                }
+            }
+        }
     }
 
     /// Sums the terms of one output over the inputs into `lane.sum`.
@@ -182,40 +220,35 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Reads the transposed columns and transforms the rows of the outputs back.
-    fn rows_inverse(&self, (outputs, unit): (&mut [&mut [f64]], f64), workspace: &mut Space<T>) {
-        let count = outputs.len();
-        let rows = self.sizes.ny.div_ceil(workspace.lanes.len()).next_multiple_of(T::BLOCK);
-        let columns = &workspace.columns;
+    /// Transforms the rows of the outputs back.
+    fn rows_inverse(
+        &self,
+        (outputs, unit): (&mut [&mut [f64]], f64),
+        parts: &Parts,
+        space: &mut Space<T>,
+    ) {
+        let (count, tiles, nx) = (space.lanes.len(), &space.tiles, self.sizes.nx);
         for (output, field) in outputs.iter_mut().enumerate() {
-            each(
-                self.threads,
-                &mut workspace.lanes,
-                field,
-                rows * self.sizes.nx,
-                |part, lane, share| {
-                    for (block, results) in share.chunks_mut(T::BLOCK * self.sizes.nx).enumerate() {
-                        let first = part * rows + block * T::BLOCK;
-                        let height = results.len() / self.sizes.nx;
-                        let length = self.sizes.columns();
-                        for column in 0..length {
-                            let at = (column * count + output) * self.sizes.ny + first;
-                            for (row, value) in columns[at..at + height].iter().enumerate() {
-                                lane.spectra[row * length + column] = *value;
-                            }
-                        }
-                        for (row, result) in results.chunks_exact_mut(self.sizes.nx).enumerate() {
-                            self.row_inverse(row, (result, unit), lane);
+            each(self.threads, &mut space.lanes, field, parts.each * nx, |part, lane, results| {
+                for (row, result) in results.chunks_exact_mut(nx).enumerate() {
+                    let spectrum = &mut lane.spectrum[..self.sizes.columns()];
+                    let mut some = spectrum.chunks_mut(T::BLOCK);
+                    let at = parts.place::<T>(part, output, part * parts.each + row);
+                    for tile in &tiles[part * count..][..count] {
+                        let blocks = tile.chunks_exact(parts.block::<T>(part));
+                        for (block, values) in blocks.take(parts.blocks).zip(&mut some) {
+                            values.copy_from_slice(&block[at..at + values.len()]);
                         }
                     }
-                },
-            );
+                    self.row_inverse((result, unit), lane);
+                }
+            });
         }
     }
 
-    fn row_inverse(&self, row: usize, (result, unit): (&mut [f64], f64), lane: &mut Lane<T>) {
+    fn row_inverse(&self, (result, unit): (&mut [f64], f64), lane: &mut Lane<T>) {
         let length = self.sizes.columns();
-        let spectrum = &mut lane.spectra[row * length..][..length];
+        let spectrum = &mut lane.spectrum[..length];
         // Real by symmetry; the transform requires an exact zero.
         spectrum[0].im = T::zero();
         spectrum[length - 1].im = T::zero();
@@ -225,5 +258,34 @@ impl<T: Real> Plan<T> {
         for (result, value) in result.iter_mut().zip(&lane.row) {
             *result = value.to() * unit;
         }
+    }
+}
+
+/// How rows and columns are distributed: a tile holds blocks of columns, each of them its fields, each of them its rows.
+struct Parts {
+    fields: usize,
+    /// All rows, and those of a part but for the last.
+    rows: usize,
+    each: usize,
+    /// Blocks of columns of a part.
+    blocks: usize,
+}
+
+impl Parts {
+    /// The rows of a part.
+    fn rows(&self, part: usize) -> Range<usize> {
+        (part * self.each).min(self.rows)..((part + 1) * self.each).min(self.rows)
+    }
+
+    /// The length of a block in tiles of a part: one row more than it holds, as blocks at a distance of a power of two
+    /// would share few lines of the cache.
+    fn block<T: Real>(&self, part: usize) -> usize {
+        (self.fields * self.rows(part).len() + 1) * T::BLOCK
+    }
+
+    /// The place of a row in a block.
+    fn place<T: Real>(&self, part: usize, field: usize, row: usize) -> usize {
+        let own = self.rows(part);
+        (field * own.len() + row - own.start) * T::BLOCK
     }
 }

@@ -137,10 +137,12 @@ mod tests {
         })
     }
 
-    /// The numbers of fields for which a fresh workspace has room after a product.
-    fn counts<T>(space: &Space<T>, sizes: Sizes) -> Counts {
-        let field = sizes.columns() * sizes.ny;
-        (space.rows.len() / field, space.columns.len() / field)
+    /// The numbers of fields for which a fresh workspace has room after a product; results have the room of what is given.
+    fn counts<T: Real>(space: &Space<T>, sizes: Sizes) -> Counts {
+        let there = space.lanes.first().map_or(0, |lane| lane.blocks.len());
+        let field = sizes.columns().next_multiple_of(T::BLOCK) * sizes.ny;
+        let most = space.tiles.first().map_or(0, |tile| tile.len() / field);
+        (there / (T::BLOCK * sizes.py), most)
     }
 
     /// All displacements, and how many fields were transformed.

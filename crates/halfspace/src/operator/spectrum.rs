@@ -222,7 +222,7 @@ fn symmetric_rows(
     let mut rows = vec![0.0; plan.sizes.ny * columns];
     let share = plan.sizes.ny.div_ceil(lanes.len());
     each(plan.threads, lanes, &mut rows, share * columns, |part, lane, share_rows| {
-        let mut spectrum = std::mem::take(&mut lane.spectra);
+        let mut spectrum = std::mem::take(&mut lane.spectrum);
         for (row, result) in share_rows.chunks_exact_mut(columns).enumerate() {
             let values = &table[(part * share + row) * length..][..plan.sizes.nx];
             lane.row.fill(0.0);
@@ -241,7 +241,7 @@ fn symmetric_rows(
                 };
             }
         }
-        lane.spectra = spectrum;
+        lane.spectrum = spectrum;
     });
     rows
 }

@@ -20,13 +20,14 @@ pub struct Workspace {
     pub(super) sparse: SparseSpace,
 }
 
+/// The values of a part of the rows in a part of the columns.
+pub(crate) type Tile<T> = Vec<Complex<T>>;
+
 /// Buffers of one precision.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Space<T> {
-    /// Row spectra of the tractions, by row, traction, column.
-    pub(crate) rows: Vec<Complex<T>>,
-    /// Column results of the displacements, by column, displacement, row.
-    pub(crate) columns: Vec<Complex<T>>,
+    /// Spectra of the rows, results of the columns: for each part of the rows one tile of each part of the columns.
+    pub(crate) tiles: Vec<Tile<T>>,
     pub(crate) lanes: Vec<Lane<T>>,
 }
 
@@ -35,24 +36,27 @@ pub(crate) struct Space<T> {
 pub(crate) struct Lane<T = f64> {
     /// One padded row.
     pub(crate) row: Vec<T>,
+    /// Its spectrum.
+    pub(crate) spectrum: Vec<Complex<T>>,
     /// A block of columns of each input.
     pub(crate) blocks: Vec<Complex<T>>,
     /// A block of columns of one output.
     pub(crate) sum: Vec<Complex<T>>,
-    /// A block of rows of one output.
-    pub(crate) spectra: Vec<Complex<T>>,
     pub(crate) scratch: Vec<Complex<T>>,
 }
 
 impl<T: Real> Space<T> {
     /// Makes all buffers long enough for a product.
     pub(crate) fn prepare(&mut self, plan: &Plan<T>, inputs: usize, outputs: usize) {
-        let field = plan.sizes.columns() * plan.sizes.ny;
-        grow(&mut self.rows, inputs * field);
-        grow(&mut self.columns, outputs * field);
         let lanes = plan.threads.count();
         if self.lanes.len() != lanes {
             self.lanes.resize(lanes, Lane::default());
+            self.tiles = vec![Tile::default(); lanes * lanes];
+        }
+        let rows = inputs.max(outputs) * plan.rows_of_part(lanes) + 1;
+        let tile = rows * plan.blocks_of_part(lanes) * T::BLOCK;
+        for one in &mut self.tiles {
+            grow(one, tile);
         }
         for lane in &mut self.lanes {
             lane.prepare(plan, inputs);
@@ -67,7 +71,16 @@ impl<T: Real> Lane<T> {
         grow(&mut self.scratch, plan.scratch());
         grow(&mut self.blocks, inputs * T::BLOCK * plan.sizes.py);
         grow(&mut self.sum, T::BLOCK * plan.sizes.py);
-        grow(&mut self.spectra, T::BLOCK * plan.sizes.columns());
+        grow(&mut self.spectrum, plan.sizes.columns());
+    }
+}
+
+/// Gives each part of the columns what the parts of the rows have of it, or back.
+pub(crate) fn exchange<T>(tiles: &mut [Tile<T>], parts: usize) {
+    for one in 0..parts {
+        for other in 0..one {
+            tiles.swap(one * parts + other, other * parts + one);
+        }
     }
 }
 

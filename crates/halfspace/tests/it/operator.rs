@@ -304,10 +304,11 @@ fn grids_are_checked_before_allocation() {
     let operator = needed(HalfSpaceOperator::new(similar(), huge).unwrap_err());
     let table = needed(CoefficientTable::new(similar(), huge).unwrap_err());
     assert_eq!(table, (4 * 8) << 58);
-    // Half of each of three rows and three columns of complex numbers, of twice the length, and four transforms as
-    // large as their tables; all of it again in single precision.
-    let (both, transforms) = (3 * table, table);
-    assert!(operator > table + (both + transforms) * 3 / 2 && operator < 8 * table);
+    // Half of each of three rows of complex numbers, of twice the length, and four transforms as large as their tables;
+    // all of it again in single precision.
+    let (rows, transforms) = (3 * table / 2, table);
+    let most = table + (rows + transforms) * 3 / 2;
+    assert!(operator > most && operator < most + table);
     let kernel = TabulatedKernel::from_function(huge, |_, _| Coefficients::default());
     assert!(needed(kernel.unwrap_err()) > 72 << 59);
     let text = HalfSpaceOperator::new(similar(), huge).unwrap_err().to_string();
