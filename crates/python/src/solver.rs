@@ -23,7 +23,7 @@ use pyo3::types::PyDict;
 use std::sync::Arc;
 
 use crate::arrays::{Numbers, map_by, same_length};
-use crate::cases::lines;
+use crate::cases::{cells, fields, lines};
 use crate::error::Fault;
 use crate::influence;
 use crate::materials::Pair;
@@ -177,6 +177,21 @@ impl Solver {
         let (problem, state) = (self.history.problem(), self.history.state());
         let gap = without_python(py, || gap_left(problem, state).map_err(Fault::other))??;
         Ok(PyArray1::from_slice(py, gap.values()))
+    }
+
+    /// The gap of the undeformed surfaces.
+    fn gap<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.history.problem().gap().heights().values())
+    }
+
+    /// A field after the last step, by its place among them.
+    fn field<'py>(&self, py: Python<'py>, place: usize) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, fields(self.history.state())[place].values())
+    }
+
+    /// The state of each cell after the last step.
+    fn cells<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
+        cells(py, self.history.state())
     }
 
     /// The numbers of the last step, what drives the motions, and the states on all grids: fields are pressure,

@@ -14,7 +14,7 @@ use crate::nested;
 use crate::normal::{NormalGrids, Target};
 use crate::parts;
 use crate::problem::{ContactProblem, PeriodError};
-use crate::state::{CellState, ContactState};
+use crate::state::ContactState;
 
 /// Contact without friction, by preconditioned conjugate gradients on an active set. The solution
 /// starts from coarser grids if operator and gap allow it.
@@ -136,7 +136,7 @@ impl Method for Frictionless {
             return Err(NormalError::Friction);
         }
         let operator = problem.operator();
-        let heights = problem.gap().heights().values();
+        let heights = problem.gap().shared_heights();
         let grids = NormalGrids::new(operator, heights, || nested::coarser_operators(operator))?;
         Ok(NormalScratch { grids, workspace: operator.workspace() })
     }
@@ -193,12 +193,8 @@ impl Frictionless {
             let reached = Convergence { products, ..reached };
             return Err(NormalError::NotConverged { tolerance: target.tolerance, reached });
         }
-        let pressure = grids.pressure();
         to.shift.zeta = approach;
-        to.pressure.values_mut().copy_from_slice(pressure);
-        for (cell, pressure) in to.cells.values_mut().iter_mut().zip(pressure) {
-            *cell = if *pressure > 0.0 { CellState::Slip } else { CellState::Exterior };
-        }
+        grids.give(to)?;
         if !operator.validity().contact_at_border
             && let Some(side) = GridWarning::border(to.extent(), to.pressure.grid()).next()
         {
@@ -210,7 +206,7 @@ impl Frictionless {
                 to.displacement_y.values_mut(),
             );
             operator.apply(
-                TractionField::normal(pressure),
+                TractionField::normal(to.pressure.values()),
                 displacements,
                 &mut scratch.workspace,
             )?;

@@ -64,7 +64,7 @@ pub enum PeriodError {
 const ROUNDING: f64 = 1e-13;
 
 /// A contact problem (chapters 11 to 14): a gap, the influence of tractions on displacements, and
-/// friction, all on one grid. Clones copy heights and friction and share the operator.
+/// friction, all on one grid. Clones share heights and operator.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -132,7 +132,7 @@ impl ContactProblem {
 
     /// The grid of gap, operator and friction.
     #[must_use]
-    pub const fn grid(&self) -> Grid {
+    pub fn grid(&self) -> Grid {
         self.gap.grid()
     }
 

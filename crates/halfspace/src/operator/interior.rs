@@ -207,7 +207,9 @@ impl InteriorStress {
                 }
                 *slot = Some(Spectrum::symmetric(
                     &self.plan,
-                    (&table, self.grid.nx()),
+                    |row: usize, values: &mut [f64]| {
+                        values.copy_from_slice(&table[row * self.grid.nx()..][..values.len()]);
+                    },
                     component.parity(axis),
                 ));
             }

@@ -131,6 +131,11 @@ pub trait SurfaceOperator: Send + Sync {
     /// not [invariant](SurfaceOperator::is_invariant), those of the middle cell, as a scale.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
 
+    /// The normal displacement of a cell due to the pressure on it.
+    fn normal_influence_of_a_cell(&self) -> f64 {
+        self.coefficients(0, 0).rows[2][2]
+    }
+
     /// The nine coefficients for a source at any offset from the receiver, source minus receiver;
     /// `None` if they are known for whole cells only.
     fn coefficients_at(&self, _offset: Offset) -> Option<Coefficients> {

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use super::length::Sizes;
 use super::memory;
 use super::plan::Plan;
-use super::product::{Term, apply};
+use super::product::{Term, Terms, apply, reduced};
 use super::sparse::Hierarchy;
 use super::spectrum::{Parity, Spectrum};
 use super::torus::TorusInverse;
@@ -51,10 +51,10 @@ pub struct PeriodicOperator {
     pair: MaterialPair,
     grid: Grid,
     plan: Plan,
-    /// xx, xy, yy, zz; with coupling also xz, yz.
-    spectra: [Option<Spectrum>; 6],
-    /// Displacements due to unit tractions x, y, normal on the first cell.
-    responses: [Vec<f64>; 9],
+    /// xx, xy, yy, zz; with coupling also xz, yz. Each is computed when first needed.
+    spectra: Arc<[OnceLock<Spectrum>; 6]>,
+    /// Displacements due to unit tractions x, y, normal on the first cell, likewise.
+    responses: Arc<[OnceLock<Vec<f64>>; 9]>,
     inverse: TorusInverse,
     hierarchy: Arc<OnceLock<Option<Arc<Hierarchy>>>>,
 }
@@ -75,30 +75,25 @@ impl PeriodicOperator {
         memory::check(6 * sizes.symmetric_spectrum() + sizes.workspace(3, threads) + fields)?;
         let plan = Plan::on(sizes, threads);
         let inverse = TorusInverse::new(&pair, grid, threads);
-        let spectra = spectra(&pair, grid, &sizes);
-        let responses = Default::default();
-        let hierarchy = Arc::default();
-        let mut own = Self { pair, grid, plan, spectra, responses, inverse, hierarchy };
-        own.respond()?;
-        Ok(own)
+        let (spectra, responses, hierarchy) = Default::default();
+        Ok(Self { pair, grid, plan, spectra, responses, inverse, hierarchy })
     }
 
-    fn respond(&mut self) -> Result<(), OperatorError> {
-        let zero = vec![0.0; self.grid.cells()];
-        let mut unit = zero.clone();
-        unit[0] = 1.0;
-        let mut workspace = self.workspace();
-        for by in 0..3 {
-            let [mut u, mut v, mut w] = [zero.clone(), zero.clone(), zero.clone()];
-            let load = |axis: usize| (axis == by).then_some(&unit[..]);
-            let tractions = TractionField { x: load(0), y: load(1), normal: load(2) };
-            let displacements = DisplacementField::full(&mut u, &mut v, &mut w);
-            self.apply(tractions, displacements, &mut workspace)?;
-            for (of, values) in [u, v, w].into_iter().enumerate() {
-                self.responses[3 * of + by] = values;
-            }
+    /// The displacements of all cells along an axis, due to a unit traction on the first cell.
+    fn response(&self, of: Axis, by: Axis) -> &[f64] {
+        let place = &self.responses[3 * of as usize + by as usize];
+        if let Some(known) = place.get() {
+            return known;
         }
-        Ok(())
+        // Not under the lock: pool threads that wait may start other products.
+        let (mut unit, mut response) =
+            (vec![0.0; self.grid.cells()], vec![0.0; self.grid.cells()]);
+        unit[0] = 1.0;
+        let mut blocks = [[None; 3]; 3];
+        blocks[0][0] = self.term(of, by);
+        let terms = Terms { blocks: &blocks, unit: 1.0 };
+        reduced(&self.plan, &[&unit], &terms, &mut [&mut response], &mut Workspace::default());
+        place.get_or_init(|| response)
     }
 
     fn term(&self, of: Axis, by: Axis) -> Option<Term<'_>> {
@@ -112,53 +107,44 @@ impl PeriodicOperator {
             (Axis::Y, Axis::Normal) => (5, 1.0),
             (Axis::Normal, Axis::Y) => (5, -1.0),
         };
-        self.spectra[entry].as_ref().map(|spectrum| Term { spectrum, sign })
+        let held = match entry {
+            1 => self.pair.poisson() != 0.0,
+            4.. => !self.pair.is_uncoupled(),
+            _ => true,
+        };
+        let new = || spectrum(&self.pair, self.grid, &self.plan.sizes, entry);
+        held.then(|| Term { spectrum: self.spectra[entry].get_or_init(new), sign })
     }
 }
 
-/// The symbols of the blocks, column by column, divided by the number of cells.
-fn spectra(pair: &MaterialPair, grid: Grid, sizes: &Sizes) -> [Option<Spectrum>; 6] {
+/// The symbol of a block, column by column, divided by the number of cells.
+fn spectrum(pair: &MaterialPair, grid: Grid, sizes: &Sizes, entry: usize) -> Spectrum {
     let (nx, ny) = (sizes.px, sizes.py);
     let (side_x, side_y) = (nx as f64 * grid.dx(), ny as f64 * grid.dy());
     let (nu, compliance) = (pair.poisson(), 1.0 / pair.shear_modulus());
-    let mut blocks = [(); 6].map(|()| Vec::with_capacity(sizes.columns() * (ny / 2 + 1)));
+    let mut values = Vec::with_capacity(sizes.columns() * (ny / 2 + 1));
     for column in 0..sizes.columns() {
         for row in 0..=ny / 2 {
             let (x, y) = (TAU * column as f64 / side_x, TAU * row as f64 / side_y);
             let square = x * x + y * y;
-            let values = if square == 0.0 {
-                [0.0; 6]
-            } else {
-                // The shortest wave along an axis has no sign.
-                let odd_x = if 2 * column == nx { 0.0 } else { x / square };
-                let odd_y = if 2 * row == ny { 0.0 } else { y / square };
-                let whole = compliance / square.sqrt();
-                [
-                    whole * (1.0 - nu * x * x / square),
-                    -whole * nu * odd_x * odd_y * square,
-                    whole * (1.0 - nu * y * y / square),
-                    whole * (1.0 - nu),
-                    pair.epsilon() * odd_x,
-                    pair.epsilon() * odd_y,
-                ]
+            // The shortest wave along an axis has no sign.
+            let odd_x = if 2 * column == nx { 0.0 } else { x / square };
+            let odd_y = if 2 * row == ny { 0.0 } else { y / square };
+            let whole = compliance / square.sqrt();
+            let value = match entry {
+                _ if square == 0.0 => 0.0,
+                0 => whole * (1.0 - nu * x * x / square),
+                1 => -whole * nu * odd_x * odd_y * square,
+                2 => whole * (1.0 - nu * y * y / square),
+                3 => whole * (1.0 - nu),
+                4 => pair.epsilon() * odd_x,
+                _ => pair.epsilon() * odd_y,
             };
-            for (block, value) in blocks.iter_mut().zip(values) {
-                block.push(value / (nx as f64 * ny as f64));
-            }
+            values.push(value / (nx as f64 * ny as f64));
         }
     }
-    let rows = [Parity::Even, Parity::Odd, Parity::Even, Parity::Even, Parity::Even, Parity::Odd];
-    let mut blocks = blocks.into_iter();
-    std::array::from_fn(|entry| {
-        let values = blocks.next().unwrap_or_default();
-        let (row_parity, imaginary) = (rows[entry], entry >= 4);
-        let held = match entry {
-            1 => pair.poisson() != 0.0,
-            4.. => !pair.is_uncoupled(),
-            _ => true,
-        };
-        held.then(|| Spectrum::Symmetric { values, half: ny / 2 + 1, imaginary, row_parity })
-    })
+    let row_parity = Parity::odd_if(matches!(entry, 1 | 5));
+    Spectrum::Symmetric { values, half: ny / 2 + 1, imaginary: entry >= 4, row_parity }
 }
 
 impl SurfaceOperator for PeriodicOperator {
@@ -195,8 +181,13 @@ impl SurfaceOperator for PeriodicOperator {
         let column = (-columns).rem_euclid(nx as i32) as usize;
         let row = (-rows).rem_euclid(ny as i32) as usize;
         let at = self.grid.index(column, row);
-        let entry = |of: usize, by: usize| self.responses[3 * of + by][at];
-        Coefficients { rows: [0, 1, 2].map(|of| [0, 1, 2].map(|by| entry(of, by))) }
+        let rows = Axis::ALL.map(|of| Axis::ALL.map(|by| self.response(of, by)[at]));
+        Coefficients { rows }
+    }
+
+    /// Without the responses to tangential tractions, which may not be needed.
+    fn normal_influence_of_a_cell(&self) -> f64 {
+        self.response(Axis::Normal, Axis::Normal)[0]
     }
 
     fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
@@ -215,9 +206,10 @@ impl SurfaceOperator for PeriodicOperator {
     fn among(&self, cells: &[usize]) -> Option<Box<dyn SurfaceOperator>> {
         let hierarchy = self.hierarchy.get_or_init(|| {
             let [nx, ny] = [self.grid.nx(), self.grid.ny()];
+            let response = self.response(Axis::Normal, Axis::Normal);
             let kernel = |columns: i32, rows: i32| {
                 let place = |offset: i32, count: usize| offset.rem_euclid(count as i32) as usize;
-                self.responses[8][self.grid.index(place(columns, nx), place(rows, ny))]
+                response[self.grid.index(place(columns, nx), place(rows, ny))]
             };
             Hierarchy::new((self.grid, self.plan.threads), kernel, &self.pair, true).map(Arc::new)
         });

@@ -43,15 +43,18 @@ pub(crate) enum Spectrum<T = f64> {
 }
 
 impl Spectrum {
-    /// From the values at offsets (source minus receiver) of at least `0..nx` by `0..ny`, in rows
-    /// of a given length, and the parities.
-    pub(crate) fn symmetric(plan: &Plan, table: (&[f64], usize), parity: [Parity; 2]) -> Self {
+    /// From the values at offsets (source minus receiver) of `0..nx` by `0..ny`, row by row, and the parities.
+    pub(crate) fn symmetric(
+        plan: &Plan,
+        fill: impl Fn(usize, &mut [f64]) + Sync,
+        parity: [Parity; 2],
+    ) -> Self {
         let [x, y] = parity;
         let mut lanes = vec![Lane::default(); plan.threads.count()];
         for lane in &mut lanes {
             lane.prepare(plan, 0);
         }
-        let rows = symmetric_rows(plan, table, x, &mut lanes);
+        let rows = symmetric_rows(plan, fill, x, &mut lanes);
         let imaginary = x != y;
         // As a function of receiver minus source the kernel is mirrored; the transform of an odd
         // sequence has a factor i, which gives -1 if both are odd.
@@ -214,7 +217,7 @@ fn mirrored<T: Real>(
 /// Transforms the rows and keeps their real (even) or imaginary (odd) parts.
 fn symmetric_rows(
     plan: &Plan,
-    (table, length): (&[f64], usize),
+    fill: impl Fn(usize, &mut [f64]) + Sync,
     parity: Parity,
     lanes: &mut [Lane],
 ) -> Vec<f64> {
@@ -224,14 +227,13 @@ fn symmetric_rows(
     each(plan.threads, lanes, &mut rows, share * columns, |part, lane, share_rows| {
         let mut spectrum = std::mem::take(&mut lane.spectrum);
         for (row, result) in share_rows.chunks_exact_mut(columns).enumerate() {
-            let values = &table[(part * share + row) * length..][..plan.sizes.nx];
             lane.row.fill(0.0);
-            lane.row[..plan.sizes.nx].copy_from_slice(values);
+            fill(part * share + row, &mut lane.row[..plan.sizes.nx]);
             if parity == Parity::Odd {
                 lane.row[0] = 0.0;
             }
-            for (column, value) in values.iter().enumerate().skip(1) {
-                lane.row[plan.sizes.px - column] = parity.sign() * value;
+            for column in 1..plan.sizes.nx {
+                lane.row[plan.sizes.px - column] = parity.sign() * lane.row[column];
             }
             plan.row_forward(lane, &mut spectrum[..columns]);
             for (value, transformed) in result.iter_mut().zip(&spectrum) {

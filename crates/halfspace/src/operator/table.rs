@@ -65,6 +65,11 @@ impl Blocks {
             Entry::Xz | Entry::Yz => self == Self::All && !pair.is_uncoupled(),
         }
     }
+
+    /// Whether a table stores them. The influence of pressures alone is needed once at each offset.
+    fn stores(self, entry: Entry, pair: &MaterialPair) -> bool {
+        self != Self::Normal && self.holds(entry, pair)
+    }
 }
 
 /// The coefficients (4.14) at every offset of a grid; only offsets >= 0 are stored.
@@ -90,23 +95,17 @@ impl CoefficientTable {
 
     /// Memory of a table, in bytes.
     pub(crate) fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks) -> u128 {
-        let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count();
+        let held = Entry::ALL.iter().filter(|&&entry| blocks.stores(entry, pair)).count();
         8 * held as u128 * grid.nx() as u128 * grid.ny() as u128
     }
 
     pub(crate) fn build(pair: MaterialPair, grid: Grid, held: Blocks, threads: Threads) -> Self {
         let influence = RectangleInfluence::new(pair, grid.cell());
         let mut blocks = Entry::ALL
-            .map(|entry| vec![0.0; if held.holds(entry, &pair) { grid.cells() } else { 0 }]);
+            .map(|entry| vec![0.0; if held.stores(entry, &pair) { grid.cells() } else { 0 }]);
         let rows = split_rows(&mut blocks, grid);
         let fill = |(iy, mut row): (usize, [&mut [f64]; 6])| {
             let y = iy as f64 * grid.dy();
-            if held == Blocks::Normal {
-                for (ix, value) in row[Entry::Zz as usize].iter_mut().enumerate() {
-                    *value = influence.normal(Offset { x: ix as f64 * grid.dx(), y });
-                }
-                return;
-            }
             for ix in 0..grid.nx() {
                 let all = influence.independent(Offset { x: ix as f64 * grid.dx(), y });
                 for (entry, values) in Entry::ALL.into_iter().zip(&mut row) {
@@ -177,6 +176,23 @@ impl CoefficientTable {
     /// The values of one coefficient at offsets `0..nx` by `0..ny`; empty if not stored.
     pub(crate) fn block(&self, entry: Entry) -> &[f64] {
         &self.blocks[entry as usize]
+    }
+
+    /// The values of one coefficient in a row of offsets, from 0 on.
+    pub(crate) fn fill_row(&self, entry: Entry, row: usize, values: &mut [f64]) {
+        let stored = self.block(entry);
+        if let Some(stored) = stored.get(row * self.grid.nx()..) && !stored.is_empty() {
+            values.copy_from_slice(&stored[..values.len()]);
+            return;
+        }
+        let y = row as f64 * self.grid.dy();
+        for (column, value) in values.iter_mut().enumerate() {
+            let offset = Offset { x: column as f64 * self.grid.dx(), y };
+            *value = match entry {
+                Entry::Zz => self.influence.normal(offset),
+                _ => entry.of(&self.influence.independent(offset)),
+            };
+        }
     }
 }
 

@@ -155,10 +155,10 @@ impl HalfSpaceOperator {
     fn normal(&self, columns: i32, rows: i32) -> f64 {
         let grid = self.table.grid();
         let [n, m] = [columns, rows].map(|count| count.unsigned_abs() as usize);
-        if self.blocks != Blocks::Tangential && n < grid.nx() && m < grid.ny() {
-            return self.table.block(Entry::Zz)[grid.index(n, m)];
-        }
-        self.table.influence().normal(self.grid.offset(columns, rows))
+        let stored = (n < grid.nx() && m < grid.ny()).then(|| grid.index(n, m));
+        let stored = stored.and_then(|at| self.table.block(Entry::Zz).get(at));
+        let fresh = || self.table.influence().normal(self.grid.offset(columns, rows));
+        stored.copied().unwrap_or_else(fresh)
     }
 
     fn single(&self) -> &Single {
@@ -178,8 +178,8 @@ impl HalfSpaceOperator {
             return known;
         }
         // Not under the lock: pool threads that wait may start other products.
-        let table = (self.table.block(entry), self.table.grid().nx());
-        let new = Spectrum::symmetric(&self.plan, table, entry.parity());
+        let rows = |row: usize, values: &mut [f64]| self.table.fill_row(entry, row, values);
+        let new = Spectrum::symmetric(&self.plan, rows, entry.parity());
         place.get_or_init(|| new)
     }
 }

@@ -50,7 +50,7 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
 def gap_of(
     gap: ArrayLike | Surface, size: tuple[float, float] | None, missing: str | None
 ) -> tuple[Array, tuple[float, float]]:
-    """The gap of an array or of a surface, and the size of its window."""
+    """The gap of an array or of a surface, and the size of its window. An array without missing points is not copied."""
     if missing not in (None, *MISSING):
         raise ValueError(f"missing = {missing!r}: must be 'fill' or 'no contact'")
     own = gap if isinstance(gap, Surface) else of_object(gap, None)
@@ -71,8 +71,9 @@ def gap_of(
         raise ValueError(f"{text}='fill' or 'no contact'")
     if holes.any() and missing == "fill" and not np.isinf(heights).any():
         heights = Surface(np.array(heights), None).prepared(missing="fill").heights
-    heights = np.where(np.isnan(heights), np.inf, heights)
-    return heights - heights.min() if own is not None else heights.copy(), size
+    if holes.any():
+        heights = np.where(np.isnan(heights), np.inf, heights)
+    return heights - heights.min() if own is not None else heights, size
 
 
 class Solver:
@@ -137,7 +138,7 @@ class Solver:
         fine = numbers("friction", friction)
         if fine.shape not in ((), (ny, nx)):
             raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
-        self._gap, self._size = heights, two("size", size, "m")
+        self._shape, self._size = (ny, nx), two("size", size, "m")
         self._materials = MaterialPair(materials) if isinstance(materials, Material) else materials
         self._friction, self._tolerance, self._cut = fine, number("tolerance", tolerance), bool(cut)
         self._periodic = bool(periodic)
@@ -208,13 +209,12 @@ class Solver:
     @property
     def shape(self) -> tuple[int, int]:
         """Shape of the grid, (ny, nx)."""
-        ny, nx = self._gap.shape
-        return ny, nx
+        return self._shape
 
     @property
     def gap(self) -> Array:
         """The gap of the undeformed surfaces, m."""
-        return self._gap.copy()
+        return self._native.gap().reshape(self.shape)
 
     @property
     def size(self) -> tuple[float, float]:
@@ -222,7 +222,7 @@ class Solver:
         return self._size
 
     def _field(self, name: str) -> Array:
-        return self._native.state()[2][1][FIELDS.index(name)].reshape(self.shape)
+        return self._native.field(FIELDS.index(name)).reshape(self.shape)
 
     @property
     def pressure(self) -> Array:
@@ -258,7 +258,7 @@ class Solver:
     @property
     def cells(self) -> NDArray[np.int8]:
         """State of each cell, an array (ny, nx): 0 separated, 1 sticks, 2 slips."""
-        return self._native.state()[2][2].reshape(self.shape)
+        return self._native.cells().reshape(self.shape)
 
     def stress(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, *, body: int = 1) -> Array:
         """The stress (xx, yy, zz, xy, yz, zx), Pa, at points of a body: z > 0 in body 1, z < 0 in body 2.
@@ -298,7 +298,7 @@ class Solver:
 
     def __getstate__(self) -> dict[str, Any]:
         state = {name: value for name, value in self.__dict__.items() if name != "_native"}
-        return {**state, "_state": self._native.state(), "_form": STATE_FORM}
+        return {**state, "_gap": self.gap, "_state": self._native.state(), "_form": STATE_FORM}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         form = state.pop("_form", None)

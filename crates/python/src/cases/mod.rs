@@ -8,6 +8,7 @@ pub(crate) use contact::{case_hertz, case_roll, case_stress};
 pub(crate) use scene::case_scene;
 pub(crate) use shell::case_shell;
 
+use carom::halfspace::Field;
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState};
 use carom::special::WordError;
@@ -121,20 +122,28 @@ pub(crate) fn case_new(kind: &str) -> PyResult<String> {
 
 /// Fields and cell states as flat arrays: pressure, tractions, displacements.
 pub(crate) fn lines<'py>(py: Python<'py>, state: &ContactState) -> Lines<'py> {
-    let fields = [
+    (fields(state).map(|field| PyArray1::from_slice(py, field.values())), cells(py, state))
+}
+
+/// The fields in their order.
+pub(crate) const fn fields(state: &ContactState) -> [&Field; 5] {
+    [
         &state.pressure,
         &state.traction_x,
         &state.traction_y,
         &state.displacement_x,
         &state.displacement_y,
-    ];
+    ]
+}
+
+/// The state of each cell as a number.
+pub(crate) fn cells<'py>(py: Python<'py>, state: &ContactState) -> Bound<'py, PyArray1<i8>> {
     let cells = state.cells.values().iter().map(|cell| match cell {
         CellState::Exterior => 0,
         CellState::Stick => 1,
         CellState::Slip => 2,
     });
-    let fields = fields.map(|field| PyArray1::from_slice(py, field.values()));
-    (fields, PyArray1::from_vec(py, cells.collect()))
+    PyArray1::from_vec(py, cells.collect())
 }
 
 /// The text of a system error, without the error code.

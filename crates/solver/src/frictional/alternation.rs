@@ -123,7 +123,7 @@ impl Pass<'_> {
             )?;
             self.cost.coupling += 1.0;
         }
-        let own = operator.coefficients(0, 0).rows[2][2];
+        let own = operator.normal_influence_of_a_cell();
         scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
         self.check_period_can_shift(&scratch.limits.values)?;
         if let Some(slid) = self.slide(to, scratch)? {

@@ -57,7 +57,7 @@ impl Frictional {
     ) -> Result<FrictionalScratch, FrictionalError> {
         let operator = problem.operator();
         let zero = || vec![0.0; problem.grid().cells()];
-        let heights = problem.gap().heights().values();
+        let heights = problem.gap().shared_heights();
         let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
         Ok(FrictionalScratch {
             normal: NormalGrids::new(operator, heights, || Ok(coarser.to_vec()))?,

@@ -10,7 +10,7 @@ use crate::convergence::{Convergence, Observer};
 use crate::drive::Drive;
 use crate::normal::Target;
 use crate::problem::ContactProblem;
-use crate::state::{CellState, ContactState};
+use crate::state::ContactState;
 
 impl Frictional {
     /// Whether a step has no tractions and no tangential displacements.
@@ -36,7 +36,7 @@ impl Frictional {
         let operator = problem.operator();
         let target = Target { tolerance: self.tolerance, iterations: self.iterations };
         let grids = &mut scratch.normal;
-        grids.heights_mut().copy_from_slice(problem.gap().heights().values());
+        grids.set_heights(problem.gap().shared_heights());
         let started = if drive.is_small_step(from) {
             grids.start_from(from.pressure.values());
             Default::default()
@@ -49,10 +49,7 @@ impl Frictional {
         // Fields of zeros take no memory until they are written.
         *to = ContactState::apart(problem.grid());
         to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
-        to.pressure.values_mut().copy_from_slice(grids.pressure());
-        for (cell, pressure) in to.cells.values_mut().iter_mut().zip(grids.pressure()) {
-            *cell = if *pressure > 0.0 { CellState::Slip } else { CellState::Exterior };
-        }
+        grids.give(to)?;
         Ok(reached)
     }
 }

@@ -11,6 +11,8 @@ pub use outline::Outline;
 pub use rough::SelfAffine;
 pub use shapes::Shape;
 
+use std::sync::Arc;
+
 use carom_halfspace::operator::Threads;
 use carom_halfspace::{Field, Grid};
 use carom_laws::curvature::RelativeCurvature;
@@ -19,6 +21,7 @@ use carom_special::RangeError;
 use crate::nested::coarser;
 
 /// The distance of the undeformed surfaces at the cell centres, zero at first contact (11.1).
+/// Clones are cheap: they share the heights.
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -32,14 +35,15 @@ use crate::nested::coarser;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gap {
-    heights: Field,
+    heights: Arc<Field>,
 }
 
 impl Gap {
     /// The paraboloid A x^2 + B y^2 (3.5), (12.1) about the centre of the grid.
     #[must_use]
     pub fn of_curvature(grid: Grid, curvature: &RelativeCurvature) -> Self {
-        Self { heights: Field::from_function(grid, |x, y| curvature.gap(x, y)) }
+        let heights = Field::from_function(grid, |x, y| curvature.gap(x, y));
+        Self { heights: Arc::new(heights) }
     }
 
     /// An arbitrary shape: `height` at (x, y) from the centre of the grid, infinite where there is
@@ -61,7 +65,7 @@ impl Gap {
         }
         let body = heights.values().iter().any(|height| height.is_finite());
         RangeError::check("gap", f64::INFINITY, body, "finite in at least one cell")?;
-        Ok(Self { heights })
+        Ok(Self { heights: Arc::new(heights) })
     }
 
     /// The same surfaces on cells twice as wide: the mean of four points in each cell; infinite if
@@ -91,13 +95,18 @@ impl Gap {
 
     /// The grid.
     #[must_use]
-    pub const fn grid(&self) -> Grid {
+    pub fn grid(&self) -> Grid {
         self.heights.grid()
     }
 
     /// The gap at the cell centres.
     #[must_use]
-    pub const fn heights(&self) -> &Field {
+    pub fn heights(&self) -> &Field {
+        &self.heights
+    }
+
+    /// The same, shared.
+    pub(crate) const fn shared_heights(&self) -> &Arc<Field> {
         &self.heights
     }
 }

@@ -64,7 +64,7 @@ impl Window {
         Ok(Self { cells, problem, scratch })
     }
 
-    pub(super) const fn grid(&self) -> Grid {
+    pub(super) fn grid(&self) -> Grid {
         self.problem.grid()
     }
 

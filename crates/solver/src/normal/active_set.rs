@@ -58,7 +58,7 @@ impl ActiveSet {
             threads: operator.threads(),
             inverse: inverse_of(operator),
             workspace: operator.workspace(),
-            own: operator.coefficients(0, 0).rows[2][2],
+            own: operator.normal_influence_of_a_cell(),
             gap: zero(),
             preconditioned: zero(),
             direction: zero(),

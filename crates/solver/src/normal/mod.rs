@@ -8,12 +8,13 @@ mod task;
 
 use std::sync::Arc;
 
-use carom_halfspace::Grid;
+use carom_halfspace::{Field, Grid};
 use carom_halfspace::operator::{OperatorError, SurfaceOperator, Workspace};
 
 use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::drive::Driven;
 use crate::nested;
+use crate::state::{CellState, ContactState};
 use active_set::ActiveSet;
 use task::{Limits, NormalTask};
 
@@ -49,7 +50,8 @@ struct Level {
     grid: Grid,
     /// `None` on the finest grid, whose operator belongs to the problem.
     operator: Option<Arc<dyn SurfaceOperator>>,
-    heights: Vec<f64>,
+    heights: Arc<Field>,
+    /// Empty from the end of a solve on.
     pressure: Vec<f64>,
     set: ActiveSet,
 }
@@ -58,16 +60,18 @@ impl NormalGrids {
     /// With coarser grids of the operator, finest first.
     pub(crate) fn new(
         operator: &dyn SurfaceOperator,
-        heights: &[f64],
+        heights: &Arc<Field>,
         coarser: impl FnOnce() -> Result<Vec<Arc<dyn SurfaceOperator>>, OperatorError>,
     ) -> Result<Self, OperatorError> {
-        let mut levels = vec![Level::new(operator, heights.to_vec())];
+        let mut levels = vec![Level::new(operator, Arc::clone(heights))];
         // A known outline needs no coarse grids, and they would not resolve the peaks at its edge.
-        if heights.iter().all(|height| !height.is_infinite()) {
+        if heights.values().iter().all(|height| !height.is_infinite()) {
             for operator in coarser()? {
                 let above = &levels[levels.len() - 1];
                 let threads = operator.threads();
-                let heights = nested::coarser(above.grid, &above.heights, operator.grid(), threads);
+                let (fine, heights) = (above.heights.grid(), above.heights.values());
+                let heights = nested::coarser(fine, heights, operator.grid(), threads);
+                let heights = Arc::new(Field::new(operator.grid(), heights)?);
                 let level = Level::new(&*operator, heights);
                 levels.push(Level { operator: Some(operator), ..level });
             }
@@ -80,14 +84,32 @@ impl NormalGrids {
         &self.levels[0].pressure
     }
 
+    /// Moves the solution into a state without tractions, where all cells in contact slip.
+    pub(crate) fn give(&mut self, to: &mut ContactState) -> Result<(), OperatorError> {
+        let finest = &mut self.levels[0];
+        to.pressure = Field::new(finest.grid, std::mem::take(&mut finest.pressure))?;
+        if finest.grid.cells() >= LARGE {
+            finest.set.release();
+        }
+        for (cell, pressure) in to.cells.values_mut().iter_mut().zip(to.pressure.values()) {
+            *cell = if *pressure > 0.0 { CellState::Slip } else { CellState::Exterior };
+        }
+        Ok(())
+    }
+
     /// The gaps of the solution.
     pub(crate) fn gap(&self) -> &[f64] {
         self.levels[0].set.gap()
     }
 
+    /// Sets the heights on the finest grid.
+    pub(crate) fn set_heights(&mut self, heights: &Arc<Field>) {
+        self.levels[0].heights = Arc::clone(heights);
+    }
+
     /// The heights on the finest grid, to be changed by the caller.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
-        &mut self.levels[0].heights
+        Arc::make_mut(&mut self.levels[0].heights).values_mut()
     }
 
     /// The working memory for products on the finest grid.
@@ -97,7 +119,9 @@ impl NormalGrids {
 
     /// Sets a known pressure as the start.
     pub(crate) fn start_from(&mut self, pressure: &[f64]) {
-        self.levels[0].pressure.copy_from_slice(pressure);
+        let own = &mut self.levels[0].pressure;
+        own.clear();
+        own.extend_from_slice(pressure);
     }
 
     /// Solves from the present pressure; returns the approach.
@@ -149,6 +173,7 @@ impl NormalGrids {
             fine.pressure = nested::finer_pressure(coarse.grid, &coarse.pressure, fine.grid);
             if coarser[0].grid.cells() >= LARGE {
                 coarser[0].set.release();
+                coarser[0].pressure = Vec::new();
             }
             if !fine.pressure.iter().any(|pressure| *pressure > 0.0) {
                 fine.guess(driven);
@@ -172,7 +197,7 @@ impl NormalGrids {
         let Some(lowest) = self.levels[at].lowest() else { return Ok(None) };
         let grid = self.levels[at].grid;
         let alone = [lowest % grid.nx(), lowest / grid.nx()].map(|place| [place; 2]);
-        if matches!(driven, Driven::Shift(approach) if self.levels[at].heights[lowest] >= approach)
+        if matches!(driven, Driven::Shift(approach) if self.levels[at].heights.values()[lowest] >= approach)
         {
             return Ok(Some((grid, alone)));
         }
@@ -194,21 +219,22 @@ impl NormalGrids {
 }
 
 impl Level {
-    fn new(operator: &dyn SurfaceOperator, heights: Vec<f64>) -> Self {
-        let (grid, pressure) = (operator.grid(), vec![0.0; heights.len()]);
+    fn new(operator: &dyn SurfaceOperator, heights: Arc<Field>) -> Self {
+        let (grid, pressure) = (operator.grid(), Vec::new());
         Self { grid, operator: None, heights, pressure, set: ActiveSet::new(operator) }
     }
 
     /// The cell with the smallest gap, if any gap is finite.
     fn lowest(&self) -> Option<usize> {
-        let finite = self.heights.iter().enumerate().filter(|(_, height)| height.is_finite());
+        let finite = self.heights.values().iter().enumerate().filter(|(_, height)| height.is_finite());
         finite.min_by(|one, other| one.1.total_cmp(other.1)).map(|(cell, _)| cell)
     }
 
     /// A first guess without better knowledge: semi-ellipsoidal pressures at the smallest gap.
     fn guess(&mut self, driven: Driven) {
+        let all = self.heights.values();
         let mut heights: Vec<f64> =
-            self.heights.iter().copied().filter(|height| height.is_finite()).collect();
+            all.iter().copied().filter(|height| height.is_finite()).collect();
         heights.sort_by(f64::total_cmp);
         let lowest = heights.first().copied().unwrap_or(0.0);
         let top = match driven {
@@ -216,15 +242,17 @@ impl Level {
             Driven::Load(_) => heights.get(heights.len() / 4).copied().unwrap_or(lowest),
         };
         let span = top - lowest;
-        for (pressure, height) in self.pressure.iter_mut().zip(&self.heights) {
-            *pressure = if *height > top {
+        let at = |height: &f64| {
+            if *height > top {
                 0.0
             } else if span > 0.0 {
                 ((top - height) / span).sqrt()
             } else {
                 1.0
-            };
-        }
+            }
+        };
+        self.pressure.clear();
+        self.pressure.extend(all.iter().map(at));
     }
 }
 
@@ -242,7 +270,7 @@ impl Level {
         };
         let mut task = NormalTask {
             operator: self.operator.as_deref().unwrap_or(own),
-            heights: &self.heights,
+            heights: self.heights.values(),
             driven,
             pressure: &mut self.pressure,
             approach,

@@ -5,7 +5,9 @@
 //! for which B p has the exact gap: the error of the new pressure is that of B on the correction alone. The next exact
 //! gap tells whether a further correction is needed.
 
-use carom_halfspace::operator::{DisplacementField, OperatorError, SurfaceOperator, TractionField};
+use carom_halfspace::operator::{
+    DisplacementField, OperatorError, SurfaceOperator, TractionField, Workspace,
+};
 
 use super::active_set::ActiveSet;
 use super::task::{Limits, NormalTask, finish};
@@ -51,6 +53,8 @@ impl ActiveSet {
                     break;
                 }
                 before = normal;
+                // A correction needs the memory of its own.
+                self.workspace = Workspace::default();
                 let Some(reached) = self.correct_once(task, (normal, limits), observer)? else {
                     break;
                 };

@@ -42,42 +42,31 @@ impl StoredEnergy {
     /// # Errors
     /// [`OperatorError`] if the state is on another grid.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Result<Self, OperatorError> {
-        Ok(Self::with_displacement(problem, state)?.0)
-    }
-
-    /// The same with the normal displacement w1 - w2 of each cell.
-    pub(super) fn with_displacement(
-        problem: &ContactProblem,
-        state: &ContactState,
-    ) -> Result<(Self, Field), OperatorError> {
-        let (operator, grid) = (problem.operator(), problem.grid());
-        // Fields of zeros take no memory until they are written; copies do.
-        let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
-        let (x, y) = (state.traction_x.values(), state.traction_y.values());
-        let pressure = state.pressure.values();
-        // Without tractions their displacements do no work, and not every operator has them.
-        let is_normal = x.iter().chain(y).all(|traction| *traction == 0.0);
-        let tractions = match is_normal {
-            true => TractionField::normal(pressure),
-            false => TractionField::full(x, y, pressure),
-        };
-        let displacements = match is_normal {
-            true => DisplacementField::normal(w.values_mut()),
-            false => DisplacementField::full(u.values_mut(), v.values_mut(), w.values_mut()),
-        };
-        operator.apply(tractions, displacements, &mut operator.workspace())?;
-        let half = 0.5 * grid.cell_area();
-        let (mut normal, mut tangential) = (w.clone(), u);
-        for (own, p) in normal.values_mut().iter_mut().zip(pressure) {
+        let [mut u, v, mut w] = displaced(problem, state)?;
+        let half = 0.5 * problem.grid().cell_area();
+        for (own, p) in w.values_mut().iter_mut().zip(state.pressure.values()) {
             *own *= half * p;
         }
-        if !is_normal {
-            let both = tangential.values_mut().iter_mut().zip(v.values()).zip(x).zip(y);
-            for (((own, v), x), y) in both {
-                *own = half * (*own * x + v * y);
-            }
+        let (x, y) = (state.traction_x.values(), state.traction_y.values());
+        let both = u.values_mut().iter_mut().zip(v.values()).zip(x).zip(y);
+        for (((own, v), x), y) in both {
+            *own = half * (*own * x + v * y);
         }
-        Ok((Self { normal, tangential }, w))
+        Ok(Self { normal: w, tangential: u })
+    }
+
+    /// Their sum, and the normal displacement w1 - w2 of each cell.
+    pub(super) fn total_and_displacement(
+        problem: &ContactProblem,
+        state: &ContactState,
+    ) -> Result<(f64, Field), OperatorError> {
+        let ([u, v, w], half) = (displaced(problem, state)?, 0.5 * problem.grid().cell_area());
+        let loaded = w.values().iter().zip(state.pressure.values()).filter(|(_, p)| **p != 0.0);
+        let normal: f64 = loaded.map(|(w, p)| w * (half * p)).sum();
+        let along = u.values().iter().zip(state.traction_x.values()).map(|(u, x)| u * x);
+        let across = v.values().iter().zip(state.traction_y.values()).map(|(v, y)| v * y);
+        let tangential: f64 = along.zip(across).map(|(along, across)| half * (along + across)).sum();
+        Ok((normal + tangential, w))
     }
 
     /// The sum over all cells.
@@ -85,6 +74,30 @@ impl StoredEnergy {
     pub fn total(&self) -> f64 {
         self.normal.values().iter().sum::<f64>() + self.tangential.values().iter().sum::<f64>()
     }
+}
+
+/// The displacements of each cell; tangential ones are left zero where there are no tractions: they do no work, and not
+/// every operator has them.
+fn displaced(
+    problem: &ContactProblem,
+    state: &ContactState,
+) -> Result<[Field; 3], OperatorError> {
+    let (operator, grid) = (problem.operator(), problem.grid());
+    // Fields of zeros take no memory until they are written; copies do.
+    let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
+    let (x, y) = (state.traction_x.values(), state.traction_y.values());
+    let pressure = state.pressure.values();
+    let is_normal = x.iter().chain(y).all(|traction| *traction == 0.0);
+    let tractions = match is_normal {
+        true => TractionField::normal(pressure),
+        false => TractionField::full(x, y, pressure),
+    };
+    let displacements = match is_normal {
+        true => DisplacementField::normal(w.values_mut()),
+        false => DisplacementField::full(u.values_mut(), v.values_mut(), w.values_mut()),
+    };
+    operator.apply(tractions, displacements, &mut operator.workspace())?;
+    Ok([u, v, w])
 }
 
 /// The friction heat of a step in each cell: tangential traction at the end of the step, times

@@ -4,7 +4,7 @@ use super::StoredEnergy;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 use carom_halfspace::operator::OperatorError;
-use carom_halfspace::{Field, Grid};
+use carom_halfspace::Field;
 
 /// The distance of the deformed surfaces in each cell, computed anew from the tractions: w1 - w2 plus the undeformed gap,
 /// minus the approach; infinite where there is no body. In contact it is what is left of the conditions.
@@ -12,7 +12,7 @@ use carom_halfspace::{Field, Grid};
 /// # Errors
 /// [`OperatorError`] if the state is on another grid.
 pub fn gap_left(problem: &ContactProblem, state: &ContactState) -> Result<Field, OperatorError> {
-    let (_, w) = StoredEnergy::with_displacement(problem, state)?;
+    let (_, w) = StoredEnergy::total_and_displacement(problem, state)?;
     Ok(left(problem, state, w))
 }
 
@@ -42,7 +42,7 @@ impl Surfaces {
         problem: &ContactProblem,
         state: &ContactState,
     ) -> Result<Self, OperatorError> {
-        let (energy, w) = StoredEnergy::with_displacement(problem, state)?;
+        let (stored, w) = StoredEnergy::total_and_displacement(problem, state)?;
         let gap = left(problem, state, w);
         let (sum, count) = gap
             .values()
@@ -53,7 +53,7 @@ impl Surfaces {
             mean_gap: sum / count,
             patches: patches(&state.cells, !problem.operator().displaces_on_average()),
             energy_gap: energy_gap(&state.pressure, &gap),
-            stored: energy.total(),
+            stored,
         })
     }
 }
@@ -72,40 +72,66 @@ fn energy_gap(pressure: &Field, gap: &Field) -> f64 {
 /// The number of connected parts of the contact; cells are connected along their sides, and over the border if the
 /// surfaces are periodic.
 fn patches(cells: &Field<CellState>, is_periodic: bool) -> usize {
-    let grid = cells.grid();
-    let is_in = |cell: usize| cells.values()[cell] != CellState::Exterior;
-    // Each cell points to one of its patch; the patch is the cell that points to itself.
-    let mut parents: Vec<usize> = (0..grid.cells()).collect();
-    let mut count = (0..grid.cells()).filter(|cell| is_in(*cell)).count();
-    for cell in (0..grid.cells()).filter(|cell| is_in(*cell)) {
-        for other in
-            next(grid, cell, is_periodic).into_iter().flatten().filter(|other| is_in(*other))
-        {
-            let [one, two] = [cell, other].map(|cell| root(&mut parents, cell));
-            if one != two {
-                parents[one] = two;
-                count -= 1;
-            }
+    let (grid, cells) = (cells.grid(), cells.values());
+    let mut patches = Patches::default();
+    let (mut below, mut first) = (vec![None; grid.nx()], Vec::new());
+    for row in cells.chunks_exact(grid.nx()) {
+        let mut own: Vec<Option<usize>> = Vec::with_capacity(grid.nx());
+        for (cell, below) in row.iter().zip(&below) {
+            let left = own.last().copied().flatten();
+            own.push((*cell != CellState::Exterior).then(|| match (left, *below) {
+                (Some(one), Some(other)) => patches.join(one, other),
+                (Some(one), None) | (None, Some(one)) => one,
+                (None, None) => patches.begin(),
+            }));
+        }
+        if is_periodic && let (Some(Some(one)), Some(Some(other))) = (own.first(), own.last()) {
+            patches.join(*one, *other);
+        }
+        if is_periodic && first.is_empty() {
+            first.clone_from(&own);
+        }
+        below = own;
+    }
+    for pair in first.iter().zip(&below) {
+        if let (Some(one), Some(other)) = pair {
+            patches.join(*one, *other);
         }
     }
-    count
+    patches.count
 }
 
-/// The cells to the right and above.
-fn next(grid: Grid, cell: usize, is_periodic: bool) -> [Option<usize>; 2] {
-    let (nx, ny) = (grid.nx(), grid.ny());
-    let (i, j) = (cell % nx, cell / nx);
-    let right = if i + 1 < nx { Some(cell + 1) } else { is_periodic.then_some(j * nx) };
-    let above = if j + 1 < ny { Some(cell + nx) } else { is_periodic.then_some(i) };
-    [right, above]
+/// Parts of patches, each of which points to another of the same patch or to itself.
+#[derive(Default)]
+struct Patches {
+    parents: Vec<usize>,
+    count: usize,
 }
 
-fn root(parents: &mut [usize], mut cell: usize) -> usize {
-    while parents[cell] != cell {
-        parents[cell] = parents[parents[cell]];
-        cell = parents[cell];
+impl Patches {
+    fn begin(&mut self) -> usize {
+        self.parents.push(self.parents.len());
+        self.count += 1;
+        self.parents.len() - 1
     }
-    cell
+
+    /// Makes two parts one patch.
+    fn join(&mut self, one: usize, other: usize) -> usize {
+        let [one, other] = [one, other].map(|part| self.root(part));
+        if one != other {
+            self.parents[one] = other;
+            self.count -= 1;
+        }
+        other
+    }
+
+    fn root(&mut self, mut part: usize) -> usize {
+        while self.parents[part] != part {
+            self.parents[part] = self.parents[self.parents[part]];
+            part = self.parents[part];
+        }
+        part
+    }
 }
 
 /// Root mean square of the gradient of the undeformed gap, by differences of neighbours with a body.
@@ -127,6 +153,7 @@ pub(super) fn rms_slope(problem: &ContactProblem) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use carom_halfspace::Grid;
 
     #[test]
     fn patches_are_connected_along_sides_and_over_a_periodic_border() {
