@@ -131,6 +131,11 @@ pub trait SurfaceOperator: Send + Sync {
     /// not [invariant](SurfaceOperator::is_invariant), those of the middle cell, as a scale.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
 
+    /// The least normal displacement of any cell due to a unit pressure on another, if it is known to be positive.
+    fn least_normal_influence(&self) -> Option<f64> {
+        None
+    }
+
     /// The normal displacement of a cell due to the pressure on it.
     fn normal_influence_of_a_cell(&self) -> f64 {
         self.coefficients(0, 0).rows[2][2]

@@ -86,8 +86,7 @@ impl PeriodicOperator {
             return known;
         }
         // Not under the lock: pool threads that wait may start other products.
-        let (mut unit, mut response) =
-            (vec![0.0; self.grid.cells()], vec![0.0; self.grid.cells()]);
+        let (mut unit, mut response) = (vec![0.0; self.grid.cells()], vec![0.0; self.grid.cells()]);
         unit[0] = 1.0;
         let mut blocks = [[None; 3]; 3];
         blocks[0][0] = self.term(of, by);

@@ -116,6 +116,7 @@ impl CoefficientTable {
             }
         };
         match threads {
+            _ if held == Blocks::Normal => {}
             Threads::One => rows.into_iter().enumerate().for_each(fill),
             Threads::Pool => pool::each(rows, fill),
         }
@@ -181,7 +182,9 @@ impl CoefficientTable {
     /// The values of one coefficient in a row of offsets, from 0 on.
     pub(crate) fn fill_row(&self, entry: Entry, row: usize, values: &mut [f64]) {
         let stored = self.block(entry);
-        if let Some(stored) = stored.get(row * self.grid.nx()..) && !stored.is_empty() {
+        if let Some(stored) = stored.get(row * self.grid.nx()..)
+            && !stored.is_empty()
+        {
             values.copy_from_slice(&stored[..values.len()]);
             return;
         }

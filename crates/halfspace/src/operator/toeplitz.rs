@@ -236,6 +236,12 @@ impl SurfaceOperator for HalfSpaceOperator {
         self.table.influence().coefficients(offset).ok()
     }
 
+    /// That of the farthest cell.
+    fn least_normal_influence(&self) -> Option<f64> {
+        let [columns, rows] = [self.grid.nx(), self.grid.ny()].map(|count| count as i32 - 1);
+        Some(self.normal(columns, rows))
+    }
+
     fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {
         Some(Arc::new(self.inverse.clone()))
     }

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 MOTIONS = (("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z"))
 UNITS = {"zeta": "m", "xi": "m", "eta": "m", "omega": "rad", "F_z": "N", "F_x": "N", "F_y": "N", "M_z": "N*m"}
 #: The form of stored solvers; another one when what they keep changes.
-STATE_FORM = 2
+STATE_FORM = 3
 FIELDS = ("pressure", "traction_x", "traction_y", "displacement_x", "displacement_y")
 
 

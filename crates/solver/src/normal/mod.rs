@@ -8,8 +8,8 @@ mod task;
 
 use std::sync::Arc;
 
-use carom_halfspace::{Field, Grid};
 use carom_halfspace::operator::{OperatorError, SurfaceOperator, Workspace};
+use carom_halfspace::{Field, Grid};
 
 use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::drive::Driven;
@@ -226,7 +226,8 @@ impl Level {
 
     /// The cell with the smallest gap, if any gap is finite.
     fn lowest(&self) -> Option<usize> {
-        let finite = self.heights.values().iter().enumerate().filter(|(_, height)| height.is_finite());
+        let finite =
+            self.heights.values().iter().enumerate().filter(|(_, height)| height.is_finite());
         finite.min_by(|one, other| one.1.total_cmp(other.1)).map(|(cell, _)| cell)
     }
 

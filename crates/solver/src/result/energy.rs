@@ -55,18 +55,19 @@ impl StoredEnergy {
         Ok(Self { normal: w, tangential: u })
     }
 
-    /// Their sum, and the normal displacement w1 - w2 of each cell.
-    pub(super) fn total_and_displacement(
+    /// The sums of both over all cells, and the normal displacement w1 - w2 of each cell.
+    pub(super) fn sums_and_displacement(
         problem: &ContactProblem,
         state: &ContactState,
-    ) -> Result<(f64, Field), OperatorError> {
+    ) -> Result<([f64; 2], Field), OperatorError> {
         let ([u, v, w], half) = (displaced(problem, state)?, 0.5 * problem.grid().cell_area());
         let loaded = w.values().iter().zip(state.pressure.values()).filter(|(_, p)| **p != 0.0);
         let normal: f64 = loaded.map(|(w, p)| w * (half * p)).sum();
         let along = u.values().iter().zip(state.traction_x.values()).map(|(u, x)| u * x);
         let across = v.values().iter().zip(state.traction_y.values()).map(|(v, y)| v * y);
-        let tangential: f64 = along.zip(across).map(|(along, across)| half * (along + across)).sum();
-        Ok((normal + tangential, w))
+        let tangential: f64 =
+            along.zip(across).map(|(along, across)| half * (along + across)).sum();
+        Ok(([normal, tangential], w))
     }
 
     /// The sum over all cells.
@@ -78,10 +79,7 @@ impl StoredEnergy {
 
 /// The displacements of each cell; tangential ones are left zero where there are no tractions: they do no work, and not
 /// every operator has them.
-fn displaced(
-    problem: &ContactProblem,
-    state: &ContactState,
-) -> Result<[Field; 3], OperatorError> {
+fn displaced(problem: &ContactProblem, state: &ContactState) -> Result<[Field; 3], OperatorError> {
     let (operator, grid) = (problem.operator(), problem.grid());
     // Fields of zeros take no memory until they are written; copies do.
     let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
@@ -105,11 +103,20 @@ fn displaced(
 /// slip at full sliding.
 #[must_use]
 pub fn dissipated(before: &ContactState, after: &ContactState) -> Field {
-    let [mut heat, across] = after.slip_since(before);
-    let area = heat.grid().cell_area();
-    let tractions = after.traction_x.values().iter().zip(after.traction_y.values());
-    for ((own, slip), (x, y)) in heat.values_mut().iter_mut().zip(across.values()).zip(tractions) {
-        *own = -area * (*own * x + slip * y);
+    let mut heat = Field::uniform(after.pressure.grid(), 0.0);
+    for (own, of_cell) in heat.values_mut().iter_mut().zip(heats(before, after)) {
+        *own = of_cell;
     }
     heat
+}
+
+/// The same, cell by cell.
+pub(super) fn heats<'a>(
+    before: &'a ContactState,
+    after: &'a ContactState,
+) -> impl Iterator<Item = f64> + 'a {
+    let area = after.pressure.grid().cell_area();
+    let tractions = after.traction_x.values().iter().zip(after.traction_y.values());
+    let slips = after.slips_since(before).zip(tractions);
+    slips.map(move |([along, across], (x, y))| -area * (along * x + across * y))
 }

@@ -13,17 +13,29 @@ impl ContactState {
     /// one.
     #[must_use]
     pub fn slip_since(&self, before: &Self) -> [Field; 2] {
-        let (now, then) = (self.shift, before.shift);
-        let [xi, eta, turn] = [now.xi - then.xi, now.eta - then.eta, now.omega - then.omega];
         let grid = self.pressure.grid();
         let mut slip = [Field::uniform(grid, 0.0), Field::uniform(grid, 0.0)];
         let [along_x, along_y] = &mut slip;
-        let x = self.displacement_x.values().iter().zip(before.displacement_x.values());
-        let y = self.displacement_y.values().iter().zip(before.displacement_y.values());
-        for (i, (((u, u_then), (v, v_then)), (x, y))) in x.zip(y).zip(grid.centres()).enumerate() {
-            along_x.values_mut()[i] = u - u_then - (xi + y * turn);
-            along_y.values_mut()[i] = v - v_then - (eta - x * turn);
+        for ((x, y), own) in
+            along_x.values_mut().iter_mut().zip(along_y.values_mut()).zip(self.slips_since(before))
+        {
+            [*x, *y] = own;
         }
         slip
+    }
+
+    /// The same, cell by cell.
+    pub(super) fn slips_since<'a>(
+        &'a self,
+        before: &'a Self,
+    ) -> impl Iterator<Item = [f64; 2]> + 'a {
+        let (now, then) = (self.shift, before.shift);
+        let [xi, eta, turn] = [now.xi - then.xi, now.eta - then.eta, now.omega - then.omega];
+        let x = self.displacement_x.values().iter().zip(before.displacement_x.values());
+        let y = self.displacement_y.values().iter().zip(before.displacement_y.values());
+        let cells = x.zip(y).zip(self.pressure.grid().centres());
+        cells.map(move |(((u, u_then), (v, v_then)), (x, y))| {
+            [u - u_then - (xi + y * turn), v - v_then - (eta - x * turn)]
+        })
     }
 }

@@ -6,7 +6,7 @@ use carom_table::{Column, Value};
 use crate::accuracy::{Estimated, Estimates};
 use crate::convergence::{Convergence, Products, Residuals};
 use crate::problem::ContactProblem;
-use crate::result::dissipated;
+use crate::result::energy::heats;
 use crate::result::surfaces::{Surfaces, rms_slope};
 use crate::state::{CellState, ContactState};
 use carom_halfspace::operator::OperatorError;
@@ -64,6 +64,9 @@ pub struct StepSummary {
     pub pressure_over_slope: f64,
     /// How far the elastic energy of the pressure may be above its least value for this force, by a fresh product.
     pub energy_gap: f64,
+    /// How far the energy less the work of the approach may be above its least value for this approach; `None` on a
+    /// periodic surface, a plate, with given influence numbers, and for materials that couple.
+    pub energy_gap_by_approach: Option<f64>,
     /// Violations of the contact conditions.
     pub residuals: Residuals,
     /// The cost of the step.
@@ -89,7 +92,7 @@ impl StepSummary {
         let area = after.pressure.grid().cell_area();
         let [stick, slip] =
             [CellState::Stick, CellState::Slip].map(|cell| after.count(cell) as f64);
-        let heat: f64 = dissipated(before, after).values().iter().sum();
+        let heat: f64 = heats(before, after).sum();
         let surfaces = Surfaces::of(problem, after)?;
         let window = area * after.pressure.grid().cells() as f64;
         let load = after.load();
@@ -107,6 +110,7 @@ impl StepSummary {
             patches: surfaces.patches,
             pressure_over_slope: over_slope(problem, load.f_z / window),
             energy_gap: surfaces.energy_gap,
+            energy_gap_by_approach: surfaces.energy_gap_by_approach,
             residuals: convergence.residuals,
             products: convergence.products,
             estimates: None,
@@ -175,6 +179,7 @@ impl StepSummary {
             self.patches as f64,
             self.pressure_over_slope,
             self.energy_gap,
+            self.energy_gap_by_approach.unwrap_or(f64::NAN),
             residuals.normal,
             residuals.tangential,
             products.normal,
@@ -201,8 +206,9 @@ impl StepSummary {
             patches: n[16] as usize,
             pressure_over_slope: n[17],
             energy_gap: n[18],
-            residuals: Residuals { normal: n[19], tangential: n[20] },
-            products: Products { normal: n[21], tangential: n[22], ..Products::default() },
+            energy_gap_by_approach: Some(n[19]).filter(|gap| !gap.is_nan()),
+            residuals: Residuals { normal: n[20], tangential: n[21] },
+            products: Products { normal: n[22], tangential: n[23], ..Products::default() },
             estimates: None,
         };
         let errors: [f64; ERRORS] = std::array::from_fn(|i| n[OWN + i]);
@@ -253,6 +259,12 @@ impl StepSummary {
             "J",
             "the pressure is proven to be this near to the least energy for its force",
             |step| step.energy_gap.into(),
+        ),
+        Column::new(
+            "energy_gap_by_approach",
+            "J",
+            "the same for the energy less the work of the approach, for its approach; undefined if none is known",
+            |step| step.energy_gap_by_approach.map_or(Value::Undefined, Into::into),
         ),
         Column::new("residual_normal", "", "what is left of the normal conditions", |step| {
             step.residuals.normal.into()
@@ -308,7 +320,7 @@ fn over_slope(problem: &ContactProblem, pressure: f64) -> f64 {
 }
 
 /// Number of values without errors, and number of errors.
-const OWN: usize = 23;
+const OWN: usize = 24;
 const ERRORS: usize = 11;
 
 /// The errors in the order of the columns.

@@ -3,8 +3,8 @@
 use super::StoredEnergy;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
-use carom_halfspace::operator::OperatorError;
 use carom_halfspace::Field;
+use carom_halfspace::operator::OperatorError;
 
 /// The distance of the deformed surfaces in each cell, computed anew from the tractions: w1 - w2 plus the undeformed gap,
 /// minus the approach; infinite where there is no body. In contact it is what is left of the conditions.
@@ -12,7 +12,7 @@ use carom_halfspace::Field;
 /// # Errors
 /// [`OperatorError`] if the state is on another grid.
 pub fn gap_left(problem: &ContactProblem, state: &ContactState) -> Result<Field, OperatorError> {
-    let (_, w) = StoredEnergy::total_and_displacement(problem, state)?;
+    let (_, w) = StoredEnergy::sums_and_displacement(problem, state)?;
     Ok(left(problem, state, w))
 }
 
@@ -33,6 +33,8 @@ pub(super) struct Surfaces {
     pub(super) patches: usize,
     /// How far the elastic energy may be above its least value for this force.
     pub(super) energy_gap: f64,
+    /// How far the energy less the work of the approach may be above its least value, where a bound is known.
+    pub(super) energy_gap_by_approach: Option<f64>,
     /// Elastic energy of both bodies.
     pub(super) stored: f64,
 }
@@ -42,8 +44,13 @@ impl Surfaces {
         problem: &ContactProblem,
         state: &ContactState,
     ) -> Result<Self, OperatorError> {
-        let (stored, w) = StoredEnergy::total_and_displacement(problem, state)?;
+        let ([normal, tangential], w) = StoredEnergy::sums_and_displacement(problem, state)?;
         let gap = left(problem, state, w);
+        // Where tractions displace along the normal, the normal energy is not that of the pressure alone.
+        let is_alone = !problem.operator().is_coupled();
+        let by_approach = is_alone
+            .then(|| energy_gap_by_approach(problem, (&state.pressure, normal), &gap))
+            .flatten();
         let (sum, count) = gap
             .values()
             .iter()
@@ -53,7 +60,8 @@ impl Surfaces {
             mean_gap: sum / count,
             patches: patches(&state.cells, !problem.operator().displaces_on_average()),
             energy_gap: energy_gap(&state.pressure, &gap),
-            stored,
+            energy_gap_by_approach: by_approach,
+            stored: normal + tangential,
         })
     }
 }
@@ -67,6 +75,24 @@ fn energy_gap(pressure: &Field, gap: &Field) -> f64 {
     let pairs = pressure.values().iter().zip(gap.values()).filter(|(p, _)| **p > 0.0);
     let sum: f64 = pairs.map(|(p, gap)| p * (gap - least)).sum();
     pressure.grid().cell_area() * sum
+}
+
+/// The same for a given approach. The pressure q of least energy less the work of the approach, J(q) = q.Kq/2 + q.(h - zeta),
+/// has the gradient g, so that J(p) - J(q) <= p.g - q.g <= p.g + o Q, with the force Q of q and the greatest overlap o. If the
+/// least influence is k, k Q^2 <= q.Kq = -2 J(q). With the stored energy E = p.g - J(p) and y^2 = -J(q): y^2 <= E + o sqrt(2/k) y.
+fn energy_gap_by_approach(
+    problem: &ContactProblem,
+    (pressure, energy): (&Field, f64),
+    gap: &Field,
+) -> Option<f64> {
+    let area = pressure.grid().cell_area();
+    let least = problem.operator().least_normal_influence()?;
+    let overlap = gap.values().iter().fold(0.0_f64, |most, gap| most.max(-gap));
+    let by = overlap * libm::sqrt(2.0 * area / least);
+    let root = 0.5 * (by + libm::sqrt(by * by + 4.0 * energy));
+    let pairs = pressure.values().iter().zip(gap.values()).filter(|(p, _)| **p > 0.0);
+    let work: f64 = area * pairs.map(|(p, gap)| p * gap).sum::<f64>();
+    Some((work + by * root).max(0.0))
 }
 
 /// The number of connected parts of the contact; cells are connected along their sides, and over the border if the
@@ -153,7 +179,34 @@ pub(super) fn rms_slope(problem: &ContactProblem) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_halfspace::Grid;
+    use crate::gap::Gap;
+    use carom_halfspace::{Grid, Material, MaterialPair};
+    use carom_laws::friction::Friction;
+
+    /// One cell of influence k, at an approach z above its height: the pressure z/k has the least energy, and p has
+    /// A k (p - z/k)^2/2 more; without pressure the bound is four times that.
+    #[test]
+    fn the_energy_by_approach_of_one_cell_is_bounded() {
+        let grid = Grid::new(1, 1, 0.5, 0.25).unwrap();
+        let body = Material::from_shear(1.0, 0.3).unwrap();
+        let pair = MaterialPair::new(body, body).unwrap();
+        let gap = Gap::from_function(grid, |_, _| 0.0).unwrap();
+        let problem = ContactProblem::of_half_spaces(gap, pair, Friction::NONE).unwrap();
+        let own = problem.operator().normal_influence_of_a_cell();
+        let (zeta, area) = (0.01, grid.cell_area());
+        for part in [0.0, 0.3, 0.9, 1.0, 1.4] {
+            let pressure = part * zeta / own;
+            let field = |value: f64| Field::uniform(grid, value);
+            let energy = 0.5 * area * own * pressure * pressure;
+            let left = field(own * pressure - zeta);
+            let bound = energy_gap_by_approach(&problem, (&field(pressure), energy), &left);
+            let above = 0.5 * area * own * (pressure - zeta / own).powi(2);
+            let ratio = bound.unwrap() / (0.5 * area * zeta * zeta / own);
+            assert!(ratio >= above / (0.5 * area * zeta * zeta / own) - 1e-15, "{part}: {ratio}");
+            assert!(part > 0.0 || (ratio - 4.0).abs() < 1e-14, "{ratio}");
+            assert!(part != 1.0 || ratio < 1e-12, "{ratio}");
+        }
+    }
 
     #[test]
     fn patches_are_connected_along_sides_and_over_a_periodic_border() {

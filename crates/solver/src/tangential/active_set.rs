@@ -11,7 +11,6 @@
 //!
 //! All fields are compressed to the cells of the contact; products use the box that contains them.
 
-use carom_halfspace::Grid;
 use carom_halfspace::operator::{OperatorError, ROUGHNESS, SurfaceOperator, Threads};
 use nalgebra::Vector3;
 
@@ -40,7 +39,7 @@ pub(super) struct ActiveSet {
     pub(super) compressed: Compressed,
     pub(super) centres: Plane,
     pub(super) deflation: Deflation,
-    /// The influence of a cell's traction on itself, mean of both directions.
+    /// The influence of a cell's traction on itself, mean of both directions; of the operator of the task.
     pub(super) own: f64,
     /// The slip.
     pub(super) slip: Plane,
@@ -62,14 +61,13 @@ pub(super) struct ActiveSet {
 
 impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
-        let own = operator.coefficients(0, 0).rows;
         Self {
             threads: operator.threads(),
             influence: ContactInfluence::new(operator.threads()),
             compressed: Compressed::default(),
             centres: Plane::default(),
             deflation: Deflation::default(),
-            own: 0.5 * (own[0][0] + own[1][1]),
+            own: 0.0,
             slip: Plane::default(),
             rim: Plane::default(),
             bend: Vec::new(),
@@ -83,8 +81,10 @@ impl ActiveSet {
         }
     }
 
-    pub(super) fn make_room(&mut self, grid: Grid) {
-        self.influence.contact.centres(grid, &mut self.centres);
+    pub(super) fn make_room(&mut self, operator: &dyn SurfaceOperator) {
+        let own = operator.coefficients(0, 0).rows;
+        self.own = 0.5 * (own[0][0] + own[1][1]);
+        self.influence.contact.centres(operator.grid(), &mut self.centres);
         let cells = self.influence.contact.cells();
         let planes = [
             &mut self.slip,

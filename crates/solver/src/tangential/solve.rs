@@ -68,7 +68,7 @@ impl ActiveSet {
         self.influence.enter(task.operator, task.limits);
         let mut compressed = std::mem::take(&mut self.compressed);
         compressed.take(task, &self.influence.contact);
-        self.make_room(task.operator.grid());
+        self.make_room(task.operator);
         let mut own = compressed.task(task);
         let convergence = solver(self, &mut own, task.limits.len());
         task.rigid = own.rigid;

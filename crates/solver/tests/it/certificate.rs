@@ -185,3 +185,41 @@ fn no_drawn_contact_is_a_wrong_success() {
     }
     assert!(periodic > 200 && worst < 1e-8, "{periodic} {worst:e}");
 }
+
+/// What a rough solution by approach has above the energy of a fine one, by the other product, is below its bound, which is
+/// of the first order in what is left of the conditions.
+#[test]
+fn the_energy_by_approach_is_bounded() {
+    let mut random = Random(20_261_130);
+    let mut count = 0;
+    while count < 100 {
+        let drawn = Drawn::new(&mut random);
+        let zeta = 0.02 + 0.15 * random.next();
+        if drawn.is_periodic {
+            continue;
+        }
+        count += 1;
+        let problem = drawn.problem();
+        let drive = Drive { normal: Driven::Shift(zeta), ..Drive::default() };
+        let solved = |tolerance: f64| {
+            let method = Frictional::default().within(tolerance).unwrap();
+            let apart = ContactState::apart(drawn.grid);
+            let (mut state, mut scratch) = (apart.clone(), method.scratch(&problem).unwrap());
+            let went =
+                method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+            let step = StepSummary::default().next(&problem, [&apart, &state], &went).unwrap();
+            let pressure = state.pressure.values();
+            let w = drawn.displacements(pressure);
+            let works = pressure.iter().zip(&w).zip(&drawn.gap);
+            let sum: f64 = works.map(|((p, w), gap)| p * (0.5 * w + gap - zeta)).sum();
+            (drawn.grid.cell_area() * sum, step.energy_gap_by_approach.unwrap())
+        };
+        let (least, fine) = solved(1e-12);
+        for tolerance in [1e-2, 1e-3, 1e-5] {
+            let (energy, bound) = solved(tolerance);
+            let above = energy - least;
+            assert!(above <= bound + 1e-12 * least.abs(), "{tolerance}: {above:e} {bound:e}");
+            assert!(bound <= 20.0 * tolerance * least.abs() && fine <= 1e-10 * least.abs());
+        }
+    }
+}

@@ -56,8 +56,9 @@ fn step() -> StepSummary {
         patches: 17,
         pressure_over_slope: 18.0,
         energy_gap: 19.0,
-        residuals: Residuals { normal: 20.0, tangential: 21.0 },
-        products: Products { normal: 22.0, tangential: 23.0, ..Products::default() },
+        energy_gap_by_approach: Some(20.0),
+        residuals: Residuals { normal: 21.0, tangential: 22.0 },
+        products: Products { normal: 23.0, tangential: 24.0, ..Products::default() },
         estimates: Some(all),
     }
 }
@@ -85,6 +86,7 @@ fn columns_and_kept_numbers_show_each_field_in_its_place() {
         ("patches", ""),
         ("pressure_over_slope", ""),
         ("energy_gap", "J"),
+        ("energy_gap_by_approach", "J"),
         ("residual_normal", ""),
         ("residual_tangential", ""),
         ("products_normal", ""),

@@ -15,7 +15,7 @@ use super::length::Sizes;
 use super::plan::Plan;
 use super::precision::Real as _;
 use super::product::{Term, Terms};
-use super::spectrum::Spectrum;
+use super::spectrum::{Parity, Spectrum};
 use super::torus::TorusInverse;
 use super::{
     Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
@@ -62,7 +62,7 @@ impl Hierarchy {
     /// materials and whether the surface repeats itself. `None` if grids cannot be made coarser.
     pub(crate) fn new(
         (grid, threads): (Grid, Threads),
-        kernel: impl Fn(i32, i32) -> f64,
+        kernel: impl Fn(i32, i32) -> f64 + Sync,
         pair: &MaterialPair,
         periodic: bool,
     ) -> Option<Self> {
@@ -94,8 +94,12 @@ impl Hierarchy {
         let [nx, ny] = coarse.counts;
         let cells = Grid::new(nx, ny, grid.dx(), grid.dy()).ok()?;
         let sizes = if periodic { Sizes::of_period(cells) } else { Sizes::of(cells) };
-        let coarsest =
-            Spectrum::general(&Plan::on(sizes, threads), |x, y| kernel(spacing * x, spacing * y));
+        let fill = |row: usize, values: &mut [f64]| {
+            for (column, value) in values.iter_mut().enumerate() {
+                *value = kernel(spacing * column as i32, spacing * row as i32);
+            }
+        };
+        let coarsest = Spectrum::symmetric(&Plan::on(sizes, threads), fill, [Parity::Even; 2]);
         let (plan, unit) = (Plan::on(sizes, threads), coarsest.greatest());
         let (coarsest, inverse) = (coarsest.over(unit), inverse_stencil(grid, pair)?);
         Some(Self { grid, threads, frames, stencils, plan, coarsest, unit, inverse, own })

@@ -27,8 +27,19 @@ pub(super) const EVEN: [(i32, f32); 1] = [(0, 1.0)];
 /// What is missing, by offset along y and x.
 pub(super) type Stencil = [[f32; ROW]; 2 * REACH + 1];
 
-/// The stencils of the four kinds of receivers, see [`kind`].
+/// The nodes of two points are at most so much farther apart than the points.
+const FARTHER: usize = 2 * NODES;
+const FARTHEST: usize = REACH + FARTHER;
+
+/// The stencils of the four kinds of receivers, see [`kind`], from a kernel that is even along both axes.
 pub(super) fn stencils(kernel: &impl Fn(i32, i32) -> f64) -> [Stencil; 4] {
+    let mut known = [[0.0; FARTHEST + 1]; FARTHEST + 1];
+    for (y, row) in known.iter_mut().enumerate() {
+        for (x, value) in row.iter_mut().enumerate() {
+            *value = kernel(x as i32, y as i32);
+        }
+    }
+    let kernel = &|x: i32, y: i32| known[y.unsigned_abs() as usize][x.unsigned_abs() as usize];
     [[0, 0], [1, 0], [0, 1], [1, 1]].map(|odd| {
         let mut stencil = Stencil::default();
         for (row, values) in stencil.iter_mut().enumerate() {
