@@ -7,21 +7,25 @@
 //! shifted in 39 increments, with the friction instead of the number of cells. loop: a sphere pressed by a
 //! force and shifted to and fro in 19 further steps, nu = 0.28; loop_finely: the first tenth of it.
 //! rough: the surface that `peers/rough.py` has written to the folder CAROM_ROUGH, pressed by a force; pressures are
-//! written beside it.
+//! written beside it. certified, certified_periodic: the same, with the certificate instead of the pressures.
 //! product: the least time of one product of all pressures, of both tangential tractions, and of the inverses.
 //! CAROM_THREADS=2 uses two threads.
 
+use std::fs::File;
+use std::io::{BufReader, BufWriter, Read as _, Write as _};
+use std::sync::Arc;
 use std::time::Instant;
 
 use carom_halfspace::operator::{
-    Blocks, DisplacementField, HalfSpaceOperator, Threads, TractionField,
+    Blocks, DisplacementField, HalfSpaceOperator, OperatorError, PeriodicOperator, SurfaceOperator,
+    Threads, TractionField,
 };
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap, Method,
-    Products, Shape,
+    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Frictionless,
+    Gap, Method, Products, Shape, StepSummary,
 };
 
 const RADIUS: f64 = 100.0;
@@ -47,6 +51,8 @@ fn main() -> Result<(), Failure> {
         "history" => history(number.parse()?, tolerance),
         "loop" => shift_to_and_fro(number.parse()?, 19, tolerance),
         "rough" => rough(number.parse()?, tolerance),
+        "certified" => certified(number.parse()?, tolerance, &half_space),
+        "certified_periodic" => certified(number.parse()?, tolerance, &periodic),
         "product" => product(number.parse()?),
         "loop_finely" => shift_to_and_fro(number.parse()?, 190, tolerance),
         _ => Err(format!("no case {case}").into()),
@@ -68,9 +74,8 @@ fn ball(
     let body = Material::from_shear(SHEAR, poisson)?;
     let pair = MaterialPair::new(body, body)?;
     let gap = Gap::of_shape(grid, &Shape::Paraboloid { radii: [RADIUS; 2] })?;
-    let threads = if rayon::current_num_threads() > 1 { Threads::Pool } else { Threads::One };
-    let operator = HalfSpaceOperator::with_blocks(pair, grid, blocks, threads)?;
-    Ok(ContactProblem::new(gap, std::sync::Arc::new(operator), Friction::new(friction)?)?)
+    let operator = HalfSpaceOperator::with_blocks(pair, grid, blocks, threads())?;
+    Ok(ContactProblem::new(gap, Arc::new(operator), Friction::new(friction)?)?)
 }
 
 fn hertz(by_force: bool, cells: usize, tolerance: f64) -> Result<(), Failure> {
@@ -92,33 +97,81 @@ fn hertz(by_force: bool, cells: usize, tolerance: f64) -> Result<(), Failure> {
     Ok(())
 }
 
+/// What makes the operator of a rough surface.
+type Make<'a> = &'a dyn Fn(MaterialPair, Grid) -> Result<Arc<dyn SurfaceOperator>, OperatorError>;
+
+fn threads() -> Threads {
+    if rayon::current_num_threads() > 1 { Threads::Pool } else { Threads::One }
+}
+
+fn half_space(pair: MaterialPair, grid: Grid) -> Result<Arc<dyn SurfaceOperator>, OperatorError> {
+    Ok(Arc::new(HalfSpaceOperator::with_blocks(pair, grid, Blocks::Normal, threads())?))
+}
+
+fn periodic(pair: MaterialPair, grid: Grid) -> Result<Arc<dyn SurfaceOperator>, OperatorError> {
+    Ok(Arc::new(PeriodicOperator::new(pair, grid, threads())?))
+}
+
+/// A rough surface that was pressed, before and after, with the times of set-up and solution.
+struct Rough {
+    problem: ContactProblem,
+    states: [ContactState; 2],
+    went: Convergence,
+    times: [f64; 2],
+}
+
+impl Rough {
+    fn new(cells: usize, tolerance: f64, make: Make<'_>) -> Result<Self, Failure> {
+        let (side, modulus) = (2.4, SHEAR / 0.7);
+        let grid = Grid::new(cells, cells, side / cells as f64, side / cells as f64)?;
+        let path = format!("{}/rough{cells}.f64", std::env::var("CAROM_ROUGH")?);
+        let (mut file, mut bytes) = (BufReader::new(File::open(path)?), [0; 8]);
+        let mut heights = Vec::with_capacity(grid.cells());
+        for _ in 0..grid.cells() {
+            file.read_exact(&mut bytes)?;
+            heights.push(f64::from_le_bytes(bytes));
+        }
+        let begin = Instant::now();
+        let body = Material::from_shear(SHEAR, 0.3)?;
+        let operator = make(MaterialPair::new(body, body)?, grid)?;
+        let gap = Gap::new(Field::new(grid, heights)?)?;
+        let problem = ContactProblem::new(gap, operator, Friction::NONE)?;
+        let method = Frictionless::default().within(tolerance)?;
+        let mut scratch = method.scratch(&problem)?;
+        let (set_up, begin) = (begin.elapsed().as_secs_f64(), Instant::now());
+        let normal = Driven::Load(1e-3 * modulus * side * side);
+        let drive = Drive { normal, ..Drive::default() };
+        let (apart, mut state) = (ContactState::apart(grid), ContactState::apart(grid));
+        let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+        let times = [set_up, begin.elapsed().as_secs_f64()];
+        Ok(Self { problem, states: [apart, state], went, times })
+    }
+}
+
 fn rough(cells: usize, tolerance: f64) -> Result<(), Failure> {
-    let folder = std::env::var("CAROM_ROUGH")?;
-    let (side, modulus) = (2.4, SHEAR / 0.7);
-    let grid = Grid::new(cells, cells, side / cells as f64, side / cells as f64)?;
-    let bytes = std::fs::read(format!("{folder}/rough{cells}.f64"))?;
-    let heights = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-    drop(bytes);
-    let begin = Instant::now();
-    let body = Material::from_shear(SHEAR, 0.3)?;
-    let operator = HalfSpaceOperator::with_blocks(
-        MaterialPair::new(body, body)?,
-        grid,
-        Blocks::Normal,
-        Threads::One,
-    )?;
-    let gap = Gap::new(Field::new(grid, heights)?)?;
-    let problem = ContactProblem::new(gap, std::sync::Arc::new(operator), Friction::NONE)?;
-    let method = Frictionless::default().within(tolerance)?;
-    let mut scratch = method.scratch(&problem)?;
-    let (set_up, begin) = (begin.elapsed().as_secs_f64(), Instant::now());
-    let drive = Drive { normal: Driven::Load(1e-3 * modulus * side * side), ..Drive::default() };
-    let (apart, mut state) = (ContactState::apart(grid), ContactState::apart(grid));
-    let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-    let solve = begin.elapsed().as_secs_f64();
-    let pressures: Vec<u8> = state.pressure.values().iter().flat_map(|p| p.to_le_bytes()).collect();
-    std::fs::write(format!("{folder}/carom{cells}.f64"), pressures)?;
-    tell([set_up, solve], went.products, went.residuals.normal);
+    let Rough { states: [_, state], went, times, .. } = Rough::new(cells, tolerance, &half_space)?;
+    let path = format!("{}/carom{cells}.f64", std::env::var("CAROM_ROUGH")?);
+    let mut file = BufWriter::new(File::create(path)?);
+    for pressure in state.pressure.values() {
+        file.write_all(&pressure.to_le_bytes())?;
+    }
+    file.flush()?;
+    tell(times, went.products, went.residuals.normal);
+    Ok(())
+}
+
+fn certified(cells: usize, tolerance: f64, make: Make<'_>) -> Result<(), Failure> {
+    let Rough { problem, states: [apart, state], went, times } =
+        Rough::new(cells, tolerance, make)?;
+    let step = StepSummary::default().next(&problem, [&apart, &state], &went)?;
+    println!(
+        "{{\"force\": {:e}, \"contact\": {:e}, \"patches\": {}, \"energy_gap_over_energy\": {:e}}}",
+        step.load.f_z,
+        step.contact_share,
+        step.patches,
+        step.energy_gap / step.stored_energy
+    );
+    tell(times, went.products, went.residuals.normal);
     Ok(())
 }
 

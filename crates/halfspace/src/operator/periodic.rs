@@ -80,19 +80,25 @@ impl PeriodicOperator {
     }
 
     /// The displacements of all cells along an axis, due to a unit traction on the first cell.
-    fn response(&self, of: Axis, by: Axis) -> &[f64] {
-        let place = &self.responses[3 * of as usize + by as usize];
-        if let Some(known) = place.get() {
-            return known;
-        }
-        // Not under the lock: pool threads that wait may start other products.
+    fn response(&self, of: Axis, by: Axis) -> Vec<f64> {
         let (mut unit, mut response) = (vec![0.0; self.grid.cells()], vec![0.0; self.grid.cells()]);
         unit[0] = 1.0;
         let mut blocks = [[None; 3]; 3];
         blocks[0][0] = self.term(of, by);
         let terms = Terms { blocks: &blocks, unit: 1.0 };
         reduced(&self.plan, &[&unit], &terms, &mut [&mut response], &mut Workspace::default());
-        place.get_or_init(|| response)
+        response
+    }
+
+    /// The same, kept.
+    fn kept_response(&self, of: Axis, by: Axis) -> &[f64] {
+        let place = &self.responses[3 * of as usize + by as usize];
+        if let Some(known) = place.get() {
+            return known;
+        }
+        // Not under the lock: pool threads that wait may start other products.
+        let new = self.response(of, by);
+        place.get_or_init(|| new)
     }
 
     fn term(&self, of: Axis, by: Axis) -> Option<Term<'_>> {
@@ -180,13 +186,14 @@ impl SurfaceOperator for PeriodicOperator {
         let column = (-columns).rem_euclid(nx as i32) as usize;
         let row = (-rows).rem_euclid(ny as i32) as usize;
         let at = self.grid.index(column, row);
-        let rows = Axis::ALL.map(|of| Axis::ALL.map(|by| self.response(of, by)[at]));
+        let rows = Axis::ALL.map(|of| Axis::ALL.map(|by| self.kept_response(of, by)[at]));
         Coefficients { rows }
     }
 
-    /// Without the responses to tangential tractions, which may not be needed.
+    /// The sum of all waves; a response has the memory of a field.
     fn normal_influence_of_a_cell(&self) -> f64 {
-        self.response(Axis::Normal, Axis::Normal)[0]
+        let term = self.term(Axis::Normal, Axis::Normal);
+        term.map_or(0.0, |term| term.spectrum.sum(&self.plan.sizes))
     }
 
     fn inverse(&self) -> Option<Arc<dyn Preconditioner>> {

@@ -130,6 +130,18 @@ impl Spectrum {
         }
     }
 
+    /// The sum over all waves of a kernel that is even: its value at the origin.
+    pub(crate) fn sum(&self, sizes: &Sizes) -> f64 {
+        // Waves that are not stored are images of stored ones; those at the ends are their own.
+        let times =
+            |index: usize, count: usize| if index == 0 || 2 * index == count { 1.0 } else { 2.0 };
+        let column = |column: usize| {
+            let rows = (0..=sizes.py / 2).map(|row| times(row, sizes.py) * self.at(column, row).re);
+            times(column, sizes.px) * rows.sum::<f64>()
+        };
+        (0..sizes.columns()).map(column).sum()
+    }
+
     /// The greatest value.
     pub(crate) fn greatest(&self) -> f64 {
         match self {

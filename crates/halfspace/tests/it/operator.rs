@@ -3,7 +3,7 @@
 
 use carom_halfspace::operator::{
     Blocks, CoefficientTable, DisplacementField, HalfSpaceOperator, KernelOperator, OperatorError,
-    SurfaceOperator, TabulatedKernel, Threads, TractionField,
+    PeriodicOperator, SurfaceOperator, TabulatedKernel, Threads, TractionField,
 };
 use carom_halfspace::{Coefficients, Grid, Material, MaterialPair, Offset, RectangleInfluence};
 use proptest::prelude::*;
@@ -430,5 +430,17 @@ proptest! {
         prop_assert!(dot(&p, &ap) > 0.0);
         let scale = dot(&p, &ap).max(dot(&q, &aq));
         prop_assert!((dot(&p, &aq) - dot(&q, &ap)).abs() < 1e-13 * scale);
+    }
+}
+
+/// The sum of all waves is the first of the responses.
+#[test]
+fn the_influence_of_a_cell_of_a_period_is_that_of_its_response() {
+    for (nx, ny) in [(2, 2), (2, 8), (12, 6), (30, 16)] {
+        let grid = Grid::new(nx, ny, 0.1, 0.15).unwrap();
+        let operator = PeriodicOperator::new(similar(), grid, Threads::One).unwrap();
+        let [own, other] =
+            [operator.normal_influence_of_a_cell(), operator.coefficients(0, 0).rows[2][2]];
+        assert!(own > 0.0 && (own / other - 1.0).abs() < 1e-13, "{nx} {ny}: {own} {other}");
     }
 }
