@@ -109,7 +109,7 @@ fn half_space(pair: MaterialPair, grid: Grid) -> Result<Arc<dyn SurfaceOperator>
 }
 
 fn periodic(pair: MaterialPair, grid: Grid) -> Result<Arc<dyn SurfaceOperator>, OperatorError> {
-    Ok(Arc::new(PeriodicOperator::new(pair, grid, threads())?))
+    Ok(Arc::new(PeriodicOperator::with_blocks(pair, grid, Blocks::Normal, threads())?))
 }
 
 /// A rough surface that was pressed, before and after, with the times of set-up and solution.

@@ -1,8 +1,6 @@
 //! The numerical contact solver: gaps and drives in, fields out.
 
-use carom::halfspace::operator::{
-    Blocks, HalfSpaceOperator, OperatorError, PeriodicOperator, PlateOperator, Threads,
-};
+use carom::halfspace::operator::{OperatorError, PlateOperator, Threads};
 use carom::halfspace::{Field, Point};
 use carom::laws::law::Shift;
 use carom::laws::validity::{Limit, PressureLimits};
@@ -106,9 +104,11 @@ impl Solver {
                     ContactProblem::new(gap, operator, friction.clone())
                 }
                 (None, None) if border == Border::Periodic => {
-                    periodic_surfaces(gap, materials, friction.clone())
+                    ContactProblem::of_periods_by_need(gap, materials.0, friction.clone())
                 }
-                (None, None) => half_spaces(gap, materials, friction.clone()),
+                (None, None) => {
+                    ContactProblem::of_half_spaces_by_need(gap, materials.0, friction.clone())
+                }
             }
         };
         let history = without_python(py, || {
@@ -333,30 +333,6 @@ fn restored(grid: Grid, (shift, fields, cells): &Read<'_>) -> PyResult<ContactSt
         displacement_y: field(4)?,
         cells: Field::new(grid, cells).map_err(Fault::from)?,
     })
-}
-
-/// The problem of two half-spaces, with the influence of pressures alone if nothing else matters.
-fn periodic_surfaces(
-    gap: Gap,
-    materials: Pair,
-    friction: SurfaceFriction,
-) -> Result<ContactProblem, ProblemError> {
-    let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
-    let operator = PeriodicOperator::new(materials.0, grid, threads)?;
-    ContactProblem::new(gap, Arc::new(operator), friction)
-}
-
-fn half_spaces(
-    gap: Gap,
-    materials: Pair,
-    friction: SurfaceFriction,
-) -> Result<ContactProblem, ProblemError> {
-    if !friction.is_none() || !materials.0.is_uncoupled() {
-        return ContactProblem::of_half_spaces(gap, materials.0, friction);
-    }
-    let (grid, threads) = (gap.grid(), Threads::for_grid(gap.grid()));
-    let operator = HalfSpaceOperator::with_blocks(materials.0, grid, Blocks::Normal, threads)?;
-    ContactProblem::new(gap, Arc::new(operator), friction)
 }
 
 impl Plate {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    Blocks, HalfSpaceOperator, OperatorError, SurfaceOperator, Threads,
+    Blocks, HalfSpaceOperator, OperatorError, PeriodicOperator, SurfaceOperator, Threads,
 };
 use carom_halfspace::{Grid, MaterialPair};
 use carom_laws::friction::Friction;
@@ -130,6 +130,37 @@ impl ContactProblem {
         Self::new(gap, Arc::new(operator), friction)
     }
 
+    /// Two half-spaces, with the influence of pressures alone if there is no friction and the materials do not couple: on
+    /// a large grid the others take several times its memory.
+    ///
+    /// # Errors
+    /// As [`ContactProblem::of_half_spaces`].
+    pub fn of_half_spaces_by_need(
+        gap: Gap,
+        pair: MaterialPair,
+        friction: impl Into<SurfaceFriction>,
+    ) -> Result<Self, ProblemError> {
+        let (friction, threads) = (friction.into(), Threads::for_grid(gap.grid()));
+        let blocks = needed(&pair, &friction);
+        let operator = HalfSpaceOperator::with_blocks(pair, gap.grid(), blocks, threads)?;
+        Self::new(gap, Arc::new(operator), friction)
+    }
+
+    /// The same for surfaces that repeat themselves.
+    ///
+    /// # Errors
+    /// [`ProblemError::Operator`] if both bodies are rigid, a number of cells is odd, or the grid is too large for memory.
+    pub fn of_periods_by_need(
+        gap: Gap,
+        pair: MaterialPair,
+        friction: impl Into<SurfaceFriction>,
+    ) -> Result<Self, ProblemError> {
+        let (friction, threads) = (friction.into(), Threads::for_grid(gap.grid()));
+        let blocks = needed(&pair, &friction);
+        let operator = PeriodicOperator::with_blocks(pair, gap.grid(), blocks, threads)?;
+        Self::new(gap, Arc::new(operator), friction)
+    }
+
     /// The grid of gap, operator and friction.
     #[must_use]
     pub fn grid(&self) -> Grid {
@@ -200,6 +231,11 @@ impl ContactProblem {
     pub const fn friction(&self) -> &SurfaceFriction {
         &self.friction
     }
+}
+
+/// The blocks of the influence that a problem needs.
+fn needed(pair: &MaterialPair, friction: &SurfaceFriction) -> Blocks {
+    if friction.is_none() && pair.is_uncoupled() { Blocks::Normal } else { Blocks::All }
 }
 
 impl std::fmt::Debug for ContactProblem {

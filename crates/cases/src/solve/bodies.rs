@@ -6,9 +6,7 @@ use crate::Error;
 use crate::case::{Border, FrictionCase, GapCase, GridCase, InfluenceFile, PlateCase, SolveCase};
 use crate::heights;
 use crate::input::CaseFile;
-use carom_halfspace::operator::{
-    Blocks, KernelOperator, OperatorError, PeriodicOperator, PlateOperator, Threads,
-};
+use carom_halfspace::operator::{Blocks, KernelOperator, OperatorError, PlateOperator, Threads};
 use carom_halfspace::{Field, Grid, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
@@ -186,11 +184,9 @@ impl Bodies {
             return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
         }
         if self.border == Border::Periodic {
-            let threads = Threads::for_grid(gap.grid());
-            let operator = PeriodicOperator::new(self.materials, gap.grid(), threads)?;
-            return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
+            return ContactProblem::of_periods_by_need(gap, self.materials, self.friction.clone());
         }
-        ContactProblem::of_half_spaces(gap, self.materials, self.friction.clone())
+        ContactProblem::of_half_spaces_by_need(gap, self.materials, self.friction.clone())
     }
 }
 

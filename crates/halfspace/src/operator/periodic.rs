@@ -8,10 +8,11 @@ use super::memory;
 use super::plan::Plan;
 use super::product::{Term, Terms, apply, reduced};
 use super::sparse::Hierarchy;
-use super::spectrum::{Parity, Spectrum};
+use super::spectrum::Spectrum;
+use super::table::Entry;
 use super::torus::TorusInverse;
 use super::{
-    Axis, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
+    Axis, Blocks, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
     TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
@@ -51,7 +52,8 @@ pub struct PeriodicOperator {
     pair: MaterialPair,
     grid: Grid,
     plan: Plan,
-    /// xx, xy, yy, zz; with coupling also xz, yz. Each is computed when first needed.
+    blocks: Blocks,
+    /// Each is computed when first needed.
     spectra: Arc<[OnceLock<Spectrum>; 6]>,
     /// Displacements due to unit tractions x, y, normal on the first cell, likewise.
     responses: Arc<[OnceLock<Vec<f64>>; 9]>,
@@ -60,23 +62,43 @@ pub struct PeriodicOperator {
 }
 
 impl PeriodicOperator {
-    /// The operator of a pair of bodies on one period.
+    /// The operator of a pair of bodies on one period, with all blocks.
     ///
     /// # Errors
     /// [`OperatorError::Range`] unless both numbers of cells are even,
     /// [`OperatorError::TooLarge`] before anything is allocated.
     pub fn new(pair: MaterialPair, grid: Grid, threads: Threads) -> Result<Self, OperatorError> {
+        Self::with_blocks(pair, grid, Blocks::All, threads)
+    }
+
+    /// The operator with the given blocks.
+    ///
+    /// # Errors
+    /// As [`PeriodicOperator::new`].
+    pub fn with_blocks(
+        pair: MaterialPair,
+        grid: Grid,
+        blocks: Blocks,
+        threads: Threads,
+    ) -> Result<Self, OperatorError> {
         for (field, count) in [("nx", grid.nx()), ("ny", grid.ny())] {
             let allowed = "even on a period";
             RangeError::check(field, count as f64, count.is_multiple_of(2), allowed)?;
         }
         let sizes = Sizes::of_period(grid);
-        let fields = 72 * grid.cells() as u128;
-        memory::check(6 * sizes.symmetric_spectrum() + sizes.workspace(3, threads) + fields)?;
+        // Responses of nine pairs of components; without friction none is kept.
+        let (fields, kept) = match blocks {
+            Blocks::All => (3, 9),
+            Blocks::Normal => (1, 1),
+            Blocks::Tangential => (2, 4),
+        };
+        let responses = 8 * kept * grid.cells() as u128;
+        let spectra = blocks.count(&pair) as u128 * sizes.symmetric_spectrum();
+        memory::check(spectra + sizes.workspace(fields, threads) + responses)?;
         let plan = Plan::on(sizes, threads);
         let inverse = TorusInverse::new(&pair, grid, threads);
         let (spectra, responses, hierarchy) = Default::default();
-        Ok(Self { pair, grid, plan, spectra, responses, inverse, hierarchy })
+        Ok(Self { pair, grid, plan, blocks, spectra, responses, inverse, hierarchy })
     }
 
     /// The displacements of all cells along an axis, due to a unit traction on the first cell.
@@ -84,7 +106,7 @@ impl PeriodicOperator {
         let (mut unit, mut response) = (vec![0.0; self.grid.cells()], vec![0.0; self.grid.cells()]);
         unit[0] = 1.0;
         let mut blocks = [[None; 3]; 3];
-        blocks[0][0] = self.term(of, by);
+        blocks[0][0] = self.term(Blocks::All, of, by).unwrap_or_default();
         let terms = Terms { blocks: &blocks, unit: 1.0 };
         reduced(&self.plan, &[&unit], &terms, &mut [&mut response], &mut Workspace::default());
         response
@@ -101,29 +123,17 @@ impl PeriodicOperator {
         place.get_or_init(|| new)
     }
 
-    fn term(&self, of: Axis, by: Axis) -> Option<Term<'_>> {
-        let (entry, sign) = match (of, by) {
-            (Axis::X, Axis::X) => (0, 1.0),
-            (Axis::X, Axis::Y) | (Axis::Y, Axis::X) => (1, 1.0),
-            (Axis::Y, Axis::Y) => (2, 1.0),
-            (Axis::Normal, Axis::Normal) => (3, 1.0),
-            (Axis::X, Axis::Normal) => (4, 1.0),
-            (Axis::Normal, Axis::X) => (4, -1.0),
-            (Axis::Y, Axis::Normal) => (5, 1.0),
-            (Axis::Normal, Axis::Y) => (5, -1.0),
-        };
-        let held = match entry {
-            1 => self.pair.poisson() != 0.0,
-            4.. => !self.pair.is_uncoupled(),
-            _ => true,
-        };
-        let new = || spectrum(&self.pair, self.grid, &self.plan.sizes, entry);
-        held.then(|| Term { spectrum: self.spectra[entry].get_or_init(new), sign })
+    fn term(&self, blocks: Blocks, of: Axis, by: Axis) -> Result<Option<Term<'_>>, OperatorError> {
+        let (entry, sign) = blocks.entry(&self.pair, of, by)?;
+        let place = |entry: Entry| &self.spectra[entry as usize];
+        let new = |entry| spectrum(&self.pair, self.grid, &self.plan.sizes, entry);
+        let spectrum = |entry| place(entry).get_or_init(|| new(entry));
+        Ok(entry.map(|entry| Term { spectrum: spectrum(entry), sign }))
     }
 }
 
 /// The symbol of a block, column by column, divided by the number of cells.
-fn spectrum(pair: &MaterialPair, grid: Grid, sizes: &Sizes, entry: usize) -> Spectrum {
+fn spectrum(pair: &MaterialPair, grid: Grid, sizes: &Sizes, entry: Entry) -> Spectrum {
     let (nx, ny) = (sizes.px, sizes.py);
     let (side_x, side_y) = (nx as f64 * grid.dx(), ny as f64 * grid.dy());
     let (nu, compliance) = (pair.poisson(), 1.0 / pair.shear_modulus());
@@ -138,18 +148,19 @@ fn spectrum(pair: &MaterialPair, grid: Grid, sizes: &Sizes, entry: usize) -> Spe
             let whole = compliance / square.sqrt();
             let value = match entry {
                 _ if square == 0.0 => 0.0,
-                0 => whole * (1.0 - nu * x * x / square),
-                1 => -whole * nu * odd_x * odd_y * square,
-                2 => whole * (1.0 - nu * y * y / square),
-                3 => whole * (1.0 - nu),
-                4 => pair.epsilon() * odd_x,
-                _ => pair.epsilon() * odd_y,
+                Entry::Xx => whole * (1.0 - nu * x * x / square),
+                Entry::Xy => -whole * nu * odd_x * odd_y * square,
+                Entry::Yy => whole * (1.0 - nu * y * y / square),
+                Entry::Zz => whole * (1.0 - nu),
+                Entry::Xz => pair.epsilon() * odd_x,
+                Entry::Yz => pair.epsilon() * odd_y,
             };
             values.push(value / (nx as f64 * ny as f64));
         }
     }
-    let row_parity = Parity::odd_if(matches!(entry, 1 | 5));
-    Spectrum::Symmetric { values, half: ny / 2 + 1, imaginary: entry >= 4, row_parity }
+    let [along, across] = entry.parity();
+    let (half, imaginary) = (ny / 2 + 1, along != across);
+    Spectrum::Symmetric { values, half, imaginary, row_parity: across }
 }
 
 impl SurfaceOperator for PeriodicOperator {
@@ -192,7 +203,7 @@ impl SurfaceOperator for PeriodicOperator {
 
     /// The sum of all waves; a response has the memory of a field.
     fn normal_influence_of_a_cell(&self) -> f64 {
-        let term = self.term(Axis::Normal, Axis::Normal);
+        let term = self.term(Blocks::All, Axis::Normal, Axis::Normal).unwrap_or_default();
         term.map_or(0.0, |term| term.spectrum.sum(&self.plan.sizes))
     }
 
@@ -204,7 +215,8 @@ impl SurfaceOperator for PeriodicOperator {
         let divisible = |count: usize| count.is_multiple_of(4);
         (divisible(self.grid.nx()) && divisible(self.grid.ny())).then(|| {
             let grid = self.grid.coarser()?;
-            let coarse = Self::new(self.pair, grid, self.plan.threads.on_smaller(grid))?;
+            let threads = self.plan.threads.on_smaller(grid);
+            let coarse = Self::with_blocks(self.pair, grid, self.blocks, threads)?;
             Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
         })
     }
@@ -231,7 +243,7 @@ impl SurfaceOperator for PeriodicOperator {
     ) -> Result<(), OperatorError> {
         apply(
             &self.plan,
-            (|of, by| Ok(self.term(of, by)), 1.0),
+            (|of, by| self.term(self.blocks, of, by), 1.0),
             tractions,
             displacements,
             workspace,

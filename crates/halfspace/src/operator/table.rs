@@ -3,7 +3,7 @@
 use super::memory;
 use super::pool;
 use super::spectrum::Parity;
-use super::{OperatorError, Threads};
+use super::{Axis, OperatorError, Threads};
 use crate::influence::Independent;
 use crate::{Coefficients, Grid, MaterialPair, Offset, RectangleInfluence};
 
@@ -31,7 +31,21 @@ impl Entry {
         }
     }
 
-    const fn of(self, all: &Independent) -> f64 {
+    /// That of a pair of components, and its sign in (4.23).
+    pub(crate) const fn of(of: Axis, by: Axis) -> (Self, f64) {
+        match (of, by) {
+            (Axis::X, Axis::X) => (Self::Xx, 1.0),
+            (Axis::Y, Axis::Y) => (Self::Yy, 1.0),
+            (Axis::Normal, Axis::Normal) => (Self::Zz, 1.0),
+            (Axis::X, Axis::Y) | (Axis::Y, Axis::X) => (Self::Xy, 1.0),
+            (Axis::X, Axis::Normal) => (Self::Xz, 1.0),
+            (Axis::Normal, Axis::X) => (Self::Xz, -1.0),
+            (Axis::Y, Axis::Normal) => (Self::Yz, 1.0),
+            (Axis::Normal, Axis::Y) => (Self::Yz, -1.0),
+        }
+    }
+
+    const fn value(self, all: &Independent) -> f64 {
         match self {
             Self::Xx => all.xx,
             Self::Yy => all.yy,
@@ -64,6 +78,27 @@ impl Blocks {
             Entry::Zz => self != Self::Tangential,
             Entry::Xz | Entry::Yz => self == Self::All && !pair.is_uncoupled(),
         }
+    }
+
+    /// The coefficient for a pair of components and its sign, `None` if it is zero.
+    pub(crate) fn entry(
+        self,
+        pair: &MaterialPair,
+        of: Axis,
+        by: Axis,
+    ) -> Result<(Option<Entry>, f64), OperatorError> {
+        let (entry, sign) = Entry::of(of, by);
+        let held = self.holds(entry, pair);
+        if !held && Self::All.holds(entry, pair) {
+            let (of, by) = (of.displacement_name(), by.traction_name());
+            return Err(OperatorError::Missing { of, by });
+        }
+        Ok((held.then_some(entry), sign))
+    }
+
+    /// The number of coefficients.
+    pub(crate) fn count(self, pair: &MaterialPair) -> usize {
+        Entry::ALL.iter().filter(|&&entry| self.holds(entry, pair)).count()
     }
 
     /// Whether a table stores them. The influence of pressures alone is needed once at each offset.
@@ -110,7 +145,7 @@ impl CoefficientTable {
                 let all = influence.independent(Offset { x: ix as f64 * grid.dx(), y });
                 for (entry, values) in Entry::ALL.into_iter().zip(&mut row) {
                     if let Some(value) = values.get_mut(ix) {
-                        *value = entry.of(&all);
+                        *value = entry.value(&all);
                     }
                 }
             }
@@ -170,7 +205,7 @@ impl CoefficientTable {
         let block = self.block(entry);
         block.get(at).copied().unwrap_or_else(|| {
             let offset = Offset { x: n as f64 * self.grid.dx(), y: m as f64 * self.grid.dy() };
-            entry.of(&self.influence.independent(offset))
+            entry.value(&self.influence.independent(offset))
         })
     }
 
@@ -193,7 +228,7 @@ impl CoefficientTable {
             let offset = Offset { x: column as f64 * self.grid.dx(), y };
             *value = match entry {
                 Entry::Zz => self.influence.normal(offset),
-                _ => entry.of(&self.influence.independent(offset)),
+                _ => entry.value(&self.influence.independent(offset)),
             };
         }
     }

@@ -100,7 +100,7 @@ impl HalfSpaceOperator {
 
     /// Memory of all transforms and one workspace, in bytes.
     fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks, threads: Threads) -> u128 {
-        let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count() as u128;
+        let held = blocks.count(pair) as u128;
         let fields = match blocks {
             Blocks::All => 3,
             Blocks::Normal => 1,
@@ -126,14 +126,8 @@ impl HalfSpaceOperator {
 
     /// The term for one pair of components, (4.23); `None` if it is zero.
     fn term(&self, of: Axis, by: Axis) -> Result<Option<Term<'_>>, OperatorError> {
-        let (entry, sign) = entry(of, by);
-        let pair = self.pair();
-        if !self.blocks.holds(entry, &pair) && Blocks::All.holds(entry, &pair) {
-            let (of, by) = (of.displacement_name(), by.traction_name());
-            return Err(OperatorError::Missing { of, by });
-        }
-        let held = self.blocks.holds(entry, &pair);
-        Ok(held.then(|| Term { spectrum: self.spectrum(entry), sign }))
+        let (entry, sign) = self.blocks.entry(&self.pair(), of, by)?;
+        Ok(entry.map(|entry| Term { spectrum: self.spectrum(entry), sign }))
     }
 
     /// The same in single precision.
@@ -144,7 +138,7 @@ impl HalfSpaceOperator {
         by: Axis,
     ) -> Result<Option<Term<'a, f32>>, OperatorError> {
         let term = self.term(of, by)?;
-        let place = &single.spectra[entry(of, by).0 as usize];
+        let place = &single.spectra[Entry::of(of, by).0 as usize];
         Ok(term.map(|Term { spectrum, sign }| {
             let spectrum = place.get_or_init(|| spectrum.over(single.unit));
             Term { spectrum, sign: sign as f32 }
@@ -181,20 +175,6 @@ impl HalfSpaceOperator {
         let rows = |row: usize, values: &mut [f64]| self.table.fill_row(entry, row, values);
         let new = Spectrum::symmetric(&self.plan, rows, entry.parity());
         place.get_or_init(|| new)
-    }
-}
-
-/// The independent coefficient of a pair of components and its sign in (4.23).
-const fn entry(of: Axis, by: Axis) -> (Entry, f64) {
-    match (of, by) {
-        (Axis::X, Axis::X) => (Entry::Xx, 1.0),
-        (Axis::Y, Axis::Y) => (Entry::Yy, 1.0),
-        (Axis::Normal, Axis::Normal) => (Entry::Zz, 1.0),
-        (Axis::X, Axis::Y) | (Axis::Y, Axis::X) => (Entry::Xy, 1.0),
-        (Axis::X, Axis::Normal) => (Entry::Xz, 1.0),
-        (Axis::Normal, Axis::X) => (Entry::Xz, -1.0),
-        (Axis::Y, Axis::Normal) => (Entry::Yz, 1.0),
-        (Axis::Normal, Axis::Y) => (Entry::Yz, -1.0),
     }
 }
 
