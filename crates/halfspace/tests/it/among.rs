@@ -128,6 +128,48 @@ fn the_influence_is_symmetric_and_the_inverse_positive() {
     }
 }
 
+/// Of many cells the inverse is symmetric and positive, and waves of 2 to 200 cells come back as parts of themselves that
+/// differ by a small factor: the number of iterations does not grow with the patch.
+#[test]
+fn the_inverse_of_many_cells_treats_waves_of_all_lengths_alike() {
+    let (mut random, mut workspace) = (Random(7), Workspace::default());
+    let operators = operators(Threads::One);
+    for operator in [&operators[0], &operators[2]] {
+        let grid = operator.grid();
+        let patch = |cell: &usize| {
+            let (x, y) = (cell % grid.nx(), cell / grid.nx());
+            (20..220).contains(&x) && (30..230).contains(&y)
+        };
+        let cells: Vec<usize> = (0..grid.cells()).filter(patch).collect();
+        let some = operator.among(&cells).unwrap();
+        let inverse = some.inverse().unwrap();
+        let mut inverted = |field: &[f64]| {
+            let mut found = vec![f64::NAN; cells.len()];
+            inverse.pressure(field, &mut found, &mut workspace);
+            found
+        };
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let [p, q] = [(); 2].map(|()| (0..cells.len()).map(|_| random.next() - 0.5).collect());
+        let [p, q]: [Vec<f64>; 2] = [p, q];
+        let (of_p, of_q) = (inverted(&p), inverted(&q));
+        let scale = (dot(&p, &of_p) * dot(&q, &of_q)).sqrt();
+        assert!((dot(&p, &of_q) - dot(&q, &of_p)).abs() < 1e-5 * scale);
+        let parts = [2.0, 3.0, 6.0, 15.0, 40.0, 100.0, 200.0].map(|length: f64| {
+            let turn = std::f64::consts::TAU / length;
+            let wave = |cell: &usize| {
+                let (x, y) = (cell % grid.nx() - 20, cell / grid.nx() - 30);
+                let fading = (x * (199 - x) * y * (199 - y)) as f64;
+                fading * (turn * x as f64).cos() * (0.4 * turn * y as f64).cos()
+            };
+            let wave: Vec<f64> = cells.iter().map(wave).collect();
+            let displaced = displacements(&*some, &wave, &mut Workspace::default());
+            dot(&displaced, &inverted(&displaced)) / dot(&displaced, &wave)
+        });
+        let [least, most] = [f64::min, f64::max].map(|of| parts.into_iter().reduce(of).unwrap());
+        assert!(least > 0.0 && most < 4.0 * least, "{parts:?}");
+    }
+}
+
 #[test]
 fn products_have_the_same_bits_on_any_number_of_threads() {
     let on = |threads| {

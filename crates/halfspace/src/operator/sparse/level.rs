@@ -2,7 +2,7 @@
 
 use super::super::pool;
 use super::super::threads::Threads;
-use super::stencil::{EVEN, NODES, ODD, REACH, Stencil, kind};
+use super::stencil::{EVEN, NODES, ODD, REACH, kind};
 
 /// Places beside the grid that are stored; even, so that places and their numbers are odd together.
 pub(super) const PAD: usize = 10;
@@ -124,10 +124,10 @@ impl Level {
         }
     }
 
-    /// Displacements of the points: interpolated from the coarser grid, and what that misses of near points.
-    pub(super) fn displacements(
+    /// Values of the points: interpolated from the coarser grid, and a product with the stencil of their kind.
+    pub(super) fn values<const R: usize, const W: usize>(
         &self,
-        (stencils, pressures): (&[Stencil; 4], &[f32]),
+        (stencils, pressures): (&[[[f32; W]; R]; 4], &[f32]),
         (coarser, of_nodes): (&Frame, &[f32]),
         threads: Threads,
         found: &mut [f32],

@@ -41,6 +41,17 @@ const SLENDEREST: f64 = 2.0;
 const INVERSE_REACH: usize = 4;
 type InverseStencil = [[f32; 2 * INVERSE_REACH + 4]; 2 * INVERSE_REACH + 1];
 
+/// What inverts the influence, as if the cells of all grids were those of the finest.
+struct Inverse {
+    /// Alone, on the finest grid.
+    alone: InverseStencil,
+    /// Beside coarser grids, the same for all kinds of places.
+    stencils: [InverseStencil; 4],
+    /// The pressure on a cell that alone is displaced, by its displacement.
+    scale: f64,
+    coarsest: TorusInverse<f32>,
+}
+
 /// The influence on all grids, of one operator.
 pub(crate) struct Hierarchy {
     grid: Grid,
@@ -52,7 +63,7 @@ pub(crate) struct Hierarchy {
     coarsest: Spectrum<f32>,
     /// The unit of the coarsest spectrum.
     unit: f64,
-    inverse: InverseStencil,
+    inverse: Inverse,
     /// The influence of a cell on itself.
     own: f64,
 }
@@ -101,7 +112,7 @@ impl Hierarchy {
         };
         let coarsest = Spectrum::symmetric(&Plan::on(sizes, threads), fill, [Parity::Even; 2]);
         let (plan, unit) = (Plan::on(sizes, threads), coarsest.greatest());
-        let (coarsest, inverse) = (coarsest.over(unit), inverse_stencil(grid, pair)?);
+        let (coarsest, inverse) = (coarsest.over(unit), Inverse::new(cells, threads, pair)?);
         Some(Self { grid, threads, frames, stencils, plan, coarsest, unit, inverse, own })
     }
 
@@ -118,27 +129,42 @@ impl Hierarchy {
     }
 }
 
-/// The inverse on a small torus about one cell. Factors that fall towards the end of the stencil keep it positive
-/// definite.
-fn inverse_stencil(grid: Grid, pair: &MaterialPair) -> Option<InverseStencil> {
-    const SIDE: usize = 32;
-    let torus = Grid::new(SIDE, SIDE, grid.dx(), grid.dy()).ok()?;
-    let (mut unit, mut pressure) = (vec![0.0; torus.cells()], vec![0.0; torus.cells()]);
-    let middle = SIDE / 2;
-    unit[torus.index(middle, middle)] = 1.0;
-    let inverse = TorusInverse::<f64>::new(pair, torus, Threads::One);
-    inverse.pressure(&unit, &mut pressure, &mut Workspace::default());
-    let scale = pressure[torus.index(middle, middle)];
-    let mut stencil = InverseStencil::default();
+impl Inverse {
+    /// With the numbers of cells of the coarsest grid.
+    fn new(coarsest: Grid, threads: Threads, pair: &MaterialPair) -> Option<Self> {
+        let torus = Grid::new(TORUS, TORUS, coarsest.dx(), coarsest.dy()).ok()?;
+        let (mut unit, mut pressure) = (vec![0.0; torus.cells()], vec![0.0; torus.cells()]);
+        unit[torus.index(TORUS / 2, TORUS / 2)] = 1.0;
+        let inverse = TorusInverse::<f64>::new(pair, torus, Threads::One);
+        inverse.pressure(&unit, &mut pressure, &mut Workspace::default());
+        let scale = pressure[torus.index(TORUS / 2, TORUS / 2)];
+        pressure.iter_mut().for_each(|pressure| *pressure /= scale);
+        let (alone, mean) = inverse_stencil(torus, &pressure, 0.0);
+        let stencils = [inverse_stencil(torus, &pressure, mean).0; 4];
+        let coarsest = TorusInverse::new(pair, coarsest, threads);
+        Some(Self { alone, stencils, scale, coarsest })
+    }
+}
+
+/// Cells along the sides of a torus on which the stencil is made.
+const TORUS: usize = 32;
+
+/// The pressures about one cell that alone is displaced, `less` a number, and their mean. Factors that fall towards the end
+/// of the stencil keep it positive definite. Less the mean it leaves out what does not change from cell to cell.
+fn inverse_stencil(torus: Grid, pressure: &[f64], less: f64) -> (InverseStencil, f64) {
     let factor =
         |place: usize| 1.0 - place.abs_diff(INVERSE_REACH) as f64 / (INVERSE_REACH + 1) as f64;
+    let (mut stencil, first) = (InverseStencil::default(), TORUS / 2 - INVERSE_REACH);
+    let (mut sum, mut weight) = (0.0, 0.0);
     for (row, values) in stencil.iter_mut().enumerate() {
         for (column, value) in values[..=2 * INVERSE_REACH].iter_mut().enumerate() {
-            let at = torus.index(middle + column - INVERSE_REACH, middle + row - INVERSE_REACH);
-            *value = (factor(row) * factor(column) * pressure[at] / scale) as f32;
+            let own = pressure[torus.index(first + column, first + row)] - less;
+            let factor = factor(row) * factor(column);
+            (sum, weight) = (sum + factor * own, weight + factor);
+            *value = (factor * own) as f32;
         }
     }
-    Some(stencil)
+    (stencil, sum / weight)
 }
 
 /// The influence of pressures among chosen cells. Fields hold the values of these cells, so that its grid is a row of
@@ -227,6 +253,27 @@ impl SurfaceOperator for SparseOperator {
 }
 
 impl SparseSpace {
+    /// The values on the coarsest grid.
+    fn give_coarsest(&mut self, frame: &Frame) {
+        let (Some(pressures), nx) = (self.pressures.last(), frame.counts[0]) else { return };
+        for (row, values) in self.coarsest[0].chunks_exact_mut(nx).enumerate() {
+            let from = &pressures[frame.at(0, row)..][..nx];
+            values.iter_mut().zip(from).for_each(|(value, from)| *value = f64::from(*from));
+        }
+    }
+
+    /// A part of what was found there.
+    fn take_coarsest(&mut self, frame: &Frame, part: f32) {
+        let (Some(displacements), nx) = (self.displacements.last_mut(), frame.counts[0]) else {
+            return;
+        };
+        for (row, values) in self.coarsest[1].chunks_exact(nx).enumerate() {
+            let to = &mut displacements[frame.at(0, row)..][..nx];
+            values.iter().zip(to).for_each(|(value, to)| *to = part * *value as f32);
+        }
+        frame.repeat(displacements);
+    }
+
     /// Puts the values of cells into the finest grid; returns their unit.
     fn take(&mut self, level: &Level, values: &[f64]) -> f64 {
         let unit = f32::unit(&[values], Threads::One);
@@ -248,70 +295,115 @@ impl SparseSpace {
 
 impl SparseOperator {
     fn product(&self, pressure: &[f64], found: &mut [f64], workspace: &mut Workspace) {
-        let (levels, threads) = (&self.levels, self.hierarchy.threads);
+        let hierarchy = &*self.hierarchy;
+        let cascade = Cascade { levels: &self.levels, threads: hierarchy.threads, part: 1.0 };
+        let on_coarsest = |[given, found]: &mut [Vec<f64>; 2], workspace: &mut Workspace| {
+            let mut blocks = [[None; 3]; 3];
+            blocks[0][0] = Some(Term { spectrum: &hierarchy.coarsest, sign: 1.0 });
+            let terms = Terms { blocks: &blocks, unit: hierarchy.unit };
+            hierarchy.plan.product(&[given], &terms, &mut [found], workspace);
+        };
+        let stencils = |level: usize| &hierarchy.stencils[level];
+        cascade.run(stencils, on_coarsest, (pressure, hierarchy.own, found), workspace);
+    }
+}
+
+/// A symmetric product that is a sum over all grids: of the values on each one with a stencil, and on the coarsest grid
+/// with transforms.
+struct Cascade<'a> {
+    levels: &'a [Level],
+    threads: Threads,
+    /// What a grid has of the values on the next coarser one.
+    part: f32,
+}
+
+impl Cascade<'_> {
+    fn run<'s, const R: usize, const W: usize>(
+        &self,
+        stencils: impl Fn(usize) -> &'s [[[f32; W]; R]; 4],
+        on_coarsest: impl FnOnce(&mut [Vec<f64>; 2], &mut Workspace),
+        (given, scale, found): (&[f64], f64, &mut [f64]),
+        workspace: &mut Workspace,
+    ) {
+        let levels = self.levels;
         let mut space = std::mem::take(&mut workspace.sparse);
         space.prepare(levels);
-        let unit = space.take(&levels[0], pressure);
+        let unit = space.take(&levels[0], given);
         for at in 1..levels.len() {
             let (fine, coarse) = space.pressures.split_at_mut(at);
             levels[at].gather(&levels[at - 1].frame, &fine[at - 1], &mut space.values);
             levels[at].scatter(&space.values, &mut coarse[0]);
         }
-        self.on_coarsest(&mut space, workspace);
-        for at in (0..levels.len() - 1).rev() {
+        let last = levels.len() - 1;
+        space.give_coarsest(&levels[last].frame);
+        on_coarsest(&mut space.coarsest, workspace);
+        space.take_coarsest(&levels[last].frame, self.part);
+        for at in (0..last).rev() {
             let (level, count) = (&levels[at], levels[at].points.len());
-            let given = (&self.hierarchy.stencils[at], &space.pressures[at][..]);
             let (fine, coarse) = space.displacements.split_at_mut(at + 1);
             let nodes = (&levels[at + 1].frame, &coarse[0][..]);
-            level.displacements(given, nodes, threads, &mut space.values[..count]);
+            let own = (stencils(at), &space.pressures[at][..]);
+            level.values(own, nodes, self.threads, &mut space.values[..count]);
             if at > 0 {
+                space.values[..count].iter_mut().for_each(|value| *value *= self.part);
                 level.scatter(&space.values, &mut fine[at]);
             }
         }
-        space.give(unit * self.hierarchy.own, found);
+        space.give(unit * scale, found);
         for (level, pressures) in levels.iter().zip(&mut space.pressures) {
             level.clear(pressures);
         }
         workspace.sparse = space;
     }
-
-    /// Displacements of the coarsest nodes, by Fourier transforms.
-    fn on_coarsest(&self, space: &mut SparseSpace, workspace: &mut Workspace) {
-        let last = self.levels.len() - 1;
-        let (hierarchy, frame) = (&self.hierarchy, self.levels[last].frame);
-        let (nx, [given, found]) = (frame.counts[0], &mut space.coarsest);
-        for (row, values) in given.chunks_exact_mut(nx).enumerate() {
-            let from = &space.pressures[last][frame.at(0, row)..][..nx];
-            values.iter_mut().zip(from).for_each(|(value, from)| *value = f64::from(*from));
-        }
-        let mut blocks = [[None; 3]; 3];
-        blocks[0][0] = Some(Term { spectrum: &hierarchy.coarsest, sign: 1.0 });
-        let terms = Terms { blocks: &blocks, unit: hierarchy.unit };
-        hierarchy.plan.product(&[given], &terms, &mut [found], workspace);
-        let displacements = &mut space.displacements[last];
-        for (row, values) in found.chunks_exact(nx).enumerate() {
-            let to = &mut displacements[frame.at(0, row)..][..nx];
-            values.iter().zip(to).for_each(|(value, to)| *to = *value as f32);
-        }
-        frame.repeat(displacements);
-    }
 }
 
-/// The inverse among chosen cells, from their neighbours alone.
+/// The inverse among chosen cells. Of few cells it is made of their neighbours alone. Of many it is a sum over all grids,
+/// where a stencil inverts waves of a few cells (Bramble, Pasciak and Xu, Math. Comput. 55, 1990), so that the number of
+/// iterations does not grow with the patches of contact.
 struct SparseInverse {
     hierarchy: Arc<Hierarchy>,
     levels: Arc<[Level]>,
 }
 
+/// So many cells are many.
+const MANY: usize = 1 << 15;
+
+/// An influence falls with the distance, and each node stands for four cells: the inverse on the next coarser grid,
+/// interpolated at both points, is this part of that on the finer one.
+const COARSER_INVERSE: f32 = 0.125;
+
 impl Preconditioner for SparseInverse {
     fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
-        let (level, space) = (&self.levels[0], &mut workspace.sparse);
+        if displacement.len() < MANY {
+            self.by_neighbours(displacement, pressure, workspace);
+        } else {
+            self.by_all_grids(displacement, pressure, workspace);
+        }
+    }
+}
+
+impl SparseInverse {
+    fn by_neighbours(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
+        let (level, hierarchy) = (&self.levels[0], &*self.hierarchy);
+        let space = &mut workspace.sparse;
         space.prepare(&self.levels);
         let unit = space.take(level, displacement);
         let SparseSpace { pressures, values, .. } = space;
         let found = &mut values[..level.points.len()];
-        level.product(&self.hierarchy.inverse, &pressures[0], self.hierarchy.threads, found);
-        space.give(unit / self.hierarchy.own, pressure);
+        level.product(&hierarchy.inverse.alone, &pressures[0], hierarchy.threads, found);
+        space.give(unit / hierarchy.own, pressure);
         level.clear(&mut space.pressures[0]);
+    }
+
+    fn by_all_grids(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
+        let (levels, hierarchy) = (&*self.levels, &*self.hierarchy);
+        let cascade = Cascade { levels, threads: hierarchy.threads, part: COARSER_INVERSE };
+        let Inverse { stencils, scale, coarsest, .. } = &hierarchy.inverse;
+        let on_coarsest = |[given, found]: &mut [Vec<f64>; 2], workspace: &mut Workspace| {
+            coarsest.pressure(given, found, workspace);
+            found.iter_mut().for_each(|value| *value /= scale);
+        };
+        let given = (displacement, 1.0 / hierarchy.own, pressure);
+        cascade.run(|_| stencils, on_coarsest, given, workspace);
     }
 }
