@@ -1,7 +1,7 @@
 //! Which columns of the data are inputs, measured values and errors.
 
 use crate::FitError;
-use crate::data::{Data, DataColumn};
+use crate::data::{Data, DataColumn, split};
 use crate::measured::{Measurement, Quantity};
 use crate::observable::{converted, in_dimension};
 use carom_cases::case::OpenCase;
@@ -11,7 +11,8 @@ use carom_special::Readable;
 /// The ending of a column with standard errors.
 const ERROR: &str = "_sd";
 
-/// The standard error of the values of a quantity, or without a name of the only one: one of all, or one of each row.
+/// The standard error of the values of a quantity, or without a name of the only one: one of all, or one of each row. A unit
+/// may stand behind the name; without it the errors have that of the column of the values.
 pub type GivenError = (Option<String>, Vec<f64>);
 /// The largest size of a measured value, over its standard error and alone, whose square can be summed.
 const LARGEST: f64 = 1e100;
@@ -104,6 +105,7 @@ pub(crate) fn read<C: Renewed, O: Known>(
     };
     let mut errors: Vec<(String, &DataColumn)> = Vec::new();
     let mut values: Vec<Vec<f64>> = Vec::new();
+    let mut units: Vec<&str> = Vec::new();
     for column in data.columns() {
         match role::<C, O>(case, column)? {
             Role::Input(stated) => {
@@ -115,6 +117,7 @@ pub(crate) fn read<C: Renewed, O: Known>(
                 let [unit, meaning] = own.about();
                 values.push(converted(&column.values, [&column.unit, unit], &column.name)?);
                 finite(column, values.last().map_or(&[], Vec::as_slice), true)?;
+                units.push(&column.unit);
                 let quantity = Quantity { name: column.name.clone(), unit, meaning };
                 read.quantities.push((quantity, own));
             }
@@ -130,7 +133,7 @@ pub(crate) fn read<C: Renewed, O: Known>(
             "no column is a measured quantity; the columns are {own}, and quantities are {names}"
         )));
     }
-    let errors = sorted_errors(&read.quantities, &errors, given, rows)?;
+    let errors = sorted_errors(&read.quantities, &units, &errors, given, rows)?;
     for row in 0..rows {
         for (quantity, values) in values.iter().enumerate() {
             let (value, error) = (values[row], errors[quantity].as_ref().map(|errors| errors[row]));
@@ -169,26 +172,31 @@ fn check_size(name: &str, row: usize, value: f64, error: Option<f64>) -> Result<
     }
 }
 
-/// The standard errors of each quantity, where they are given.
+/// The standard errors of each quantity, where they are given. Without a unit they have that of their column, of `units`.
 fn sorted_errors<O>(
     quantities: &[(Quantity, O)],
+    units: &[&str],
     columns: &[(String, &DataColumn)],
     given: &[GivenError],
     rows: usize,
 ) -> Result<Vec<Option<Vec<f64>>>, FitError> {
     let mut errors: Vec<Option<Vec<f64>>> = vec![None; quantities.len()];
     let find = |name: &str| quantities.iter().position(|(own, _)| own.name == name);
+    let in_base = |errors: &[f64], at: usize, unit: &str, name: &str| {
+        let unit = if unit.is_empty() { units[at] } else { unit };
+        converted(errors, [unit, quantities[at].0.unit], name)
+    };
     for (of, column) in columns {
         let Some(at) = find(of) else {
             let reason = format!("there is no column `{of}` whose errors it could hold");
             return Err(FitError::column(&column.name, reason));
         };
-        let unit = quantities[at].0.unit;
-        errors[at] = Some(converted(&column.values, [&column.unit, unit], &column.name)?);
+        errors[at] = Some(in_base(&column.values, at, &column.unit, &column.name)?);
     }
-    for (name, own) in given {
-        let at = match (name, quantities.len()) {
-            (Some(name), _) => find(name),
+    for (heading, own) in given {
+        let (name, unit) = heading.as_deref().map(split).unwrap_or_default();
+        let at = match (heading, quantities.len()) {
+            (Some(_), _) => find(&name),
             (None, 1) => Some(0),
             (None, _) => {
                 let names: Vec<_> = quantities.iter().map(|(own, _)| own.name.as_str()).collect();
@@ -196,17 +204,23 @@ fn sorted_errors<O>(
                 return Err(FitError::Table(reason));
             }
         };
-        let name = name.clone().unwrap_or_default();
         let at = at.ok_or_else(|| FitError::column(&name, "the data have no such column"))?;
+        let name = &quantities[at].0.name;
+        if errors[at].is_some() {
+            let other = columns.iter().find(|(of, _)| of == name);
+            let beside = other.map_or("", |(_, column)| column.name.as_str());
+            return Err(FitError::ErrorsTwice { column: name.clone(), beside: beside.to_owned() });
+        }
+        let own = in_base(own, at, &unit, name)?;
         errors[at] = Some(match own.as_slice() {
             [one] => {
-                check_error(&quantities[at].0.name, 0, Some(*one))?;
+                check_error(name, 0, Some(*one))?;
                 vec![*one; rows]
             }
-            all if all.len() == rows => all.to_vec(),
+            all if all.len() == rows => own,
             all => {
                 let reason = format!("{} standard errors are given for {rows} rows", all.len());
-                return Err(FitError::column(&quantities[at].0.name, reason));
+                return Err(FitError::column(name, reason));
             }
         });
     }

@@ -152,7 +152,7 @@ fn allowed(entry: &str) -> String {
 }
 
 /// Name and unit of a heading.
-fn split(heading: &str) -> (String, String) {
+pub(crate) fn split(heading: &str) -> (String, String) {
     let heading = heading.trim();
     let behind = |open: &str, close: &str| {
         let (name, rest) = heading.split_once(open)?;

@@ -79,6 +79,17 @@ pub enum FitError {
         /// What is allowed.
         allowed: String,
     },
+    /// The standard errors of a quantity are given in two ways.
+    #[error(
+        "the standard errors of `{column}` are given twice{}: give them once",
+        if .beside.is_empty() { String::new() } else { format!(", as `sd` and by the column `{}`", .beside) }
+    )]
+    ErrorsTwice {
+        /// The quantity.
+        column: String,
+        /// The column of the data that has them; empty if none does.
+        beside: String,
+    },
     /// The data are not a table.
     #[error("the data: {0}")]
     Table(String),

@@ -3,16 +3,14 @@
 use crate::FitError;
 use crate::measured::Measurement;
 use crate::model::Model;
+use crate::settled::Settled;
 use crate::squares::{Found, Loss, Squares, starts};
 use nalgebra::{DMatrix, DVector};
 
 /// A direction is open if its standard error exceeds this part of what the bounds allow.
 const OPEN: f64 = 0.5;
-/// Rounds in which errors are estimated, and their relative change at the end.
-const ROUNDS: usize = 30;
-const STEADY: f64 = 1e-10;
-/// A part of an open direction by which an unknown belongs to it.
-const SHARE: f64 = 0.1;
+/// An unknown takes part in a direction if its component is at least this part of the largest.
+const SHARE: f64 = 0.2;
 /// An estimated error is at least this part of the largest measured value; up to the other part there is no scatter.
 const LEAST_ERROR: f64 = 1e-12;
 const NO_SCATTER: f64 = 1e-9;
@@ -56,7 +54,12 @@ impl Estimate {
 }
 
 fn is_outside(open: &[DVector<f64>], unknown: usize) -> bool {
-    open.iter().map(|direction| direction[unknown].powi(2)).sum::<f64>() < SHARE
+    !open.iter().any(|direction| takes_part(direction, unknown))
+}
+
+/// Whether an unknown changes noticeably along a direction.
+pub(crate) fn takes_part(direction: &DVector<f64>, unknown: usize) -> bool {
+    direction[unknown].abs() >= SHARE * direction.amax()
 }
 
 /// The fit of a model to measured values, from these places, or from several starts.
@@ -72,32 +75,33 @@ pub(crate) fn estimate<M: Model + ?Sized>(
         return Err(FitError::TooFew { measured: measured.len(), unknowns });
     }
     let values: Vec<f64> = measured.iter().map(|one| one.value).collect();
-    let errors = first_errors(measured);
-    let mut squares = Squares { model, measured: &values, errors, loss };
-    let mut found = match begin {
-        Some(places) => squares.minimum(&places, &[])?,
-        None => squares.least(&starts(unknowns))?,
-    };
     let is_estimated = measured.iter().any(|one| one.error.is_none());
-    let mut state = State::of(&squares, &found)?;
-    for _ in 0..if is_estimated { ROUNDS } else { 0 } {
-        let change = state.renew_errors(&mut squares, measured);
-        found = squares.minimum(&found.places, &[])?;
-        state = State::of(&squares, &found)?;
-        if change < STEADY {
-            break;
-        }
+    let start = |squares: &Squares<'_, M>| match &begin {
+        Some(places) => squares.minimum(places, &[]),
+        None => squares.least(&starts(unknowns)),
+    };
+    let mut squares = Squares {
+        model,
+        measured: &values,
+        errors: first_errors(measured),
+        loss,
+        has_priors: true,
+    };
+    let found = start(&squares)?;
+    let mut settled = Settled::from(&mut squares, measured, found)?;
+    if is_estimated && priors > 0 {
+        settled = settled.or_better(&mut squares, measured, start)?;
     }
+    let Settled { found, state, errors } = settled;
     let n = measured.len();
     let freedom = (n + priors).saturating_sub(unknowns - state.open.len());
     let values = squares.values(&found.places);
-    let without_scatter =
-        if freedom > 0 { without_scatter(measured, &squares.errors) } else { Vec::new() };
+    let without_scatter = if freedom > 0 { without_scatter(measured, &errors) } else { Vec::new() };
     Ok(Estimate {
         without_scatter,
         values,
         predicted: state.predicted,
-        errors: squares.errors,
+        errors,
         leverage: state.leverage,
         covariance: state.covariance,
         derivatives: state.derivatives,
@@ -110,7 +114,7 @@ pub(crate) fn estimate<M: Model + ?Sized>(
 }
 
 /// The given errors; in the place of others the spread of the quantity.
-fn first_errors(measured: &[Measurement]) -> Vec<f64> {
+pub(crate) fn first_errors(measured: &[Measurement]) -> Vec<f64> {
     let spread = |quantity: usize| {
         let own = || measured.iter().filter(|one| one.quantity == quantity);
         let count = own().count() as f64;
@@ -138,17 +142,20 @@ fn without_scatter(measured: &[Measurement], errors: &[f64]) -> Vec<usize> {
 }
 
 /// What the derivatives at a minimum tell.
-struct State {
-    predicted: Vec<f64>,
-    leverage: Vec<f64>,
-    covariance: DMatrix<f64>,
-    derivatives: DMatrix<f64>,
-    open: Vec<DVector<f64>>,
-    open_to_data: Vec<DVector<f64>>,
+pub(crate) struct State {
+    pub(crate) predicted: Vec<f64>,
+    pub(crate) leverage: Vec<f64>,
+    pub(crate) covariance: DMatrix<f64>,
+    pub(crate) derivatives: DMatrix<f64>,
+    pub(crate) open: Vec<DVector<f64>>,
+    pub(crate) open_to_data: Vec<DVector<f64>>,
 }
 
 impl State {
-    fn of<M: Model + ?Sized>(squares: &Squares<'_, M>, found: &Found) -> Result<Self, FitError> {
+    pub(crate) fn of<M: Model + ?Sized>(
+        squares: &Squares<'_, M>,
+        found: &Found,
+    ) -> Result<Self, FitError> {
         let n = squares.measured.len();
         let mut predicted = vec![0.0; n];
         squares.model.predict(&squares.values(&found.places), &mut predicted)?;
@@ -161,7 +168,7 @@ impl State {
     }
 
     /// Estimates the errors of quantities for which none are given, and returns their largest relative change.
-    fn renew_errors<M: Model + ?Sized>(
+    pub(crate) fn renew_errors<M: Model + ?Sized>(
         &self,
         squares: &mut Squares<'_, M>,
         measured: &[Measurement],

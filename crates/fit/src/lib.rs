@@ -21,6 +21,7 @@ mod measured;
 mod model;
 mod observable;
 mod run;
+mod settled;
 mod squares;
 mod told;
 

@@ -33,6 +33,12 @@ impl Parameter {
         value.clamp(low, high)
     }
 
+    /// The place of a value of a range that is not searched by its logarithm.
+    pub(crate) fn place(&self, value: f64) -> f64 {
+        let Unknown { low, high, .. } = self.unknown;
+        ((value - low) / (high - low)).clamp(0.0, 1.0)
+    }
+
     /// The derivative of the value by the place.
     pub(crate) fn slope(&self, x: f64) -> f64 {
         let Unknown { low, high, .. } = self.unknown;

@@ -162,7 +162,8 @@ fn run<K: Kind>(
         }
     };
     let (values, errors) = (measured(&read.measured), estimate.errors.clone());
-    let squares = Squares { model: &model, measured: &values, errors, loss: options.loss };
+    let loss = options.loss;
+    let squares = Squares { model: &model, measured: &values, errors, loss, has_priors: true };
     let parameters = determined(&squares, &estimate)?;
     let quality = quality(&read, &estimate, options.loss, parameters.len());
     let points = points(&read, &estimate, options.loss);
@@ -173,6 +174,7 @@ fn run<K: Kind>(
     let without: Vec<&str> = estimate.without_scatter.iter().map(name).collect();
     statements.extend(told::without_scatter(&without));
     let mut warnings = told::warnings(&parameters, &estimate, &quality, &residuals);
+    warnings.extend(told::contradictions(model.parameters(), &parameters));
     warnings.extend(unusual(data, &read.inputs));
     warnings.extend(read.unused.iter().map(|name| format!("column `{name}` is not used")));
     let ahead = |inputs: Vec<Input>| ahead::<K>(case, &unknowns, &read, inputs, &estimate);

@@ -72,6 +72,8 @@ pub(crate) struct Squares<'a, M: ?Sized> {
     pub(crate) measured: &'a [f64],
     pub(crate) errors: Vec<f64>,
     pub(crate) loss: Loss,
+    /// Whether priors count.
+    pub(crate) has_priors: bool,
 }
 
 /// A place, and the sum of squares there.
@@ -90,7 +92,8 @@ impl<M: Model + ?Sized> Squares<'_, M> {
 
     fn priors(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         let parameters = self.model.parameters().iter().enumerate();
-        parameters.filter_map(|(j, parameter)| Some((j, parameter.unknown.prior?)))
+        let counted = parameters.filter(|_| self.has_priors);
+        counted.filter_map(|(j, parameter)| Some((j, parameter.unknown.prior?)))
     }
 
     /// The number of residuals: of measured values, then of priors.

@@ -1,18 +1,16 @@
 //! What data tell and leave open, in sentences.
 
-use crate::estimate::Estimate;
+use crate::estimate::{Estimate, takes_part};
 use crate::fitted::{Determined, Knowledge, Quality};
 use crate::model::Parameter;
 use carom_table::short;
 use nalgebra::DVector;
 
-/// A part of a direction from which an unknown is named in it.
-const NAMED: f64 = 0.2;
 /// Correlations that are told.
 const STRONG: f64 = 0.95;
 /// chi^2 per degree beyond which theory or errors are doubted.
 const DOUBTFUL: [f64; 2] = [0.25, 3.0];
-/// Residuals that are told.
+/// Residuals, and distances from the mean of a prior, that are told.
 const FAR: f64 = 4.0;
 
 /// The last name of a field.
@@ -81,8 +79,7 @@ pub(crate) fn without_scatter(names: &[&str]) -> Option<String> {
 /// A direction that nothing determines.
 fn open(parameters: &[Parameter], direction: &DVector<f64>, estimate: &Estimate) -> String {
     let largest = direction.amax();
-    let named: Vec<usize> =
-        (0..parameters.len()).filter(|j| direction[*j].abs() >= NAMED * largest).collect();
+    let named: Vec<usize> = (0..parameters.len()).filter(|j| takes_part(direction, *j)).collect();
     let names: Vec<&str> = named.iter().map(|j| name(parameters[*j].field)).collect();
     let [first, others @ ..] = names.as_slice() else { return String::new() };
     if others.is_empty() {
@@ -151,6 +148,21 @@ pub(crate) fn warnings(
         }
     }
     told
+}
+
+/// Unknowns whose data and prior contradict each other.
+pub(crate) fn contradictions(
+    parameters: &[Parameter],
+    determined: &[Determined],
+) -> impl Iterator<Item = String> {
+    parameters.iter().zip(determined).filter_map(|(parameter, one)| {
+        let [mean, sd] = parameter.unknown.prior?;
+        let far = (one.value - mean).abs() / sd;
+        let of = name(parameter.field);
+        (far > FAR).then(|| {
+            format!("{of} is {} standard deviations of its prior from the mean of it: the data contradict the prior", short(far))
+        })
+    })
 }
 
 /// The correlation of two unknowns; none unless both are determined.

@@ -231,3 +231,81 @@ fn each_row_may_have_its_own_error() {
     let told = with(vec![0.01; 3]).unwrap_err().to_string();
     assert!(told.contains("3 standard errors are given for 8 rows"), "{told}");
 }
+
+/// Of data whose error is unknown, and a prior far from them: the value has the greatest posterior, of Student's form. Small
+/// scatter leaves the value of the data, large scatter that of the prior.
+#[test]
+fn unknown_errors_are_weighed_against_a_prior() {
+    let angles: Vec<f64> = (0..10).map(|i| 80.0 + 0.8 * f64::from(i)).collect();
+    let by: Vec<f64> = angles.iter().map(|angle| -2.0 / angle.to_radians().tan()).collect();
+    let noise = [1.0, -0.7, 0.4, -1.2, 0.9, -0.3, 0.8, -1.1, 0.6, -0.4];
+    let case = alumina("friction = { prior = { mean = 0.5, sd = 0.06 } }\nlaw = \"coulomb\"");
+    let mut near = Vec::new();
+    for scatter in [0.005, 0.01, 0.03] {
+        let ratio = |(slope, noise): (&f64, f64)| 1.0 + 0.093 * slope + scatter * noise;
+        let ratios: Vec<f64> = by.iter().zip(noise).map(ratio).collect();
+        let posterior = |friction: f64, freedom: f64| {
+            let rest = by.iter().zip(&ratios).map(|(by, ratio)| ratio - 1.0 - friction * by);
+            0.5 * freedom * rest.map(|rest| rest * rest).sum::<f64>().ln()
+                + 0.5 * ((friction - 0.5) / 0.06).powi(2)
+        };
+        let tried = (1..8000).map(|i| 1e-4 * f64::from(i));
+        let best = |freedom: f64| {
+            let order =
+                |a: &f64, b: &f64| posterior(*a, freedom).total_cmp(&posterior(*b, freedom));
+            tried.clone().min_by(order).unwrap()
+        };
+        let fit = fitted(&case, &data(&angles, ratios.clone()), None).unwrap();
+        let found = of(&fit, "friction").value;
+        // As the data determine friction or the prior does, nine or ten values are left for the error.
+        let [low, high] = [10.0, 9.0].map(best);
+        assert!(0.99 * low < found && found < 1.01 * high, "{found}: {low} to {high}");
+        near.push((found < 0.3, fit.warnings.iter().any(|told| told.contains("contradict"))));
+    }
+    assert_eq!(near, [(true, true), (false, false), (false, false)]);
+}
+
+/// What is determined together with another unknown only is not determined by the data.
+#[test]
+fn the_table_and_the_sentences_tell_the_same() {
+    let columns = [("angle".to_owned(), vec![60.0; 6]), ("R_x".to_owned(), vec![0.2; 6])];
+    let fit = fitted(&alumina(BOTH), &Data::new(columns.to_vec()).unwrap(), None).unwrap();
+    assert!(
+        fit.statements[0].contains("friction and normal_over_tangential_stiffness only together")
+    );
+    let known = [of(&fit, "friction").knowledge, of(&fit, "stiffness").knowledge];
+    assert_eq!(known, [Knowledge::Nothing; 2]);
+}
+
+/// A standard error has the unit behind its name, and without one that of its column.
+#[test]
+fn standard_errors_follow_the_unit_of_their_column() {
+    let slips = [1.1, 1.32, 1.57, 1.88];
+    let table = |unit: &str, scale: f64, errors: Option<(&str, f64)>| {
+        let slips = slips.iter().map(|slip| slip * scale).collect();
+        let angles = ("angle".to_owned(), vec![30.0, 34.0, 39.0, 45.0]);
+        let mut columns = vec![angles, (format!("slip_after{unit}"), slips)];
+        columns.extend(errors.map(|(name, error)| (name.to_owned(), vec![error; 4])));
+        Data::new(columns).unwrap()
+    };
+    let case = alumina("friction = { fit = [0.01, 1] }\nlaw = \"coulomb\"");
+    let found = |data: &Data, given: Option<(Option<&str>, f64)>| {
+        let given = given.map(|(name, error)| (name.map(str::to_owned), vec![error]));
+        let errors: Vec<_> = given.into_iter().collect();
+        let fit = fit(&case, data, &Options { errors: &errors, ..Options::default() }).unwrap();
+        of(&fit, "friction").deviation.unwrap()
+    };
+    let expected = found(&table("", 1.0, None), Some((None, 0.03)));
+    let milli = table(" (mm/s)", 1e3, None);
+    for given in [
+        (None, 30.0),
+        (Some("slip_after"), 30.0),
+        (Some("slip_after (mm/s)"), 30.0),
+        (Some("slip_after / m/s"), 0.03),
+    ] {
+        close(found(&milli, Some(given)), expected, 1e-12);
+    }
+    for column in [("slip_after_sd", 30.0), ("slip_after_sd (m/s)", 0.03)] {
+        close(found(&table(" (mm/s)", 1e3, Some(column)), None), expected, 1e-12);
+    }
+}

@@ -118,3 +118,16 @@ fn the_law_does_not_depend_on_the_width_of_bounds() {
     close(narrow, 14.1, 0.1);
     close(with("[0, 10]"), narrow, 0.05);
 }
+
+/// Four standard deviations of its prior away: the values of the data are the likelier ones, far apart from those that a first
+/// error as large as their spread leads to.
+#[test]
+fn a_prior_does_not_hide_the_values_of_data_without_an_error() {
+    let data = Data::from_csv(ALUMINA).unwrap();
+    let kappa = "normal_over_tangential_stiffness = { fit = [0.8, 1.5] }";
+    let case = alumina(&format!("friction = {{ prior = {{ mean = 0.5, sd = 0.1 }} }}\n{kappa}"));
+    let fit = fitted(&case, &data, None).unwrap();
+    close(of(&fit, "friction").value, 0.0930, 3e-4);
+    close(of(&fit, "stiffness").value, 1.110, 5e-3);
+    assert!(fit.warnings[0].contains("friction is 4.07"), "{:?}", fit.warnings);
+}

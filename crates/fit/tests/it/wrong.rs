@@ -154,6 +154,14 @@ fn an_error_of_several_quantities_needs_a_name() {
     assert!(
         run(&[(Some("duration".to_owned()), vec![0.1])]).contains("the data have no such column")
     );
+    let named = |unit: &str| (Some(format!("slip_after{unit}")), vec![0.1]);
+    assert!(
+        run(&[named(" (kg)")]).contains("`slip_after` of the data: its unit `kg` is none of it")
+    );
+    assert!(run(&[named(""), named(" (mm/s)")]).contains("`slip_after` are given twice: give"));
+    let data = Data::from_csv("angle,R_x,R_x_sd\n10,0.1,1\n20,0.2,1\n").unwrap();
+    let told = fitted(&alumina(BOTH), &data, Some(0.1)).unwrap_err().to_string();
+    assert!(told.contains("`R_x` are given twice, as `sd` and by the column `R_x_sd`"), "{told}");
 }
 
 #[test]

@@ -88,8 +88,8 @@ def fit(
     In the case a number is unknown if it is `{ fit = [low, high] }` or `{ prior = { mean, sd } }`. Columns of `data` are
     numbers that the case states and each row replaces (`angle`, `body_1.velocity.x`), measured quantities (`R_x`,
     `body_1_spin_y`; NaN where none was measured) and their standard errors (`R_x_sd`); a unit may follow the name, as
-    `angle (deg)`. `sd` is the standard error of the measured quantity, one or one of each row, or a mapping from names to them; without
-    any it is estimated. `robust` lets single wrong values count little (pseudo-Huber loss). `predict` are inputs of predictions.
+    `angle (deg)`. `sd` is the standard error of the measured quantity, one or one of each row, or a mapping from names to them, in the
+    unit of the column or one that follows the name; without any it is estimated. `robust` lets single wrong values count little (pseudo-Huber loss). `predict` are inputs of predictions.
 
     >>> import carom, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"

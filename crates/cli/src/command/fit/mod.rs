@@ -33,7 +33,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "DATA.csv")]
     data: PathBuf,
     /// Standard error of all values of a quantity, such as body_1_tangential_ratio=0.014; the name may be left
-    /// out if there is one quantity.
+    /// out if there is one quantity. It has the unit of the column, or one behind the name: "slip_after (mm/s)=3".
     #[arg(long, value_name = "[NAME=]ERROR", value_parser = error, allow_hyphen_values = true)]
     sd: Vec<GivenError>,
     /// Let single wrong values count little: pseudo-Huber loss, by squares up to some 1.345 standard errors, by size
