@@ -1,8 +1,8 @@
 //! Collisions, one or many.
 
 use carom::impact::{
-    Body as Colliding, Collision, HistoryPoint, ImpactFriction, LossCause, NormalRestitution,
-    Outcome, ReboundDerivatives, RestitutionBySpeed, TorsionMode,
+    Body as Colliding, Collision, CollisionError, HistoryPoint, ImpactFriction, LossCause,
+    NormalRestitution, Outcome, ReboundDerivatives, RestitutionBySpeed, TorsionMode,
 };
 use carom::numerical::CollisionLaw;
 use carom::special::{RangeError, WordError};
@@ -242,10 +242,14 @@ pub(crate) fn rebound_derivatives<'py>(
     let solve = || -> Result<Option<(ReboundDerivatives, Outcome)>, Fault> {
         let collision = way.collision(one, two, checked(friction, (None, None))?)?;
         let collision = match kappa {
-            Some(kappa) => collision.with_stiffness_ratio(kappa)?,
+            Some(kappa) => collision.with_stiffness_ratio(kappa).map_err(of_kappa)?,
             None => collision,
         };
-        let Some(found) = collision.derivatives()? else { return Ok(None) };
+        let found = collision.derivatives().map_err(|error| match error {
+            CollisionError::Range(error) => CollisionError::Range(of_kappa(error)),
+            error => error,
+        });
+        let Some(found) = found? else { return Ok(None) };
         Ok(Some((found, collision.solve()?)))
     };
     let Some((found, outcome)) = solve()? else { return Ok(None) };
@@ -253,6 +257,14 @@ pub(crate) fn rebound_derivatives<'py>(
     let rows: Vec<f64> = found.matrix.transpose().iter().copied().collect();
     let (values, rows) = (motions.copied().collect(), PyArray1::from_vec(py, rows));
     Ok(Some((values, rows, found.is_at_change, of_impacts(&[outcome]))))
+}
+
+/// The error with the name that the ratio of stiffnesses has here.
+fn of_kappa(error: RangeError) -> RangeError {
+    match error.field {
+        "normal_over_tangential_stiffness" => RangeError { field: "kappa", ..error },
+        _ => error,
+    }
 }
 
 /// The outcomes as arrays, and their warnings.

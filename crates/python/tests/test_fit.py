@@ -74,6 +74,24 @@ def test_a_fit_is_written_as_json():
     assert read["predictions"]["value"] == fit.predictions.value.tolist()
 
 
+def test_what_has_no_value_is_null_in_json():
+    data = {"angle": [40.0, 50.0, 60.0], "body_1_tangential_ratio": [0.779, 0.845, 0.893]}
+    fit = carom.fit(unknown(), data)
+    read = json.loads(json.dumps(fit.to_dict(), allow_nan=False))
+    assert read["parameters"]["value"][1] is None and read["parameters"]["value"][0] == fit["friction"].value
+    assert fit["friction"].to_dict()["sd"] is not None and fit["normal_over_tangential_stiffness"].to_dict()["sd"] is None
+
+
+def test_errors_have_the_unit_of_their_column():
+    angle, slip = [30.0, 34.0, 39.0, 45.0], np.array([1.1, 1.32, 1.57, 1.88])
+    metres = carom.fit(unknown(), {"angle": angle, "slip_after": slip}, sd=0.03)
+    data = {"angle": angle, "slip_after (mm/s)": 1e3 * slip}
+    for sd in (30.0, {"slip_after": 30.0}, {"slip_after (mm/s)": [30.0] * 4}, {"slip_after (m/s)": 0.03}):
+        assert carom.fit(unknown(), data, sd=sd)["friction"].sd == pytest.approx(metres["friction"].sd, rel=1e-9)
+    with pytest.raises(ValueError, match="given twice, as `sd` and by the column `slip_after_sd`"):
+        carom.fit(unknown(), data | {"slip_after_sd": [30.0] * 4}, sd=30.0)
+
+
 def test_each_row_may_have_its_own_error():
     count = len(REBOUNDS["angle"])
     one = carom.fit(unknown(), REBOUNDS, sd=0.014)

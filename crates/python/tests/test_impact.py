@@ -369,6 +369,13 @@ def test_derivatives_of_a_rebound_are_differences_of_it():
     ):
         assert found.matrix[:, names.index(name)] == pytest.approx(by, abs=1e-5 * np.abs(by).max()), name
     assert found["body_1_velocity_x", "friction"] == found.matrix[0, names.index("friction")]
+    for kappa in (0.034, 1e-4):
+        with pytest.raises(carom.RangeError, match=f"^kappa = {kappa}"):
+            carom.rebound_derivatives(*bodies(), 0.2, kappa=kappa)
+    with pytest.raises(TypeError, match="torsion: must be None, True or False, not 'yes'"):
+        carom.collide(*bodies(), 0.2, torsion="yes")
+    with pytest.raises(TypeError, match="torsion: must be None, True or False, not 1"):
+        carom.collide_many(*bodies(), 0.2, torsion=1)
     with pytest.raises(KeyError, match="mass: must be one of body_1_velocity_x"):
         found["body_1_velocity_x", "mass"]
     with pytest.raises(ValueError, match="must be spheres or planes that approach"):

@@ -1,5 +1,6 @@
 //! Derivatives of the rebound of spheres and planes by all that it depends on.
 
+use carom_special::RangeError;
 use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 
 use super::{Collision, CollisionError};
@@ -185,7 +186,7 @@ impl Collision {
             let turn = (by_across - along * by_slip) * (friction * normal / slip);
             (along * (friction * normal), along * by_limit + turn, false)
         } else {
-            let found = Sensitivity::of(Groups::new(chi, psi)?)?;
+            let found = Sensitivity::of(self.groups_named([chi, psi])?)?;
             let share = (1.0 + found.restitution) / d_xx;
             let by_friction =
                 if friction.is_finite() { by_friction / friction } else { Row::zeros() };
@@ -197,6 +198,16 @@ impl Collision {
             (across * share, by_across * share + across * by_share, found.is_at_change)
         };
         Ok((force + z * normal, by_force + z * by_normal, is_at_change))
+    }
+
+    /// The groups, whose error names the ratio of stiffnesses if that was given.
+    fn groups_named(&self, [chi, psi]: [f64; 2]) -> Result<Groups, RangeError> {
+        let field = "normal_over_tangential_stiffness";
+        let allowed = "at least a hundredth of D_xx/D_zz, which is 3.5 for solid spheres";
+        Groups::new(chi, psi).map_err(|error| match self.stiffness_ratio {
+            Some(ratio) => RangeError::new(field, ratio, allowed),
+            None => error,
+        })
     }
 
     /// Derivatives of the velocity of body 2 against body 1 at the contact.

@@ -261,3 +261,34 @@ fn without_friction_and_without_slip_one_sided_derivatives_are_finite() {
     let by = found.matrix.fixed_view::<3, 1>(0, Input::Friction.column());
     assert!(((some - none) * 1e6 - by).norm() < 1e-8 * by.norm());
 }
+
+/// At the least slip at which a ball slides throughout, psi = 2 chi - 1, one side of a step grips at the end.
+#[test]
+fn differences_across_a_change_of_regime_are_of_one_side_and_flagged() {
+    let steel = Material::from_shear(80e9, 0.3).unwrap();
+    let (friction, kappa) = (0.1, (1.0 - 0.15) / (1.0 - 0.3));
+    let limit = friction * (7.0 - kappa);
+    for (part, flagged) in [(1.0 + 2e-4, true), (1.5, false), (0.9, false)] {
+        let motion = Motion::new([part * limit, 0.0, -1.0], [0.0; 3]).unwrap();
+        let ball = Body::sphere(0.01, steel, 0.0329).unwrap().moving(motion);
+        let friction = Friction::new(friction).unwrap();
+        let collision = Collision::new(ball, Body::plane(steel), friction).unwrap();
+        let found = collision.differences(&Analytic, 1e-3).unwrap().unwrap();
+        assert_eq!(found.derivatives.is_at_change, flagged, "{part}");
+        let by = found.derivatives.matrix[(0, Input::Friction.column())];
+        if part > 1.0 {
+            // v_x' = v_x - 2 f |v_z|.
+            assert!((by + 2.0).abs() < 1e-6, "{part}: {by}");
+        }
+    }
+}
+
+#[test]
+fn a_ratio_of_stiffnesses_that_is_too_small_is_named() {
+    let steel = Material::from_shear(80e9, 0.3).unwrap();
+    let motion = Motion::new([0.2, 0.0, -1.0], [0.0; 3]).unwrap();
+    let ball = Body::sphere(0.01, steel, 0.0329).unwrap().moving(motion);
+    let collision = Collision::new(ball, Body::plane(steel), Friction::new(0.1).unwrap()).unwrap();
+    let told = collision.with_stiffness_ratio(0.034).unwrap().derivatives().unwrap_err();
+    assert!(told.to_string().contains("normal_over_tangential_stiffness = 0.034"), "{told}");
+}

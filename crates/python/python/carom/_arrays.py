@@ -46,6 +46,15 @@ def flag(name: str, x: object) -> bool:
     return bool(x)
 
 
+def switch(name: str, x: object) -> bool | None:
+    """A truth value, or None."""
+    if x is None:
+        return None
+    if not isinstance(x, bool | np.bool_):
+        raise TypeError(f"{name}: must be None, True or False, not {x!r:.60}")
+    return bool(x)
+
+
 def number(name: str, x: object, unit: str = "") -> float:
     """A single real number, in this unit."""
     if type(x) is float:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import counted, line, number, numbers, rows, spread
+from ._arrays import counted, line, number, numbers, rows, spread, switch
 from ._carom import Body, Material
 from ._friction import SlipSpeedFriction, by_speed
 from ._loss import RestitutionBySpeed, loss_of, losses_of
@@ -129,7 +129,8 @@ def collide(
     along, lost = _along(body_1, body_2, normal), loss_of(normal_restitution, loss, wave_loss, relaxation)
     beside = _beside(friction, static_friction)
     coefficient = _coefficient(friction)
-    columns, exceeded, missed = _carom.collide(body_1, body_2, coefficient, beside, along, torsion, law, tolerance, lost)
+    twist = switch("torsion", torsion)
+    columns, exceeded, missed = _carom.collide(body_1, body_2, coefficient, beside, along, twist, law, tolerance, lost)
     warn(exceeded)
     return Rebound._of(columns)._noting(missed)
 
@@ -189,7 +190,7 @@ def collide_many(
     beside = (speed, None if resting is None else line(spread("static_friction", resting, (count,))))
     losses = (cause, line(spread(what, lost, (count,))), table)
     columns, exceeded = _carom.collide_many(
-        body_1, body_2, frictions, beside, motions, _along(body_1, body_2, normal), torsion, law, tolerance, losses
+        body_1, body_2, frictions, beside, motions, _along(body_1, body_2, normal), switch("torsion", torsion), law, tolerance, losses
     )
     warn(exceeded)
     return Rebounds._shaped(columns, (count,))

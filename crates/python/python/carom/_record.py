@@ -29,10 +29,14 @@ def same(one: Any, other: Any) -> bool:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers and lists of Python in place of those of numpy, and mappings in place of results."""
+    """Numbers and lists of Python in place of those of numpy, None in place of NaN, and mappings in place of results."""
     if isinstance(value, Result):
         return value.to_dict()
-    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+    if isinstance(value, np.ndarray) and value.dtype.kind == "f":
+        gaps = np.isnan(value)
+        return np.where(gaps, None, value).tolist() if gaps.any() else value.tolist()
+    value = value.tolist() if isinstance(value, np.ndarray | np.generic) else value
+    return None if isinstance(value, float) and value != value else value
 
 
 class Result:
@@ -82,7 +86,7 @@ class Result:
         return {name: getattr(self, name) for name in self.units}
 
     def to_dict(self) -> dict[str, Any]:
-        """The quantities by name, as numbers, texts and lists, which `json.dumps` takes; NaN where one has no value."""
+        """The quantities by name, as numbers, texts and lists, which `json.dumps` takes; None, in JSON null, where one has no value."""
         return {name: _plain(value) for name, value in self._values().items()}
 
     def __eq__(self, other: object) -> bool:
