@@ -3,7 +3,7 @@
 use crate::case::{CaseFault, ImpactCase, ImpactFile, Input};
 use crate::input::CaseFile;
 use crate::{Error, ErrorKind};
-use carom_impact::{CollisionError, HistoryPoint, Outcome};
+use carom_impact::{CollisionError, HistoryPoint, Instants, Outcome};
 use carom_numerical::CollisionLawError;
 use carom_special::interrupt;
 use rayon::prelude::*;
@@ -66,12 +66,15 @@ pub fn outcome(case: &ImpactCase) -> Result<Outcome, Error> {
     case.contact.law.solve(&case.collision).map_err(|source| blamed(case, source))
 }
 
-/// The history of an impact at `count` instants.
+/// The history of an impact at so many instants, or at given times.
 ///
 /// # Errors
 /// As [`outcome`].
-pub fn course(case: &ImpactCase, count: usize) -> Result<Vec<HistoryPoint>, Error> {
-    case.contact.law.history(&case.collision, count).map_err(|source| blamed(case, source))
+pub fn course<'a>(
+    case: &ImpactCase,
+    instants: impl Into<Instants<'a>>,
+) -> Result<Vec<HistoryPoint>, Error> {
+    case.contact.law.history(&case.collision, instants).map_err(|source| blamed(case, source))
 }
 
 /// Reports torsion that cannot be computed as an error of the case.

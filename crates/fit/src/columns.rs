@@ -51,6 +51,7 @@ pub(crate) trait Known: Sized {
 const SHORT: &[(&str, &str)] = &[
     ("angle", "approach.angle"),
     ("speed", "approach.speed"),
+    ("time", "clock.time"),
     ("approach", "load.approach"),
     ("force", "load.force"),
 ];

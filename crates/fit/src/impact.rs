@@ -6,9 +6,9 @@ use crate::measured::Measurement;
 use crate::model::{Model, Parameter};
 use crate::observable::{Bounce, Observable};
 use carom_cases::case::{CaseError, ImpactCase, OpenCase, Unknown};
-use carom_cases::impact::outcome;
+use carom_cases::impact::{course, outcome};
 use carom_cases::{Error, ErrorKind};
-use carom_impact::{NeededLaw, Outcome, TabledCollision};
+use carom_impact::{HistoryPoint, NeededLaw, TabledCollision};
 use carom_numerical::CollisionLaw;
 use carom_special::{Readable, interrupt};
 use rayon::prelude::*;
@@ -47,14 +47,17 @@ pub(crate) struct Impacts<'a> {
     smoothness: [f64; 2],
 }
 
-/// A row of the data.
+/// A row of the data, or several rows of one impact at several times.
+#[derive(Default)]
 struct Row {
     /// Its number, from 0.
     index: usize,
     /// The numbers of the case that it replaces.
     numbers: Vec<(usize, f64)>,
-    /// What is measured: the place of the prediction, and the quantity.
-    measured: Vec<(usize, Observable)>,
+    /// What is measured: the place of the prediction, the quantity, and which of the readings of the clock it has.
+    measured: Vec<(usize, Observable, usize)>,
+    /// Readings of the clock, and the rows that they have; one impact has all that follow one another.
+    readings: Vec<(f64, usize)>,
     /// The collision by the table, with the numbers of the contact that are not unknown.
     tabled: Option<(TabledCollision, [f64; 3])>,
 }
@@ -62,7 +65,20 @@ struct Row {
 impl Row {
     /// The first place of its predictions.
     fn place(&self) -> usize {
-        self.measured.first().map_or(0, |(place, _)| *place)
+        self.measured.first().map_or(0, |(place, ..)| *place)
+    }
+
+    /// The history of the impact at its readings of the clock; empty if nothing of it is measured.
+    fn course(&self, case: &ImpactCase) -> Result<Vec<HistoryPoint>, Error> {
+        let is_needed = self.measured.iter().any(|(_, own, _)| own.is_of_instant());
+        let Some([_, touch]) = case.clock.filter(|_| is_needed) else { return Ok(Vec::new()) };
+        let mut order: Vec<usize> = (0..self.readings.len()).collect();
+        order.sort_by(|i, j| self.readings[*i].0.total_cmp(&self.readings[*j].0));
+        let times: Vec<f64> = order.iter().map(|i| self.readings[*i].0 - touch).collect();
+        let points = course(case, times.as_slice())?;
+        let mut points: Vec<(usize, HistoryPoint)> = order.into_iter().zip(points).collect();
+        points.sort_by_key(|(i, _)| *i);
+        Ok(points.into_iter().map(|(_, point)| point).collect())
     }
 }
 
@@ -95,13 +111,27 @@ impl<'a> Impacts<'a> {
         // The measured values follow one another row by row.
         let mut rows: Vec<Row> = Vec::new();
         for (place, one) in measured.iter().enumerate() {
-            if rows.last().is_none_or(|row| row.index != one.row) {
-                let number = |input: &Input| (input.place, input.values[one.row]);
-                let numbers = read.inputs.iter().map(number).collect();
-                rows.push(Row { index: one.row, numbers, measured: Vec::new(), tabled: None });
+            let number = |input: &Input| (input.place, input.values[one.row]);
+            let numbers: Vec<_> =
+                read.inputs.iter().filter(|own| !is_time(own)).map(number).collect();
+            let reading =
+                read.inputs.iter().find(|own| is_time(own)).map(|own| own.values[one.row]);
+            let own = read.quantities[one.quantity].1;
+            if reading.is_none() && own.is_of_instant() {
+                return Err(without_time(&read.quantities[one.quantity].0.name));
             }
-            let own = (place, read.quantities[one.quantity].1);
-            rows.last_mut().into_iter().for_each(|row| row.measured.push(own));
+            let goes_on = |row: &Row| match reading {
+                Some(_) => row.numbers == numbers,
+                None => row.index == one.row,
+            };
+            if !rows.last().is_some_and(goes_on) {
+                rows.push(Row { index: one.row, numbers, ..Row::default() });
+            }
+            let Some(row) = rows.last_mut() else { continue };
+            if row.readings.last().is_none_or(|(_, last)| *last != one.row) {
+                row.readings.extend(reading.map(|reading| (reading, one.row)));
+            }
+            row.measured.push((place, own, row.readings.len().saturating_sub(1)));
         }
         let direct = parameters.iter().map(|one| Direct::of(one.field)).collect();
         let mut impacts = Self { case, parameters, places, rows, direct, smoothness: SMOOTH };
@@ -134,8 +164,9 @@ impl<'a> Impacts<'a> {
         if is_coarse(&first) {
             self.smoothness = COARSE;
         }
-        let needs_outcome =
-            |row: &Row| row.measured.iter().any(|(_, own)| matches!(own, Observable::Outcome(_)));
+        let needs_outcome = |row: &Row| {
+            row.measured.iter().any(|(_, own, _)| !matches!(own, Observable::Bounce(_)))
+        };
         let find = |row: &Row| -> Result<Option<(TabledCollision, [f64; 3])>, FitError> {
             let case = self.case_of(row, &nominal)?;
             if case.collision.velocity().z <= 0.0 {
@@ -199,15 +230,24 @@ impl<'a> Impacts<'a> {
             let rebound = rebound
                 .map_err(|error| failed(carom_numerical::CollisionLawError::from(error).into()))?;
             let bounce = Bounce::tabled(tabled, &rebound);
-            row.measured.iter().for_each(|(place, own)| put(*place, of_bounce(own, &bounce)));
+            row.measured
+                .iter()
+                .for_each(|(place, own, _)| put(*place, own.of(Some(&bounce), None, None)));
             return Ok(());
         }
         let case = self.case_of(row, values)?;
-        let outcome = outcome(&case).map_err(failed)?;
-        let bounce = Bounce::of(&case.collision, &outcome);
+        let course = row.course(&case).map_err(failed)?;
+        let outcome = match row.measured.iter().all(|(_, own, _)| own.is_of_instant()) {
+            true => None,
+            false => Some(outcome(&case).map_err(failed)?),
+        };
+        let bounce = match &outcome {
+            Some(outcome) => Bounce::of(&case.collision, outcome).map(Some),
+            None => Some(None),
+        };
         let bounce = bounce.ok_or(FitError::NoImpact { row: row.index + 1 })?;
-        for (place, own) in &row.measured {
-            put(*place, of_outcome(own, &bounce, &outcome));
+        for (place, own, at) in &row.measured {
+            put(*place, own.of(bounce.as_ref(), outcome.as_ref(), course.get(*at)));
         }
         Ok(())
     }
@@ -224,6 +264,17 @@ impl<'a> Impacts<'a> {
         let all: Option<Vec<bool>> = self.rows.iter().map(slides).collect();
         all.map(|all| [all.iter().filter(|slides| **slides).count(), all.len()])
     }
+}
+
+/// Whether this is the clock, which one impact has many readings of.
+fn is_time(input: &Input) -> bool {
+    input.field == "clock.time"
+}
+
+fn without_time(quantity: &str) -> FitError {
+    let reason =
+        "it is of an instant: the data need a column `time`, and the case `clock = { time = 0 }`";
+    FitError::column(quantity, reason)
 }
 
 /// The collision of a case by the table; none if its law or its loss is not that of the table.
@@ -253,20 +304,6 @@ fn is_coarse(case: &ImpactCase) -> bool {
         CollisionLaw::Rings | CollisionLaw::Numerical => true,
         CollisionLaw::Analytic(_) => false,
         CollisionLaw::Auto => case.collision.default_law() != NeededLaw::Analytic,
-    }
-}
-
-fn of_bounce(own: &Observable, bounce: &Bounce) -> f64 {
-    match own {
-        Observable::Bounce(part) => part.of(bounce).unwrap_or(f64::NAN),
-        Observable::Outcome(_) => f64::NAN,
-    }
-}
-
-fn of_outcome(own: &Observable, bounce: &Bounce, outcome: &Outcome) -> f64 {
-    match own {
-        Observable::Bounce(part) => part.of(bounce).unwrap_or(f64::NAN),
-        Observable::Outcome(part) => part.of(outcome).unwrap_or(f64::NAN),
     }
 }
 
@@ -323,7 +360,10 @@ impl Impacts<'_> {
     }
 
     fn row_of(&self, place: usize) -> usize {
-        let has = |row: &&Row| row.measured.iter().any(|(own, _)| *own == place);
-        self.rows.iter().find(has).map_or(0, |row| row.index)
+        let of = |row: &Row| {
+            let (.., at) = row.measured.iter().find(|(own, ..)| *own == place)?;
+            Some(row.readings.get(*at).map_or(row.index, |(_, row)| *row))
+        };
+        self.rows.iter().find_map(of).unwrap_or(0)
     }
 }

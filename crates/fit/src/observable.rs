@@ -2,7 +2,7 @@
 
 use crate::FitError;
 use carom_cases::case::Dimension;
-use carom_impact::{Collision, Motion, Outcome, TabledCollision, TabledRebound};
+use carom_impact::{Collision, HistoryPoint, Motion, Outcome, TabledCollision, TabledRebound};
 use carom_table::{Column, Quantity as _, Value};
 use nalgebra::Vector3;
 
@@ -176,12 +176,19 @@ pub(crate) enum Observable {
     Bounce(Part<Bounce>),
     /// Of the whole outcome.
     Outcome(Part<Outcome>),
+    /// Of an instant.
+    Instant(Part<HistoryPoint>),
 }
 
 impl Observable {
     pub(crate) fn find(name: &str) -> Option<Self> {
         let of_motions = Part::find(Bounce::COLUMNS, name).map(Self::Bounce);
-        of_motions.or_else(|| Part::find(Outcome::COLUMNS, name).map(Self::Outcome))
+        let of_outcome = || Part::find(Outcome::COLUMNS, name).map(Self::Outcome);
+        // The time is an input.
+        let of_instant = || {
+            Part::find(HistoryPoint::COLUMNS, name).filter(|_| name != "time").map(Self::Instant)
+        };
+        of_motions.or_else(of_outcome).or_else(of_instant)
     }
 
     /// The names of all of them.
@@ -189,13 +196,36 @@ impl Observable {
         let [mut all, others] =
             [carom_table::heads(Bounce::COLUMNS), carom_table::heads(Outcome::COLUMNS)];
         all.extend(others.into_iter().filter(|name| Part::find(Bounce::COLUMNS, name).is_none()));
+        let of_instants = carom_table::heads(HistoryPoint::COLUMNS);
+        all.extend(of_instants.into_iter().filter(|name| name != "time"));
         all
+    }
+
+    /// Whether it is of an instant.
+    pub(crate) fn is_of_instant(&self) -> bool {
+        matches!(self, Self::Instant(_))
+    }
+
+    /// The number of these records; NaN if they do not have it.
+    pub(crate) fn of(
+        &self,
+        bounce: Option<&Bounce>,
+        outcome: Option<&Outcome>,
+        instant: Option<&HistoryPoint>,
+    ) -> f64 {
+        let found = match self {
+            Self::Bounce(part) => bounce.and_then(|record| part.of(record)),
+            Self::Outcome(part) => outcome.and_then(|record| part.of(record)),
+            Self::Instant(part) => instant.and_then(|record| part.of(record)),
+        };
+        found.unwrap_or(f64::NAN)
     }
 
     pub(crate) fn unit(&self) -> &'static str {
         match self {
             Self::Bounce(part) => part.unit(),
             Self::Outcome(part) => part.unit(),
+            Self::Instant(part) => part.unit(),
         }
     }
 
@@ -203,6 +233,7 @@ impl Observable {
         match self {
             Self::Bounce(part) => part.meaning(),
             Self::Outcome(part) => part.meaning(),
+            Self::Instant(part) => part.meaning(),
         }
     }
 }

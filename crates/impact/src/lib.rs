@@ -56,7 +56,7 @@ pub mod viscoelastic;
 
 pub use body::Body;
 pub use collision::{
-    AnalyticOrRings, Collision, CollisionError, CollisionSolver, Input, NeededLaw,
+    AnalyticOrRings, Collision, CollisionError, CollisionSolver, Input, Instants, NeededLaw,
     ReboundDerivatives, ReboundDifferences, TabledCollision, TabledRebound, TwistBound,
 };
 pub use impact_friction::ImpactFriction;

@@ -5,8 +5,8 @@ use std::str::FromStr;
 
 use carom_impact::coupled::TurningLaw;
 use carom_impact::{
-    Collision, CollisionError, CollisionSolver, HistoryPoint, NeededLaw, Outcome, RingImpact,
-    RingImpactError,
+    Collision, CollisionError, CollisionSolver, HistoryPoint, Instants, NeededLaw, Outcome,
+    RingImpact, RingImpactError,
 };
 use carom_special::{RangeError, WordError};
 
@@ -111,21 +111,22 @@ impl CollisionLaw {
         })
     }
 
-    /// The collision at `count` instants equally spaced in time, touch and separation included, in contact axes;
-    /// empty if the bodies do not meet.
+    /// The collision at so many instants equally spaced in time, touch and separation included, or at given times, in
+    /// contact axes; empty if the bodies do not meet.
     ///
     /// # Errors
-    /// As [`CollisionLaw::solve`]; [`RangeError`] for fewer than two instants.
-    pub fn history(
+    /// As [`CollisionLaw::solve`]; [`RangeError`] as [`Instants::check`].
+    pub fn history<'a>(
         self,
         collision: &Collision,
-        count: usize,
+        instants: impl Into<Instants<'a>>,
     ) -> Result<Vec<HistoryPoint>, CollisionLawError> {
+        let instants = instants.into();
         Ok(match self.used(collision) {
-            Used::Analytic(law) => collision.clone().with_law(law).history(count)?,
-            Used::AnalyticWithTorsion => collision.history(count)?,
-            Used::Rings => RingImpact::new(collision).history(count)?,
-            Used::Grid => NumericalImpact::new(collision).history(count)?,
+            Used::Analytic(law) => collision.clone().with_law(law).history(instants)?,
+            Used::AnalyticWithTorsion => collision.history(instants)?,
+            Used::Rings => RingImpact::new(collision).history(instants)?,
+            Used::Grid => NumericalImpact::new(collision).history(instants)?,
         })
     }
 

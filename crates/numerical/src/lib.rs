@@ -12,7 +12,7 @@ mod run;
 pub use law::{CollisionLaw, CollisionLawError};
 
 use carom_impact::coupled::{CoupledOutcome, ImpactMethod, LawFailure};
-use carom_impact::{Collision, CollisionError, HistoryPoint, Outcome};
+use carom_impact::{Collision, CollisionError, HistoryPoint, Instants, Outcome};
 use carom_solver::NumericalLawError;
 use carom_special::RangeError;
 
@@ -154,17 +154,21 @@ impl<'a> NumericalImpact<'a> {
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
-    /// The impact at `count` instants equally spaced in time, straight between those of the finest run; empty without an
+    /// The impact at so many instants equally spaced in time, or at given times, straight between those of the finest run; empty without an
     /// impact. At separation its velocity differs from that of [`NumericalImpact::solve`] by what the runs are
     /// extrapolated.
     ///
     /// # Errors
-    /// As [`NumericalImpact::solve`]; [`RangeError`] for fewer than two instants.
-    pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, NumericalImpactError> {
-        RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
+    /// As [`NumericalImpact::solve`]; [`RangeError`](carom_special::RangeError) as [`Instants::check`].
+    pub fn history<'b>(
+        &self,
+        instants: impl Into<Instants<'b>>,
+    ) -> Result<Vec<HistoryPoint>, NumericalImpactError> {
+        let instants = instants.into();
+        instants.check()?;
         let Some(problem) = Problem::new(self.collision)? else { return Ok(Vec::new()) };
         let samples = self.found(&problem)?.finest.samples;
-        Ok(self.collision.sampled(&samples, count, &problem.impact.velocity())?)
+        Ok(self.collision.sampled(&samples, instants, &problem.impact.velocity())?)
     }
 
     fn found(&self, problem: &Problem<'_>) -> Result<Found, NumericalImpactError> {

@@ -49,7 +49,7 @@ pub(super) const FRICTION_BY_SPEED: Field = Field::new(
 .may("`friction` is a number");
 pub(super) const STATIC_FRICTION: Field = Field::number(
     "static_friction",
-    Range::Friction.pure(),
+    Range::FiniteFriction.pure(),
     "coefficient of static friction f_s, at least `friction`: the contact sticks or slips in part up to f_s F_z, and slides \
      as a whole with `friction`; by the laws coulomb and fixed-direction, which auto then chooses",
 )
@@ -58,7 +58,7 @@ pub(super) const STATIC_FRICTION: Field = Field::number(
 /// Static friction of a history of shifts, whose laws all have it.
 pub(super) const SHIFT_STATIC_FRICTION: Field = Field::number(
     STATIC_FRICTION.name,
-    Range::Friction.pure(),
+    Range::FiniteFriction.pure(),
     "coefficient of static friction f_s, at least `friction`: the contact sticks or slips in part up to f_s F_z, and slides \
      as a whole with `friction`; for steps without a twist",
 )

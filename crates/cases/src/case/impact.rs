@@ -7,7 +7,7 @@
 use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, VELOCITY, Velocity};
 use super::contact::Contact;
 use super::error::{CaseError, CaseFault};
-use super::field::{Field, Form, Schema, Usual};
+use super::field::{Default, Field, Form, Schema, Usual};
 use super::material::MATERIAL;
 use super::range::Range;
 use super::reader::Case;
@@ -43,8 +43,28 @@ const APPROACH: Field = Field::new(
 )
 .may("the velocity is `body_1.velocity`");
 
+const TIME: Field = Field::number(
+    "time",
+    Range::Finite.of(Dimension::Time),
+    "reading of the clock, which each row of the data replaces",
+)
+.such_as("0");
+const CLOCK_TOUCH: Field = Field::number(
+    "touch",
+    Range::Finite.of(Dimension::Time),
+    "reading of the clock at which the bodies first touch: `time` counts from there",
+)
+.default(Default::Number(0.0))
+.such_as("0");
+const CLOCK: Field = Field::new(
+    "clock",
+    Form::Table(&[TIME, CLOCK_TOUCH]),
+    "the times of data that `carom fit` compares with the history of the impact",
+)
+.may("the data have no times");
+
 /// All fields.
-const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, UNCERTAINTY];
+const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, CLOCK, UNCERTAINTY];
 
 /// An impact of two bodies.
 #[derive(Debug, Clone)]
@@ -55,6 +75,8 @@ pub struct ImpactCase {
     pub contact: Contact,
     /// Angle of incidence, degrees, if the case gives it.
     pub angle: Option<f64>,
+    /// The reading of the clock of the data and that at the first touch, s, if they have times.
+    pub clock: Option<[f64; 2]>,
 }
 
 /// The case file of one or more impacts, parsed once.
@@ -165,7 +187,11 @@ pub(super) fn read(
         }
         None => collision,
     };
-    Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
+    let clock = case.has(&CLOCK).then(|| case.section(&CLOCK)).transpose()?;
+    let read = |clock: Section<'_>| Ok([clock.number(&TIME)?, clock.number(&CLOCK_TOUCH)?]);
+    let clock = clock.map(read).transpose()?;
+    let angle = approach.map(|approach| approach.angle);
+    Ok(ImpactCase { collision, contact, angle, clock })
 }
 
 /// Rejects combinations of bodies that have no impact.

@@ -19,6 +19,8 @@ pub enum Range {
     NonNegative,
     /// A coefficient of friction: 0, infinite, or of a size at which displacements over it do not overflow.
     Friction,
+    /// A coefficient of friction that is finite.
+    FiniteFriction,
     /// A Poisson's ratio.
     Poisson,
     /// A principal radius.
@@ -109,6 +111,7 @@ impl Range {
             Self::PositiveOrInfinite => [Out(zero), In(f64::INFINITY)],
             Self::NonNegative => [In(zero), infinite],
             Self::Friction => [In(zero), In(f64::INFINITY)],
+            Self::FiniteFriction => [In(zero), In(1e30)],
             Self::Poisson => [Out(-1.0), In(0.5)],
             Self::Radius => [In(f64::NEG_INFINITY), In(f64::INFINITY)],
             Self::Incidence => [In(zero), In(90.0)],
@@ -163,7 +166,7 @@ impl Range {
         let is_fit = !self.is_whole() || value.fract() == 0.0;
         let is_between = match self {
             Self::Radius => value != 0.0,
-            Self::Friction => Friction::new(value).is_ok(),
+            Self::Friction | Self::FiniteFriction => Friction::new(value).is_ok(),
             _ => true,
         };
         is_above && is_below && is_fit && is_between
@@ -180,6 +183,7 @@ impl Range {
             Self::PositiveOrInfinite => "> 0 (inf is allowed)",
             Self::NonNegative => "finite and >= 0",
             Self::Friction => ">= 0 (0, 1e-30 to 1e30, or inf: no slip)",
+            Self::FiniteFriction => "finite and >= 0 (0, or 1e-30 to 1e30)",
             Self::Poisson => "in (-1, 0.5]",
             Self::Radius => "nonzero (inf: straight, negative: concave)",
             Self::Incidence => "in [0, 90], degrees from the normal",
@@ -220,6 +224,7 @@ mod tests {
                 &[0.0, -0.0, 1e-30, f64::INFINITY],
                 &[-1e-300, 1e-31, 1e31, f64::NAN],
             ),
+            (Range::FiniteFriction, &[0.0, 1e30], &[1e-31, 1.1e30, f64::INFINITY, f64::NAN]),
             (Range::Poisson, &[0.5, 0.0, -0.999], &[-1.0, 0.51]),
             (Range::Radius, &[-1.0, f64::NEG_INFINITY, f64::INFINITY], &[0.0, -0.0, f64::NAN]),
             (Range::Count, &[2.0, 1e6], &[1.0, 2.5, 1_000_001.0]),

@@ -89,7 +89,7 @@ fn static_friction_is_read_and_its_errors_are_named() {
         ),
         (
             "friction = 0.2\nstatic_friction = inf",
-            "`contact.static_friction` = inf is out of range: must be finite and",
+            "`contact.static_friction` = inf is out of range: must be finite and >= 0",
         ),
         ("friction = 0.2\nstatic_friction = -1", "`contact.static_friction` = -1 is out of range"),
         (

@@ -33,6 +33,15 @@ fn json_has_all_tables_and_csv_the_unknowns() {
     );
 }
 
+/// Forces over time of one impact, drawn with f = .14.
+#[test]
+fn forces_over_time_tell_friction_and_touch() {
+    let files = [example("fit/hit.toml"), example("fit/hit.csv")];
+    let fit = json(&["fit", &files[0], &files[1]]);
+    close(&fit["parameters"][1]["value"], 0.14, 2e-3);
+    close(&fit["parameters"][2]["value"], 21.3e-6, 3e-7);
+}
+
 #[test]
 fn a_table_fits_the_page_and_tells_what_is_open() {
     let files = files();

@@ -3,6 +3,7 @@
 mod common;
 mod contacts;
 mod coverage;
+mod histories;
 mod impacts;
 mod known;
 mod measured;

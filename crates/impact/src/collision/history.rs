@@ -3,14 +3,14 @@
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::{Collision, CollisionError};
+use super::{Collision, CollisionError, Instants};
 use crate::coupled::{Log, Sample, Traced};
 use crate::normal;
 use crate::outcome::{HistoryPoint, LogEntry};
 
 impl Collision {
-    /// The impact at `count` equally spaced instants from first contact to separation, in contact axes; empty
-    /// without an impact. Exact for spheres and planes; for other bodies interpolated linearly between
+    /// The impact at so many equally spaced instants from first contact to separation, or at given times, in contact
+    /// axes; empty without an impact. Exact for spheres and planes; for other bodies interpolated linearly between
     /// computed steps.
     ///
     /// The axes of two balls turn with their line of centres ([`HistoryPoint::normal`]), unless they are kept
@@ -18,15 +18,19 @@ impl Collision {
     /// that instant, within the estimated error of the outcome.
     ///
     /// # Errors
-    /// As [`Collision::solve`]; [`RangeError`] for fewer than two instants.
-    pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, CollisionError> {
-        RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
+    /// As [`Collision::solve`]; [`RangeError`] as [`Instants::check`].
+    pub fn history<'a>(
+        &self,
+        instants: impl Into<Instants<'a>>,
+    ) -> Result<Vec<HistoryPoint>, CollisionError> {
+        let instants = instants.into();
+        instants.check()?;
         let Some(impact) = self.impact()? else { return Ok(Vec::new()) };
         let direction = impact.exact_direction().filter(|_| !impact.loses());
         let Some(direction) = direction else {
-            return self.sampled(&impact.history(self.law)?, count, &impact.velocity());
+            return self.sampled(&impact.history(self.law)?, instants, &impact.velocity());
         };
-        let times: Vec<f64> = instants(normal::DURATION, count).collect();
+        let times = instants.within(normal::DURATION, self.pulse(impact.velocity().z)?.time_unit());
         let point = |Traced { sample, regime, stick_depth }: Traced| {
             let radius = || Ok::<_, RangeError>(self.semi_axes(stick_depth)?[0]);
             Ok(HistoryPoint {
@@ -42,26 +46,29 @@ impl Collision {
         };
         let points: Result<_, CollisionError> =
             impact.traced(&direction, &times)?.into_iter().map(point).collect();
-        self.in_turning_axes(points?)
+        Ok(instants.finish(self.in_turning_axes(points?)?))
     }
 
-    /// `count` equally spaced instants of an impact that was computed elsewhere, interpolated linearly
+    /// These instants of an impact that was computed elsewhere, interpolated linearly
     /// between its steps; `initial` is the velocity before, in contact axes.
     ///
     /// # Errors
-    /// [`RangeError`] for fewer than two instants, and for an approach that gives no contact ellipse.
-    pub fn sampled(
+    /// [`RangeError`] as [`Instants::check`], and for an approach that gives no contact ellipse.
+    pub fn sampled<'a>(
         &self,
         computed: &[Sample],
-        count: usize,
+        instants: impl Into<Instants<'a>>,
         initial: &Vector3<f64>,
     ) -> Result<Vec<HistoryPoint>, CollisionError> {
-        RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
+        let instants = instants.into();
+        instants.check()?;
         let Some(last) = computed.last() else {
             return Ok(Vec::new());
         };
         let mut from = 0;
-        let points: Result<_, CollisionError> = instants(last.time, count)
+        let points: Result<_, CollisionError> = instants
+            .within(last.time, 1.0)
+            .into_iter()
             .map(|time| {
                 while from + 2 < computed.len() && computed[from + 1].time < time {
                     from += 1;
@@ -70,7 +77,7 @@ impl Collision {
                 self.between(&computed[from], &computed[to], time, initial)
             })
             .collect();
-        self.in_turning_axes(points?)
+        Ok(instants.finish(self.in_turning_axes(points?)?))
     }
 
     /// The regimes of an impact that was computed elsewhere, each with the first step in which it occurs;
@@ -113,9 +120,4 @@ impl Collision {
         let ellipse = self.hertz.ellipse(approach)?;
         Ok([ellipse.semi_axis_a(), ellipse.semi_axis_b()])
     }
-}
-
-fn instants(duration: f64, count: usize) -> impl Iterator<Item = f64> {
-    let step = duration / (count - 1) as f64;
-    (0..count - 1).map(move |i| step * i as f64).chain([duration])
 }

@@ -14,7 +14,7 @@ use carom_laws::rings::RingConstants;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::collision::{Collision, Known};
+use crate::collision::{Collision, Instants, Known};
 use crate::coupled::{CoupledOutcome, ImpactMethod};
 use crate::normal::NormalImpact;
 use crate::outcome::{HistoryPoint, Outcome, Torsion, TorsionMode};
@@ -149,19 +149,23 @@ impl<'a> RingImpact<'a> {
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
-    /// The impact at `count` equally spaced instants, interpolated linearly between computed steps, with the
+    /// The impact at so many equally spaced instants or at given times, interpolated linearly between computed steps, with the
     /// rings and steps that meet the tolerance; empty without an impact.
     ///
     /// # Errors
-    /// As [`RingImpact::solve`]; [`RangeError`] for fewer than two instants.
-    pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, RingImpactError> {
-        RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
+    /// As [`RingImpact::solve`]; [`RangeError`] as [`Instants::check`].
+    pub fn history<'b>(
+        &self,
+        instants: impl Into<Instants<'b>>,
+    ) -> Result<Vec<HistoryPoint>, RingImpactError> {
+        let instants = instants.into();
+        instants.check()?;
         let Some(problem) = self.problem()? else { return Ok(Vec::new()) };
         let level = problem.found(self.allowed(&problem))?.level;
         let mut samples = Vec::new();
         level.observed(&problem, &mut |sample| samples.push(sample))?;
         let [speed, xi, eta, _] = problem.motion.before;
-        Ok(self.collision.sampled(&samples, count, &Vector3::new(xi, eta, speed))?)
+        Ok(self.collision.sampled(&samples, instants, &Vector3::new(xi, eta, speed))?)
     }
 
     /// The largest errors of the tangential velocity over f v_z and of the normal velocity over v_z.

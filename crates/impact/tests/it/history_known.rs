@@ -5,7 +5,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_halfspace::Material;
 use carom_impact::coupled::{CoupledImpact, ImpactMethod, Sample, TurningLaw};
 use carom_impact::oblique::Regime;
-use carom_impact::{Body, Collision, HistoryPoint, Mobility, Motion};
+use carom_impact::{Body, Collision, HistoryPoint, Mobility, Motion, NormalRestitution};
 use carom_laws::friction::Friction;
 use carom_laws::sliders::sliding_direction;
 use carom_laws::stiffness::ContactStiffness;
@@ -33,6 +33,33 @@ fn the_shift_of_a_history_is_the_integral_of_its_velocity() {
         shift += mean * (pair[1].time - pair[0].time);
         largest = largest.max(shift.abs());
         assert_abs_diff_eq!(pair[1].shift.x, shift, epsilon = 1e-5 * largest);
+    }
+}
+
+/// Given times are those of an even history, and beyond the contact the bodies move on without a force.
+#[test]
+fn a_history_is_given_at_any_times() {
+    let exact = collision([0.2, 0.0, -0.5]);
+    let damped = exact.clone().with_normal_restitution(NormalRestitution::new(0.7).unwrap());
+    for collision in [exact, damped] {
+        let even = collision.history(41).unwrap();
+        let duration = even[40].time;
+        let times: Vec<f64> = even.iter().map(|point| point.time).collect();
+        let points = collision.history(times.as_slice()).unwrap();
+        for (point, even) in points.iter().zip(&even).take(40).skip(1) {
+            assert_abs_diff_eq!(point.force, even.force, epsilon = 1e-12 * even.force.z);
+            assert_abs_diff_eq!(point.shift, even.shift, epsilon = 1e-15);
+        }
+        let beyond = [-0.1 * duration, 0.0, duration, 1.1 * duration];
+        let [before, touch, end, after] =
+            collision.history(&beyond[..]).unwrap().try_into().unwrap();
+        assert!([before, touch, end, after].iter().all(|point| point.force == Vector3::zeros()));
+        assert_relative_eq!(before.shift.z, -0.05 * duration, epsilon = 1e-15);
+        assert_eq!((touch.time, after.time), (0.0, beyond[3]));
+        let moved = even[40].velocity * 0.1 * duration;
+        assert_abs_diff_eq!(after.shift - end.shift, moved, epsilon = 1e-15);
+        assert!(collision.history(&[1e-6, 0.0][..]).is_err());
+        assert!(collision.history(&[f64::NAN][..]).is_err());
     }
 }
 

@@ -11,6 +11,7 @@ use carom_cases::Error;
 use carom_cases::input::read_table;
 use carom_fit::{Correlation, Data, Determined, FitError, GivenError, Loss, Options};
 use carom_fit::{Point, Prediction, Quality};
+use carom_impact::HistoryPoint;
 use std::path::{Path, PathBuf};
 
 /// Points of the fitted curve in a picture.
@@ -22,7 +23,8 @@ const CURVE: usize = 201;
 /// { prior = { mean, sd } }. DATA is a file of comma-separated values with a line of headings, such as
 /// `angle (deg)` or `body_1_spin_y / rad/s`. A column is a number that the case states, which each row
 /// replaces (approach.angle or short angle, body_1.velocity.x), a measured quantity, or its standard error
-/// (R_x_sd). Least squares, weighted by the standard errors; without any, one of each quantity is estimated.
+/// (R_x_sd). Rows with a `time` (clock.time) are of one impact: forces and shifts of these instants.
+/// Least squares, weighted by the standard errors; without any, one of each quantity is estimated.
 /// What the data do not determine is said in sentences. The picture shows data, fit and its band of 95 %.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
@@ -62,6 +64,7 @@ fn help() -> String {
         "Measured quantities of impacts, beside those that `carom impact --help` lists:\n"
             .to_owned()
             + &carom_table::described(carom_fit::Bounce::COLUMNS),
+        columns::help("With a column `time` also those of that instant", HistoryPoint::COLUMNS),
     ];
     parts.join("\n")
 }
