@@ -1,10 +1,12 @@
 //! The best values of the unknowns, the errors of the measured values where they are not known, and what is left open.
 
 use crate::FitError;
+use crate::loss::Loss;
 use crate::measured::Measurement;
 use crate::model::Model;
 use crate::settled::Settled;
-use crate::squares::{Found, Loss, Squares, starts};
+use crate::squares::{Found, Squares, Tangent};
+use crate::starts::starts;
 use nalgebra::{DMatrix, DVector};
 
 /// A direction is open if its standard error exceeds this part of what the bounds allow.
@@ -95,12 +97,12 @@ pub(crate) fn estimate<M: Model + ?Sized>(
     let Settled { found, state, errors } = settled;
     let n = measured.len();
     let freedom = (n + priors).saturating_sub(unknowns - state.open.len());
-    let values = squares.values(&found.places);
+    let values = squares.values(found.places());
     let without_scatter = if freedom > 0 { without_scatter(measured, &errors) } else { Vec::new() };
     Ok(Estimate {
         without_scatter,
         values,
-        predicted: state.predicted,
+        predicted: found.tangent.predicted.clone(),
         errors,
         leverage: state.leverage,
         covariance: state.covariance,
@@ -115,14 +117,16 @@ pub(crate) fn estimate<M: Model + ?Sized>(
 
 /// The given errors; in the place of others the spread of the quantity.
 pub(crate) fn first_errors(measured: &[Measurement]) -> Vec<f64> {
-    let spread = |quantity: usize| {
+    let spread = |quantity: usize| -> f64 {
         let own = || measured.iter().filter(|one| one.quantity == quantity);
         let count = own().count() as f64;
         let mean = own().map(|one| one.value).sum::<f64>() / count;
         let spread = (own().map(|one| (one.value - mean).powi(2)).sum::<f64>() / count).sqrt();
         if spread > 0.0 { spread } else { mean.abs().max(1.0) }
     };
-    measured.iter().map(|one| one.error.unwrap_or_else(|| spread(one.quantity))).collect()
+    let most = measured.iter().map(|one| one.quantity).max().unwrap_or(0);
+    let spreads: Vec<f64> = (0..=most).map(spread).collect();
+    measured.iter().map(|one| one.error.unwrap_or(spreads[one.quantity])).collect()
 }
 
 /// The quantities whose estimated errors are round-off of their values.
@@ -143,7 +147,6 @@ fn without_scatter(measured: &[Measurement], errors: &[f64]) -> Vec<usize> {
 
 /// What the derivatives at a minimum tell.
 pub(crate) struct State {
-    pub(crate) predicted: Vec<f64>,
     pub(crate) leverage: Vec<f64>,
     pub(crate) covariance: DMatrix<f64>,
     pub(crate) derivatives: DMatrix<f64>,
@@ -152,25 +155,21 @@ pub(crate) struct State {
 }
 
 impl State {
-    pub(crate) fn of<M: Model + ?Sized>(
-        squares: &Squares<'_, M>,
-        found: &Found,
-    ) -> Result<Self, FitError> {
+    pub(crate) fn of<M: Model + ?Sized>(squares: &Squares<'_, M>, tangent: &Tangent) -> Self {
         let n = squares.measured.len();
-        let mut predicted = vec![0.0; n];
-        squares.model.predict(&squares.values(&found.places), &mut predicted)?;
-        let (_, all) = squares.linear(&found.places)?;
+        let (_, all) = squares.linear(tangent);
         let own = Split::of(&all);
         let leverage = (0..n).map(|i| own.leverage(i)).collect();
         let open_to_data = Split::of(&all.rows(0, n).into_owned()).open;
         let (covariance, open) = (own.covariance, own.open);
-        Ok(Self { predicted, leverage, covariance, derivatives: all, open, open_to_data })
+        Self { leverage, covariance, derivatives: all, open, open_to_data }
     }
 
     /// Estimates the errors of quantities for which none are given, and returns their largest relative change.
     pub(crate) fn renew_errors<M: Model + ?Sized>(
         &self,
         squares: &mut Squares<'_, M>,
+        predicted: &[f64],
         measured: &[Measurement],
     ) -> f64 {
         let most = measured.iter().map(|one| one.quantity).max().unwrap_or(0);
@@ -181,7 +180,7 @@ impl State {
                 all.filter(move |(_, one)| one.quantity == quantity && one.error.is_none())
             };
             let size = own().map(|(_, one)| one.value.abs()).fold(f64::MIN_POSITIVE, f64::max);
-            let rest = |i: usize| self.predicted[i] - squares.measured[i];
+            let rest = |i: usize| predicted[i] - squares.measured[i];
             let estimated = match squares.loss {
                 Loss::Squares => {
                     let sum: f64 = own().map(|(i, _)| rest(i).powi(2)).sum();

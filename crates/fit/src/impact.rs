@@ -9,6 +9,7 @@ use carom_cases::case::{CaseError, ImpactCase, OpenCase, Unknown};
 use carom_cases::impact::{course, outcome};
 use carom_cases::{Error, ErrorKind};
 use carom_impact::{HistoryPoint, NeededLaw, TabledCollision};
+use carom_laws::friction::Friction;
 use carom_numerical::CollisionLaw;
 use carom_special::{Readable, interrupt};
 use rayon::prelude::*;
@@ -147,13 +148,9 @@ impl<'a> Impacts<'a> {
             _ => one.at(0.5),
         };
         let nominal: Vec<f64> = self.parameters.iter().map(middle).collect();
-        let ends = NEAR_BOUNDS.map(|x| {
-            let at = |one: &Parameter| match Direct::of(one.field) {
-                Some(Direct::Friction) => one.at(x),
-                _ => middle(one),
-            };
-            self.parameters.iter().map(at).collect::<Vec<f64>>()
-        });
+        let is_friction = |one: &&Parameter| Direct::of(one.field) == Some(Direct::Friction);
+        let friction = self.parameters.iter().find(is_friction);
+        let ends = friction.map(|one| NEAR_BOUNDS.map(|x| one.at(x)));
         // The cause of a loss shows where there is one.
         let first = self.rows.first().map(|row| {
             let inner: Vec<f64> = self.parameters.iter().map(|one| one.at(0.5)).collect();
@@ -172,12 +169,10 @@ impl<'a> Impacts<'a> {
             if case.collision.velocity().z <= 0.0 {
                 return Err(FitError::NoImpact { row: row.index + 1 });
             }
-            // Whether the coupling counts depends on friction: the table must hold over its bounds.
-            let is_analytic = |friction: &Vec<f64>| {
-                self.case_of(row, friction).is_ok_and(|case| has_analytic_law(&case))
-            };
-            let is_direct =
-                self.direct.is_some() && !needs_outcome(row) && ends.iter().all(is_analytic);
+            let is_direct = self.direct.is_some()
+                && !needs_outcome(row)
+                && has_analytic_law(&case)
+                && ends.iter().flatten().all(|friction| is_analytic_with(&case, *friction));
             let tabled = is_direct.then(|| tabled(&case)).flatten();
             Ok(tabled.and_then(|(one, own)| Some((one.with_normal_restitution(&loss)?, own))))
         };
@@ -293,6 +288,15 @@ fn has_analytic_law(case: &ImpactCase) -> bool {
         CollisionLaw::Auto => case.collision.default_law() == NeededLaw::Analytic,
         _ => false,
     }
+}
+
+/// The same with another friction, on which it depends whether the coupling counts: the table must hold over its bounds.
+fn is_analytic_with(case: &ImpactCase, friction: f64) -> bool {
+    if case.contact.law != CollisionLaw::Auto {
+        return true;
+    }
+    let changed = Friction::new(friction).and_then(|own| case.collision.clone().with_friction(own));
+    changed.is_ok_and(|collision| collision.default_law() == NeededLaw::Analytic)
 }
 
 /// Places near the bounds of friction, from 0 to 1.

@@ -33,7 +33,7 @@ pub(crate) fn deviation<M: Model + ?Sized>(
     estimate: &Estimate,
     unknown: usize,
 ) -> Option<f64> {
-    let place = estimate.found.places[unknown];
+    let place = estimate.found.places()[unknown];
     let slope = model.parameters()[unknown].slope(place);
     estimate.is_determined(unknown).then(|| slope * estimate.covariance[(unknown, unknown)].sqrt())
 }
@@ -61,20 +61,20 @@ fn profile_end<M: Model + ?Sized>(
     unknown: usize,
     width: f64,
 ) -> Result<f64, FitError> {
-    let best = estimate.found.places[unknown];
+    let best = estimate.found.places()[unknown];
     let bound = if width > 0.0 { 1.0 } else { 0.0 };
     let deviation = estimate.covariance[(unknown, unknown)].sqrt();
     let target = width.abs();
     // The others follow as they are correlated.
     let follow = estimate.covariance.column(unknown) / estimate.covariance[(unknown, unknown)];
-    let (mut warm, mut last) = (estimate.found.places.clone(), best);
+    let (mut warm, mut last) = (estimate.found.places().clone(), best);
     let mut excess = |place: f64| -> Result<f64, FitError> {
         warm += &follow * (place - last);
         warm.apply(|place| *place = place.clamp(0.0, 1.0));
         warm[unknown] = place;
-        let found = squares.minimum_near(&warm, unknown, &estimate.derivatives)?;
-        (warm, last) = (found.places, place);
-        Ok((found.sum - estimate.found.sum).max(0.0).sqrt())
+        let (places, sum) = squares.minimum_near(&warm, unknown, &estimate.derivatives)?;
+        (warm, last) = (places, place);
+        Ok((sum - estimate.found.sum).max(0.0).sqrt())
     };
     let (mut below, mut beyond) = ((best, 0.0), None);
     let mut place = (best + width * deviation).clamp(0.0, 1.0);

@@ -7,10 +7,11 @@ use crate::fitted::{Correlation, Curve, Determined, Fit, Knowledge, Point, Predi
 use crate::hertz::{Contacts, Pressing};
 use crate::impact::Impacts;
 use crate::interval::{deviation, profile, width};
+use crate::loss::Loss;
 use crate::measured::Measurement;
 use crate::model::{Model, Parameter};
 use crate::observable::Observable;
-use crate::squares::{Loss, Squares};
+use crate::squares::Squares;
 use crate::{FitError, told};
 use carom_cases::case::{CaseError, CaseFault, CaseKind, HertzCase, ImpactCase, OpenCase, Renewed};
 use carom_cases::input::CaseFile;
@@ -155,7 +156,7 @@ fn run<K: Kind>(
         let model = K::model(case, unknowns.clone(), &read, &read.measured)?;
         let begin = begin::<K>(case, &unknowns, &read, options.loss)?;
         let found = estimate(&model, &read.measured, options.loss, begin)?;
-        let places = unknowns.0.iter_mut().zip(&found.found.places);
+        let places = unknowns.0.iter_mut().zip(found.found.places());
         let widened = places.filter_map(|(one, place)| one.widen(*place).then_some(())).count();
         if widened == 0 {
             break (model, found);
@@ -212,7 +213,7 @@ fn begin<K: Kind>(
     let is_chosen = |one: &&Measurement| one.row.is_multiple_of(apart);
     let chosen: Vec<Measurement> = read.measured.iter().filter(is_chosen).copied().collect();
     let model = K::model(case, unknowns.clone(), read, &chosen)?;
-    Ok(Some(estimate(&model, &chosen, loss, None)?.found.places))
+    Ok(Some(estimate(&model, &chosen, loss, None)?.found.tangent.places))
 }
 
 /// Measured values that several starts are compared by, at least.
@@ -250,7 +251,7 @@ fn determined<M: Model>(
 ) -> Result<Vec<Determined>, FitError> {
     let width = width(estimate);
     let one = |(j, parameter): (usize, &Parameter)| {
-        let (value, place) = (estimate.values[j], estimate.found.places[j]);
+        let (value, place) = (estimate.values[j], estimate.found.places()[j]);
         let is_known = estimate.is_determined(j);
         let own = deviation(squares.model, estimate, j);
         let prior = parameter.unknown.prior.zip(own);
@@ -351,7 +352,7 @@ fn ahead<K: Kind>(
     let mut by = DMatrix::zeros(measured.len(), unknowns.0.len());
     model.derivatives(&estimate.values, &mut by)?;
     for (j, parameter) in unknowns.0.iter().enumerate() {
-        by.column_mut(j).scale_mut(parameter.slope(estimate.found.places[j]));
+        by.column_mut(j).scale_mut(parameter.slope(estimate.found.places()[j]));
     }
     let width = width(estimate);
     let one = |(i, one): (usize, &Measurement)| {

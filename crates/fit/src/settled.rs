@@ -29,11 +29,11 @@ impl Settled {
         mut found: Found,
     ) -> Result<Self, FitError> {
         let is_estimated = measured.iter().any(|one| one.error.is_none());
-        let mut state = State::of(squares, &found)?;
+        let mut state = State::of(squares, &found.tangent);
         for _ in 0..if is_estimated { ROUNDS } else { 0 } {
-            let change = state.renew_errors(squares, measured);
-            found = squares.minimum(&found.places, &[])?;
-            state = State::of(squares, &found)?;
+            let change = state.renew_errors(squares, &found.tangent.predicted, measured);
+            found = squares.minimum_from(found.tangent, &[])?;
+            state = State::of(squares, &found.tangent);
             if change < STEADY {
                 break;
             }
@@ -64,7 +64,7 @@ impl Settled {
         if free.iter().sum::<f64>() < LEAST_FREEDOM {
             return Ok(self);
         }
-        let mut of_priors = alone.found.places.clone();
+        let mut of_priors = alone.found.places().clone();
         for (place, one) in of_priors.iter_mut().zip(squares.model.parameters()) {
             *place = one.unknown.prior.map_or(*place, |[mean, _]| one.place(mean));
         }
@@ -72,7 +72,7 @@ impl Settled {
         let all = measured.iter().zip(first_errors(measured));
         let large: Vec<f64> = all.map(|(one, first)| large(one, first)).collect();
         let mut best = self;
-        for (places, errors) in [(alone.found.places, alone.errors), (of_priors, large)] {
+        for (places, errors) in [(alone.found.tangent.places, alone.errors), (of_priors, large)] {
             squares.errors = errors;
             let found = squares.minimum(&places, &[])?;
             let other = Self::from(squares, measured, found)?;

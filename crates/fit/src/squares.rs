@@ -5,7 +5,9 @@
 //! `nalgebra`.
 
 use crate::FitError;
+use crate::loss::Loss;
 use crate::model::Model;
+use crate::starts::{FAR_STARTS, low};
 use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps.
@@ -19,53 +21,6 @@ const NEARLY: f64 = 3e-3;
 const DAMPING: f64 = 1e-3;
 const MOST_DAMPING: f64 = 1e12;
 
-/// How large residuals count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Loss {
-    /// By their squares.
-    #[default]
-    Squares,
-    /// Pseudo-Huber: by their squares up to about 1.345 standard errors, then by their size, so that single wrong values
-    /// count little.
-    Huber,
-}
-
-impl Loss {
-    /// The standard errors beyond which a residual counts by its size.
-    pub const KNEE: f64 = 1.345;
-
-    /// Its word.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Squares => "squares",
-            Self::Huber => "pseudo-Huber",
-        }
-    }
-
-    /// The residual whose square counts, and its derivative by the given one.
-    fn seen(self, residual: f64) -> [f64; 2] {
-        match self {
-            Self::Squares => [residual, 1.0],
-            Self::Huber => {
-                // (root - 1)(root + 1) = part^2, without cancellation.
-                let part = residual / Self::KNEE;
-                let root = (1.0 + part * part).sqrt();
-                let scale = (2.0 / (root + 1.0)).sqrt();
-                [residual * scale, 1.0 / (root * scale)]
-            }
-        }
-    }
-
-    /// The weight of a residual.
-    pub(crate) fn weight(self, residual: f64) -> f64 {
-        match self {
-            Self::Squares => 1.0,
-            Self::Huber => 1.0 / (1.0 + (residual / Self::KNEE).powi(2)).sqrt(),
-        }
-    }
-}
-
 /// Measured values, their standard errors, and the model.
 pub(crate) struct Squares<'a, M: ?Sized> {
     pub(crate) model: &'a M,
@@ -76,11 +31,25 @@ pub(crate) struct Squares<'a, M: ?Sized> {
     pub(crate) has_priors: bool,
 }
 
-/// A place, and the sum of squares there.
+/// Places with the predictions there, and the derivatives of these by the values of the unknowns.
+#[derive(Debug, Clone)]
+pub(crate) struct Tangent {
+    pub(crate) places: DVector<f64>,
+    pub(crate) predicted: Vec<f64>,
+    by: DMatrix<f64>,
+}
+
+/// A minimum, and the sum of squares there.
 #[derive(Debug, Clone)]
 pub(crate) struct Found {
-    pub(crate) places: DVector<f64>,
+    pub(crate) tangent: Tangent,
     pub(crate) sum: f64,
+}
+
+impl Found {
+    pub(crate) fn places(&self) -> &DVector<f64> {
+        &self.tangent.places
+    }
 }
 
 impl<M: Model + ?Sized> Squares<'_, M> {
@@ -102,64 +71,89 @@ impl<M: Model + ?Sized> Squares<'_, M> {
     }
 
     /// The residuals over their standard errors, as their loss counts them, and the derivatives of the counted by these.
-    fn residuals(&self, places: &DVector<f64>) -> Result<(DVector<f64>, Vec<f64>), FitError> {
+    fn residuals(&self, places: &DVector<f64>, predicted: &[f64]) -> (DVector<f64>, Vec<f64>) {
         let values = self.values(places);
         let mut all = DVector::zeros(self.count());
         let mut slopes = vec![1.0; self.count()];
         let n = self.measured.len();
-        self.model.predict(&values, &mut all.as_mut_slice()[..n])?;
         for i in 0..n {
-            [all[i], slopes[i]] = self.loss.seen((all[i] - self.measured[i]) / self.errors[i]);
+            let residual = (predicted[i] - self.measured[i]) / self.errors[i];
+            [all[i], slopes[i]] = self.loss.seen(residual);
         }
         for (k, (j, [mean, sd])) in self.priors().enumerate() {
             all[n + k] = (values[j] - mean) / sd;
         }
-        Ok((all, slopes))
+        (all, slopes)
     }
 
-    /// The sum of squares.
-    pub(crate) fn sum(&self, places: &DVector<f64>) -> Result<f64, FitError> {
-        Ok(self.residuals(places)?.0.norm_squared())
+    fn predict(&self, places: &DVector<f64>) -> Result<Vec<f64>, FitError> {
+        let mut predicted = vec![0.0; self.measured.len()];
+        self.model.predict(&self.values(places), &mut predicted)?;
+        Ok(predicted)
     }
 
-    /// The sum of squares; infinite where the theory has no values of a row, which a step on the way need not have.
-    fn sum_if_possible(&self, places: &DVector<f64>) -> Result<f64, FitError> {
-        match self.sum(places) {
-            Err(FitError::Row { .. }) => Ok(f64::INFINITY),
-            found => found,
+    fn sum(&self, places: &DVector<f64>, predicted: &[f64]) -> f64 {
+        self.residuals(places, predicted).0.norm_squared()
+    }
+
+    /// The predictions with the sum of squares; none where the theory has no values of a row, which a step on the way need
+    /// not have.
+    fn tried(&self, places: &DVector<f64>) -> Result<Option<(Vec<f64>, f64)>, FitError> {
+        match self.predict(places) {
+            Err(FitError::Row { .. }) => Ok(None),
+            predicted => predicted.map(|predicted| {
+                let sum = self.sum(places, &predicted);
+                Some((predicted, sum))
+            }),
         }
     }
 
+    /// The predictions and their derivatives.
+    fn tangent(&self, places: &DVector<f64>) -> Result<Tangent, FitError> {
+        self.tangent_of(places.clone(), self.predict(places)?)
+    }
+
+    fn tangent_of(&self, places: DVector<f64>, predicted: Vec<f64>) -> Result<Tangent, FitError> {
+        let mut by = DMatrix::zeros(predicted.len(), places.len());
+        self.model.derivatives(&self.values(&places), &mut by)?;
+        Ok(Tangent { places, predicted, by })
+    }
+
     /// The residuals, and their derivatives by the places.
-    pub(crate) fn linear(
-        &self,
-        places: &DVector<f64>,
-    ) -> Result<(DVector<f64>, DMatrix<f64>), FitError> {
-        let (residuals, slopes) = self.residuals(places)?;
+    pub(crate) fn linear(&self, tangent: &Tangent) -> (DVector<f64>, DMatrix<f64>) {
+        let Tangent { places, predicted, by } = tangent;
+        let (residuals, slopes) = self.residuals(places, predicted);
         let (n, parameters) = (self.measured.len(), self.model.parameters());
-        let mut own = DMatrix::zeros(n, parameters.len());
-        self.model.derivatives(&self.values(places), &mut own)?;
         let mut all = DMatrix::zeros(self.count(), parameters.len());
         for (j, parameter) in parameters.iter().enumerate() {
             let slope = parameter.slope(places[j]);
             for i in 0..n {
-                all[(i, j)] = slopes[i] * slope * own[(i, j)] / self.errors[i];
+                all[(i, j)] = slopes[i] * slope * by[(i, j)] / self.errors[i];
             }
         }
         for (k, (j, [_, sd])) in self.priors().enumerate() {
             all[(n + k, j)] = parameters[j].slope(places[j]) / sd;
         }
-        Ok((residuals, all))
+        (residuals, all)
     }
 
     /// The minimum that is reached from these places, with those unknowns kept that are `held`.
     pub(crate) fn minimum(&self, start: &DVector<f64>, held: &[usize]) -> Result<Found, FitError> {
-        let mut places = start.clone();
-        let (mut residuals, mut derivatives) = self.linear(&places)?;
+        self.minimum_from(self.tangent(start)?, held)
+    }
+
+    /// The same from places with their derivatives.
+    pub(crate) fn minimum_from(
+        &self,
+        mut tangent: Tangent,
+        held: &[usize],
+    ) -> Result<Found, FitError> {
+        let (mut residuals, mut derivatives) = self.linear(&tangent);
         let (mut damping, mut growth) = (DAMPING, 2.0);
         let error = self.model.jitter();
         for _ in 0..MOST_STEPS {
             let sum = residuals.norm_squared();
+            let places = &tangent.places;
             let gradient = derivatives.tr_mul(&residuals);
             let is_free = |j: usize| {
                 let is_held = (places[j] <= 0.0 && gradient[j] >= 0.0)
@@ -174,6 +168,7 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                 break;
             }
             let is_settled;
+            let mut taken = None;
             loop {
                 let mut damped = normal.clone();
                 for j in 0..free.len() {
@@ -198,11 +193,11 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                 for (k, j) in free.iter().enumerate() {
                     next[*j] = (next[*j] + step[k]).clamp(0.0, 1.0);
                 }
-                let moved = (&next - &places).amax();
-                let reached = self.sum_if_possible(&next)?;
-                if reached < sum {
+                let moved = (&next - places).amax();
+                let reached = self.tried(&next)?;
+                if let Some((predicted, reached)) = reached.filter(|(_, reached)| *reached < sum) {
                     is_settled = sum - reached <= error * (1.0 + sum) || moved <= SMALL;
-                    places = next;
+                    taken = Some((next, predicted));
                     damping = (damping * 0.2).max(1e-15);
                     growth = 2.0;
                     break;
@@ -214,12 +209,15 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                     break;
                 }
             }
-            (residuals, derivatives) = self.linear(&places)?;
+            if let Some((places, predicted)) = taken {
+                tangent = self.tangent_of(places, predicted)?;
+                (residuals, derivatives) = self.linear(&tangent);
+            }
             if is_settled {
                 break;
             }
         }
-        Ok(Found { sum: residuals.norm_squared(), places })
+        Ok(Found { sum: residuals.norm_squared(), tangent })
     }
 
     /// The minimum near a start with one unknown `held`, by the derivatives at the best places, for the ends of profiles: it
@@ -229,9 +227,9 @@ impl<M: Model + ?Sized> Squares<'_, M> {
         start: &DVector<f64>,
         held: usize,
         derivatives: &DMatrix<f64>,
-    ) -> Result<Found, FitError> {
+    ) -> Result<(DVector<f64>, f64), FitError> {
         let mut places = start.clone();
-        let (mut residuals, _) = self.residuals(&places)?;
+        let (mut residuals, _) = self.residuals(&places, &self.predict(&places)?);
         let mut sum = residuals.norm_squared();
         for _ in 0..MOST_CHORDS {
             let is_free = |j: &usize| *j != held && derivatives.column(*j).amax() > 0.0;
@@ -245,7 +243,8 @@ impl<M: Model + ?Sized> Squares<'_, M> {
             for (k, j) in free.iter().enumerate() {
                 next[*j] = (next[*j] + step[k]).clamp(0.0, 1.0);
             }
-            let Ok((found, _)) = self.residuals(&next) else { break };
+            let Ok(predicted) = self.predict(&next) else { break };
+            let (found, _) = self.residuals(&next, &predicted);
             let reached = found.norm_squared();
             // Where the derivatives are slightly others, the sum may rise a little at its least.
             let is_settled = (sum - reached).abs() < NEARLY;
@@ -256,10 +255,11 @@ impl<M: Model + ?Sized> Squares<'_, M> {
                 (places, residuals, sum) = (next, found, reached);
             }
             if is_settled {
-                return Ok(Found { places, sum });
+                return Ok((places, sum));
             }
         }
-        self.minimum(&places, &[held])
+        let found = self.minimum(&places, &[held])?;
+        Ok((found.tangent.places, found.sum))
     }
 
     /// The least of the minima that are reached from several starts, with those unknowns kept that are `held` at their
@@ -267,7 +267,7 @@ impl<M: Model + ?Sized> Squares<'_, M> {
     pub(crate) fn least(&self, starts: &[DVector<f64>]) -> Result<Found, FitError> {
         let mut tried: Vec<(f64, usize)> = Vec::with_capacity(starts.len());
         for (n, start) in starts.iter().enumerate() {
-            tried.push((self.sum_if_possible(start)?, n));
+            tried.push((self.tried(start)?.map_or(f64::INFINITY, |(_, sum)| sum), n));
         }
         tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut best: Option<Found> = None;
@@ -280,18 +280,18 @@ impl<M: Model + ?Sized> Squares<'_, M> {
         let mut best = best.ok_or(FitError::NoUnknown)?;
         // Where an unknown does next to nothing, as friction that no slip reaches, and where residuals are large, better
         // values may be far away.
-        let (_, derivatives) = self.linear(&best.places)?;
-        let unknowns = best.places.len();
+        let (_, derivatives) = self.linear(&best.tangent);
+        let unknowns = best.places().len();
         let of_data = derivatives.rows(0, self.measured.len());
         // Less than a standard error for a change as large as its distance from its lower bound.
-        let does_nothing = |j: &usize| of_data.column(*j).amax() * best.places[*j] < 1.0;
+        let does_nothing = |j: &usize| of_data.column(*j).amax() * best.places()[*j] < 1.0;
         let is_poor = best.sum > POOR * self.count() as f64;
         let doubtful: Vec<usize> = (0..unknowns).filter(|j| is_poor || does_nothing(j)).collect();
         for j in doubtful {
             let mut far = Vec::with_capacity(FAR_STARTS as usize);
             for mut start in (1..=FAR_STARTS).map(|n| low(unknowns, j, n)) {
-                (0..unknowns).filter(|i| *i != j).for_each(|i| start[i] = best.places[i]);
-                far.push((self.sum_if_possible(&start)?, start));
+                (0..unknowns).filter(|i| *i != j).for_each(|i| start[i] = best.places()[i]);
+                far.push((self.tried(&start)?.map_or(f64::INFINITY, |(_, sum)| sum), start));
             }
             far.sort_by(|a, b| a.0.total_cmp(&b.0));
             for (_, start) in far.iter().filter(|(sum, _)| sum.is_finite()).take(CHOSEN) {
@@ -309,35 +309,6 @@ impl<M: Model + ?Sized> Squares<'_, M> {
 const CHOSEN: usize = 3;
 /// The mean square of residuals over their standard errors that is large.
 const POOR: f64 = 9.0;
-
-/// Places spread evenly over all unknowns, Halton's sequence about the middle; and for each unknown places near its lower bound
-/// by powers of ten, since a value that is positive may be far below its upper bound.
-pub(crate) fn starts(unknowns: usize) -> Vec<DVector<f64>> {
-    const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
-    let radical = |mut n: u32, base: u32| {
-        let (mut sum, mut part) = (0.0, 1.0 / f64::from(base));
-        while n > 0 {
-            sum += part * f64::from(n % base);
-            part /= f64::from(base);
-            n /= base;
-        }
-        sum
-    };
-    let count = 8 * unknowns.min(8) as u32;
-    let start = |n: u32| DVector::from_fn(unknowns, |j, _| radical(n, PRIMES[j % PRIMES.len()]));
-    let low = (0..unknowns.min(8)).flat_map(|j| (1..=LOW_STARTS).map(move |n| low(unknowns, j, n)));
-    (1..=count).map(start).chain(low).collect()
-}
-
-/// The middle of the bounds, but for one unknown, which is near its lower bound.
-fn low(unknowns: usize, j: usize, n: i32) -> DVector<f64> {
-    DVector::from_fn(unknowns, |i, _| if i == j { 0.1_f64.powi(n) } else { 0.5 })
-}
-
-/// Places near the lower bound of each unknown: a tenth of the range, a hundredth and so on.
-const LOW_STARTS: i32 = 6;
-/// The same where better values may be far away.
-const FAR_STARTS: i32 = 24;
 
 #[cfg(test)]
 mod tests {
@@ -411,18 +382,5 @@ mod tests {
         is_close(found.errors[0], 1.018_787_633_0e-1);
         is_close(deviation(&model, &found, 0).unwrap(), 2.707_007_524_1);
         is_close(deviation(&model, &found, 1).unwrap(), 7.266_868_843_6e-6);
-    }
-
-    #[test]
-    fn a_loss_has_its_derivative_and_its_limits() {
-        for residual in [-30.0, -2.0, -0.1, 1e-9, 0.7, 5.0] {
-            let [_, slope] = Loss::Huber.seen(residual);
-            let [above, below] = [1e-6, -1e-6].map(|step| Loss::Huber.seen(residual + step)[0]);
-            assert!((slope - (above - below) / 2e-6).abs() < 1e-8, "{residual}");
-            // (root - 1) 2 knee^2 is the loss.
-            let part: f64 = residual / Loss::KNEE;
-            let loss = 2.0 * Loss::KNEE.powi(2) * ((1.0 + part * part).sqrt() - 1.0);
-            assert!((Loss::Huber.seen(residual)[0].powi(2) - loss).abs() < 1e-9 * (1.0 + loss));
-        }
     }
 }

@@ -92,7 +92,7 @@ fn open(parameters: &[Parameter], direction: &DVector<f64>, estimate: &Estimate)
     }
     let all = format!("{first} and {}", others.join(" and "));
     let step = |j: usize| {
-        let slope = parameters[j].slope(estimate.found.places[j]);
+        let slope = parameters[j].slope(estimate.found.places()[j]);
         0.1 * direction[j] / largest * slope * direction[named[0]].signum()
     };
     let steps =
