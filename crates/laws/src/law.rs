@@ -246,7 +246,14 @@ pub struct LoadSensitivity {
 }
 
 /// A contact law whose load has derivatives by its parameters; those by the shift are of each law itself. Laws for which no
-/// theory gives them do not implement it.
+/// theory gives them do not implement it: where the shift turns, the memory is followed to a tolerance, which cuts and joins
+/// its parts by the path, and under static friction the force jumps at instants that depend on the parameters.
+///
+/// For these take differences, of one run beside the law: forces along the surface are `f c_z G` of the path
+/// `c_x xi/(f c_z)`, `c_y eta/(f c_z)` over zeta, with and without static friction (at the same f_s/f_k). With the derivative D of
+/// a force F by the logarithm of a factor of all shifts, those by the logarithms of f (f_s and f_k together) and of c_z are
+/// F - D, that by the logarithm of c_x and c_y together is D. The factor must change the path by much more than the tolerance
+/// of the law does.
 pub trait Sensitive: ContactLaw {
     /// The derivatives of the present load.
     fn sensitivity(&self) -> LoadSensitivity;

@@ -1,10 +1,13 @@
 //! Derivatives of the load by friction and stiffness against differences of the law on the same path.
 
+use carom_laws::coulomb::Tolerance;
 use carom_laws::differentiated::Differentiated;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Sensitive, Shift};
 use carom_laws::shift_law::ShiftLaw;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
+use carom_laws::turning_law::TurningLaw;
 
 use crate::common::random::Random;
 
@@ -99,4 +102,46 @@ fn on_the_limit_of_adhesion_one_side_is_told() {
     let changes = steps.map(|to| law.advance(to).map(|_| law.sensitivity().is_at_change));
     // What forgets the annuli of the limit forgets the flag.
     assert_eq!(changes, [Ok(false), Ok(true), Ok(false)]);
+}
+
+/// What stands in for derivatives where shifts turn, and under static friction: one factor of all shifts tells those by all
+/// parameters, since forces are f c_z G of c xi/(f c_z).
+#[test]
+fn parameters_count_by_the_scale_of_shifts_alone() {
+    let tolerance = Tolerance::new(1e-4).unwrap();
+    let after = |[f_s, f_k, c, c_z]: [f64; 4], scale: f64, path: &[Shift]| {
+        let [f_s, f_k] = [f_s, f_k].map(|f| Friction::new(f).unwrap());
+        let friction = StaticFriction::new(f_s, f_k).unwrap();
+        let stiffness = ContactStiffness::new(c, 0.8 * c, c_z).unwrap();
+        let mut law: ShiftLaw<[f64; 2]> =
+            ShiftLaw::with_static_friction(TurningLaw::Coulomb, stiffness, friction, tolerance);
+        let scaled =
+            |shift: &Shift| Shift { xi: scale * shift.xi, eta: scale * shift.eta, ..*shift };
+        let loads = path.iter().map(|shift| law.advance(scaled(shift)).unwrap());
+        loads.last().map(|load| [load.f_x, load.f_y]).unwrap()
+    };
+    let mut random = Random(19);
+    for i in 0..60 {
+        let f_k = 0.2;
+        let f_s = if i % 2 == 0 { f_k } else { 0.3 };
+        let shift = |random: &mut Random| Shift {
+            zeta: 0.2 + random.unit(),
+            xi: 0.4 * (random.unit() - 0.5),
+            eta: 0.4 * (random.unit() - 0.5),
+            ..Shift::default()
+        };
+        let path: Vec<Shift> = (0..8).map(|_| shift(&mut random)).collect();
+        let own = [f_s, f_k, 1.0, 1.2];
+        let part = 1.0 + 0.1 * random.unit();
+        for (changed, scale, factor) in [
+            ([part * f_s, part * f_k, 1.0, 1.2], 1.0 / part, part),
+            ([f_s, f_k, 1.0, 1.2 * part], 1.0 / part, part),
+            ([f_s, f_k, part, 1.2], part, 1.0),
+        ] {
+            let (found, wanted) = (after(changed, 1.0, &path), after(own, scale, &path));
+            for (found, wanted) in found.into_iter().zip(wanted) {
+                assert!((found - factor * wanted).abs() < 1e-10, "{i}: {found} {wanted}");
+            }
+        }
+    }
 }
