@@ -34,7 +34,7 @@ class Functions:
 
         `normal_restitution` from .1 is that of a viscous material. Of unlike materials give `gamma` and `friction` (at most 1), as of
         `MaterialPair.gamma`: kappa from 1, |gamma|/f to 12, lambda to 8, `mobility_ratio` D_xx/D_zz from 1 to 6 (3.5 of solid
-        spheres); within 1e-6 of the library, which sums this table in single precision.
+        spheres).
         """
         ops, where = self._ops, self._ops.where
         if (gamma is None) != (friction is None):

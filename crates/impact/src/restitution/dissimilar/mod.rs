@@ -43,7 +43,7 @@ pub use groups::DissimilarGroups;
 pub struct DissimilarTable {
     nodes: Nodes,
     /// Empty where what is stored is damaged: the law then answers.
-    entries: Vec<f32>,
+    entries: Vec<f64>,
 }
 
 impl DissimilarTable {
@@ -53,7 +53,8 @@ impl DissimilarTable {
         static TABLE: OnceLock<DissimilarTable> = OnceLock::new();
         TABLE.get_or_init(|| Self {
             nodes: Nodes::new(),
-            entries: stored::from_bytes(stored::STORED).unwrap_or_default(),
+            entries: stored::from_bytes(stored::STORED)
+                .map_or(Vec::new(), |entries| entries.into_iter().map(f64::from).collect()),
         })
     }
 
@@ -154,7 +155,7 @@ pub fn check_dissimilar(count: usize, seed: u64) -> Result<f64, RingImpactError>
         state =
             state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let index = (state >> 33) as usize % ENTRIES;
-        let stored = entries.get(index).map_or(f64::INFINITY, |&entry| f64::from(entry));
+        let stored = entries.get(index).copied().unwrap_or(f64::INFINITY);
         largest = largest.max((fill::entry(index)? - stored).abs());
     }
     Ok(largest)

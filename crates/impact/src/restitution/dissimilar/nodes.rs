@@ -9,7 +9,7 @@
 //! | gamma^2 over its largest, that of (1.5 - kappa)^2 and Gamma^2 (f = 1) | 4, Chebyshev's | by all |
 
 use super::groups::DissimilarGroups;
-use wide::f32x4;
+use wide::f64x4;
 
 pub(super) const SPREADS: usize = 25;
 pub(super) const LAMBDAS: usize = 25;
@@ -21,7 +21,7 @@ const LINE: usize = KAPPAS * SQUARES;
 /// Entries of one Gamma and one lambda.
 pub(super) const PLANE: usize = RATIOS * LINE;
 /// Pairs of Gamma and lambda that count between entries.
-const PLANES: usize = 5 * 4;
+const PLANES: usize = 4 * 4;
 /// All entries: by Gamma, lambda, ratio, kappa and gamma^2, the last fastest.
 pub(super) const ENTRIES: usize = SPREADS * LAMBDAS * PLANE;
 
@@ -140,7 +140,7 @@ impl Nodes {
     /// The value between entries, less `part` of the value at Gamma = 0; none out of their range.
     pub(super) fn value(
         &self,
-        entries: &[f32],
+        entries: &[f64],
         groups: &DissimilarGroups,
         part: f64,
     ) -> Option<f64> {
@@ -155,51 +155,66 @@ impl Nodes {
         let kappa = place(KAPPA, kappa)?;
         // Where materials leave no choice of gamma any will do.
         let of_most = if most > 0.0 { groups.gamma / most } else { 0.0 };
-        let square = place([0.0, 1.0 + ROUNDING], of_most * of_most)?;
+        let square = of_most * of_most;
+        let square = if square <= 1.0 + ROUNDING { square.min(1.0) } else { return None };
+        let square = place([0.0, 1.0], square)?;
         let even = |value: f64, most: f64, middle: f64| {
             (value / (value + middle) * ((most + middle) / most)).min(1.0)
         };
         let (spread, by_spread) = near::<SPREADS>(even(spread, MOST_SPREAD, MIDDLE_SPREAD));
         let (lambda, by_lambda) = near::<LAMBDAS>(even(groups.lambda, MOST_LAMBDA, MIDDLE_LAMBDA));
-        // Four by four entries of the table, and the four at Gamma = 0.
+        // Four by four entries of the table.
         let mut planes = [(&[0.0; PLANE], 0.0); PLANES];
-        let at = (spread..).zip(by_spread).chain([(0, -part)]);
-        let pairs = at.flat_map(|at| (lambda..).zip(by_lambda).map(move |to| (at, to)));
+        let pairs = (spread..)
+            .zip(by_spread)
+            .flat_map(|at| (lambda..).zip(by_lambda).map(move |to| (at, to)));
         for (plane, ((spread, of_spread), (lambda, of_lambda))) in planes.iter_mut().zip(pairs) {
             let first = (spread * LAMBDAS + lambda) * PLANE;
             let entries = entries.get(first..first + PLANE)?;
-            *plane = (entries.try_into().ok()?, (of_spread * of_lambda) as f32);
+            *plane = (entries.try_into().ok()?, of_spread * of_lambda);
         }
-        Some(self.across(&planes, [ratio, kappa, square]))
+        let first = lambda * PLANE;
+        let alike = entries.get(first..first + 4 * PLANE)?;
+        Some(self.across(
+            &planes,
+            (alike, by_lambda.map(|own| -part * own)),
+            [ratio, kappa, square],
+        ))
     }
 
     /// The weighted sum of planes at places of the other coordinates. Inside its caller its sums would leave the registers.
     #[inline(never)]
     fn across(
         &self,
-        planes: &[(&[f32; PLANE], f32); PLANES],
+        planes: &[(&[f64; PLANE], f64); PLANES],
+        (alike, by_lambda): (&[f64], [f64; 4]),
         [ratio, kappa, square]: [f64; 3],
     ) -> f64 {
         let by_ratio = weights(&self.ratio[0], &self.ratio[1], ratio);
         let by_kappa = weights(&self.kappa[0], &self.kappa[1], kappa);
         let by_square = weights(&self.square[0], &self.square[1], square);
-        // One row in each register: there is room for all sums.
-        let mut rows = [f32x4::ZERO; KAPPAS];
+        // There are registers for all sums.
+        let mut rows = [f64x4::ZERO; KAPPAS];
         for (i, of_ratio) in by_ratio.into_iter().enumerate() {
-            let mut sums = [f32x4::ZERO; KAPPAS];
+            let mut sums = [f64x4::ZERO; KAPPAS];
             for (plane, weight) in planes {
                 let entries = &plane.as_chunks::<SQUARES>().0[i * KAPPAS..(i + 1) * KAPPAS];
                 for (sum, row) in sums.iter_mut().zip(entries) {
-                    *sum += *weight * f32x4::new(*row);
+                    *sum += *weight * f64x4::new(*row);
                 }
             }
-            rows.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio as f32 * sum);
+            // At Gamma = 0 all entries by gamma^2 are the same.
+            for (k, sum) in sums.iter_mut().enumerate() {
+                let own = |l: usize| by_lambda[l] * alike[l * PLANE + (i * KAPPAS + k) * SQUARES];
+                *sum += f64x4::splat(own(0) + own(1) + own(2) + own(3));
+            }
+            rows.iter_mut().zip(sums).for_each(|(all, sum)| *all += of_ratio * sum);
         }
         rows.into_iter()
             .zip(by_kappa)
             .map(|(row, weight)| {
                 let by_square = row.to_array().into_iter().zip(by_square);
-                weight * by_square.map(|(x, w)| f64::from(x) * w).sum::<f64>()
+                weight * by_square.map(|(x, w)| x * w).sum::<f64>()
             })
             .sum()
     }
