@@ -52,6 +52,10 @@ const SHORT: &[(&str, &str)] = &[
     ("angle", "approach.angle"),
     ("speed", "approach.speed"),
     ("time", "clock.time"),
+    ("zeta", "history.zeta"),
+    ("xi", "history.xi"),
+    ("eta", "history.eta"),
+    ("omega", "history.omega"),
     ("approach", "load.approach"),
     ("force", "load.force"),
 ];

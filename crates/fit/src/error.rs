@@ -53,7 +53,7 @@ pub enum FitError {
     },
     /// This kind of case has no fit.
     #[error(
-        "a case for `carom {kind}` cannot be fitted, but one for `carom impact` or `carom hertz`"
+        "a case for `carom {kind}` cannot be fitted, but one for `carom impact`, `carom hertz` or `carom history`"
     )]
     Kind {
         /// The kind.

@@ -1,19 +1,17 @@
 //! The fit of a case to data, from file to result.
 
-use crate::columns::{self, GivenError, Input, Known, Read};
+use crate::columns::{self, GivenError, Input, Read};
 use crate::data::{Data, DataColumn};
 use crate::estimate::{Estimate, estimate};
 use crate::fitted::{Correlation, Curve, Determined, Fit, Knowledge, Point, Prediction, Quality};
-use crate::hertz::{Contacts, Pressing};
-use crate::impact::Impacts;
 use crate::interval::{deviation, profile, width};
+use crate::kind::{Kind, OfContacts, OfHistories, OfImpacts};
 use crate::loss::Loss;
 use crate::measured::Measurement;
 use crate::model::{Model, Parameter};
-use crate::observable::Observable;
 use crate::squares::Squares;
 use crate::{FitError, told};
-use carom_cases::case::{CaseError, CaseFault, CaseKind, HertzCase, ImpactCase, OpenCase, Renewed};
+use carom_cases::case::{CaseError, CaseFault, CaseKind, OpenCase, Renewed};
 use carom_cases::input::CaseFile;
 use nalgebra::{DMatrix, DVector};
 
@@ -28,68 +26,6 @@ pub struct Options<'a> {
     pub predict: Option<&'a Data>,
     /// Points of the fitted curve; 0 for none.
     pub curve: usize,
-}
-
-/// A kind of case that can be fitted.
-trait Kind {
-    type Case: Renewed;
-    type Known: Known + Copy;
-    type Model<'a>: Model;
-
-    fn model<'a>(
-        case: &'a OpenCase<'a, Self::Case>,
-        unknowns: (Vec<Parameter>, Vec<usize>),
-        read: &Read<Self::Known>,
-        measured: &[Measurement],
-    ) -> Result<Self::Model<'a>, FitError>;
-
-    /// Sentences of this kind.
-    fn told(_: &Self::Model<'_>, _: &Estimate) -> Vec<String> {
-        Vec::new()
-    }
-}
-
-struct OfImpacts;
-struct OfContacts;
-
-impl Kind for OfImpacts {
-    type Case = ImpactCase;
-    type Known = Observable;
-    type Model<'a> = Impacts<'a>;
-
-    fn model<'a>(
-        case: &'a OpenCase<'a, ImpactCase>,
-        unknowns: (Vec<Parameter>, Vec<usize>),
-        read: &Read<Observable>,
-        measured: &[Measurement],
-    ) -> Result<Impacts<'a>, FitError> {
-        Impacts::new(case, unknowns, read, measured)
-    }
-
-    fn told(model: &Impacts<'_>, estimate: &Estimate) -> Vec<String> {
-        match model.sliding(&estimate.values) {
-            Some([count, all]) if count == all && !estimate.open.is_empty() => {
-                let words = "All impacts of the data slide throughout: they depend on friction and on no stiffness.";
-                vec![words.to_owned()]
-            }
-            _ => Vec::new(),
-        }
-    }
-}
-
-impl Kind for OfContacts {
-    type Case = HertzCase;
-    type Known = Pressing;
-    type Model<'a> = Contacts<'a>;
-
-    fn model<'a>(
-        case: &'a OpenCase<'a, HertzCase>,
-        unknowns: (Vec<Parameter>, Vec<usize>),
-        read: &Read<Pressing>,
-        measured: &[Measurement],
-    ) -> Result<Contacts<'a>, FitError> {
-        Contacts::new(case, unknowns, read, measured)
-    }
 }
 
 /// Determines the unknowns of a case from data.
@@ -118,6 +54,7 @@ pub fn fit(file: &CaseFile, data: &Data, options: &Options<'_>) -> Result<Fit, F
     match kind {
         CaseKind::Impact => run::<OfImpacts>(&file.parse()?, data, options),
         CaseKind::Hertz => run::<OfContacts>(&file.parse()?, data, options),
+        CaseKind::History => run::<OfHistories>(&file.parse()?, data, options),
         other => {
             // A text that is like no kind of case has the errors of an impact.
             let is_other = |error: CaseError| matches!(error.fault, CaseFault::OtherKind { .. });
@@ -179,7 +116,7 @@ fn run<K: Kind>(
     warnings.extend(unusual(data, &read.inputs));
     warnings.extend(read.unused.iter().map(|name| format!("column `{name}` is not used")));
     let ahead = |inputs: Vec<Input>| ahead::<K>(case, &unknowns, &read, inputs, &estimate);
-    let curve = curve(&read, options.curve, ahead)?;
+    let curve = curve(&read, if K::HAS_CURVE { options.curve } else { 0 }, ahead)?;
     let predictions = match options.predict {
         Some(data) => {
             let predicted = columns::inputs::<K::Case, K::Known>(case, data).and_then(ahead);

@@ -10,6 +10,7 @@ use super::range::Range;
 use super::reader::Case;
 use super::section::{Section, parse};
 use super::unit::{Dimension, Measure};
+use super::varied::{Input, UNKNOWN, Varied};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
@@ -17,6 +18,7 @@ use carom_laws::static_friction::StaticFriction;
 use carom_laws::turning_law::TurningLaw;
 use carom_special::RangeError;
 use std::path::PathBuf;
+use toml::de::DeTable;
 
 const LAW: Field = Field::new(
     "law",
@@ -35,6 +37,7 @@ const CONTACT: Field = Field::new(
     Form::Table(&[ANGLE, FRICTION, SHIFT_STATIC_FRICTION, LAW, TOLERANCE]),
     "orientation of the bodies, and friction",
 );
+const WAYS: &str = "one of `steps`, `file`, `zeta`";
 const LENGTH: Measure = Range::Finite.of(Dimension::Length);
 const STEPS: Field = Field::new(
     "steps",
@@ -47,17 +50,40 @@ const STEPS: Field = Field::new(
     }),
     "shifts of body 2 against body 1 after each step, xi along the larger relative curvature and eta across it, and the twist",
 )
-.or("`file`")
+.or(WAYS)
 .such_as("[[1e-6, 0, 0], [1e-6, 2e-7, 0], [1e-6, 0, 0]]");
 const FILE: Field = Field::new(
     "file",
     Form::Text("the name of a CSV file with the columns zeta, xi, eta and optionally omega"),
     "CSV file of the steps, in plain units; its path is relative to the case file",
 )
-.or("`steps`")
+.or(WAYS)
 .such_as("\"steps.csv\"");
-const HISTORY: Field = Field::new("history", Form::Table(&[STEPS, FILE]), "the history of shifts")
-    .begun(&[(&STEPS, "")]);
+const ZETA: Field = Field::number(
+    "zeta",
+    LENGTH,
+    "approach in one step, which each row of data replaces in `carom fit`",
+)
+.or(WAYS)
+.such_as("0");
+const XI: Field = beside("xi", LENGTH, "shift along the larger relative curvature beside `zeta`");
+const ETA: Field = beside("eta", LENGTH, "the same across it");
+const OMEGA: Field = beside("omega", Range::Finite.of(Dimension::Radians), "twist beside `zeta`");
+const TOUCH: Field = beside(
+    "touch",
+    LENGTH,
+    "reading of `zeta` at which the bodies first touch: the approach counts from there",
+);
+const HISTORY: Field = Field::new(
+    "history",
+    Form::Table(&[STEPS, FILE, ZETA, XI, ETA, OMEGA, TOUCH]),
+    "the history of shifts",
+)
+.begun(&[(&STEPS, "")]);
+
+const fn beside(name: &'static str, measure: Measure, meaning: &'static str) -> Field {
+    Field::number(name, measure, meaning).default(Default::Number(0.0)).such_as("0")
+}
 
 /// All fields.
 const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, HISTORY];
@@ -77,6 +103,10 @@ pub struct HistoryCase {
     pub tolerance: Tolerance,
     /// The shifts.
     pub steps: Steps,
+    /// The reading of zeta at which the bodies first touch, m: a single step counts from there.
+    pub touch: f64,
+    /// The numbers that data shall determine.
+    pub unknowns: Vec<Input>,
 }
 
 /// The source of the shifts.
@@ -93,31 +123,56 @@ impl Case<'_> for HistoryCase {
         "history",
         "A contact that is pressed, shifted and twisted, step by step.",
         FIELDS,
-    );
+    )
+    .varying(UNKNOWN);
 
     fn read(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
-        let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let contact = case.section(&CONTACT)?;
-        let (law, tolerance) = law(&contact)?;
-        let Pair { hertz, smallest_radius } = pair::read(&case, Some(&contact))?;
-        let friction = static_friction(&contact, &SHIFT_STATIC_FRICTION)?;
-        let history = case.section(&HISTORY)?;
-        let given = history.given([&STEPS, &FILE]);
-        let steps = match given.as_slice() {
-            [field] if field.name == STEPS.name => {
-                Steps::Inline(history.rows(&STEPS)?.into_iter().map(shift).collect())
-            }
-            [] | [_] => Steps::File(history.text(&FILE)?.into()),
-            both => return Err(history.several(both, "give one of them")),
-        };
-        let case = Self { hertz, smallest_radius, friction, law, tolerance, steps };
-        if let Steps::Inline(shifts) = &case.steps {
-            let at_fault =
-                |error: RangeError| history.out_of_range(&STEPS, error.value, error.allowed);
-            case.check_twist(shifts).map_err(at_fault)?;
+        let varied = Varied::new(FIELDS, Vec::new()).unknown();
+        let case = read(source, table.get_ref(), &varied)?;
+        Ok(Self { unknowns: varied.found(), ..case })
+    }
+}
+
+/// Reads a case with values for its unknowns.
+pub(super) fn read(
+    source: &str,
+    table: &DeTable<'_>,
+    varied: &Varied,
+) -> Result<HistoryCase, CaseError> {
+    let case = &Section::root(source, table, FIELDS)?.varying(varied);
+    let contact = case.section(&CONTACT)?;
+    let (law, tolerance) = law(&contact)?;
+    let Pair { hertz, smallest_radius } = pair::read(case, Some(&contact))?;
+    let friction = static_friction(&contact, &SHIFT_STATIC_FRICTION)?;
+    let history = case.section(&HISTORY)?;
+    let touch = history.number(&TOUCH)?;
+    let (steps, unknowns) = (steps(&history, touch)?, Vec::new());
+    let case =
+        HistoryCase { hertz, smallest_radius, friction, law, tolerance, steps, touch, unknowns };
+    if let Steps::Inline(shifts) = &case.steps {
+        let field = if history.has(&ZETA) { &OMEGA } else { &STEPS };
+        let at_fault = |error: RangeError| history.out_of_range(field, error.value, error.allowed);
+        case.check_twist(shifts).map_err(at_fault)?;
+    }
+    Ok(case)
+}
+
+fn steps(history: &Section<'_>, touch: f64) -> Result<Steps, CaseError> {
+    let given = history.given([&STEPS, &FILE, &ZETA]);
+    let beside = history.given([&XI, &ETA, &OMEGA, &TOUCH]);
+    match (given.as_slice(), beside.as_slice()) {
+        ([field], _) if field.name == ZETA.name => {
+            let [zeta, xi] = [history.number(&ZETA)? - touch, history.number(&XI)?];
+            let [eta, omega] = [history.number(&ETA)?, history.number(&OMEGA)?];
+            Ok(Steps::Inline(vec![shift([zeta, xi, eta, omega])]))
         }
-        Ok(case)
+        ([field], [other, ..]) => Err(history.conflict(*other, *field, "it stands beside `zeta`")),
+        ([field], []) if field.name == STEPS.name => {
+            Ok(Steps::Inline(history.rows(&STEPS)?.into_iter().map(shift).collect()))
+        }
+        ([] | [_], _) => Ok(Steps::File(history.text(&FILE)?.into())),
+        (several, _) => Err(history.several(several, "give one of them")),
     }
 }
 

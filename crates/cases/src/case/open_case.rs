@@ -3,6 +3,7 @@
 use super::error::{CaseError, CaseFault};
 use super::field::{Entry, Field, Form, Schema, entries, interned};
 use super::hertz::HertzCase;
+use super::history::HistoryCase;
 use super::impact::ImpactCase;
 use super::reader::Case;
 use super::section::parse;
@@ -38,6 +39,14 @@ impl Renewed for HertzCase {
 
     fn renewed(source: &str, table: &DeTable<'_>, varied: &Replaced) -> Result<Self, CaseError> {
         super::hertz::read(source, table, &varied.0)
+    }
+}
+
+impl Renewed for HistoryCase {
+    const SCHEMA: Schema = <Self as Case<'_>>::SCHEMA;
+
+    fn renewed(source: &str, table: &DeTable<'_>, varied: &Replaced) -> Result<Self, CaseError> {
+        super::history::read(source, table, &varied.0)
     }
 }
 

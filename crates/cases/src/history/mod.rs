@@ -12,17 +12,20 @@ pub use step::{
 pub use steps::{StepsError, read as read_steps};
 pub use twist::Twist;
 
-use crate::Error;
 use crate::case::{HistoryCase, Steps};
 use crate::input::CaseFile;
 use crate::theory::ValidityReport;
+use crate::{Error, ErrorKind};
 use carom_laws::law::Shift;
 
 /// Reads the shifts of a case; a file that it names is relative to the case file.
 ///
 /// # Errors
-/// As [`read_steps`], and if a step of a file has a twist under static friction.
+/// As [`read_steps`], if a step of a file has a twist under static friction, and if a number of the case is unknown.
 pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> {
+    if let Some(unknown) = case.unknowns.first() {
+        return Err(Error::from(ErrorKind::Unknown(unknown.field)).of_file(&file.path));
+    }
     match &case.steps {
         Steps::Inline(shifts) => Ok(shifts.clone()),
         Steps::File(name) => {

@@ -7,4 +7,5 @@ mod histories;
 mod impacts;
 mod known;
 mod measured;
+mod shifts;
 mod wrong;

@@ -19,7 +19,7 @@ const CURVE: usize = 201;
 
 /// Determine unknown numbers of a case from measured data: friction, stiffness, restitution, moduli.
 ///
-/// In the case of an impact or of a Hertz contact a number is unknown if it is { fit = [low, high] } or
+/// In the case of an impact, a Hertz contact or a history of shifts a number is unknown if it is { fit = [low, high] } or
 /// { prior = { mean, sd } }. DATA is a file of comma-separated values with a line of headings, such as
 /// `angle (deg)` or `body_1_spin_y / rad/s`. A column is a number that the case states, which each row
 /// replaces (approach.angle or short angle, body_1.velocity.x), a measured quantity, or its standard error
