@@ -137,6 +137,26 @@ fn many_drawn_contacts_of_few_cells_are_those_of_all_cells() {
     (100..600).for_each(|seed| check(seed, [1e-5, 1e-7, 1e-9][seed as usize % 3]));
 }
 
+/// Patches of hundreds of cells: their inverse is that of all grids, and takes no more iterations than patches of a few.
+#[test]
+fn a_contact_of_many_cells_is_that_of_all_cells() {
+    for periodic in [false, true] {
+        let grid = Grid::new(768, 640, 1.0 / 768.0, 1.0 / 768.0).unwrap();
+        let surface = SelfAffine { hurst: 0.8, rms: 0.01, longest: 0.5, shortest: 0.1, seed: 3 };
+        let gap = surface.gap(grid).unwrap();
+        let [few, all] =
+            [true, false].map(|among_few| problem(&gap, periodic, among_few, Threads::One));
+        let force = Driven::Load(4e-2);
+        let (state, reached, cells) = solved(&few, force, 1e-7);
+        let (want, ..) = solved(&all, force, 1e-10);
+        assert!(cells > 1 << 15 && 6 * cells < grid.cells(), "{cells}");
+        assert!(violation(&few, &state) <= 1.5e-7 && reached.iterations < 60, "{reached:?}");
+        let [got, want] = [&state, &want].map(|state| state.pressure.values());
+        let most = want.iter().copied().fold(0.0, f64::max);
+        assert!(got.iter().zip(want).all(|(got, want)| (got - want).abs() < 1e-4 * most));
+    }
+}
+
 /// A cell touches or does not, whatever the threads do.
 #[test]
 fn contacts_of_few_cells_have_the_same_bits_on_any_number_of_threads() {
