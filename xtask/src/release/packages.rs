@@ -142,12 +142,18 @@ fn lacks(package: &Value) -> Vec<String> {
     must((1..=5).contains(&categories.len()), "one to five categories");
     let is_known = |category: &String| CATEGORIES.contains(&category.as_str());
     must(categories.iter().all(is_known), "a category that the registry does not know");
-    for dependency in package["dependencies"].as_array().into_iter().flatten() {
-        if dependency["path"].is_string() && text(dependency, "req") == "*" {
-            faults.push(format!("no version of {}", text(dependency, "name")));
-        }
-    }
+    let without = of_workspace(package).filter(|dependency| text(dependency, "req") == "*");
+    faults.extend(without.map(|dependency| format!("no version of {}", text(dependency, "name"))));
     faults
+}
+
+/// The crates of this workspace that its package names: of those for its tests, the ones with a version.
+fn of_workspace(package: &Value) -> impl Iterator<Item = &Value> {
+    let dependencies = package["dependencies"].as_array().into_iter().flatten();
+    dependencies.filter(|dependency| {
+        let is_left_out = text(dependency, "kind") == "dev" && text(dependency, "req") == "*";
+        dependency["path"].is_string() && !is_left_out
+    })
 }
 
 fn is_public(package: &Value) -> bool {
@@ -155,13 +161,13 @@ fn is_public(package: &Value) -> bool {
 }
 
 fn package(package: &Value) -> Package {
-    let of_workspace = package["dependencies"].as_array().into_iter().flatten();
-    let of_workspace = of_workspace.filter(|dependency| dependency["path"].is_string());
     Package {
         name: text(package, "name").to_owned(),
         version: text(package, "version").to_owned(),
         folder: folder(package),
-        needs: of_workspace.map(|dependency| text(dependency, "name").to_owned()).collect(),
+        needs: of_workspace(package)
+            .map(|dependency| text(dependency, "name").to_owned())
+            .collect(),
     }
 }
 
@@ -204,6 +210,16 @@ mod tests {
         let circle = packages(json!([named("a", &["b"]), named("b", &["a"])]));
         assert!(circle.in_order().unwrap_err().to_string().contains("a, b depend on each other"));
         assert!(packages(json!([named("a", &["hidden"])])).in_order().is_err());
+    }
+
+    #[test]
+    fn what_only_tests_need_may_stay_here_without_a_version() {
+        let mut tested = named("tested", &["hidden"]);
+        tested["dependencies"][0]["req"] = json!("*");
+        assert!(lacks(&tested).contains(&"no version of hidden".to_owned()));
+        tested["dependencies"][0]["kind"] = json!("dev");
+        assert!(!lacks(&tested).contains(&"no version of hidden".to_owned()));
+        assert_eq!(packages(json!([tested])).in_order().unwrap()[0].needs, [""; 0]);
     }
 
     #[test]
