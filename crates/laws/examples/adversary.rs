@@ -17,6 +17,7 @@ mod rings;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::memory::{Fixed, VertexStack};
 
@@ -28,27 +29,6 @@ const CONFIRMING: usize = 40_000;
 const ORACLE: f64 = 2.0;
 /// Number of changes without improvement after which a climb restarts.
 const PATIENCE: u32 = 1500;
-
-/// A small reproducible generator (splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn pick(&mut self, n: usize) -> usize {
-        (self.unit() * n as f64) as usize
-    }
-}
 
 /// The result of a path: the error of the law over its limit, the law's own estimate, and the error over
 /// the estimate.
@@ -78,23 +58,23 @@ fn try_path<S: VertexStack<[f64; 2]>>(
     Finding { error, estimate, ratio: seen / estimate }
 }
 
-fn random_path(random: &mut Random) -> Vec<Point> {
+fn random_path(random: &mut Splitmix) -> Vec<Point> {
     let mut path = vec![(random.between(0.1, 1.5), [0.0; 2])];
-    for _ in 0..2 + random.pick(12) {
-        let at = random.pick(path.len() + 1);
+    for _ in 0..2 + random.below(12) {
+        let at = random.below(path.len() + 1);
         insert(&mut path, at, random);
     }
     path
 }
 
 /// A point beside another: in all directions, along the cone, along the last step, or back.
-fn near(path: &[Point], at: usize, random: &mut Random) -> Point {
+fn near(path: &[Point], at: usize, random: &mut Splitmix) -> Point {
     let (zeta, x) = path[at];
     let size = 10_f64.powf(random.between(-4.0, 0.2));
     let angle = random.between(0.0, std::f64::consts::TAU);
     let moved = [x[0] + size * angle.cos(), x[1] + size * angle.sin()];
-    let (old, other) = path[random.pick(path.len())];
-    match random.pick(8) {
+    let (old, other) = path[random.below(path.len())];
+    match random.below(8) {
         0 => (zeta, moved),
         1 => (zeta + size * random.between(-1.0, 1.0), x),
         2 => (zeta + size * (1.0 + 1e-2 * random.between(-1.0, 1.0)), moved),
@@ -114,16 +94,16 @@ fn within((zeta, x): Point) -> Point {
     (zeta.clamp(1e-3, 1.5), x.map(|x| x.clamp(-1.5, 1.5)))
 }
 
-fn insert(path: &mut Vec<Point>, at: usize, random: &mut Random) {
+fn insert(path: &mut Vec<Point>, at: usize, random: &mut Splitmix) {
     let point = near(path, at.min(path.len() - 1), random);
     path.insert(at, within(point));
 }
 
-fn mutated(path: &[Point], random: &mut Random) -> Vec<Point> {
+fn mutated(path: &[Point], random: &mut Splitmix) -> Vec<Point> {
     let mut path = path.to_vec();
-    for _ in 0..1 + random.pick(2) {
-        let at = random.pick(path.len());
-        match random.pick(10) {
+    for _ in 0..1 + random.below(2) {
+        let at = random.below(path.len());
+        match random.below(10) {
             0 if path.len() < 24 => insert(&mut path, at + 1, random),
             1 if path.len() > 2 => {
                 path.remove(at);
@@ -155,7 +135,7 @@ fn mutated(path: &[Point], random: &mut Random) -> Vec<Point> {
 fn climb<S: VertexStack<[f64; 2]>>(
     tolerance: Tolerance,
     time: Duration,
-    random: &mut Random,
+    random: &mut Splitmix,
 ) -> (Finding, Vec<Point>, u64) {
     let start = Instant::now();
     let (mut worst, mut tried) = ((Finding::default(), Vec::new()), 0);
@@ -205,7 +185,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         Some(value) => vec![value],
         None => ["growing", "8", "12", "16", "32"].map(String::from).to_vec(),
     };
-    let mut random = Random(seed as u64);
+    let mut random = Splitmix(seed as u64);
     let time = Duration::from_secs_f64(seconds / (tolerances.len() * storage.len()) as f64);
     let mut holds = true;
     for storage in &storage {

@@ -85,17 +85,13 @@ impl Program<'_> {
 
 #[cfg(test)]
 mod tests {
+    use carom_drawn::{Congruential, Draw as _};
     use nalgebra::{DMatrix, DVector};
 
-    /// A small generator of numbers in -1..1.
-    fn numbers(count: usize, mut seed: u64) -> Vec<f64> {
-        let next = move || {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        };
-        std::iter::repeat_with(next).take(count).collect()
+    /// Numbers from -1 to 1.
+    fn numbers(count: usize, seed: u64) -> Vec<f64> {
+        let mut draw = Congruential(seed);
+        std::iter::repeat_with(|| draw.signed()).take(count).collect()
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel, SlipStress};
 use carom_classic::kalker::{Johnson, KOMBI, Kombi, Panagiotopoulos};
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
@@ -158,34 +159,18 @@ fn all_agree(cases: &[Case<'_>]) {
     }
 }
 
-/// A simple generator of numbers from 0 to 1.
-struct Chance(u64);
-
-impl Chance {
-    fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// One of these.
-    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[(self.next() * from.len() as f64) as usize]
-    }
-}
-
 /// Steps in any direction, with repeats, reversals and parting, each drawn.
-fn drawn(chance: &mut Chance) -> Vec<[f64; 4]> {
+fn drawn(chance: &mut Congruential) -> Vec<[f64; 4]> {
     let mut at = [0.8, 0.0, 0.0, 0.0];
     let mut history = vec![at];
     for _ in 0..5 {
         let size = chance.pick(&[0.0, 1e-6, 0.05, 0.3]);
         match chance.pick(&[0, 1, 2, 3]) {
             0 => at[0] = chance.pick(&[0.3, 0.8, 1.0, 1.1, -0.1]),
-            1 => at = history[(chance.next() * history.len() as f64) as usize],
+            1 => at = history[chance.below(history.len())],
             2 => at = [at[0], at[1] + size, at[2] - size, at[3]],
             _ => {
-                at = at.map(|value| value + size * (chance.next() - 0.5));
+                at = at.map(|value| value + size * (chance.part() - 0.5));
                 at[0] = at[0].clamp(0.2, 1.1);
             }
         }
@@ -195,7 +180,7 @@ fn drawn(chance: &mut Chance) -> Vec<[f64; 4]> {
 }
 
 fn random_histories(seed: u64, count: usize) {
-    let mut chance = Chance(seed);
+    let mut chance = Congruential(seed);
     for number in 0..count {
         let poisson = chance.pick(&[SIMILAR, POSITIVE, NEGATIVE, [0.2, 0.35]]);
         let friction = chance.pick(&[0.05, 0.3, 0.7]);

@@ -3,13 +3,12 @@
 
 use carom_classic::history::ellipse::EllipseHistory;
 use carom_classic::history::sphere::SphereHistory;
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::memory::{ScalarMemory, VectorMemory};
-
-use crate::random::Random;
 
 #[test]
 fn chapter_6_is_the_polyline() {
-    let mut random = Random(21);
+    let mut random = Splitmix(21);
     let (mut compared, mut worst) = (0, 0.0_f64);
     for _ in 0..3000 {
         let (mut literal, mut memory) = (SphereHistory::new(1.0), ScalarMemory::new());
@@ -17,7 +16,7 @@ fn chapter_6_is_the_polyline() {
         for _ in 0..30 {
             let size = 10_f64.powf(random.between(-2.5, -0.1));
             let x = literal_shift(memory.shift(), size * random.between(-1.0, 1.0));
-            let zeta = match random.pick(2) {
+            let zeta = match random.below(2) {
                 0 => memory.zeta(),
                 _ => (memory.zeta() + 0.6 * size * random.between(-1.0, 1.0)).clamp(0.3, 2.0),
             };
@@ -38,7 +37,7 @@ fn literal_shift(x: f64, by: f64) -> f64 {
 
 #[test]
 fn chapter_7_is_the_polyline() {
-    let mut random = Random(22);
+    let mut random = Splitmix(22);
     let (mut compared, mut worst) = (0, 0.0_f64);
     for _ in 0..3000 {
         let (mut literal, mut memory) = (EllipseHistory::new(1.0), VectorMemory::new());
@@ -48,7 +47,7 @@ fn chapter_7_is_the_polyline() {
             let angle = random.between(0.0, 6.3);
             let old = memory.shift();
             let x = [0.8 * old[0] + size * angle.cos(), 0.8 * old[1] + size * angle.sin()];
-            let zeta = match random.pick(2) {
+            let zeta = match random.below(2) {
                 0 => memory.zeta(),
                 _ => (memory.zeta() + 0.6 * size * random.between(-1.0, 1.0)).clamp(0.3, 2.0),
             };

@@ -3,8 +3,6 @@
 mod agreement;
 mod direct_refusals;
 mod literal;
-#[path = "../../../laws/tests/it/common/random.rs"]
-mod random;
 #[path = "../../../laws/tests/it/common/reference.rs"]
 mod reference;
 mod rigid_slip;

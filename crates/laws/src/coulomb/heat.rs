@@ -257,6 +257,7 @@ fn directions(tangent: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use carom_drawn::{Congruential, Draw as _};
 
     /// Energies of both directions of an ellipse.
     const UNIT: [f64; 2] = [1.3, 0.7];
@@ -265,22 +266,12 @@ mod tests {
         0.5 * (UNIT[0] * x * x + UNIT[1] * y * y)
     }
 
-    /// Random numbers between 0 and 1.
-    fn drawn() -> impl FnMut() -> f64 {
-        let mut state = 1_u64;
-        move || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        }
-    }
-
     /// The limit may decrease faster than the shift moves, also to zero.
     #[test]
     fn heat_is_traction_times_slip_of_many_small_steps() {
         const PARTS: usize = 2000;
-        let mut unit = drawn();
+        let mut draw = Congruential(1);
+        let mut unit = || draw.part();
         let mut slipped = 0;
         for case in 0..300 {
             let (zeta, length) = (0.2 + unit(), 10_f64.powf(1.5 * unit() - 1.0));
@@ -310,7 +301,8 @@ mod tests {
 
     #[test]
     fn work_of_a_ring_is_stored_or_heat() {
-        let mut unit = drawn();
+        let mut draw = Congruential(1);
+        let mut unit = || draw.part();
         let mut worst = 0.0_f64;
         for case in 0..200_000 {
             let (zeta, depth) = (0.2 + unit(), 0.15 * unit());

@@ -103,16 +103,12 @@ pub(super) const fn parts_of(angles: usize, block: usize) -> [(usize, usize); 2]
 #[cfg(test)]
 mod tests {
     use super::*;
+    use carom_drawn::{Congruential, Draw as _};
 
     fn check<const M: usize>() {
         let directions = directions::<M>();
-        let mut seed = 1_u64;
-        let mut random = || {
-            seed = seed
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut draw = Congruential(1);
+        let mut random = || draw.part() - 0.5;
         let field: Field<3, M> = std::array::from_fn(|_| [[random(); 3], [random(); 3]]);
         let mut hat = field;
         transform(&mut hat, &directions, -1.0);

@@ -1,11 +1,12 @@
 //! Invariants of Coulomb's law in two directions.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance};
 use carom_laws::memory::ScalarMemory;
 
 use crate::common;
+use crate::common::next;
 use crate::common::turning::{Kind, divided};
-use crate::common::{Random, next};
 
 fn law(tolerance: f64) -> CoulombMemory<[f64; 2]> {
     CoulombMemory::new(Tolerance::new(tolerance).unwrap())
@@ -20,7 +21,7 @@ fn collinear_paths_are_those_of_the_scalar_law() {
     for parts in [1, 7, 64] {
         let mut worst = 0.0_f64;
         for seed in 0..2000 / parts as u64 {
-            let mut random = Random(seed);
+            let mut random = Splitmix(seed);
             let angle = random.between(0.0, 6.3);
             let (s, c) = angle.sin_cos();
             let mut law = law([1e-1, 1e-2, 1e-4][seed as usize % 3]);
@@ -74,7 +75,7 @@ fn work_is_that_of_the_force() {
     let mut worst = 0.0_f64;
     for kind in Kind::ALL {
         for seed in 0..4 {
-            let path = kind.path(&mut Random(seed));
+            let path = kind.path(&mut Splitmix(seed));
             let mut law = law(1e-5);
             for (i, &(zeta, x)) in path.iter().enumerate() {
                 if i % 7 == 3 && zeta > 0.0 && law.zeta() > 0.0 {
@@ -97,7 +98,7 @@ fn work_is_that_of_the_force() {
 fn paths(seeds: u64, parts: &[usize], mut follow: impl FnMut(Kind, &[(f64, [f64; 2])])) {
     for kind in Kind::ALL {
         for seed in 0..seeds {
-            let path = kind.path(&mut Random(seed));
+            let path = kind.path(&mut Splitmix(seed));
             for &parts in parts {
                 follow(kind, &divided(&path, parts));
             }
@@ -258,7 +259,7 @@ fn tangent_is_the_derivative_of_going_on() {
 #[test]
 fn traction_makes_the_force() {
     let mut law = law(1e-1); // its bubbles are large
-    for (i, &(zeta, x)) in Kind::TurningVarying.path(&mut Random(5)).iter().enumerate() {
+    for (i, &(zeta, x)) in Kind::TurningVarying.path(&mut Splitmix(5)).iter().enumerate() {
         let force = law.advance(zeta, x).unwrap();
         if i % 9 != 5 {
             continue;
@@ -287,7 +288,7 @@ fn slip_lies_below_stick_where_the_curve_is_steep() {
     let mut found = false;
     let mut oracle = common::rings::Rings::new(2000, 1.0);
     oracle.advance(1.0, [0.0; 2]);
-    let mut random = Random(3);
+    let mut random = Splitmix(3);
     let mut x = [0.0; 2];
     for _ in 0..4000 {
         let angle = random.between(0.0, 6.3);
@@ -326,7 +327,7 @@ fn bad_input_is_named_and_changes_nothing() {
 fn steps_on_the_cone_are_adhesion() {
     for seed in (0..2000).chain([2770, 3698, 5438, 12848]) {
         let mut law = law(1e-2);
-        for &(zeta, x) in &Kind::Adversarial.path(&mut Random(seed)) {
+        for &(zeta, x) in &Kind::Adversarial.path(&mut Splitmix(seed)) {
             let force = law.advance(zeta, x).unwrap();
             assert!(force.iter().all(|f| f.is_finite()), "{seed}: {zeta} {x:?}");
         }
@@ -335,7 +336,7 @@ fn steps_on_the_cone_are_adhesion() {
         if from <= 0.0 {
             continue;
         }
-        let angle = Random(seed).between(0.0, 6.3);
+        let angle = Splitmix(seed).between(0.0, 6.3);
         let to = [start[0] + 0.25 * angle.cos(), start[1] + 0.25 * angle.sin()];
         let [mut on, mut within] = [0; 2].map(|_| law.clone());
         let on = on.advance(from + 0.25, to).unwrap();
@@ -349,7 +350,7 @@ fn extremes_stay_finite() {
     for size in [1e-100, 1e-30, 1e-6, 1e3, 1e30, 1e99] {
         let mut law = law(1e-2);
         let mut one = CoulombMemory::<[f64; 2]>::new(Tolerance::PARTICLES);
-        for &(zeta, x) in &Kind::Adversarial.path(&mut Random(9)) {
+        for &(zeta, x) in &Kind::Adversarial.path(&mut Splitmix(9)) {
             let got = law.advance(size * zeta, x.map(|v| size * v)).unwrap();
             let want = one.advance(zeta, x).unwrap();
             let limit = (size * zeta.abs()).powf(1.5);

@@ -1,9 +1,9 @@
 //! Coulomb's law in two directions with storage of fixed capacity, and stored as plain numbers.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance, packed_numbers};
 use carom_laws::memory::{Fixed, Memory, VectorMemory};
 
-use crate::common::Random;
 use crate::common::rings::Rings;
 use crate::common::turning::{Kind, divided};
 
@@ -31,7 +31,7 @@ fn errors<const N: usize>(parts: usize) -> [f64; 4] {
     let (mut coulomb, mut chapter_7) = (Error::default(), Error::default());
     for kind in [Kind::Turning, Kind::TurningVarying, Kind::Corners, Kind::Collision, Kind::Noise] {
         for seed in 0..10 {
-            let path = kind.path(&mut Random(seed));
+            let path = kind.path(&mut Splitmix(seed));
             let mut law =
                 CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], N>>::new(Tolerance::PARTICLES);
             let mut oracle = Rings::new(400, 1.3);
@@ -74,7 +74,7 @@ fn few_vertices_keep_the_error() {
 fn trembling<const N: usize>(size: f64) -> [f64; 2] {
     let mut worst = [0.0_f64; 2];
     for seed in 0..3 {
-        let path = Kind::Turning.path(&mut Random(seed));
+        let path = Kind::Turning.path(&mut Splitmix(seed));
         let [mut one, mut two] = [0; 2]
             .map(|_| CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], N>>::new(Tolerance::PARTICLES));
         let [mut old, mut other] = [0; 2].map(|_| Memory::<[f64; 2], Fixed<[f64; 2], N>>::new());
@@ -89,7 +89,7 @@ fn trembling<const N: usize>(size: f64) -> [f64; 2] {
         for &(zeta, x) in &path {
             follow(zeta, x, false);
         }
-        let ((zeta, x), mut random) = (path[path.len() - 1], Random(seed + 77));
+        let ((zeta, x), mut random) = (path[path.len() - 1], Splitmix(seed + 77));
         for _ in 0..20_000 {
             let by = [0; 3].map(|_| size * random.between(-1.0, 1.0));
             follow(zeta + by[2], [x[0] + by[0], x[1] + by[1]], true);
@@ -116,7 +116,7 @@ fn packed_state_goes_on_as_before() {
     assert!(packed_numbers(12) <= 70);
     type Law = CoulombMemory<[f64; 2], FixedCurve<[f64; 2], 12>>;
     for seed in 0..20 {
-        let path = Kind::Adversarial.path(&mut Random(seed));
+        let path = Kind::Adversarial.path(&mut Splitmix(seed));
         let mut law = Law::new(Tolerance::PARTICLES);
         let mut numbers = [f64::NAN; packed_numbers(12)];
         for &(zeta, x) in &path {

@@ -1,10 +1,10 @@
 //! Coulomb's law in two directions compared with annuli of sliders: error as a function of the
 //! tolerance.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::memory::{Nodes as _, VectorMemory};
 
-use crate::common::Random;
 use crate::common::rings::{Rings, exact};
 use crate::common::turning::{Kind, Path, divided};
 
@@ -43,7 +43,7 @@ impl Scan {
     fn run(&self, kind: Kind, seeds: std::ops::Range<u64>) -> Errors {
         let mut errors = Errors::default();
         for seed in seeds {
-            self.follow(kind, &kind.path(&mut Random(seed)), seed, &mut errors);
+            self.follow(kind, &kind.path(&mut Splitmix(seed)), seed, &mut errors);
         }
         println!(
             "{kind:?}: mean {:.1e}, largest {:.1e} (seed {}), vertices {:.1} to {}",
@@ -84,7 +84,7 @@ impl Scan {
 fn rings_stand_still() {
     // A step is its parts, twice the rings change nothing, and Euler's rings come to the same.
     for kind in Kind::ALL {
-        let path = kind.path(&mut Random(1));
+        let path = kind.path(&mut Splitmix(1));
         let [mut one, mut parts, mut finer] = [600, 600, 1200].map(|n| Rings::new(n, 1.3));
         let mut before = path[0];
         for (i, &to) in path.iter().enumerate() {
@@ -111,7 +111,7 @@ fn rings_stand_still() {
     }
     let mut errors = [0.0; 2];
     for (error, parts) in errors.iter_mut().zip([200, 800]) {
-        let path = Kind::TurningVarying.path(&mut Random(2));
+        let path = Kind::TurningVarying.path(&mut Splitmix(2));
         let [mut one, mut euler] = [200; 2].map(|n| Rings::new(n, 1.3));
         for (i, &(zeta, x)) in divided(&path, parts).iter().enumerate() {
             let got = euler.project(zeta, x);
@@ -127,7 +127,7 @@ fn rings_stand_still() {
 #[test]
 fn a_ring_is_dragged_on_a_tractrix() {
     // Against the differential equation, in small steps of the midpoint rule.
-    let mut random = Random(4);
+    let mut random = Splitmix(4);
     for _ in 0..200 {
         let angle = random.between(0.0, 3.1);
         let (start, end) = (random.between(0.2, 1.0), random.between(0.2, 1.0));
@@ -238,7 +238,7 @@ fn chapter_7_misses_turning_paths() {
     let mut steps = 0.0;
     for seed in 0..20 {
         let (mut law, mut oracle) = (VectorMemory::new(), Rings::new(300, 1.3));
-        for &(zeta, x) in &Kind::Turning.path(&mut Random(seed)) {
+        for &(zeta, x) in &Kind::Turning.path(&mut Splitmix(seed)) {
             let error = off(law.advance(zeta, x).unwrap(), oracle.advance(zeta, x));
             sum += error;
             steps += 1.0;

@@ -1,12 +1,12 @@
 //! The error of Coulomb's law in two directions, compared with independent annuli of sliders, and
 //! its own estimate of that error.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance};
 use carom_laws::memory::{Fixed, Growing, VertexStack};
 use proptest::prelude::*;
 
 use crate::common;
-use crate::common::Random;
 use crate::common::rings::force_at_end;
 use crate::common::turning::{Kind, divided};
 
@@ -210,7 +210,7 @@ fn a_tighter_tolerance_is_no_worse_in_fixed_storage() {
 /// beside it.
 #[test]
 fn the_force_is_within_its_limit_to_its_own_round_off() {
-    let mut random = Random(11);
+    let mut random = Splitmix(11);
     for tolerance in [1e-2, 1e-3, 1e-5] {
         for _ in 0..300 {
             let mut law = CoulombMemory::<[f64; 2]>::new(Tolerance::new(tolerance).unwrap());
@@ -231,7 +231,7 @@ fn estimate_is_zero_but_for_round_off_where_the_law_is_exact() {
         for seed in 0..20 {
             let mut law = CoulombMemory::<[f64; 2]>::new(Tolerance::PARTICLES);
             assert_eq!(law.error_estimate(), 0.0);
-            for (zeta, x) in kind.path(&mut Random(seed)) {
+            for (zeta, x) in kind.path(&mut Splitmix(seed)) {
                 law.advance(zeta, x).unwrap();
                 if kind == Kind::Collinear {
                     assert!(law.error_estimate() < 1e-11, "{:e}", law.error_estimate());
@@ -245,7 +245,7 @@ fn estimate_is_zero_but_for_round_off_where_the_law_is_exact() {
 fn ratio(kind: Kind, tolerance: f64, parts: usize) -> f64 {
     let (mut estimates, mut errors) = (0.0, 0.0);
     for seed in 0..6 {
-        let path = divided(&kind.path(&mut Random(seed)), parts);
+        let path = divided(&kind.path(&mut Splitmix(seed)), parts);
         let mut law = CoulombMemory::<[f64; 2]>::new(Tolerance::new(tolerance).unwrap());
         let mut oracle = common::rings::Rings::new(2000, 1.3);
         for (i, &(zeta, x)) in path.iter().enumerate() {

@@ -1,5 +1,6 @@
 //! The table of creep forces: symmetries, limits, Kalker's slopes.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_laws::creep::force::{CreepContact, CreepForce, CreepShape};
 use std::f64::consts::PI;
 
@@ -12,28 +13,20 @@ fn forces(contact: &CreepContact, creepage: [f64; 3]) -> [f64; 3] {
     [f_x, f_y, m_z].map(|force| force / 3e-4)
 }
 
-/// Draws numbers from -1 to 1.
-fn random(state: &mut u64) -> f64 {
-    *state ^= *state << 13;
-    *state ^= *state >> 7;
-    *state ^= *state << 17;
-    (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-}
-
 /// A contact with a random axis ratio and Poisson's ratio, and creepages of any size.
-fn drawn(state: &mut u64) -> (CreepContact, [f64; 3]) {
-    let ratio = 10_f64.powf(random(state));
-    let contact = contact(ratio, 0.25 + 0.25 * random(state));
-    let size = 1e-4 * 10_f64.powf(2.0 * random(state));
-    (contact, [(); 3].map(|()| size * random(state)))
+fn drawn(draw: &mut Xorshift) -> (CreepContact, [f64; 3]) {
+    let ratio = 10_f64.powf(draw.signed());
+    let contact = contact(ratio, 0.25 + 0.25 * draw.signed());
+    let size = 1e-4 * 10_f64.powf(2.0 * draw.signed());
+    (contact, [(); 3].map(|()| size * draw.signed()))
 }
 
 /// Reversed creepages have reversed forces; a mirror turns what is across, and the spin.
 #[test]
 fn both_symmetries_hold() {
-    let mut state = 7;
+    let mut draw = Xorshift(7);
     for _ in 0..2000 {
-        let (contact, [x, y, phi]) = drawn(&mut state);
+        let (contact, [x, y, phi]) = drawn(&mut draw);
         let [f_x, f_y, m_z] = forces(&contact, [x, y, phi]);
         for (creepage, wanted) in
             [([-x, -y, -phi], [-f_x, -f_y, -m_z]), ([x, -y, -phi], [f_x, -f_y, -m_z])]
@@ -47,14 +40,14 @@ fn both_symmetries_hold() {
 /// The table of a shape gives the bits of a contact's, and its errors.
 #[test]
 fn a_shape_gives_the_forces_of_its_contacts() {
-    let mut state = 5;
+    let mut draw = Xorshift(5);
     for _ in 0..20 {
-        let (ratio, poisson) = (10_f64.powf(random(&mut state)), 0.25 + 0.25 * random(&mut state));
+        let (ratio, poisson) = (10_f64.powf(draw.signed()), 0.25 + 0.25 * draw.signed());
         let shape = CreepShape::new(ratio, 3.0, poisson).unwrap();
         for _ in 0..200 {
-            let size = 10_f64.powf(random(&mut state));
-            let scale = 1e-4 * 10_f64.powf(4.0 * random(&mut state));
-            let creepage = [(); 3].map(|()| scale * random(&mut state));
+            let size = 10_f64.powf(draw.signed());
+            let scale = 1e-4 * 10_f64.powf(4.0 * draw.signed());
+            let creepage = [(); 3].map(|()| scale * draw.signed());
             let contact = CreepContact::of_size(size, ratio, 3.0, poisson).unwrap();
             assert_eq!(shape.force(size, 0.3, 1e-3, creepage), contact.force(0.3, 1e-3, creepage));
         }
@@ -77,9 +70,9 @@ fn a_shape_gives_the_forces_of_its_contacts() {
 
 #[test]
 fn forces_stay_within_friction_and_heat() {
-    let mut state = 11;
+    let mut draw = Xorshift(11);
     for _ in 0..5000 {
-        let (contact, creepage) = drawn(&mut state);
+        let (contact, creepage) = drawn(&mut draw);
         let found = forces(&contact, creepage);
         assert!(found[0].hypot(found[1]) <= 1.0 + 1e-15);
         let power: f64 = found.iter().zip(creepage).map(|(force, rate)| force * rate).sum();

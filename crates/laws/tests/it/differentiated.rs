@@ -1,5 +1,6 @@
 //! Derivatives of the load by friction and stiffness against differences of the law on the same path.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::differentiated::Differentiated;
 use carom_laws::friction::Friction;
@@ -8,8 +9,6 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::turning_law::TurningLaw;
-
-use crate::common::random::Random;
 
 /// Friction, c_x and c_z.
 type Parameters = [f64; 3];
@@ -38,10 +37,10 @@ fn difference(parameters: Parameters, which: usize, path: &[Shift], step: f64) -
 
 #[test]
 fn derivatives_are_differences_of_the_law_on_drawn_paths() {
-    let mut random = Random(7);
+    let mut random = Splitmix(7);
     let (mut left_out, mut all) = (0, 0);
     for _ in 0..400 {
-        let mut unit = || random.unit();
+        let mut unit = || random.part();
         let parameters = [0.05 + unit(), 0.5 + unit(), 0.5 + unit()];
         let (stiffness, friction) = made(parameters);
         let mut law = Differentiated::new(stiffness, friction).unwrap();
@@ -120,19 +119,19 @@ fn parameters_count_by_the_scale_of_shifts_alone() {
         let loads = path.iter().map(|shift| law.advance(scaled(shift)).unwrap());
         loads.last().map(|load| [load.f_x, load.f_y]).unwrap()
     };
-    let mut random = Random(19);
+    let mut random = Splitmix(19);
     for i in 0..60 {
         let f_k = 0.2;
         let f_s = if i % 2 == 0 { f_k } else { 0.3 };
-        let shift = |random: &mut Random| Shift {
-            zeta: 0.2 + random.unit(),
-            xi: 0.4 * (random.unit() - 0.5),
-            eta: 0.4 * (random.unit() - 0.5),
+        let shift = |random: &mut Splitmix| Shift {
+            zeta: 0.2 + random.part(),
+            xi: 0.4 * (random.part() - 0.5),
+            eta: 0.4 * (random.part() - 0.5),
             ..Shift::default()
         };
         let path: Vec<Shift> = (0..8).map(|_| shift(&mut random)).collect();
         let own = [f_s, f_k, 1.0, 1.2];
-        let part = 1.0 + 0.1 * random.unit();
+        let part = 1.0 + 0.1 * random.part();
         for (changed, scale, factor) in [
             ([part * f_s, part * f_k, 1.0, 1.2], 1.0 / part, part),
             ([f_s, f_k, 1.0, 1.2 * part], 1.0 / part, part),

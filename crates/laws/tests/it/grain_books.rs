@@ -1,6 +1,7 @@
 //! The books of a grain that bounces on a wall, with spin about all axes: kinetic energy, elastic energy and loss are
 //! constant.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall};
@@ -79,16 +80,6 @@ fn books_of_a_spinning_grain_close_to_the_second_order() {
     }
 }
 
-/// Random numbers in (-1, 1).
-fn drawn(seed: u64) -> impl FnMut() -> f64 {
-    let mut state = seed;
-    move || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
-
 /// What the work of the force on a drawn path, by small steps and trapezoids, exceeds the stored energy and the summed
 /// losses, over the work of all steps.
 fn unbalanced<V: carom_laws::memory::Lateral, S: VertexStack<V>>(
@@ -96,12 +87,13 @@ fn unbalanced<V: carom_laws::memory::Lateral, S: VertexStack<V>>(
     seed: u64,
     parts: u32,
 ) -> f64 {
-    let mut unit = drawn(seed);
+    let mut draw = Congruential(seed);
     let (mut at, mut lost, mut work, mut all) = (Shift::default(), 0.0, 0.0, 0.0);
     let mut load = law.load();
     for _ in 0..25 {
-        let eta = if V::DIMENSION > 1 { 0.25 * unit() } else { 0.0 };
-        let to = Shift { zeta: 0.55 + 0.45 * unit(), xi: 0.25 * unit(), eta, omega: 0.0 };
+        let eta = if V::DIMENSION > 1 { 0.25 * draw.signed() } else { 0.0 };
+        let to =
+            Shift { zeta: 0.55 + 0.45 * draw.signed(), xi: 0.25 * draw.signed(), eta, omega: 0.0 };
         for part in 1..=parts {
             let part = f64::from(part) / f64::from(parts);
             let between = |from: f64, to: f64| from + part * (to - from);

@@ -1,5 +1,6 @@
 //! Oblique impacts of damped grains against the exact theory of viscous spheres.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
@@ -289,14 +290,6 @@ fn friction_ends_with_the_normal_force_and_begins_anew() {
     }
 }
 
-/// Random numbers in (0, 1).
-fn drawn(mut seed: u64) -> impl FnMut() -> f64 {
-    move || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// The laws of particles that may lose energy.
 const LAWS: [&str; 5] =
     ["coulomb", "fixed-direction", "coulomb, static", "fixed-direction, static", "rings"];
@@ -348,7 +341,8 @@ impl Loss {
 /// The work done on a contact whose approach and shift are periodic with frequencies in the ratio 1, 3/2, 2 or 3, over the
 /// period after the first two, the sum of its parts, and the greatest tangential over the normal force.
 fn work_of_a_period(law: &str, seed: u64) -> [f64; 3] {
-    let mut unit = drawn(seed);
+    let mut draw = Congruential(seed);
+    let mut unit = || draw.part();
     let e = 0.3 + 0.6 * unit();
     let kappa = 1.0 + 0.5 * unit();
     let omega = 0.2 * 15.0_f64.powf(unit());

@@ -1,5 +1,6 @@
 //! Contacts of grains with the law of rings: against the law itself, with the bodies exchanged, through numbers.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -81,12 +82,7 @@ fn a_grain_on_a_wall_follows_the_law_of_its_materials() {
 
 /// Grains that press, slide, roll and twist; all that happens to both of them.
 fn walk(steps: usize, mut each: impl FnMut(&[Grain; 2], f64)) {
-    let mut random = 7_u64;
-    let mut signed = || {
-        random =
-            random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        2.0 * ((random >> 11) as f64 / (1_u64 << 53) as f64) - 1.0
-    };
+    let mut draw = Congruential(7);
     let normal = [0.36, 0.48, 0.8];
     let mut grains = [0.5, 0.8].map(|radius| Grain {
         place: [0.0; 3],
@@ -100,11 +96,11 @@ fn walk(steps: usize, mut each: impl FnMut(&[Grain; 2], f64)) {
     for step in 0..steps {
         if step % 12 == 0 {
             for grain in &mut grains {
-                grain.velocity = [0; 3].map(|_| 1e-3 * signed());
-                grain.spin = [0; 3].map(|_| 2e-3 * signed());
+                grain.velocity = [0; 3].map(|_| 1e-3 * draw.signed());
+                grain.spin = [0; 3].map(|_| 2e-3 * draw.signed());
             }
             // The spin about the normal counts as much as the slip.
-            grains[0].spin = plus(grains[0].spin, normal, 0.05 * signed());
+            grains[0].spin = plus(grains[0].spin, normal, 0.05 * draw.signed());
         }
         for grain in &mut grains {
             grain.place = plus(grain.place, grain.velocity, dt);

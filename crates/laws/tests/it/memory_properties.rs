@@ -1,9 +1,10 @@
 //! Invariants of the memory law on random histories, and an independent oracle of springs.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::memory::{Fixed, Growing, Lateral, Memory, Nodes as _, ScalarMemory, VectorMemory};
 use carom_laws::profile::{Hertzian, NormalProfile, PowerLaw, RoundedFlat};
 
-use crate::common::{Random, next};
+use crate::common::next;
 
 /// A million steps where code is optimised.
 const STEPS: usize = if cfg!(debug_assertions) { 100_000 } else { 1_000_000 };
@@ -44,7 +45,7 @@ fn length<V: Lateral>(v: V) -> f64 {
 
 #[test]
 fn anchors_are_those_of_single_springs() {
-    let mut random = Random(1);
+    let mut random = Splitmix(1);
     let (mut memory, mut springs) = (ScalarMemory::new(), Springs::new(40, 2.0));
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
     for _ in 0..STEPS / 10 {
@@ -63,12 +64,12 @@ fn anchors_are_those_of_single_springs() {
 #[test]
 fn knife_edges_on_a_grid_are_no_trap() {
     // Steps of tenths meet closed loops, equal rings and edges exactly or by round-off.
-    let mut random = Random(11);
+    let mut random = Splitmix(11);
     let (mut memory, mut springs) = (ScalarMemory::new(), Springs::new(40, 2.0));
     let mut vector = VectorMemory::new();
     for _ in 0..STEPS {
-        let zeta = random.pick(20) as f64 * 0.1;
-        let x = random.pick(15) as f64 * 0.1 - 0.7;
+        let zeta = random.below(20) as f64 * 0.1;
+        let x = random.below(15) as f64 * 0.1 - 0.7;
         let force = memory.advance(zeta, x).unwrap();
         let pair = vector.advance(zeta, [0.0, x]).unwrap();
         springs.advance(zeta, x);
@@ -84,7 +85,7 @@ fn knife_edges_on_a_grid_are_no_trap() {
 /// The force of the springs for any profile: slopes of the anchor between fine springs.
 fn profile_oracle<P: NormalProfile>(profile: P) {
     let n = 4000;
-    let mut random = Random(5);
+    let mut random = Splitmix(5);
     let (mut memory, mut springs) =
         (Memory::<f64, Growing<f64>, P>::with_profile(profile), Springs::new(n, 2.0));
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
@@ -119,7 +120,7 @@ fn any_axisymmetric_profile() {
 }
 
 fn bounds<V: Lateral>(steps: usize) {
-    let mut random = Random(2);
+    let mut random = Splitmix(2);
     let mut memory = Memory::<V>::new();
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
     for step in 0..steps {
@@ -160,7 +161,7 @@ fn friction_bounds_force_traction_and_slopes_over_a_million_steps() {
 }
 
 fn subdivision<V: Lateral>(tolerance: f64) {
-    let mut random = Random(3);
+    let mut random = Splitmix(3);
     let (mut whole, mut parts) = (Memory::<V>::new(), Memory::<V>::new());
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
     let mut worst = 0.0_f64;
@@ -168,7 +169,7 @@ fn subdivision<V: Lateral>(tolerance: f64) {
         let (zeta_0, x_0) = (zeta, x);
         (zeta, x) = next(&mut random, zeta, x);
         whole.advance(zeta, V::from_components(x)).unwrap();
-        let n = 1 + random.pick(12);
+        let n = 1 + random.below(12);
         for i in 1..n {
             let t = i as f64 / n as f64;
             let part = [0, 1].map(|k| x_0[k] + t * (x[k] - x_0[k]));
@@ -191,7 +192,7 @@ fn one_step_is_any_number_of_its_parts() {
 
 #[test]
 fn symmetries() {
-    let mut random = Random(4);
+    let mut random = Splitmix(4);
     let mut base = VectorMemory::new();
     let (mut mirrored, mut turned, mut moved) = (base.clone(), base.clone(), base.clone());
     let mut scaled = base.clone();
@@ -224,7 +225,7 @@ fn symmetries() {
 
 #[test]
 fn collinear_is_scalar() {
-    let mut random = Random(6);
+    let mut random = Splitmix(6);
     let (mut one, mut two) = (ScalarMemory::new(), VectorMemory::new());
     let (s, c) = 0.7_f64.sin_cos();
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
@@ -245,7 +246,7 @@ fn collinear_is_scalar() {
 
 #[test]
 fn return_point_memory() {
-    let mut random = Random(7);
+    let mut random = Splitmix(7);
     let mut memory = VectorMemory::new();
     let (mut zeta, mut x) = (1.0, [0.0; 2]);
     for _ in 0..STEPS / 100 {
@@ -359,7 +360,7 @@ fn long_periodic_history_keeps_its_size_and_its_digits() {
 }
 
 fn capacity<const N: usize>(worst_allowed: f64, rms_allowed: f64) {
-    let mut random = Random(8);
+    let mut random = Splitmix(8);
     let (mut exact, mut small) =
         (VectorMemory::new(), Memory::<[f64; 2], Fixed<[f64; 2], N>>::new());
     let (mut worst, mut squares) = (0.0_f64, 0.0);

@@ -1,5 +1,6 @@
 //! Numbers from outside: those stored by a law are accepted, invalid ones are errors.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{Tolerance, packed_numbers};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Dissipative, Shift};
@@ -8,8 +9,6 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::{TorsionConstants, TorsionLaw};
 
-use crate::common::Random;
-
 const STIFFNESS: ContactStiffness = ContactStiffness { c_x: 3e9, c_y: 2.6e9, c_z: 4e9 };
 
 fn friction(f: f64) -> Friction {
@@ -17,19 +16,19 @@ fn friction(f: f64) -> Friction {
 }
 
 /// Steps of many sizes that press, slip, turn, recede, part and touch again, now and then far from the origin.
-fn path(random: &mut Random, steps: usize, drift: f64) -> Vec<Shift> {
+fn path(random: &mut Splitmix, steps: usize, drift: f64) -> Vec<Shift> {
     let mut at = Shift { zeta: -1e-7, xi: drift, eta: -0.3 * drift, omega: 0.0 };
-    let size = 10_f64.powf(-9.0 + 3.0 * random.unit());
+    let size = 10_f64.powf(-9.0 + 3.0 * random.part());
     (0..steps)
         .map(|_| {
-            let by = size * 10_f64.powf(-4.0 * random.unit() * random.unit());
-            let part = |random: &mut Random| by * (2.0 * random.unit() - 1.0);
-            match (10.0 * random.unit()) as u8 {
+            let by = size * 10_f64.powf(-4.0 * random.part() * random.part());
+            let part = |random: &mut Splitmix| by * (2.0 * random.part() - 1.0);
+            match (10.0 * random.part()) as u8 {
                 0..=2 => at.zeta += part(random),
-                3 => at.zeta = (at.zeta * (0.2 + random.unit())).max(1e-12),
+                3 => at.zeta = (at.zeta * (0.2 + random.part())).max(1e-12),
                 4 => at.xi += 20.0 * part(random),
                 5 => (at.xi, at.eta) = (at.xi + part(random), at.eta),
-                6 if random.unit() < 0.1 => at.zeta = -part(random).abs(),
+                6 if random.part() < 0.1 => at.zeta = -part(random).abs(),
                 7 => {
                     let growth = part(random).abs();
                     (at.zeta, at.xi) = (at.zeta + growth, at.xi + 0.3 * growth);
@@ -72,11 +71,11 @@ fn law_room<V: Lateral, S: VertexStack<V>>(_: &ShiftLaw<V, S>) -> usize {
 
 fn histories(count: u64) {
     for seed in 0..count {
-        let random = &mut Random(seed);
-        let drift = [0.0, 1e-6, 1e-3, 1.0][(4.0 * random.unit()) as usize];
-        let f = 10_f64.powf(2.0 * random.unit() - 1.5);
+        let random = &mut Splitmix(seed);
+        let drift = [0.0, 1e-6, 1e-3, 1.0][(4.0 * random.part()) as usize];
+        let f = 10_f64.powf(2.0 * random.part() - 1.5);
         let path = path(random, 120, drift);
-        let fine = Tolerance::new(10_f64.powf(-1.0 - 4.0 * random.unit())).unwrap();
+        let fine = Tolerance::new(10_f64.powf(-1.0 - 4.0 * random.part())).unwrap();
         type Plane<S> = ShiftLaw<[f64; 2], S>;
         type Few = Fixed<[f64; 2], 4>;
         type Many = Fixed<[f64; 2], 12>;
@@ -238,23 +237,23 @@ fn anchors_beyond_the_friction_cone_are_refused() {
 }
 
 /// Any number garbled in any way: refused, or loads that are numbers, within the limit, and steps from there.
-fn garble(cases: u64, mut look: impl FnMut(&mut Random)) {
+fn garble(cases: u64, mut look: impl FnMut(&mut Splitmix)) {
     for seed in 0..cases {
-        look(&mut Random(seed ^ 0x9e37_79b9));
+        look(&mut Splitmix(seed ^ 0x9e37_79b9));
     }
 }
 
-fn garbled(random: &mut Random, value: f64) -> f64 {
-    match (8.0 * random.unit()) as u8 {
-        0 => f64::from_bits((random.unit() * 1.8e19) as u64),
-        1 => f64::from_bits(value.to_bits() ^ (1 << ((64.0 * random.unit()) as u32).min(63))),
-        2 => value * 10_f64.powf(200.0 * random.unit() - 100.0),
+fn garbled(random: &mut Splitmix, value: f64) -> f64 {
+    match (8.0 * random.part()) as u8 {
+        0 => f64::from_bits((random.part() * 1.8e19) as u64),
+        1 => f64::from_bits(value.to_bits() ^ (1 << ((64.0 * random.part()) as u32).min(63))),
+        2 => value * 10_f64.powf(200.0 * random.part() - 100.0),
         3 => -value,
         4 => [f64::NAN, f64::INFINITY, 0.0, -0.0, 1e99, 1e60, f64::MIN_POSITIVE, 5e-324]
-            [(8.0 * random.unit()) as usize],
-        5 => value * (1.0 + 1e-3 * (random.unit() - 0.5)),
-        6 => random.unit(),
-        _ => value * (3.0 * random.unit()),
+            [(8.0 * random.part()) as usize],
+        5 => value * (1.0 + 1e-3 * (random.part() - 0.5)),
+        6 => random.part(),
+        _ => value * (3.0 * random.part()),
     }
 }
 
@@ -268,8 +267,8 @@ fn no_garbled_state_exerts_what_it_cannot(cases: u64) {
             }
             let mut numbers = [0.0; NUMBERS];
             law.pack(&mut numbers).unwrap();
-            for _ in 0..1 + (3.0 * random.unit() * random.unit()) as usize {
-                let at = (numbers.len() as f64 * random.unit() * random.unit()) as usize;
+            for _ in 0..1 + (3.0 * random.part() * random.part()) as usize {
+                let at = (numbers.len() as f64 * random.part() * random.part()) as usize;
                 numbers[at] = garbled(random, numbers[at]);
             }
             let before = law;

@@ -3,13 +3,12 @@
 //! Grains of unequal size settle in a box. Then two copies, one of them perturbed by a part in
 //! 10^15, are continued. Merging of vertices must not make them diverge.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
-
-use crate::common::Random;
 
 type V = [f64; 3];
 
@@ -64,7 +63,7 @@ struct Bed<L> {
 impl<L: ContactLaw + Copy> Bed<L> {
     /// Grains of diameters from 0.8 to 1 on a loose lattice in a box open above, thrown about.
     fn loose(fresh: L) -> Self {
-        let mut random = Random(3);
+        let mut random = Splitmix(3);
         let mut between = |a: f64, b: f64| random.between(a, b);
         let radius: Vec<f64> = (0..GRAINS).map(|_| between(0.4, 0.5)).collect();
         let place = (0..GRAINS)

@@ -1,6 +1,7 @@
 //! Static friction above kinetic friction, against a bed of independent springs with sliders.
 
 use approx::assert_relative_eq;
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::accounted::Accounted;
 use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
@@ -39,25 +40,14 @@ fn between(from: Shift, to: Shift, t: f64) -> Shift {
     at(from.zeta + t * (to.zeta - from.zeta), from.xi + t * (to.xi - from.xi))
 }
 
-/// Numbers in [0, 1) that look random.
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// Corners of a path: mostly in contact, with steps of some times the shift of sliding.
 fn path(seed: u64, corners: usize, spread: f64) -> Vec<Shift> {
-    let mut dice = Dice(seed);
+    let mut dice = Congruential(seed);
     let mut xi = 0.0;
     (0..corners)
         .map(|_| {
-            xi += spread * (dice.next() - 0.5);
-            at(1.2 * dice.next() - 0.05, xi)
+            xi += spread * (dice.part() - 0.5);
+            at(1.2 * dice.part() - 0.05, xi)
         })
         .collect()
 }
@@ -213,11 +203,11 @@ fn the_drop_has_its_heat() {
 #[test]
 fn what_never_reaches_the_threshold_has_static_friction_alone() {
     let (mut law, mut plain) = (law(F_S, F_K), constant(F_S));
-    let mut dice = Dice(5);
+    let mut dice = Congruential(5);
     // Shifts less than the cone allows from any anchor of before.
     for _ in 0..200 {
-        let zeta = 0.7 + 0.5 * dice.next();
-        let to = at(zeta, 0.5 * F_S * 1.1 / 0.9 * 0.7 * (2.0 * dice.next() - 1.0));
+        let zeta = 0.7 + 0.5 * dice.part();
+        let to = at(zeta, 0.5 * F_S * 1.1 / 0.9 * 0.7 * dice.signed());
         let (one, two) = (law.advance(to).unwrap(), plain.advance(to).unwrap());
         assert_eq!(one, two);
         assert_eq!(law.stored_energy().to_bits(), plain.stored_energy().to_bits());

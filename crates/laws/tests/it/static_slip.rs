@@ -1,6 +1,7 @@
 //! Static friction above kinetic friction where the shift turns, against a bed of independent bristles.
 
 use approx::assert_relative_eq;
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::accounted::Accounted;
 use carom_laws::coulomb::{Tolerance, packed_numbers};
 use carom_laws::friction::Friction;
@@ -45,26 +46,15 @@ fn off(one: ContactLoad, two: ContactLoad) -> f64 {
     (one.f_x - two.f_x).hypot(one.f_y - two.f_y)
 }
 
-/// Numbers in [0, 1) that look random.
-struct Dice(u64);
-
-impl Dice {
-    fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// Corners of a path that turns: mostly in contact, with steps of some times the shift of sliding.
 fn path(seed: u64, corners: usize, spread: f64) -> Vec<Shift> {
-    let mut dice = Dice(seed);
+    let mut dice = Congruential(seed);
     let (mut xi, mut eta) = (0.0, 0.0);
     (0..corners)
         .map(|_| {
-            xi += spread * (dice.next() - 0.5);
-            eta += spread * (dice.next() - 0.5);
-            at(1.2 * dice.next() - 0.05, xi, eta)
+            xi += spread * (dice.part() - 0.5);
+            eta += spread * (dice.part() - 0.5);
+            at(1.2 * dice.part() - 0.05, xi, eta)
         })
         .collect()
 }
@@ -313,12 +303,12 @@ fn what_never_reaches_the_threshold_has_static_friction_alone() {
         let tolerance = Tolerance::new(1e-4).unwrap();
         let mut plain =
             Law::chosen(turning, stiffness(C_X), Friction::new(F_S).unwrap(), tolerance);
-        let (mut law, mut dice) = (law(turning, (F_S, F_K), C_X), Dice(5));
+        let (mut law, mut dice) = (law(turning, (F_S, F_K), C_X), Congruential(5));
         // Shifts less than the cone allows from any anchor of before.
         let reach = 0.35 * F_S * C_Z / C_X * 0.7;
         for _ in 0..200 {
-            let [xi, eta] = [0, 1].map(|_| reach * (2.0 * dice.next() - 1.0));
-            let to = at(0.7 + 0.5 * dice.next(), xi, eta);
+            let [xi, eta] = [0, 1].map(|_| reach * dice.signed());
+            let to = at(0.7 + 0.5 * dice.part(), xi, eta);
             assert_eq!(law.advance(to).unwrap(), plain.advance(to).unwrap());
             assert_eq!(law.stored_energy().to_bits(), plain.stored_energy().to_bits());
         }
@@ -470,20 +460,20 @@ fn garbled_numbers_are_refused_or_work() {
             friction(F_S, F_K),
             Tolerance::PARTICLES,
         );
-        let mut dice = Dice(3);
+        let mut dice = Congruential(3);
         let (mut one, mut refused) = (fresh, 0);
         for to in path(2, 2000, 1.4) {
             one.advance(to).unwrap();
             let mut numbers = [0.0; packed_numbers(12)];
             one.pack(&mut numbers).unwrap();
-            let which = (dice.next() * 20.0) as usize;
-            numbers[which] *= 4.0 * dice.next() - 2.0;
+            let which = dice.below(20);
+            numbers[which] *= 4.0 * dice.part() - 2.0;
             let mut two = fresh;
             if two.unpack(&numbers).is_err() {
                 refused += 1;
                 continue;
             }
-            for next in path(dice.next().to_bits(), 5, 1.4) {
+            for next in path(dice.part().to_bits(), 5, 1.4) {
                 let load = two.advance(next).unwrap();
                 assert!(
                     load.f_x.hypot(load.f_y) <= (F_S + 1e-3) * load.f_z.max(0.0) + 1e-9,

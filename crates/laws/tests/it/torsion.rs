@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
@@ -9,7 +10,7 @@ use carom_laws::torsion::ellipse::EllipseTorsion;
 use carom_laws::torsion::history::TwistHistory;
 use carom_laws::torsion::lubkin::{Lubkin, approximate_torque};
 
-use crate::common::{Random, cases, close, num, tables};
+use crate::common::{cases, close, num, tables};
 
 fn pair(g: f64, nu: f64) -> MaterialPair {
     MaterialPair::new(Material::from_shear(g, nu).unwrap(), Material::RIGID).unwrap()
@@ -146,18 +147,18 @@ fn proportional_growth_has_its_closed_form_in_any_steps() {
 
 #[test]
 fn twist_histories_keep_their_energy_and_symmetry() {
-    let mut random = Random(3);
+    let mut random = Splitmix(3);
     let (mut history, mut mirror) = (TwistHistory::new(), TwistHistory::new());
     let (mut al, mut bh) = (0.0, 0.0);
     let mut worst = 0.0_f64;
     for _ in 0..20_000 {
         let size = 10_f64.powf(random.between(-3.0, 0.0));
-        match random.pick(3) {
+        match random.below(3) {
             0 => bh += random.between(-1.0, 1.0) * size,
             1 => al = (al + random.between(-1.0, 1.0) * size).clamp(0.05, 2.0),
             _ => {
                 bh += random.between(-1.0, 1.0) * size;
-                al = (al + size * random.unit()).min(2.0);
+                al = (al + size * random.part()).min(2.0);
             }
         }
         bh *= 0.99;
@@ -191,7 +192,7 @@ fn ellipse_by_the_exponential_law() {
         close("M", torsion.torque(), num(&pair[1]), 1e-13);
     }
     // Energy of random histories, and loops that close.
-    let mut random = Random(9);
+    let mut random = Splitmix(9);
     let mut torsion = EllipseTorsion::new(1.0, 2.0).unwrap();
     let mut work = 0.0;
     for _ in 0..2000 {

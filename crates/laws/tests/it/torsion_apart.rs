@@ -4,6 +4,7 @@
 //! Reference torques are those of an independent half-space solver, as in `torsion_rings.rs`: fixed
 //! rings of one width, 0.06 to 0.015 of the radius, extrapolated.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -11,8 +12,6 @@ use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 use carom_laws::torsion::law::{TorsionConstants, TorsionLaw};
-
-use crate::common::Random;
 
 /// Torques over that of sliding at the corners of a path of radius and twist, each leg in steps.
 fn shares(path: &[(f64, f64)], steps: u32) -> Vec<f64> {
@@ -59,7 +58,7 @@ fn twisting_back_just_above_the_threshold_stays_near_sliding() {
 
 #[test]
 fn one_step_just_above_the_threshold_is_as_good_as_many() {
-    let mut random = Random(101);
+    let mut random = Splitmix(101);
     for _ in 0..16 {
         let twist = 10_f64.powf(random.between(-0.3, 2.0));
         let (rate, end) = (random.between(1.05, 1.15), random.between(0.1, 0.95));
@@ -70,21 +69,21 @@ fn one_step_just_above_the_threshold_is_as_good_as_many() {
 }
 
 /// A path of steps of every kind: growing, receding, there and back, with ties and closed loops.
-fn random_path(random: &mut Random, deepest: f64) -> Vec<(f64, f64)> {
+fn random_path(random: &mut Splitmix, deepest: f64) -> Vec<(f64, f64)> {
     let (mut al, mut bh): (f64, f64) = (1.0, 0.0);
     let mut path = vec![(al, bh)];
     let size = 10_f64.powf(random.between(-0.5, 3.0));
     for _ in 0..5 {
         let (last, turn) = (al, bh);
-        match random.pick(5) {
+        match random.below(5) {
             0 => bh += size * random.between(-1.0, 1.0),
-            1 => al *= 1.0 + random.unit(),
+            1 => al *= 1.0 + random.part(),
             2 => bh = path[path.len() / 2].1,
-            _ => al = (al * 10_f64.powf(-random.unit() * random.unit() * 6.0)).max(deepest),
+            _ => al = (al * 10_f64.powf(-random.part() * random.part() * 6.0)).max(deepest),
         }
         if al != last {
             let rates = [0.0, 0.5, 1.0, 1.05, 1.2, 1.5, 2.0, 3.0, 8.0];
-            let rate = rates[random.pick(rates.len())];
+            let rate = rates[random.below(rates.len())];
             bh = turn - rate * (al - last).abs() * 1.0_f64.copysign(turn);
         }
         path.push((al, bh));
@@ -94,7 +93,7 @@ fn random_path(random: &mut Random, deepest: f64) -> Vec<(f64, f64)> {
 
 #[test]
 fn one_step_is_as_good_as_many() {
-    let mut random = Random(77);
+    let mut random = Splitmix(77);
     let mut worst = 0.0_f64;
     for _ in 0..60 {
         let path = random_path(&mut random, 1e-6);

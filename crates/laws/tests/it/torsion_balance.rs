@@ -4,9 +4,8 @@
 //! The heat is computed from traction times slip, the work from the torque by Gauss quadrature with
 //! bisection down to the kinks. `CAROM_BALANCE_STEPS` sets a larger number of steps.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
-
-use crate::common::Random;
 
 /// Of the largest term of a step, or of the torque of sliding times the step.
 const STATED: f64 = 1e-9;
@@ -65,19 +64,19 @@ fn work(history: &TwistHistory, to: (f64, f64), parts: u32) -> f64 {
 
 /// The next place of a contact that has never receded; or, as the last but few, of one that
 /// recedes while its twist goes on.
-fn next(random: &mut Random, history: &TwistHistory, recedes: f64) -> (f64, f64) {
+fn next(random: &mut Splitmix, history: &TwistHistory, recedes: f64) -> (f64, f64) {
     let (al, bh) = (history.radius(), history.twist());
     if recedes != 0.0 {
-        let less = 0.4 * al * random.unit();
+        let less = 0.4 * al * random.part();
         // Back at less than the speed of the edge, or on.
         let back = if bh.abs() > 2.0 * al { 0.9 } else { -0.5 };
-        let rate = [0.0, back, -1.0, -4.0 * random.unit()][random.pick(4)];
+        let rate = [0.0, back, -1.0, -4.0 * random.part()][random.below(4)];
         return (al - less, bh - recedes * rate * less);
     }
     let size = al * 10_f64.powf(random.between(-3.0, 1.0));
     let turn = size * random.between(-1.0, 1.0);
-    let more = al * random.unit() * random.unit();
-    match random.pick(4) {
+    let more = al * random.part() * random.part();
+    match random.below(4) {
         0 | 1 => (al, bh + turn),
         2 => (al + more, bh + random.between(-1.0, 1.0) * more),
         _ => (al + more, bh + random.between(1.0, 3.0) * more.copysign(turn)),
@@ -86,10 +85,10 @@ fn next(random: &mut Random, history: &TwistHistory, recedes: f64) -> (f64, f64)
 
 /// A contact that has just been touched and pressed, and the sense in which it recedes, if it does:
 /// that in which it was twisted.
-fn fresh(random: &mut Random) -> (TwistHistory, f64) {
+fn fresh(random: &mut Splitmix) -> (TwistHistory, f64) {
     let mut history = TwistHistory::new();
-    history.advance(0.5 + random.unit(), 0.0).unwrap();
-    let recedes = f64::from(random.pick(3) as u32) - 1.0;
+    history.advance(0.5 + random.part(), 0.0).unwrap();
+    let recedes = f64::from(random.below(3) as u32) - 1.0;
     if recedes != 0.0 {
         let twist = recedes * 10_f64.powf(random.between(-2.0, 1.0));
         history.advance(history.radius(), twist).unwrap();
@@ -103,7 +102,7 @@ fn work_is_stored_or_dissipated_in_closed_forms() {
         Ok(steps) => steps.parse().unwrap(),
         Err(_) => 3_000,
     };
-    let mut random = Random(47);
+    let mut random = Splitmix(47);
     let (mut history, mut recedes) = fresh(&mut random);
     let mut worst = 0.0_f64;
     for step in 0..count {

@@ -7,6 +7,7 @@
 use std::f64::consts::PI;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::accounted::Accounted;
 use carom_laws::curvature::RelativeCurvature;
@@ -19,8 +20,6 @@ use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 use carom_laws::torsion::law::TorsionLaw;
 use carom_laws::torsion::lubkin::Lubkin;
 use carom_special::quadrature::GaussLegendre;
-
-use crate::common::Random;
 
 /// The error that [`TwistHistory::dissipation`] states, over the torque of sliding times the step.
 const STATED: f64 = 1e-9;
@@ -106,17 +105,17 @@ fn the_heat_of_one_step_is_that_of_a_thousand_after_a_long_slide() {
 
 /// A step of a random size and kind of a contact that has never receded: the same load, growth and adhesion,
 /// growth and slip.
-fn next(random: &mut Random, history: &TwistHistory, turned: &mut Vec<f64>) -> (f64, f64) {
+fn next(random: &mut Splitmix, history: &TwistHistory, turned: &mut Vec<f64>) -> (f64, f64) {
     let (al, bh) = (history.radius(), history.twist());
     let turn = al * 10_f64.powf(random.between(-4.0, 1.0)) * random.between(-1.0, 1.0);
     let long = al * 10_f64.powf(random.between(0.5, 3.0)) * random.between(-1.0, 1.0).signum();
     let more = al * random.between(0.05, 1.0);
     turned.push(bh);
-    match random.pick(9) {
+    match random.below(9) {
         0 | 1 => (al, bh + turn),
         2 => (al, bh + long),
         // Back to a place of before: a loop is closed.
-        3 | 4 => (al, turned[random.pick(turned.len())]),
+        3 | 4 => (al, turned[random.below(turned.len())]),
         5 => (al + more, bh + random.between(-1.0, 1.0) * more),
         6 => (al + more, bh + random.between(1.0, 3.0) * more.copysign(turn)),
         7 => (al + more, bh + 0.3 * long),
@@ -126,19 +125,19 @@ fn next(random: &mut Random, history: &TwistHistory, turned: &mut Vec<f64>) -> (
 
 /// The next place of a contact that was twisted once and recedes while the twist rests, goes on, or turns back
 /// more slowly than its edge moves.
-fn lifted(random: &mut Random, history: &TwistHistory, sense: f64) -> (f64, f64) {
+fn lifted(random: &mut Splitmix, history: &TwistHistory, sense: f64) -> (f64, f64) {
     let (al, bh) = (history.radius(), history.twist());
     let less = al * random.between(0.001, 0.4);
     let back = if bh.abs() > 2.0 * al { 0.9 } else { -0.5 };
-    let rate = [0.0, back, -1.0, -10_f64.powf(random.between(-1.0, 2.0))][random.pick(4)];
+    let rate = [0.0, back, -1.0, -10_f64.powf(random.between(-1.0, 2.0))][random.below(4)];
     (al - less, bh - sense * rate * less)
 }
 
 /// A contact from touch, pressed and twisted at once.
-fn touched(random: &mut Random) -> TwistHistory {
+fn touched(random: &mut Splitmix) -> TwistHistory {
     let mut history = TwistHistory::new();
-    let radius = 0.3 + random.unit();
-    let rate = [0.0, 0.7, 1.5, 40.0][random.pick(4)];
+    let radius = 0.3 + random.part();
+    let rate = [0.0, 0.7, 1.5, 40.0][random.below(4)];
     let one = history.dissipation(radius, rate * radius);
     let many = in_parts(&mut history, (radius, rate * radius), 100);
     let tolerance = STATED * sliding_limit(radius) * (1.0 + rate) * radius;
@@ -153,12 +152,12 @@ fn the_heat_of_one_step_is_that_of_a_thousand_on_random_ways() {
         Ok(steps) => steps.parse().unwrap(),
         Err(_) => 400,
     };
-    let mut random = Random(24);
+    let mut random = Splitmix(24);
     let (mut history, mut turned, mut lifts) = (TwistHistory::new(), Vec::new(), None);
     let mut worst = 0.0_f64;
     for step in 0..count {
         if step % 8 == 0 {
-            lifts = (random.pick(3) == 0).then(|| random.between(-1.0, 1.0).signum());
+            lifts = (random.below(3) == 0).then(|| random.between(-1.0, 1.0).signum());
             turned.clear();
             history = match lifts {
                 Some(sense) => pressed_and_twisted(sense * 10_f64.powf(random.between(-2.0, 3.0))),

@@ -3,10 +3,9 @@
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 use carom_laws::torsion::lubkin::Lubkin;
-
-use crate::common::Random;
 
 /// Tractions of rings in equal spacing, and the rotations that they cause.
 pub(crate) struct Rings {
@@ -166,12 +165,12 @@ fn torque_of_two_rings_is_that_of_an_independent_solver() {
 fn random_ways_to_two_rings_agree_with_an_independent_solver() {
     let count = std::env::var("CAROM_RING_PATHS").map_or(16, |count| count.parse().unwrap());
     let (coarse, fine) = (Rings::new(100), Rings::new(200));
-    let mut random = Random(19);
+    let mut random = Splitmix(19);
     let mut worst = [0.0_f64; 2];
     for _ in 0..count {
         let twist = 10_f64.powf(random.between(-0.6, 0.5));
         let rate = random.between(1.0, 2.0);
-        let end = f64::from(25 + random.pick(22) as u32) / 50.0; // an edge of both meshes
+        let end = f64::from(25 + random.below(22) as u32) / 50.0; // an edge of both meshes
         let limit = sliding_limit(end);
         let wants = [coarse.torque(twist, end, rate, 20), fine.torque(twist, end, rate, 40)];
         let error = (wants[1] - wants[0]).abs() / limit;

@@ -5,9 +5,9 @@
 //! itself: tractions by quadrature, and torques by an independent half-space solver with rings of equal
 //! width.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 
-use crate::common::Random;
 use crate::torsion_rings::Rings;
 
 /// A path of radius and twist to and fro around a mean, of several frequencies.
@@ -18,7 +18,7 @@ struct Shaken {
 }
 
 impl Shaken {
-    fn new(random: &mut Random, size: f64) -> Self {
+    fn new(random: &mut Splitmix, size: f64) -> Self {
         let mut four = || [0; 4].map(|_| random.between(0.2, 1.0));
         Self { radius: four(), twist: four(), size }
     }
@@ -53,7 +53,7 @@ fn greatest_share(history: &TwistHistory) -> f64 {
 
 #[test]
 fn tractions_of_shaken_contacts_stay_within_friction() {
-    let mut random = Random(5);
+    let mut random = Splitmix(5);
     let (mut steps, mut rings, mut worst) = (0, 0, 0.0_f64);
     for size in [3e-3, 0.02, 0.1].into_iter().cycle().take(24) {
         let path = Shaken::new(&mut random, size);
@@ -80,7 +80,7 @@ fn tractions_of_shaken_contacts_stay_within_friction() {
 #[test]
 fn torques_of_shaken_contacts_agree_with_an_independent_solver() {
     let rings = Rings::new(160);
-    let mut random = Random(23);
+    let mut random = Splitmix(23);
     for _ in 0..6 {
         let size = random.between(0.1, 0.25);
         let path = Shaken::new(&mut random, size);

@@ -1,5 +1,6 @@
 //! The memory of a twist stored as plain numbers.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -11,20 +12,18 @@ use carom_laws::torsion::law::{self, ShiftTwistLaw, TorsionLaw};
 use carom_special::AxisRatio;
 use carom_special::elliptic::complete;
 
-use crate::common::Random;
-
 /// Steps of radius and twist: presses, turns, recedes, parts and touches again.
-fn path(random: &mut Random, steps: usize) -> Vec<[f64; 2]> {
+fn path(random: &mut Splitmix, steps: usize) -> Vec<[f64; 2]> {
     let (mut radius, mut twist) = (1.0, 0.0);
     let mut path = vec![[radius, twist]];
     for _ in 0..steps {
-        if random.unit() < 0.6 {
-            radius *= 0.8 + 0.4 * random.unit();
+        if random.part() < 0.6 {
+            radius *= 0.8 + 0.4 * random.part();
         }
-        twist += 1.5 * (2.0 * random.unit() - 1.0) * radius;
-        if random.unit() < 0.03 {
+        twist += 1.5 * (2.0 * random.part() - 1.0) * radius;
+        if random.part() < 0.03 {
             path.push([0.0, twist]);
-            radius = random.unit();
+            radius = random.part();
         }
         path.push([radius, twist]);
     }
@@ -33,7 +32,7 @@ fn path(random: &mut Random, steps: usize) -> Vec<[f64; 2]> {
 
 #[test]
 fn a_history_that_was_kept_goes_on_to_the_same_bits() {
-    let mut random = Random(7);
+    let mut random = Splitmix(7);
     let mut numbers = vec![0.0; packed_numbers(2000)];
     let mut rings = 0;
     for _ in 0..15 {
@@ -57,7 +56,7 @@ fn a_history_in_little_room_stays_close() {
     for (pieces, mean, largest) in
         [(4, 0.015, 0.6), (8, 1e-3, 0.06), (16, 1.5e-4, 0.012), (32, 2e-5, 2e-3)]
     {
-        let mut random = Random(11);
+        let mut random = Splitmix(11);
         let mut numbers = vec![0.0; packed_numbers(pieces)];
         let (mut sum, mut count, mut worst): (f64, f64, f64) = (0.0, 0.0, 0.0);
         for _ in 0..25 {
@@ -190,7 +189,7 @@ fn a_step_that_fails_before_the_touch_leaves_the_twist_as_it_was() {
 /// that radius; beyond it, 1 is within friction at any radius. What was joined for want of room says so too, or a later step would take it for within friction.
 #[test]
 fn a_joined_piece_stays_within_the_friction_it_asks_for() {
-    let mut random = Random(23);
+    let mut random = Splitmix(23);
     let mut numbers = vec![0.0; packed_numbers(4)];
     let mut kept = TwistHistory::new();
     let (mut joined, mut pieces) = (0, 0);
@@ -225,18 +224,18 @@ fn a_joined_piece_stays_within_the_friction_it_asks_for() {
 fn what_is_packed_after_long_slides_is_taken_back() {
     // Steps of all sizes in runs of twenty: contacts that slide until their stick radius is the least
     // number there is, and that turn back, grow and recede from there.
-    let mut random = Random(7);
+    let mut random = Splitmix(7);
     let mut numbers = vec![0.0; packed_numbers(16)];
     let mut slid = 0;
     for _ in 0..50 {
         let mut history = TwistHistory::new();
-        let size = 10_f64.powf(-5.0 * random.unit());
-        let step = 10_f64.powf(-4.0 * random.unit());
+        let size = 10_f64.powf(-5.0 * random.part());
+        let step = 10_f64.powf(-4.0 * random.part());
         let (mut radius, mut twist, mut rates) = (size, 0.0, [0.0; 2]);
         for k in 0..400 {
             if k % 20 == 0 {
-                let turn = 10_f64.powf(2.0 * random.unit() - 1.5) * (2.0 * random.unit() - 1.0);
-                rates = [step * (2.0 * random.unit() - 0.9), step * turn];
+                let turn = 10_f64.powf(2.0 * random.part() - 1.5) * (2.0 * random.part() - 1.0);
+                rates = [step * (2.0 * random.part() - 0.9), step * turn];
             }
             radius = (radius * (1.0 + rates[0])).clamp(0.01 * size, 50.0 * size);
             twist += size * rates[1];
@@ -246,7 +245,7 @@ fn what_is_packed_after_long_slides_is_taken_back() {
             taken.unpack(&numbers).unwrap();
             assert!(taken.torque().abs() <= sliding_limit(radius));
             slid += usize::from(numbers[5] < 1e-300);
-            if random.unit() < 0.5 {
+            if random.part() < 0.5 {
                 history = taken;
             }
         }

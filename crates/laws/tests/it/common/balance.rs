@@ -5,7 +5,7 @@
 //! are those of the friction cone and the polyline: the cone meets or leaves a vertex, the edge
 //! passes one, comes nearest to a segment's line, touches or separates.
 
-use super::Random;
+use carom_drawn::{Draw as _, Splitmix};
 
 /// Gauss's nodes and weights on (0, 1), sixteen points, half of them.
 const GAUSS: [(f64, f64); 8] = [
@@ -178,13 +178,13 @@ pub(crate) fn step(law: &mut dyn Energetic, to: Place) -> Balance {
 /// Places to go next: anywhere, along a segment's line or one of the cone's, to and through
 /// vertices, back to where it was before, apart and together again.
 pub(crate) struct Wanderer {
-    pub(crate) random: Random,
+    pub(crate) random: Splitmix,
     visited: Vec<Place>,
 }
 
 impl Wanderer {
     pub(crate) fn new(seed: u64) -> Self {
-        Self { random: Random(seed), visited: Vec::new() }
+        Self { random: Splitmix(seed), visited: Vec::new() }
     }
 
     pub(crate) fn next(&mut self, law: &dyn Energetic) -> Place {
@@ -205,12 +205,12 @@ impl Wanderer {
         let size = 10_f64.powf(random.between(-3.0, 0.0));
         let along =
             |slope: [f64; 2], by: f64| (zeta + by, [x[0] + slope[0] * by, x[1] + slope[1] * by]);
-        match random.pick(10) {
+        match random.below(10) {
             0 | 1 if !vertices.is_empty() => {
                 // Down, rarely up, the direction of a segment, and a segment's line if on it.
                 let (depth, _, slope) =
-                    vertices[vertices.len() - 1 - random.pick(vertices.len().min(3))];
-                let by = match random.pick(3) {
+                    vertices[vertices.len() - 1 - random.below(vertices.len().min(3))];
+                let by = match random.below(3) {
                     0 => depth - zeta,
                     1 => -size,
                     _ => size * random.between(-1.0, 0.3),
@@ -218,22 +218,22 @@ impl Wanderer {
                 along(slope, by)
             }
             2 => {
-                let angle = random.pick(8) as f64 * std::f64::consts::FRAC_PI_4;
-                let slope = [[1.0, 0.0], [-1.0, 0.0], [angle.cos(), angle.sin()]][random.pick(3)];
+                let angle = random.below(8) as f64 * std::f64::consts::FRAC_PI_4;
+                let slope = [[1.0, 0.0], [-1.0, 0.0], [angle.cos(), angle.sin()]][random.below(3)];
                 along(slope, -size)
             }
             3 if !vertices.is_empty() => {
-                let (depth, anchor, _) = vertices[random.pick(vertices.len())];
-                let through = [1.0, 0.5, 1.7][random.pick(3)];
+                let (depth, anchor, _) = vertices[random.below(vertices.len())];
+                let through = [1.0, 0.5, 1.7][random.below(3)];
                 between((zeta, x), (depth, anchor), through)
             }
             4 | 5 if !self.visited.is_empty() => {
-                let back = self.visited[random.pick(self.visited.len())];
-                if random.pick(2) == 0 { back } else { (zeta, back.1) }
+                let back = self.visited[random.below(self.visited.len())];
+                if random.below(2) == 0 { back } else { (zeta, back.1) }
             }
             6 => {
-                let grid = |random: &mut Random| random.pick(15) as f64 * 0.1 - 0.7;
-                (random.pick(20) as f64 * 0.1, [grid(random), grid(random)])
+                let grid = |random: &mut Splitmix| random.below(15) as f64 * 0.1 - 0.7;
+                (random.below(20) as f64 * 0.1, [grid(random), grid(random)])
             }
             _ => super::next(random, zeta, x),
         }

@@ -1,12 +1,11 @@
 //! Reading of reference tables and comparison with them.
+use carom_drawn::{Draw as _, Splitmix};
 use serde_json::Value;
 
-pub(crate) use random::Random;
 pub(crate) use reference::{num, tables};
 
 pub(crate) mod balance;
 pub(crate) mod load;
-pub(crate) mod random;
 pub(crate) mod reference;
 pub(crate) mod rings;
 pub(crate) mod turning;
@@ -27,13 +26,13 @@ pub(crate) fn close(name: &str, got: f64, want: f64, tolerance: f64) {
 
 /// A random step of approach and shift: small and large, along and across, with pure changes of
 /// one or the other, separations and gross slides among them.
-pub(crate) fn next(random: &mut Random, zeta: f64, x: [f64; 2]) -> (f64, [f64; 2]) {
+pub(crate) fn next(random: &mut Splitmix, zeta: f64, x: [f64; 2]) -> (f64, [f64; 2]) {
     let size = 10_f64.powf(random.between(-4.0, 0.3));
     let angle = random.between(0.0, std::f64::consts::TAU);
     let by = [size * angle.cos(), size * angle.sin()];
     let to = [0.6 * x[0] + by[0], 0.6 * x[1] + by[1]];
     let depth = (zeta + random.between(-1.0, 1.0) * size).min(2.0);
-    match random.pick(20) {
+    match random.below(20) {
         0..=6 => (zeta, to),
         7 => (depth.max(1e-3), x),
         8 => (depth - 0.3, to),

@@ -1,6 +1,6 @@
 //! Paths of approach and shift whose direction turns.
 
-use super::Random;
+use carom_drawn::{Draw as _, Splitmix};
 
 pub(crate) type Path = Vec<(f64, [f64; 2])>;
 
@@ -32,7 +32,7 @@ impl Kind {
     ];
 
     /// A path of this kind in approaches up to 1.3.
-    pub(crate) fn path(self, random: &mut Random) -> Path {
+    pub(crate) fn path(self, random: &mut Splitmix) -> Path {
         match self {
             Self::Adhesion => adhesion(random),
             Self::Collinear => collinear(random),
@@ -51,7 +51,7 @@ fn ahead(x: [f64; 2], length: f64, angle: f64) -> [f64; 2] {
     [x[0] + length * angle.cos(), x[1] + length * angle.sin()]
 }
 
-fn adhesion(random: &mut Random) -> Path {
+fn adhesion(random: &mut Splitmix) -> Path {
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
     let mut angle = random.between(0.0, 6.3);
     (0..60)
@@ -65,7 +65,7 @@ fn adhesion(random: &mut Random) -> Path {
         .collect()
 }
 
-fn collinear(random: &mut Random) -> Path {
+fn collinear(random: &mut Splitmix) -> Path {
     let (angle, mut zeta, mut at) = (random.between(0.0, 6.3), 1.0, 0.0);
     (0..60)
         .map(|_| {
@@ -76,7 +76,7 @@ fn collinear(random: &mut Random) -> Path {
         .collect()
 }
 
-fn turning(random: &mut Random, swing: f64) -> Path {
+fn turning(random: &mut Splitmix, swing: f64) -> Path {
     let (mut angle, mut x) = (random.between(0.0, 6.3), [0.0; 2]);
     let (step, phase) = (10_f64.powf(random.between(-1.7, -0.4)), random.between(0.0, 6.3));
     let mut turn = 0.0;
@@ -90,13 +90,13 @@ fn turning(random: &mut Random, swing: f64) -> Path {
     path
 }
 
-fn corners(random: &mut Random) -> Path {
+fn corners(random: &mut Splitmix) -> Path {
     let (mut angle, mut x) = (random.between(0.0, 6.3), [0.0; 2]);
     let mut path = vec![(1.0, x)];
     while path.len() < 60 {
         angle += random.between(-3.1, 3.1);
         let step = 10_f64.powf(random.between(-2.0, -0.5));
-        for _ in 0..1 + random.pick(8) {
+        for _ in 0..1 + random.below(8) {
             x = ahead(x, step, angle);
             path.push((1.0, x));
         }
@@ -104,10 +104,10 @@ fn corners(random: &mut Random) -> Path {
     path
 }
 
-fn collision(random: &mut Random) -> Path {
+fn collision(random: &mut Splitmix) -> Path {
     let [a, b, c, d] = [0; 4].map(|_| random.between(-1.5, 1.5));
     let [p, q] = [0; 2].map(|_| random.between(0.0, 6.3));
-    let n = 40 + random.pick(60);
+    let n = 40 + random.below(60);
     (1..n)
         .map(|i| {
             let t = std::f64::consts::PI * i as f64 / n as f64;
@@ -118,18 +118,18 @@ fn collision(random: &mut Random) -> Path {
         .collect()
 }
 
-fn noise(random: &mut Random) -> Path {
+fn noise(random: &mut Splitmix) -> Path {
     let size = 10_f64.powf(random.between(-3.0, -1.5));
     let base = ahead([0.0; 2], random.between(0.0, 0.8), random.between(0.0, 6.3));
     let mut path = vec![(1.0, [0.0; 2]), (1.0, base)];
     for _ in 0..80 {
-        let x = ahead(base, size * random.unit(), random.between(0.0, 6.3));
+        let x = ahead(base, size * random.part(), random.between(0.0, 6.3));
         path.push((1.0 + size * random.between(-1.0, 1.0), x));
     }
     path
 }
 
-fn curls(random: &mut Random) -> Path {
+fn curls(random: &mut Splitmix) -> Path {
     let radius = 10_f64.powf(random.between(-2.5, -1.0));
     let drift = ahead([0.0; 2], 0.3 * radius, random.between(0.0, 6.3));
     let step = random.between(0.02, 0.5);
@@ -144,19 +144,19 @@ fn curls(random: &mut Random) -> Path {
 
 /// Returns through anchors, reversals, nearly parallel steps, the cone itself, steps of nearly
 /// nothing and of ten approaches, unloading, separation.
-fn adversarial(random: &mut Random) -> Path {
+fn adversarial(random: &mut Splitmix) -> Path {
     let mut path = vec![(0.8, [0.0; 2])];
     let mut angle = 0.0_f64;
     for _ in 0..60 {
         let [(zeta, x), (_, old)] =
-            [path[path.len() - 1], path[path.len().saturating_sub(1 + random.pick(5))]];
+            [path[path.len() - 1], path[path.len().saturating_sub(1 + random.below(5))]];
         let size = 10_f64.powf(random.between(-3.0, 0.0));
         let other = 10_f64.powf(random.between(-13.0, -1.0));
-        let next = match random.pick(14) {
+        let next = match random.below(14) {
             0 => (zeta, old),
             1 => (zeta, [0.0; 2]),
             2 => {
-                let part = [0.5, 1.0, 2.0][random.pick(3)];
+                let part = [0.5, 1.0, 2.0][random.below(3)];
                 (zeta, [0, 1].map(|k| x[k] + part * (old[k] - x[k])))
             }
             3 => {
@@ -169,13 +169,13 @@ fn adversarial(random: &mut Random) -> Path {
             }
             5 => (zeta, ahead(x, other * other, random.between(0.0, 6.3))),
             6 => (zeta, ahead(x, 10.0 * zeta, random.between(0.0, 6.3))),
-            7 => (zeta * random.unit(), x),
+            7 => (zeta * random.part(), x),
             8 => (zeta + 0.5 * size, ahead(x, 0.5 * size, angle)),
             9 => (zeta - 0.5 * size, ahead(x, 0.5 * size, angle)),
             10 => {
                 (zeta + 0.2 * random.between(-1.0, 1.0), ahead(x, size, random.between(0.0, 6.3)))
             }
-            11 if random.pick(3) == 0 => (-0.1, old),
+            11 if random.below(3) == 0 => (-0.1, old),
             _ => {
                 angle = random.between(0.0, 6.3);
                 (zeta, ahead(x, size, angle))

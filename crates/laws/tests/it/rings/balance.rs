@@ -1,6 +1,6 @@
 //! Work equals stored energy plus heat; nothing gains energy.
 
-use super::common::{Random, alike, hertz, law, unlike};
+use super::common::{alike, hertz, law, path, unlike};
 use carom_laws::accounted::Accounted;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Dissipative, Energies, Shift};
@@ -44,7 +44,7 @@ fn books_balance_on_turning_paths() {
         [("alike", alike(0.3)), ("unlike", unlike()), ("soft", hertz([1.0, 0.3], [0.3, 0.2]))]
     {
         for twist in [0.0, 0.4] {
-            let path = Random(11).path(10, 80, [0.4, twist]);
+            let path = path(11, 10, 80, [0.4, twist]);
             let books = follow(law::<6, 8>(&hertz, 0.3, 1e-2), &hertz, &path);
             assert!(
                 books.off < 6e-3 * books.heat,
@@ -66,7 +66,7 @@ fn books_balance_on_turning_paths() {
 #[test]
 fn books_balance_over_a_hundred_thousand_random_steps() {
     let hertz = unlike();
-    let path = Random(12).path(1000, 100, [0.4, 0.4]);
+    let path = path(12, 1000, 100, [0.4, 0.4]);
     let books = follow(law::<6, 8>(&hertz, 0.3, 1e-2), &hertz, &path);
     assert!(books.off < 6e-3 * books.heat, "{} of {}", books.off, books.heat);
 }

@@ -1,3 +1,4 @@
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -45,36 +46,21 @@ pub(crate) fn shift([zeta, xi, eta, omega]: [f64; 4]) -> Shift {
     Shift { zeta, xi, eta, omega }
 }
 
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    /// From 0 to 1.
-    pub(crate) fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// From -1 to 1.
-    pub(crate) fn signed(&mut self) -> f64 {
-        2.0 * self.part() - 1.0
-    }
-
-    /// A broken line of so many legs, each in so many steps: approach from 0.2 to 1, shifts and twist up to
-    /// the sizes given.
-    pub(crate) fn path(&mut self, legs: usize, steps: usize, sizes: [f64; 2]) -> Vec<Shift> {
-        let mut at = [0.0; 4];
-        let mut path = Vec::with_capacity(legs * steps);
-        for _ in 0..legs {
-            let approach = 0.2 + 0.8 * self.part();
-            let [x, y, turn] = std::array::from_fn(|_| self.signed());
-            let to = [approach, sizes[0] * x, sizes[0] * y, sizes[1] * turn];
-            for k in 1..=steps {
-                let part = k as f64 / steps as f64;
-                path.push(shift(std::array::from_fn(|i| at[i] + part * (to[i] - at[i]))));
-            }
-            at = to;
+/// A broken line of so many legs, each in so many steps: approach from 0.2 to 1, shifts and twist up to
+/// the sizes given.
+pub(crate) fn path(seed: u64, legs: usize, steps: usize, sizes: [f64; 2]) -> Vec<Shift> {
+    let mut draw = Congruential(seed);
+    let mut at = [0.0; 4];
+    let mut path = Vec::with_capacity(legs * steps);
+    for _ in 0..legs {
+        let approach = 0.2 + 0.8 * draw.part();
+        let [x, y, turn] = std::array::from_fn(|_| draw.signed());
+        let to = [approach, sizes[0] * x, sizes[0] * y, sizes[1] * turn];
+        for k in 1..=steps {
+            let part = k as f64 / steps as f64;
+            path.push(shift(std::array::from_fn(|i| at[i] + part * (to[i] - at[i]))));
         }
-        path
+        at = to;
     }
+    path
 }

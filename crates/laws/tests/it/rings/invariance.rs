@@ -1,6 +1,6 @@
 //! Invariance under rotations, reflections, the exchange of bodies, and a shift of the origin.
 
-use super::common::{Random, law, law_of, shift, unlike};
+use super::common::{law, law_of, path, shift, unlike};
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::rings::RingLaw;
 
@@ -27,7 +27,7 @@ fn greatest(
 #[test]
 fn an_eighth_of_a_turn_turns_the_force() {
     let law = law::<6, 8>(&unlike(), 0.3, 1e-3);
-    let path = Random(3).path(6, 10, [0.4, 0.4]);
+    let path = path(3, 6, 10, [0.4, 0.4]);
     let straight = follow(&law, &path, |at| *at);
     let root = std::f64::consts::FRAC_1_SQRT_2;
     let turned = |x: f64, y: f64| [root * (x - y), root * (x + y)];
@@ -45,7 +45,7 @@ fn an_eighth_of_a_turn_turns_the_force() {
 #[test]
 fn a_mirror_reverses_twist_and_what_is_across() {
     let law = law::<6, 8>(&unlike(), 0.3, 1e-3);
-    let path = Random(4).path(6, 10, [0.4, 0.4]);
+    let path = path(4, 6, 10, [0.4, 0.4]);
     let straight = follow(&law, &path, |at| *at);
     let mirrored = follow(&law, &path, |at| Shift { eta: -at.eta, omega: -at.omega, ..*at });
     let off = greatest(&straight, &mirrored, |load| [load.f_x, -load.f_y, load.f_z, -load.m_z]);
@@ -56,7 +56,7 @@ fn a_mirror_reverses_twist_and_what_is_across() {
 fn bodies_exchanged_feel_the_opposite() {
     // Seen from the other body z and, by a half turn about x, y are reversed: shifts (xi, -eta) of 1 against 2
     // are (-xi, eta) of 2 against 1, and the twist changes neither its sign nor its vector.
-    let path = Random(5).path(6, 10, [0.4, 0.4]);
+    let path = path(5, 6, 10, [0.4, 0.4]);
     let one = follow(&law_of([7.0 / 6.0, 0.3, 0.3], 1e-3), &path, |at| *at);
     let two = follow(&law_of([7.0 / 6.0, -0.3, 0.3], 1e-3), &path, |at| Shift {
         xi: -at.xi,
@@ -76,7 +76,7 @@ fn bodies_exchanged_feel_the_opposite() {
 #[test]
 fn where_the_bodies_touch_does_not_matter() {
     let law = law::<6, 8>(&unlike(), 0.3, 1e-3);
-    let path = Random(6).path(6, 10, [0.4, 0.4]);
+    let path = path(6, 6, 10, [0.4, 0.4]);
     let here = follow(&law, &path, |at| *at);
     let mut there = law;
     there.advance(shift([-1.0, 5.0, -7.0, 3.0])).unwrap();
@@ -92,7 +92,7 @@ fn where_the_bodies_touch_does_not_matter() {
 
 #[test]
 fn size_does_not_matter() {
-    let path = Random(8).path(4, 10, [0.4, 0.4]);
+    let path = path(8, 4, 10, [0.4, 0.4]);
     let law = law_of::<6, 8>([1.2, 0.2, 0.3], 1e-3);
     let here = follow(&law, &path, |at| *at);
     // Approach and shifts 4 times, the radius and the twist by it 2 times, forces 8 times as large.
@@ -110,7 +110,7 @@ fn exchanged_bodies_have_the_same_bits() {
     let hertz = |poisson| super::common::hertz([2.0, 2.0], poisson);
     let mut one = law::<6, 8>(&hertz([0.0, 0.5]), 0.3, 1e-2);
     let mut other = law::<6, 8>(&hertz([0.5, 0.0]), 0.3, 1e-2);
-    for at in Random(21).path(6, 10, [0.4, 0.4]) {
+    for at in path(21, 6, 10, [0.4, 0.4]) {
         let load = one.advance(at).unwrap();
         let exchanged = other.advance(Shift { xi: -at.xi, ..at }).unwrap();
         assert_eq!((load.f_x, load.f_y), (-exchanged.f_x, exchanged.f_y));

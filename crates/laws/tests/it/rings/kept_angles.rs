@@ -1,16 +1,17 @@
 //! Motions in a plane with half and a quarter of the angles, compared with all of them.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Dissipative, Shift};
 use carom_laws::rings::{AlikePlane, Plane, RingConstants, RingLaw, Tolerance};
 
-use super::common::{Random, law_of, shift};
+use super::common::{law_of, shift};
 
 const CLOSE: f64 = 1e-6;
 
 /// A path that presses, lifts and slides to and fro.
 fn path(seed: u64) -> impl Iterator<Item = Shift> {
-    let mut random = Random(seed);
+    let mut random = Congruential(seed);
     let (mut zeta, mut xi) = (0.0_f64, 0.0);
     (0..120).map(move |_| {
         zeta = (zeta + 0.05 * (random.signed() + 0.3)).clamp(0.01, 1.5);

@@ -1,6 +1,7 @@
 //! Limits of friction, coupling and steps; invalid input.
 
-use super::common::{Random, alike, hertz, law, law_of, shift};
+use super::common::{alike, hertz, law, law_of, path, shift};
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -22,7 +23,7 @@ fn loads_are_finite_and_within_the_friction_limit_at_all_limits() {
                 }
                 let mut law = law_of::<6, 8>([kappa, gamma, friction], 1e-2);
                 let size = if friction == 0.0 { 1.0 } else { friction.min(1.0) };
-                let mut path = Random(2).path(4, 6, [0.5 * size, 0.5 * size]);
+                let mut path = path(2, 4, 6, [0.5 * size, 0.5 * size]);
                 path.push(shift([1e-300, 1e3, 0.0, 0.0]));
                 path.push(shift([1e-9, 1e3, 1e-3, 0.0]));
                 path.push(shift([1.0, -1e6, 1e-3, 1e6]));
@@ -55,7 +56,7 @@ fn tractions_stay_bounded_where_a_contact_recedes_and_grows_again() {
     for (gamma, friction) in [(0.5, f64::INFINITY), (-0.5, f64::INFINITY), (0.5, 10.0), (0.75, 2.0)]
     {
         let mut law = law_of::<6, 8>([1.5 - f64::abs(gamma), gamma, friction], 1e-2);
-        let mut random = Random(11);
+        let mut random = Congruential(11);
         let mut greatest = [0.0_f64; 2];
         for k in 0..1000 {
             let approach = 1e-3_f64.powf(random.part());
@@ -99,7 +100,7 @@ fn without_friction_only_hertzs_force_is_left() {
 
 #[test]
 fn vanishing_coupling_is_none() {
-    let path = Random(3).path(5, 8, [0.4, 0.3]);
+    let path = path(3, 5, 8, [0.4, 0.3]);
     let mut loads = [0.0, 1e-9, -1e-9].map(|gamma| {
         let mut law = law_of::<6, 8>([1.2, gamma, 0.3], 1e-6);
         path.iter().map(|at| law.advance(*at).unwrap()).collect::<Vec<_>>()

@@ -1,6 +1,6 @@
 //! The state as plain numbers.
 
-use super::common::{Random, alike, hertz, law, law_of, shift, unlike};
+use super::common::{alike, hertz, law, law_of, path, shift, unlike};
 use carom_laws::law::{ContactLaw, Dissipative};
 use carom_laws::rings::packed_numbers;
 
@@ -12,7 +12,7 @@ fn what_was_packed_goes_on_to_the_same_bits() {
     let fresh = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
     let mut law = fresh.clone();
     let mut numbers = [0.0; ROOM];
-    for at in Random(1).path(10, 12, [0.4, 0.4]).into_iter().chain([shift([-1.0, 0.0, 0.0, 0.0])]) {
+    for at in path(1, 10, 12, [0.4, 0.4]).into_iter().chain([shift([-1.0, 0.0, 0.0, 0.0])]) {
         let load = law.advance(at).unwrap();
         law.pack(&mut numbers).unwrap();
         law = fresh.clone();
@@ -80,7 +80,7 @@ fn a_law_taken_up_at_every_step_is_the_law() {
     let fresh = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
     let (mut law, mut kept) = (fresh.clone(), fresh.clone());
     let mut numbers = [0.0; ROOM];
-    for at in Random(9).path(10, 12, [0.4, 0.4]) {
+    for at in path(9, 10, 12, [0.4, 0.4]) {
         let load = law.advance(at).unwrap();
         assert_eq!(kept.advance(at).unwrap(), load);
         kept.pack(&mut numbers).unwrap();
@@ -102,7 +102,7 @@ fn zeros_are_two_bodies_that_just_touch() {
 #[test]
 fn numbers_that_are_no_state_are_refused() {
     let mut law = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
-    for at in Random(9).path(3, 8, [0.4, 0.4]) {
+    for at in path(9, 3, 8, [0.4, 0.4]) {
         law.advance(at).unwrap();
     }
     let mut numbers = [0.0; ROOM];
@@ -136,7 +136,7 @@ fn slip_and_tractions_fit_in_single_precision() {
                 (law::<6, 8>(&hertz, 0.3, 1e-2), law::<6, 8>(&hertz, 0.3, 1e-2));
             let mut numbers = vec![0.0; packed_numbers(6, 8)];
             let mut worst = 0.0_f64;
-            for to in Random(5).path(40, 80, [0.4, twist]) {
+            for to in path(5, 40, 80, [0.4, twist]) {
                 let expected = kept.advance(to).unwrap();
                 short.advance(to).unwrap();
                 short.pack(&mut numbers).unwrap();

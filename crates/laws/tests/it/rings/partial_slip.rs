@@ -1,6 +1,7 @@
 //! Shift of alike bodies at constant approach: Cattaneo and Mindlin, and the memory of one direction.
 
-use super::common::{Random, alike, law, shift};
+use super::common::{alike, law, shift};
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::friction::Friction;
 use carom_laws::law::ContactLaw;
 use carom_laws::shift_law::ShiftLaw;
@@ -35,7 +36,7 @@ fn first_loading_is_cattaneos() {
 /// Shifts to and fro: twice the error of a first loading, as the tractions are twice as large.
 fn to_and_fro<const N: usize>(steps: usize) -> [f64; 2] {
     let hertz = alike(0.0);
-    let mut random = Random(5);
+    let mut random = Congruential(5);
     let [mut sum, mut worst, mut count] = [0.0, 0.0_f64, 0.0];
     for _ in 0..10 {
         let mut law = law::<N, 8>(&hertz, 0.3, 1e-3);

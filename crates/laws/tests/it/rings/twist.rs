@@ -1,6 +1,7 @@
 //! Twist about the normal: Lubkin's solution and its memory.
 
-use super::common::{Random, alike, law, shift};
+use super::common::{alike, law, shift};
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::friction::Friction;
 use carom_laws::law::ContactLaw;
 use carom_laws::torsion::law::TorsionLaw;
@@ -8,7 +9,7 @@ use carom_laws::torsion::law::TorsionLaw;
 fn against_lubkin<const N: usize>() -> [f64; 2] {
     let hertz = alike(0.3);
     let friction = Friction::new(0.3).unwrap();
-    let mut random = Random(7);
+    let mut random = Congruential(7);
     let mut law = law::<N, 8>(&hertz, 0.3, 1e-3);
     let mut exact = TorsionLaw::new(&hertz, friction).unwrap();
     let [mut sum, mut worst] = [0.0, 0.0_f64];
