@@ -1,6 +1,7 @@
 //! Attitudes and contact frames compared with elementary geometry.
 
-use crate::random::Numbers;
+use crate::random::{attitude, direction};
+use carom_drawn::{Draw as _, Splitmix};
 use carom_geometry::curvature::{CurvatureError, PrincipalRadii};
 use carom_geometry::{
     Attitude, ContactFrame, ContactPoint, FrameError, Inertia, Placed, SearchError, Surface,
@@ -10,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 
 #[test]
 fn quaternion_and_three_angles_are_one_attitude() {
-    let mut numbers = Numbers(4);
+    let mut numbers = Splitmix(4);
     for _ in 0..50 {
         let [alpha, beta, gamma] = [(); 3].map(|()| numbers.between(-3.0, 3.0));
         let half = |angle: f64| (0.5 * angle).sin_cos();
@@ -72,10 +73,10 @@ fn height(semi_axes: [f64; 3], body: &Placed, across: &Vector3<f64>, z: &Vector3
 
 #[test]
 fn the_gap_is_a_x_squared_plus_b_y_squared() {
-    let mut numbers = Numbers(5);
+    let mut numbers = Splitmix(5);
     for _ in 0..40 {
         let axes = [(); 2].map(|()| [(); 3].map(|()| numbers.between(0.5, 2.0)));
-        let normal = numbers.direction();
+        let normal = direction(&mut numbers);
         let place = |axes: [f64; 3], outward: Vector3<f64>, turn: Attitude| {
             let scaled = Vector3::from(axes).component_mul(&turn.to_body(&outward));
             let support =
@@ -83,8 +84,8 @@ fn the_gap_is_a_x_squared_plus_b_y_squared() {
             let surface = Surface::ellipsoid(axes).unwrap();
             Placed::new(surface).turned(turn).at((-support).into()).unwrap()
         };
-        let one = place(axes[0], -normal, numbers.attitude());
-        let two = place(axes[1], normal, numbers.attitude());
+        let one = place(axes[0], -normal, attitude(&mut numbers));
+        let two = place(axes[1], normal, attitude(&mut numbers));
         let contact = ContactPoint::at(&one, &two, [0.0; 3]).unwrap();
         let frame = contact.frame();
         let gap = frame.relative_curvature();

@@ -1,8 +1,9 @@
 //! The search for the nearest points of two bodies, compared with scans of both surfaces, closed
 //! forms and rigid motions.
 
-use crate::random::Numbers;
+use crate::random::{attitude, direction};
 use crate::shapes::*;
+use carom_drawn::{Draw as _, Splitmix};
 use carom_geometry::curvature::{CurvatureError, PrincipalRadii};
 use carom_geometry::{
     Attitude, BodySide, Certainty, ContactPoint, FrameError, NearestPoints, Placed, SearchError,
@@ -11,11 +12,11 @@ use carom_geometry::{
 use nalgebra::Vector3;
 
 // Two bodies in any attitude, 0.05 apart.
-fn apart(one: &Shape, two: &Shape, numbers: &mut Numbers) -> [Placed; 2] {
+fn apart(one: &Shape, two: &Shape, numbers: &mut Splitmix) -> [Placed; 2] {
     let floor = |shape: &Shape| matches!(shape.name, "plane" | "explicit waves");
     let up = Attitude::about([1.0, 0.4, 0.0], numbers.between(-0.3, 0.3)).unwrap();
-    let attitude = |shape: &Shape, numbers: &mut Numbers| {
-        if floor(shape) { up } else { numbers.attitude() }
+    let attitude = |shape: &Shape, numbers: &mut Splitmix| {
+        if floor(shape) { up } else { attitude(numbers) }
     };
     let (turn_1, turn_2) = (attitude(one, numbers), attitude(two, numbers));
     let away = if floor(one) {
@@ -23,7 +24,7 @@ fn apart(one: &Shape, two: &Shape, numbers: &mut Numbers) -> [Placed; 2] {
     } else if floor(two) {
         up.to_space(&Vector3::z())
     } else {
-        numbers.direction()
+        direction(numbers)
     };
     let body_2 = placed(two, Vector3::new(0.3, -0.2, 0.1), turn_2);
     let far = placed(one, away * 5.0, turn_1);
@@ -39,7 +40,7 @@ fn moved(body: &Placed, turn: &Attitude, shift: &Vector3<f64>) -> Placed {
     body.clone().turned(attitude).at(centre.into()).unwrap()
 }
 
-fn check_pair(one: &Shape, two: &Shape, numbers: &mut Numbers) {
+fn check_pair(one: &Shape, two: &Shape, numbers: &mut Splitmix) {
     let bodies = apart(one, two, numbers);
     let near = nearest_points(&bodies[0], &bodies[1]).unwrap();
     let names = [one.name, two.name];
@@ -65,7 +66,7 @@ fn check_pair(one: &Shape, two: &Shape, numbers: &mut Numbers) {
     assert_same(&near, [swapped.points[1], swapped.points[0]], swapped.gap, names);
     assert_eq!(near.certainty, swapped.certainty);
     // Both moved alike.
-    let (turn, shift) = (numbers.attitude(), numbers.direction() * 3.0);
+    let (turn, shift) = (attitude(numbers), direction(numbers) * 3.0);
     let [body_1, body_2] = bodies.map(|body| moved(&body, &turn, &shift));
     let elsewhere = nearest_points(&body_1, &body_2).unwrap();
     let back = elsewhere.points.map(|p| turn.matrix().tr_mul(&(p - shift)));
@@ -89,7 +90,7 @@ fn others() -> Vec<Shape> {
 
 #[test]
 fn convex_bodies() {
-    let mut numbers = Numbers(1);
+    let mut numbers = Splitmix(1);
     let kinds = convex();
     for (i, one) in kinds.iter().enumerate() {
         for two in kinds[i..].iter().filter(|two| (one.name, two.name) != ("plane", "plane")) {
@@ -104,13 +105,13 @@ fn convex_bodies() {
 fn a_crest_under_the_middle_of_a_face() {
     // Waves that rise higher beside the face than under it.
     for seed in [1_409_582, 5_519_543, 6_944_963, 7_673_511] {
-        check_pair(&waves(), &cuboid(), &mut Numbers(seed));
+        check_pair(&waves(), &cuboid(), &mut Splitmix(seed));
     }
 }
 
 #[test]
 fn bodies_that_need_not_be_convex() {
-    let mut numbers = Numbers(2);
+    let mut numbers = Splitmix(2);
     let kinds: Vec<Shape> = convex().into_iter().chain(others()).collect();
     for (i, one) in others().iter().enumerate() {
         for two in &kinds[..=convex().len() + i] {
@@ -216,7 +217,7 @@ fn planes_rest_on_hollow_and_wavy_surfaces() {
 
 #[test]
 fn what_touches_is_found_to_touch() {
-    let mut numbers = Numbers(3);
+    let mut numbers = Splitmix(3);
     let kinds: Vec<Shape> = convex().into_iter().chain(others()).collect();
     let mut made = 0;
     for (i, one) in kinds.iter().enumerate() {
@@ -293,12 +294,12 @@ fn the_unit_of_length_does_not_matter() {
 // supports, so that the gap is none.
 #[test]
 fn thin_ellipsoids_are_not_lost() {
-    let mut numbers = Numbers(11);
+    let mut numbers = Splitmix(11);
     for _ in 0..1000 {
-        let normal = numbers.direction();
+        let normal = direction(&mut numbers);
         let [one, two] = [-normal, normal].map(|outward| {
             let axes = [(); 3].map(|()| 10_f64.powf(numbers.between(-2.0, 2.0)));
-            let turn = numbers.attitude();
+            let turn = attitude(&mut numbers);
             let scaled = Vector3::from(axes).component_mul(&turn.to_body(&outward));
             let support = turn.to_space(&Vector3::from(axes).component_mul(&scaled));
             let centre = -support / scaled.norm();
@@ -415,7 +416,7 @@ fn the_contact_point_lies_half_way_across_the_gap() {
 fn a_ball_beside_an_oblong_box_is_as_far_as_its_faces_edges_and_corners() {
     let half = Vector3::new(0.5, 1.0, 1.7);
     let block = Placed::new(Surface::cuboid([1.0, 2.0, 3.4]).unwrap());
-    let mut numbers = Numbers(31);
+    let mut numbers = Splitmix(31);
     let mut faces = [0; 3];
     for _ in 0..400 {
         let place = Vector3::from_fn(|k, _| numbers.between(-1.0, 1.0) * (half[k] + 0.8));

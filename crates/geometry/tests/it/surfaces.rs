@@ -1,7 +1,8 @@
 //! Curvatures of surfaces compared with the same shapes given as functions, and contacts that
 //! depend on them.
 
-use crate::random::Numbers;
+use crate::random::{attitude, direction};
+use carom_drawn::{Draw as _, Splitmix};
 use carom_geometry::curvature::CurvatureError;
 use carom_geometry::{
     Attitude, BodySide, ContactPoint, FrameError, Height, Placed, SearchError, Surface,
@@ -23,7 +24,7 @@ fn same(exact: &Surface, own: &Surface, point: &Vector3<f64>) {
 
 #[test]
 fn shapes_are_what_their_functions_say() {
-    let mut numbers = Numbers(8);
+    let mut numbers = Splitmix(8);
     let own = |f: fn(&Vector3<f64>) -> f64| Surface::implicit(1.0, f).unwrap();
     let torus = Surface::torus(2.0, 0.7).unwrap();
     let torus_function = own(|p| (p.xy().norm() - 2.0).hypot(p.z) - 0.7);
@@ -40,7 +41,7 @@ fn shapes_are_what_their_functions_say() {
         let on_tube = around * (2.0 + 0.7 * v.cos()) + Vector3::z() * (0.7 * v.sin());
         same(&torus, &torus_function, &on_tube);
         // The same anywhere in space.
-        let (turn, centre) = (numbers.attitude(), numbers.direction());
+        let (turn, centre) = (attitude(&mut numbers), direction(&mut numbers));
         let local = torus.local(&on_tube).unwrap();
         let placed = local.placed(&centre, &turn);
         assert!((placed.point() - centre - turn.to_space(&on_tube)).norm() < 1e-15);
@@ -49,7 +50,7 @@ fn shapes_are_what_their_functions_say() {
         let on_side = around * 0.7 + Vector3::z() * numbers.between(-1.9, 1.9);
         same(&cylinder, &cylinder_function, &on_side);
         same(&capsule, &cylinder_function, &on_side);
-        let outward = numbers.direction();
+        let outward = direction(&mut numbers);
         same(&sphere, &sphere_function, &(outward * 0.7));
         let upward = Vector3::new(outward.x, outward.y, outward.z.abs().max(0.05)).normalize();
         same(&capsule, &cap_function, &(upward * 0.7 + Vector3::z() * 2.0));

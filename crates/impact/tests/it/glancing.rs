@@ -1,5 +1,6 @@
 //! Glancing impacts of two balls, whose line of centres turns during the contact.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::Material;
 use carom_impact::{
     AnalyticOrRings, Body, Collision, CollisionSolver, HistoryPoint, Motion, NormalRestitution,
@@ -8,8 +9,6 @@ use carom_impact::{
 use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Rotation3, Vector2, Vector3};
-
-use crate::draw::Draw;
 
 const PI: f64 = std::f64::consts::PI;
 
@@ -218,14 +217,14 @@ fn integrated(pair: &Pair, collision: &Collision, [friction, e]: [f64; 2], steps
 }
 
 /// A drawn pair that meets at 60 to 89.9 degrees, with friction, spins and a restitution.
-fn drawn(draw: &mut Draw) -> (Pair, Collision, [f64; 2]) {
-    let young = 10.0_f64.powf(7.0 + 4.0 * draw.next());
-    let pair = Pair::of_density(4.5e-3, 2500.0, young, 0.5 * draw.next());
-    let speed = (0.2 + draw.next()) * (young / 1e9).powf(0.4);
-    let (degrees, friction) = (60.0 + 29.9 * draw.next(), 0.5 * draw.next());
-    let spin = |draw: &mut Draw| (2.0 * draw.next() - 1.0) * speed / pair.radius;
+fn drawn(draw: &mut Xorshift) -> (Pair, Collision, [f64; 2]) {
+    let young = 10.0_f64.powf(7.0 + 4.0 * draw.part());
+    let pair = Pair::of_density(4.5e-3, 2500.0, young, 0.5 * draw.part());
+    let speed = (0.2 + draw.part()) * (young / 1e9).powf(0.4);
+    let (degrees, friction) = (60.0 + 29.9 * draw.part(), 0.5 * draw.part());
+    let spin = |draw: &mut Xorshift| draw.signed() * speed / pair.radius;
     let spins = [spin(draw), spin(draw)];
-    let e = (0.3 + 0.9 * draw.next()).min(1.0);
+    let e = (0.3 + 0.9 * draw.part()).min(1.0);
     let collision = pair.collision(speed, degrees, friction, spins);
     let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
     (pair, lossy, [friction, e])
@@ -234,7 +233,7 @@ fn drawn(draw: &mut Draw) -> (Pair, Collision, [f64; 2]) {
 /// The largest error of the velocities of so many drawn pairs, over the greatest velocity before; and how many the estimate
 /// covers.
 fn compared(count: usize, steps: usize) -> (f64, usize) {
-    let mut draw = Draw(0x0061_a9c1);
+    let mut draw = Xorshift(0x0061_a9c1);
     let (mut covered, mut greatest) = (0, 0.0_f64);
     for _ in 0..count {
         let (pair, collision, [friction, e]) = drawn(&mut draw);
@@ -300,7 +299,7 @@ fn velocity_at_the_end(pair: &Pair, rebound: &Rebound, normal: Vector3<f64>) -> 
 /// The history of glancing balls is in axes that turn with the centres, and ends where the outcome does.
 #[test]
 fn histories_turn_with_the_centres() {
-    let mut draw = Draw(0x0061_a9c2);
+    let mut draw = Xorshift(0x0061_a9c2);
     let mut whole = 0;
     for _ in 0..40 {
         let (pair, collision, given) = drawn(&mut draw);

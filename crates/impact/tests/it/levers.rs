@@ -1,6 +1,7 @@
 //! Mobilities compared with rigid-body mechanics, and the outcome after a search of the contact point.
 
-use crate::random::Numbers;
+use crate::random::{attitude, direction};
+use carom_drawn::{Draw as _, Splitmix};
 use carom_geometry::{Attitude, Inertia, Surface};
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Lever, Mobility, Motion, Outcome, Warning};
@@ -13,13 +14,14 @@ fn steel() -> Material {
 
 #[test]
 fn levers_follow_newton_and_euler() {
-    let mut numbers = Numbers(6);
+    let mut numbers = Splitmix(6);
     for _ in 0..50 {
         let inertia =
             Inertia::new(numbers.between(0.1, 5.0), [(); 3].map(|()| numbers.between(1.0, 1.9)))
                 .unwrap();
-        let (attitude, arm) = (numbers.attitude(), numbers.direction() * numbers.between(0.1, 3.0));
-        let impulse = numbers.direction() * numbers.between(0.1, 3.0);
+        let (attitude, arm) =
+            (attitude(&mut numbers), direction(&mut numbers) * numbers.between(0.1, 3.0));
+        let impulse = direction(&mut numbers) * numbers.between(0.1, 3.0);
         let lever = Lever::new(inertia, &attitude, arm).unwrap();
         let moments = Matrix3::from_diagonal(&Vector3::from(inertia.moments()));
         let tensor = attitude.matrix() * moments * attitude.matrix().transpose();

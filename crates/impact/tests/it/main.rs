@@ -9,7 +9,6 @@ mod continuity;
 mod coupled;
 mod coupled_extremes;
 mod derivatives;
-mod draw;
 mod encounters;
 mod exchange;
 mod glancing;

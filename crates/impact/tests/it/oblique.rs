@@ -1,5 +1,6 @@
 //! The exact oblique impact against independent reference values.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_impact::normal;
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use serde_json::Value;
@@ -221,15 +222,10 @@ fn sliding_that_stops_next_to_maximal_compression_goes_on_smoothly() {
 #[test]
 fn every_valid_pair_has_an_answer() {
     // A fixed sequence over chi in [0.01, 100] and psi in [1e-6, 1e3], both logarithmic.
-    let mut state: u64 = 3;
-    let mut next = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut draw = Congruential(3);
     for _ in 0..20_000 {
-        let chi = 10_f64.powf(4.0 * next() - 2.0);
-        let psi = 10_f64.powf(9.0 * next() - 6.0);
+        let chi = 10_f64.powf(4.0 * draw.part() - 2.0);
+        let psi = 10_f64.powf(9.0 * draw.part() - 6.0);
         let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap());
         let impact = impact.unwrap_or_else(|error| panic!("{chi} {psi}: {error}"));
         assert!((-1.0..=1.0).contains(&impact.restitution()) && impact.phases().len() < 60);

@@ -1,5 +1,6 @@
 //! The tables in `reference/`: drawn rows computed anew, and limits by closed forms.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_impact::closed_form::{AdhesiveCompression, restitution_without_slip};
 use carom_impact::normal;
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
@@ -34,12 +35,8 @@ fn alike(text: &str) -> Vec<[f64; 8]> {
 
 /// Numbers below `count`, drawn.
 fn drawn(count: usize, seed: u64) -> impl Iterator<Item = usize> {
-    let mut state = seed;
-    std::iter::repeat_with(move || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % count
-    })
+    let mut draw = Congruential(seed);
+    std::iter::repeat_with(move || (draw.bits() >> 33) as usize % count)
 }
 
 #[track_caller]

@@ -1,28 +1,16 @@
 //! The restitution table and map against the exact impact.
 
+use carom_drawn::{Congruential, Draw as _, Xorshift};
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::restitution::{RestitutionTable, restitution_map, with_normal_restitution};
 
-use crate::draw::Draw;
-
-/// A fixed sequence of numbers in [0, 1).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 fn worst(points: usize, range: [f64; 2]) -> (f64, f64) {
     let table = RestitutionTable::shared();
-    let mut sequence = Sequence(7);
+    let mut sequence = Congruential(7);
     let (mut worst, mut covered) = (0.0_f64, 0.0);
     for _ in 0..points {
-        let chi = range[0] + (range[1] - range[0]) * sequence.next();
-        let psi = 1.02 * (2.0 * chi - 1.0_f64).max(1.0) * sequence.next();
+        let chi = sequence.between(range[0], range[1]);
+        let psi = 1.02 * (2.0 * chi - 1.0_f64).max(1.0) * sequence.part();
         let groups = Groups::new(chi, psi).unwrap();
         if !table.covers(groups) {
             continue;
@@ -61,9 +49,9 @@ fn table_is_as_good_next_to_the_kinks() {
     let table = RestitutionTable::shared();
     let exact = |chi: f64, psi: f64| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
     let forth = |chi: f64, psi: f64| exact(chi, psi).regimes().last() == Some(Regime::SlideForward);
-    let mut sequence = Sequence(11);
+    let mut sequence = Congruential(11);
     for _ in 0..200 {
-        let chi = 1.01 + 5.49 * sequence.next();
+        let chi = 1.01 + 5.49 * sequence.part();
         // Where the sense of the final sliding changes.
         let (mut low, mut high) = (1e-3, chi);
         for _ in 0..30 {
@@ -72,7 +60,7 @@ fn table_is_as_good_next_to_the_kinks() {
         }
         for kink in [low, 1.0, chi, 2.0 * chi - 1.0] {
             for exponent in 1..8 {
-                let gap = 10_f64.powi(-exponent) * (0.5 + sequence.next());
+                let gap = 10_f64.powi(-exponent) * (0.5 + sequence.part());
                 for psi in [kink - gap, kink + gap] {
                     let Ok(groups) = Groups::new(chi, psi) else { continue };
                     let error = table.restitution(groups).unwrap() - exact(chi, psi).restitution();
@@ -122,12 +110,12 @@ fn map_is_the_exact_impact_with_progress() {
 #[test]
 fn the_table_with_a_loss_is_as_near_as_it_says() {
     let table = RestitutionTable::shared();
-    let mut draw = Draw(77);
+    let mut draw = Xorshift(77);
     let (mut sum, mut worst, count) = (0.0, 0.0_f64, 400);
     for _ in 0..count {
-        let (kappa, e) = (0.86 + 0.64 * draw.next(), 0.1 + 0.9 * draw.next());
+        let (kappa, e) = (0.86 + 0.64 * draw.part(), 0.1 + 0.9 * draw.part());
         let border = 3.5 * (1.0 + e) - kappa * e;
-        let groups = Groups::of_spheres(kappa, 1.05 * border * draw.next()).unwrap();
+        let groups = Groups::of_spheres(kappa, 1.05 * border * draw.part()).unwrap();
         let error = (table.restitution_with(groups, e).unwrap()
             - with_normal_restitution(groups, e).unwrap())
         .abs();

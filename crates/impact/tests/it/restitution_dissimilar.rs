@@ -1,5 +1,6 @@
 //! R_x of dissimilar spheres by table and by rings, against finer rings and a grid.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_impact::restitution::{
     DissimilarGroups, DissimilarMethod, DissimilarTable, of_dissimilar, of_groups, of_spheres,
 };
@@ -71,44 +72,34 @@ const WEAK: [[f64; 5]; 27] = [
     [1.12544, -0.19639, 0.07165, 0.5301, -0.0991],
 ];
 
-struct Random(u64);
+/// Spread evenly by its logarithm.
+fn spread(random: &mut Congruential, low: f64, high: f64) -> f64 {
+    low * libm::exp(random.part() * libm::log(high / low))
+}
 
-impl Random {
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Spread evenly by its logarithm.
-    fn from(&mut self, low: f64, high: f64) -> f64 {
-        low * libm::exp(self.part() * libm::log(high / low))
-    }
-
-    /// An impact of two materials of Poisson's ratios from 0 to 1/2.
-    fn groups(&mut self) -> [f64; 5] {
-        loop {
-            let (one, two) = (0.5 * self.part(), 0.5 * self.part());
-            let softer = self.from(0.05, 20.0);
-            let sum = |of: fn(f64) -> f64| softer * of(one) + of(two);
-            let gamma = 0.5 * (softer * (1.0 - 2.0 * one) - (1.0 - 2.0 * two)) / sum(|nu| 1.0 - nu);
-            let nu = sum(|nu| nu) / (softer + 1.0);
-            let kappa = (1.0 - 0.5 * nu) / (1.0 - nu);
-            let (f, lambda) = (self.from(0.03, 0.9), self.from(0.05, 5.0));
-            let ratio = 2.5 + 3.5 * self.part();
-            if gamma.abs() > 0.05 * f {
-                return [kappa, gamma, f, lambda, ratio];
-            }
+/// An impact of two materials of Poisson's ratios from 0 to 1/2.
+fn drawn(random: &mut Congruential) -> [f64; 5] {
+    loop {
+        let (one, two) = (0.5 * random.part(), 0.5 * random.part());
+        let softer = spread(random, 0.05, 20.0);
+        let sum = |of: fn(f64) -> f64| softer * of(one) + of(two);
+        let gamma = 0.5 * (softer * (1.0 - 2.0 * one) - (1.0 - 2.0 * two)) / sum(|nu| 1.0 - nu);
+        let nu = sum(|nu| nu) / (softer + 1.0);
+        let kappa = (1.0 - 0.5 * nu) / (1.0 - nu);
+        let (f, lambda) = (spread(random, 0.03, 0.9), spread(random, 0.05, 5.0));
+        let ratio = 2.5 + 3.5 * random.part();
+        if gamma.abs() > 0.05 * f {
+            return [kappa, gamma, f, lambda, ratio];
         }
     }
 }
 
 #[test]
 fn the_estimate_covers_the_change_to_the_finest_rings_in_95_of_100_drawn_impacts() {
-    let mut random = Random(123);
+    let mut random = Congruential(123);
     let mut covered = 0;
     for _ in 0..100 {
-        let groups = groups(random.groups());
+        let groups = groups(drawn(&mut random));
         let finest = of_dissimilar(&groups, 1e-9).unwrap().r_x;
         let found = of_dissimilar(&groups, 1e-2).unwrap();
         covered += i32::from((found.r_x - finest).abs() <= found.error_estimate);
@@ -131,10 +122,10 @@ fn the_table_is_what_the_grid_finds() {
 
 #[test]
 fn the_table_is_near_the_law_between_its_entries() {
-    let mut random = Random(2026);
+    let mut random = Congruential(2026);
     let (mut sum, mut worst) = (0.0, 0.0_f64);
     for _ in 0..50 {
-        let [kappa, gamma, f, lambda, ratio] = random.groups();
+        let [kappa, gamma, f, lambda, ratio] = drawn(&mut random);
         let groups = groups([kappa, gamma, f.min(0.1 / gamma.abs()), lambda.max(0.2), ratio]);
         let Some(stored) = DissimilarTable::shared().stored(&groups) else { continue };
         let off = (stored.r_x - of_dissimilar(&groups, 2e-3).unwrap().r_x).abs();
@@ -164,9 +155,9 @@ fn without_coupling_the_answer_is_that_of_alike_bodies_bit_for_bit() {
 
 #[test]
 fn little_coupling_changes_little() {
-    let mut random = Random(5);
+    let mut random = Congruential(5);
     for _ in 0..300 {
-        let (kappa, f) = (1.0 + 0.49 * random.part(), random.from(0.01, 1.0));
+        let (kappa, f) = (1.0 + 0.49 * random.part(), spread(&mut random, 0.01, 1.0));
         let (lambda, ratio) = (8.0 * random.part(), 1.0 + 5.0 * random.part());
         let found = DissimilarTable::shared().stored(&groups([kappa, 1e-6 * f, f, lambda, ratio]));
         let alike = of_groups(ratio / kappa, lambda / kappa).unwrap();
@@ -198,10 +189,10 @@ fn the_sense_of_gamma_makes_no_difference_and_out_of_range_rings_answer() {
 
 #[test]
 fn the_estimate_of_the_table_covers_the_finest_rings_in_95_of_100_drawn_impacts() {
-    let mut random = Random(31);
+    let mut random = Congruential(31);
     let (mut covered, mut count) = (0, 0);
     while count < 100 {
-        let [kappa, gamma, f, lambda, ratio] = random.groups();
+        let [kappa, gamma, f, lambda, ratio] = drawn(&mut random);
         // Every tenth touches without tangential velocity.
         let lambda = if count % 10 == 0 { 0.0 } else { lambda };
         let groups = groups([kappa, gamma, f, lambda, ratio]);
@@ -214,13 +205,13 @@ fn the_estimate_of_the_table_covers_the_finest_rings_in_95_of_100_drawn_impacts(
 }
 
 /// R_x of a ball of these materials against a plane, by [`RingImpact`], and the groups of that impact.
-fn collided(random: &mut Random) -> (f64, DissimilarGroups) {
+fn collided(random: &mut Congruential) -> (f64, DissimilarGroups) {
     use carom_halfspace::{Material, MaterialPair};
     let mut material =
-        || Material::from_shear(random.from(1e9, 1e11), 0.5 * random.part()).unwrap();
+        || Material::from_shear(spread(random, 1e9, 1e11), 0.5 * random.part()).unwrap();
     let (ball, plane) = (material(), material());
     let pair = MaterialPair::new(ball, plane).unwrap();
-    let (f, lambda) = (random.from(0.05, 0.6), random.from(0.2, 7.5));
+    let (f, lambda) = (spread(random, 0.05, 0.6), spread(random, 0.2, 7.5));
     let ball = Body::sphere(0.02, ball, 0.3).unwrap();
     let ball = ball.moving(Motion::new([1.5 * f * lambda, 0.0, -1.5], [0.0; 3]).unwrap());
     let friction = Friction::new(f).unwrap();
@@ -232,7 +223,7 @@ fn collided(random: &mut Random) -> (f64, DissimilarGroups) {
 
 #[test]
 fn the_answer_is_that_of_collisions_of_balls() {
-    let (mut random, mut by_table, mut sum) = (Random(77), 0, 0.0);
+    let (mut random, mut by_table, mut sum) = (Congruential(77), 0, 0.0);
     for _ in 0..40 {
         let (rings, groups) = collided(&mut random);
         let found = DissimilarTable::shared().restitution(&groups).unwrap();

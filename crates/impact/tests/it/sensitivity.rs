@@ -1,5 +1,6 @@
 //! Derivatives of R_x against central differences of the exact impact.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::restitution::Sensitivity;
 
@@ -34,15 +35,10 @@ fn row(groups: Groups, restitution: f64, [by_chi, by_psi]: [f64; 2]) -> [f64; 3]
 
 #[test]
 fn derivatives_are_those_of_ten_thousand_drawn_impacts() {
-    let mut state = 1_u64;
-    let mut uniform = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut draw = Congruential(1);
     let mut left_out = 0;
     for _ in 0..10_000 {
-        let groups = Groups::of_spheres(0.8 + 0.7 * uniform(), 8.0 * uniform()).unwrap();
+        let groups = Groups::of_spheres(0.8 + 0.7 * draw.part(), 8.0 * draw.part()).unwrap();
         let (chi, psi) = (groups.chi(), groups.psi());
         let own = regimes(&ObliqueImpact::new(groups).unwrap());
         let found = Sensitivity::of(groups).unwrap();

@@ -1,5 +1,6 @@
 //! Static friction above kinetic friction: against springs integrated in time, limits, convergence, refusals.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_geometry::Surface;
 use carom_halfspace::Material;
 use carom_impact::coupled::{CoupledImpact, ImpactMethod, Trajectory, TurningLaw};
@@ -441,12 +442,8 @@ fn many_random_impacts_in_space_converge() {
 
 /// Of random impacts in space all but a few converge, and none gains energy.
 fn check_random_impacts(count: u32) {
-    let mut state = 7_u64;
-    let mut unit = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut draw = Congruential(7);
+    let mut unit = || draw.part();
     let (mut settled, mut slides) = (0, 0);
     for _ in 0..count {
         let [a, b, c] = std::array::from_fn(|_| 0.8 * unit() - 0.4);

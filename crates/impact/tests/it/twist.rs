@@ -1,5 +1,6 @@
 //! Friction acts on the spin about the normal by default, where it matters.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::Material;
 use carom_impact::{
     AnalyticOrRings, Body, Collision, CollisionSolver, LogEntry, Motion, NeededLaw, Rebound,
@@ -50,16 +51,12 @@ fn spin_left(collision: &Collision, rebound: &Rebound) -> f64 {
 
 #[test]
 fn the_bounds_hold_for_drawn_impacts() {
-    let mut state = 3_u64;
-    let mut draw = |low: f64, high: f64| {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        low + (high - low) * ((state >> 11) as f64 / (1_u64 << 53) as f64)
-    };
+    let mut draw = Congruential(3);
     let mut worst = [0.0_f64; 2];
     for _ in 0..60 {
-        let (nu, friction) = (draw(0.0, 0.5), draw(0.05, 0.6));
-        let (lambda, twist) = (10_f64.powf(draw(-1.3, 0.8)), 10_f64.powf(draw(-1.5, 0.8)));
+        let (nu, friction) = (draw.between(0.0, 0.5), draw.between(0.05, 0.6));
+        let (lambda, twist) =
+            (10_f64.powf(draw.between(-1.3, 0.8)), 10_f64.powf(draw.between(-1.5, 0.8)));
         let collision = alike(nu, friction, lambda, twist);
         let bound = collision.twist_bound();
         let spun = RingImpact::new(&collision).solve().unwrap();

@@ -1,6 +1,6 @@
 //! Surfaces with their parametrisations, and the distance between two by walking over both.
 
-use crate::random::Numbers;
+use carom_drawn::{Draw as _, Splitmix};
 use carom_geometry::{Attitude, BodySide, Placed, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
@@ -159,7 +159,7 @@ pub(crate) fn walked_distance(one: (&Shape, &Placed), two: (&Shape, &Placed)) ->
     let distance = |x: &[[f64; 3]; 2]| (at(one, x[0]) - at(two, x[1])).norm();
     let walk = |start: &[[f64; 3]; 2]| {
         let (mut x, mut best, mut step) = (*start, distance(start), 0.5 / f64::from(n));
-        let (mut numbers, mut failures) = (Numbers(7), 0);
+        let (mut numbers, mut failures) = (Splitmix(7), 0);
         while step > 1e-9 {
             let mut y = x;
             for value in y.iter_mut().flatten() {
