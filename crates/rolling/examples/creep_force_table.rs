@@ -6,6 +6,7 @@
 //! Each node is solved on grids of 24, 27 and 48 cells across the contact, and extrapolated. Contacts of an axis
 //! ratio from 2 to 7 bend most where the pole of the spin leaves them: of them twice as many rows are solved.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_laws::creep::CreepCoefficients;
 use carom_laws::creep::force::nodes;
 use carom_rolling::ContinuumForces;
@@ -92,18 +93,12 @@ fn stride(ratio: usize) -> usize {
 
 /// Draws fresh points and prints them with their forces on finer grids.
 fn drawn(count: usize, seed: u64) -> Result<(), Fault> {
-    let mut state = seed;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut draw = Xorshift(seed);
     let points: Vec<[f64; 5]> = (0..count)
         .map(|_| {
-            let (ratio, poisson) = (10_f64.powf(2.0 * next() - 1.0), 0.5 * next());
-            let s = 0.98 * next();
-            let (z, turn) = (2.0 * next() - 1.0, std::f64::consts::TAU * next());
+            let (ratio, poisson) = (10_f64.powf(draw.signed()), 0.5 * draw.part());
+            let s = 0.98 * draw.part();
+            let (z, turn) = (draw.signed(), std::f64::consts::TAU * draw.part());
             let (r, flat) = (3.0 * s / (1.0 - s), (1.0 - z * z).sqrt());
             [ratio, poisson, r * flat * turn.cos(), r * flat * turn.sin(), r * z]
         })

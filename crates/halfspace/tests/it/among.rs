@@ -1,5 +1,6 @@
 //! The influence among some cells of a large grid, against the product with all cells.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::operator::{
     DisplacementField, HalfSpaceOperator, OperatorError, PeriodicOperator, SPARSENESS,
     SurfaceOperator, Threads, TractionField, Workspace,
@@ -11,31 +12,19 @@ fn pair() -> MaterialPair {
     MaterialPair::new(body, Material::from_shear(50e3, 0.1).unwrap()).unwrap()
 }
 
-/// Numbers from 0 to 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Round spots, some at the border, in ascending order.
-    fn spots(&mut self, grid: Grid) -> Vec<usize> {
-        let mut chosen = vec![false; grid.cells()];
-        for _ in 0..1 + (20.0 * self.next()) as usize {
-            let at = [grid.nx(), grid.ny()].map(|count| self.next() * count as f64);
-            let radius = 1.0 + 12.0 * self.next() * self.next();
-            for (cell, chosen) in chosen.iter_mut().enumerate() {
-                let (x, y) = ((cell % grid.nx()) as f64, (cell / grid.nx()) as f64);
-                *chosen |= (x - at[0]).hypot(y - at[1]) < radius;
-            }
+/// Round spots, some at the border, in ascending order.
+fn spots(random: &mut Xorshift, grid: Grid) -> Vec<usize> {
+    let mut chosen = vec![false; grid.cells()];
+    for _ in 0..1 + random.below(20) {
+        let at = [grid.nx(), grid.ny()].map(|count| random.part() * count as f64);
+        let radius = 1.0 + 12.0 * random.part() * random.part();
+        for (cell, chosen) in chosen.iter_mut().enumerate() {
+            let (x, y) = ((cell % grid.nx()) as f64, (cell / grid.nx()) as f64);
+            *chosen |= (x - at[0]).hypot(y - at[1]) < radius;
         }
-        chosen[grid.cells() - 1] = true;
-        (0..grid.cells()).filter(|cell| chosen[*cell]).collect()
     }
+    chosen[grid.cells() - 1] = true;
+    (0..grid.cells()).filter(|cell| chosen[*cell]).collect()
 }
 
 fn displacements(
@@ -71,11 +60,11 @@ fn operators(threads: Threads) -> [Box<dyn SurfaceOperator>; 5] {
 }
 
 /// Pressures that vary smoothly, at random, from cell to cell, and that of one cell.
-fn pressures(kind: usize, count: usize, random: &mut Random) -> Vec<f64> {
-    let value = |i: usize, random: &mut Random| match kind {
+fn pressures(kind: usize, count: usize, random: &mut Xorshift) -> Vec<f64> {
+    let value = |i: usize, random: &mut Xorshift| match kind {
         0 => 1.0 + (0.01 * i as f64).sin(),
-        1 => random.next(),
-        2 => random.next() - 0.5,
+        1 => random.part(),
+        2 => random.part() - 0.5,
         3 => 1.0 - 2.0 * (i % 2) as f64,
         _ => f64::from(u8::from(i == count / 3)),
     };
@@ -85,12 +74,12 @@ fn pressures(kind: usize, count: usize, random: &mut Random) -> Vec<f64> {
 /// One working memory serves all products, whatever was computed with it before.
 #[test]
 fn chosen_cells_act_on_each_other_as_among_all_cells() {
-    let (mut random, mut workspace) = (Random(11), Workspace::default());
+    let (mut random, mut workspace) = (Xorshift(11), Workspace::default());
     for operator in operators(Threads::One) {
         let grid = operator.grid();
         let own = operator.coefficients(0, 0).rows[2][2];
         for kind in 0..10 {
-            let cells = random.spots(grid);
+            let cells = spots(&mut random, grid);
             let some = operator.among(&cells).unwrap();
             assert_eq!(some.grid().cells(), cells.len());
             assert!((some.coefficients(0, 0).rows[2][2] / own - 1.0).abs() < 1e-15);
@@ -111,9 +100,9 @@ fn chosen_cells_act_on_each_other_as_among_all_cells() {
 /// Betti: the work of one pressure on the displacement of another is the converse.
 #[test]
 fn the_influence_is_symmetric_and_the_inverse_positive() {
-    let (mut random, mut workspace) = (Random(5), Workspace::default());
+    let (mut random, mut workspace) = (Xorshift(5), Workspace::default());
     for operator in operators(Threads::One) {
-        let cells = random.spots(operator.grid());
+        let cells = spots(&mut random, operator.grid());
         let some = operator.among(&cells).unwrap();
         let [p, q] = [2, 1].map(|kind| pressures(kind, cells.len(), &mut random));
         let work = |p: &[f64], w: &[f64]| p.iter().zip(w).map(|(p, w)| p / 1e150 * w).sum::<f64>();
@@ -132,7 +121,7 @@ fn the_influence_is_symmetric_and_the_inverse_positive() {
 /// differ by a small factor: the number of iterations does not grow with the patch.
 #[test]
 fn the_inverse_of_many_cells_treats_waves_of_all_lengths_alike() {
-    let (mut random, mut workspace) = (Random(7), Workspace::default());
+    let (mut random, mut workspace) = (Xorshift(7), Workspace::default());
     let operators = operators(Threads::One);
     for operator in [&operators[0], &operators[2]] {
         let grid = operator.grid();
@@ -149,7 +138,7 @@ fn the_inverse_of_many_cells_treats_waves_of_all_lengths_alike() {
             found
         };
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let [p, q] = [(); 2].map(|()| (0..cells.len()).map(|_| random.next() - 0.5).collect());
+        let [p, q] = [(); 2].map(|()| (0..cells.len()).map(|_| random.part() - 0.5).collect());
         let [p, q]: [Vec<f64>; 2] = [p, q];
         let (of_p, of_q) = (inverted(&p), inverted(&q));
         let scale = (dot(&p, &of_p) * dot(&q, &of_q)).sqrt();
@@ -173,9 +162,9 @@ fn the_inverse_of_many_cells_treats_waves_of_all_lengths_alike() {
 #[test]
 fn products_have_the_same_bits_on_any_number_of_threads() {
     let on = |threads| {
-        let mut random = Random(3);
+        let mut random = Xorshift(3);
         operators(threads).map(|operator| {
-            let cells = random.spots(operator.grid());
+            let cells = spots(&mut random, operator.grid());
             let pressure = pressures(2, cells.len(), &mut random);
             displacements(&*operator.among(&cells).unwrap(), &pressure, &mut Workspace::default())
         })

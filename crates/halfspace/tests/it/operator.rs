@@ -1,6 +1,7 @@
 //! The operator: compared with the direct sum, same bits on any number of threads, errors,
 //! definiteness.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::operator::{
     Blocks, CoefficientTable, DisplacementField, HalfSpaceOperator, KernelOperator, OperatorError,
     PeriodicOperator, SurfaceOperator, TabulatedKernel, Threads, TractionField,
@@ -21,15 +22,8 @@ fn similar() -> MaterialPair {
 
 /// Reproducible values in (-1, 1).
 fn noise(count: usize, seed: u64) -> Vec<f64> {
-    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
-    (0..count)
-        .map(|_| {
-            state ^= state << 13;
-            state ^= state >> 7;
-            state ^= state << 17;
-            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-        })
-        .collect()
+    let mut draw = Xorshift(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+    (0..count).map(|_| draw.signed()).collect()
 }
 
 struct Fields([Vec<f64>; 3]);

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::operator::{HalfSpaceOperator, PeriodicOperator, SurfaceOperator, Threads};
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -12,7 +13,7 @@ use carom_solver::{
 };
 
 use crate::Done;
-use crate::draw::Draw;
+use crate::draw::of_case;
 use crate::worst::Worst;
 
 /// Allowed violations of the conditions, along the normal and in the plane.
@@ -44,7 +45,7 @@ pub(crate) fn run(count: u64, seed: u64) -> Done {
 }
 
 fn check(seed: u64, worst: &mut Worst) -> Result<(), String> {
-    let case = Case::drawn(&mut Draw::new(seed)).ok_or("a drawn number is out of range")?;
+    let case = Case::drawn(&mut of_case(seed)).ok_or("a drawn number is out of range")?;
     let mirrored = case.mirrored().ok_or("a mirrored number is out of range")?;
     let (mut here, mut there) = (Solved::new(&case)?, Solved::new(&mirrored)?);
     for (own, other) in case.steps.iter().zip(&mirrored.steps) {
@@ -135,16 +136,16 @@ impl Solved {
 }
 
 impl Case {
-    fn drawn(draw: &mut Draw) -> Option<Self> {
-        let periodic = draw.chance(0.2);
-        let [nx, ny] = [(); 2].map(|()| 2 * draw.within(8.0, 26.0) as usize);
+    fn drawn(draw: &mut Splitmix) -> Option<Self> {
+        let periodic = draw.part() < 0.2;
+        let [nx, ny] = [(); 2].map(|()| 2 * draw.between(8.0, 26.0) as usize);
         let (nx, ny) = if periodic { (nx, ny) } else { (nx + 1, ny) };
         let grid = Grid::new(nx, ny, 2.2 / nx as f64, 2.2 / ny as f64).ok()?;
         let pair = pair(draw)?;
         let gap = gap(draw, grid)?;
         let (friction, breaks) = friction(draw, grid)?;
         let size = draw.pick(&[0.01, 0.1, 0.4]);
-        let count = 1 + draw.within(0.0, 5.0) as usize;
+        let count = 1 + draw.between(0.0, 5.0) as usize;
         let steps = (0..count).map(|_| shift(draw, size, periodic)).collect();
         Some(Self { pair, gap, friction, periodic, breaks, steps })
     }
@@ -179,8 +180,8 @@ impl Case {
     }
 }
 
-fn pair(draw: &mut Draw) -> Option<MaterialPair> {
-    let poisson = [(); 2].map(|()| draw.within(-0.3, 0.5));
+fn pair(draw: &mut Splitmix) -> Option<MaterialPair> {
+    let poisson = [(); 2].map(|()| draw.between(-0.3, 0.5));
     let shear = [(); 2].map(|()| draw.pick(&[1.0, 1.0, 5.0, 100.0]));
     let body = |i: usize| Material::from_shear(shear[i], poisson[i]);
     let one = body(0).ok()?;
@@ -192,9 +193,9 @@ fn pair(draw: &mut Draw) -> Option<MaterialPair> {
     MaterialPair::new(one, two).ok()
 }
 
-fn gap(draw: &mut Draw, grid: Grid) -> Option<Gap> {
-    let [a, b] = [(); 2].map(|()| draw.within(0.2, 2.0));
-    let [x0, y0] = [(); 2].map(|()| draw.within(-0.3, 0.3));
+fn gap(draw: &mut Splitmix, grid: Grid) -> Option<Gap> {
+    let [a, b] = [(); 2].map(|()| draw.between(0.2, 2.0));
+    let [x0, y0] = [(); 2].map(|()| draw.between(-0.3, 0.3));
     let from = |height: &dyn Fn(f64, f64) -> f64| {
         Gap::from_function(grid, |x, y| height(x - x0, y - y0)).ok()
     };
@@ -216,7 +217,7 @@ fn gap(draw: &mut Draw, grid: Grid) -> Option<Gap> {
 }
 
 /// Friction, and whether static friction exceeds kinetic friction.
-fn friction(draw: &mut Draw, grid: Grid) -> Option<(SurfaceFriction, bool)> {
+fn friction(draw: &mut Splitmix, grid: Grid) -> Option<(SurfaceFriction, bool)> {
     let f = |value: f64| Friction::new(value).ok();
     let kinetic = draw.pick(&[0.05, 0.2, 0.5, 1.0]);
     match draw.pick(&[0, 1, 2, 3]) {
@@ -233,11 +234,11 @@ fn friction(draw: &mut Draw, grid: Grid) -> Option<(SurfaceFriction, bool)> {
     }
 }
 
-fn shift(draw: &mut Draw, size: f64, periodic: bool) -> Shift {
-    let mut tangential = || draw.pick(&[0.0, 1.0, 1.0]) * draw.within(-size, size);
+fn shift(draw: &mut Splitmix, size: f64, periodic: bool) -> Shift {
+    let mut tangential = || draw.pick(&[0.0, 1.0, 1.0]) * draw.between(-size, size);
     let [xi, eta, omega] = [tangential(), tangential(), tangential()];
     let omega = if periodic { 0.0 } else { omega };
-    let drawn = draw.within(0.1, 0.6);
+    let drawn = draw.between(0.1, 0.6);
     let zeta = draw.pick(&[drawn, 0.3, -0.1, 0.5]);
     Shift { zeta, xi, eta, omega }
 }

@@ -1,12 +1,13 @@
 //! Impacts of spheres of like materials: restitution, energy, momentum and Coulomb's limit.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, NormalRestitution, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::Vector3;
 
 use crate::Done;
-use crate::draw::Draw;
+use crate::draw::{of_case, power};
 use crate::worst::Worst;
 
 /// Allowed rounding, relative.
@@ -32,7 +33,7 @@ pub(crate) fn run(count: u64, seed: u64) -> Done {
 }
 
 fn check(seed: u64, worst: &mut Worst) -> Result<(), String> {
-    let meeting = Meeting::drawn(&mut Draw::new(seed))?;
+    let meeting = Meeting::drawn(&mut of_case(seed))?;
     let Some(rebound) = meeting.rebound()? else {
         return Err("bodies that approach do not collide".to_owned());
     };
@@ -42,11 +43,11 @@ fn check(seed: u64, worst: &mut Worst) -> Result<(), String> {
 }
 
 impl Meeting {
-    fn drawn(draw: &mut Draw) -> Result<Self, String> {
+    fn drawn(draw: &mut Splitmix) -> Result<Self, String> {
         let normal = direction(draw);
-        let radii = [(); 2].map(|()| draw.power(-3.0, 0.0));
-        let masses = [(); 2].map(|()| draw.power(-3.0, 3.0));
-        let approach = draw.power(-3.0, 2.0);
+        let radii = [(); 2].map(|()| power(draw, -3.0, 0.0));
+        let masses = [(); 2].map(|()| power(draw, -3.0, 3.0));
+        let approach = power(draw, -3.0, 2.0);
         let parts: [Vector3<f64>; 4] = std::array::from_fn(|_| part(draw));
         let along = |v: Vector3<f64>| v - normal * v.dot(&normal);
         let motion = |v: Vector3<f64>, w: Vector3<f64>| {
@@ -60,10 +61,10 @@ impl Meeting {
             0 => 0.0,
             1 => f64::INFINITY,
             2 => draw.part(),
-            _ => draw.power(-6.0, 3.0),
+            _ => power(draw, -6.0, 3.0),
         };
-        let restitution = if draw.chance(0.5) { 1.0 } else { draw.part() };
-        let poisson = draw.within(-0.5, 0.5);
+        let restitution = if draw.part() < 0.5 { 1.0 } else { draw.part() };
+        let poisson = draw.between(-0.5, 0.5);
         Ok(Self { normal, radii, masses, motions, friction, poisson, restitution })
     }
 
@@ -146,7 +147,7 @@ impl Meeting {
     }
 }
 
-fn direction(draw: &mut Draw) -> Vector3<f64> {
+fn direction(draw: &mut Splitmix) -> Vector3<f64> {
     loop {
         let v = Vector3::from_fn(|_, _| draw.signed());
         if v.norm() > 0.1 && v.norm() < 1.0 {
@@ -156,10 +157,10 @@ fn direction(draw: &mut Draw) -> Vector3<f64> {
 }
 
 /// A part of a motion: nothing, or of a size over many decades.
-fn part(draw: &mut Draw) -> Vector3<f64> {
+fn part(draw: &mut Splitmix) -> Vector3<f64> {
     match draw.pick(&[0, 1, 1, 1, 2]) {
         0 => Vector3::zeros(),
         1 => Vector3::from_fn(|_, _| draw.signed()),
-        _ => direction(draw) * draw.power(-30.0, 1.0),
+        _ => direction(draw) * power(draw, -30.0, 1.0),
     }
 }

@@ -1,10 +1,11 @@
 //! Steps of the memories, in their normalised units: the limit of the force is the power 3/2 of the approach.
 
+use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance, packed_numbers};
 use carom_laws::memory::{Fixed, Lateral, ScalarMemory};
 
 use crate::Done;
-use crate::draw::Draw;
+use crate::draw::of_case;
 use crate::worst::Worst;
 
 /// Capacity of the memories in two directions, that of particle codes.
@@ -108,7 +109,7 @@ fn march<M: March>(fresh: impl Fn() -> M, count: u64, seed: u64, in_line: bool) 
     let mut worst = Worst::default();
     for (k, from) in (0..count).step_by(CASE as usize).enumerate() {
         let seed = seed + k as u64;
-        let mut walk = Walk { draw: Draw::new(seed), in_line, kept: (1.0, [0.0; 2]) };
+        let mut walk = Walk { draw: of_case(seed), in_line, kept: (1.0, [0.0; 2]) };
         let case = Case { memory: fresh(), at: (0.0, [0.0; 2]), heat: 0.0 };
         case.run(&fresh, &mut walk, CASE.min(count - from), &mut worst)
             .map_err(|(step, error)| format!("--seed {seed} --count {}: {error}", step + 1))?;
@@ -224,7 +225,7 @@ impl<M: March> Case<M> {
 
 /// A random walk of approach and shift, of steps over six decades; it returns to places where it was, and parts.
 struct Walk {
-    draw: Draw,
+    draw: Splitmix,
     in_line: bool,
     kept: Place,
 }

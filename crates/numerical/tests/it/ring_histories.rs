@@ -1,5 +1,6 @@
 //! Random histories of shift, twist and approach against the contact on a grid.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -17,22 +18,8 @@ fn hertz(moduli: [f64; 2], poisson: [f64; 2]) -> Hertz {
     Hertz::new(RelativeCurvature::from_coefficients(0.5, 0.5).unwrap(), pair).unwrap()
 }
 
-struct Random(u64);
-
-impl Random {
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn signed(&mut self) -> f64 {
-        2.0 * self.part() - 1.0
-    }
-}
-
 /// A broken line of five legs of 20 steps.
-fn path(random: &mut Random, size: f64, twist: f64) -> Vec<Shift> {
+fn path(random: &mut Congruential, size: f64, twist: f64) -> Vec<Shift> {
     let mut at = [0.0; 4];
     let mut path = Vec::new();
     for _ in 0..5 {
@@ -117,7 +104,7 @@ fn against_the_grid(hertz: &Hertz, friction: f64, twist: f64, cells: usize) -> A
     };
     let mut errors: [Errors; 4] = std::array::from_fn(|_| Errors::default());
     for seed in [3, 80] {
-        let path = path(&mut Random(seed), 1.2 * friction, twist);
+        let path = path(&mut Congruential(seed), 1.2 * friction, twist);
         let grid = NumericalLaw::new(*hertz, Friction::new(friction).unwrap(), 1.0, cells).unwrap();
         let want = follow(grid.within(1e-6).unwrap(), &path, PARTS);
         for (errors, (part, parts)) in

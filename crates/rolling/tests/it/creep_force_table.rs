@@ -1,5 +1,6 @@
 //! The stored table of creep forces is what the solver gives.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_laws::creep::force::{CreepContact, nodes};
 use carom_rolling::ContinuumForces;
 
@@ -35,18 +36,12 @@ fn nodes_are_those_that_the_solver_gives() {
 /// Drawn anywhere: other axis ratios, Poisson's ratios, directions and sizes, on finer grids.
 #[test]
 fn between_nodes_the_table_is_within_its_bound() {
-    let mut state = 20_261_201_u64;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut draw = Xorshift(20_261_201);
     let mut outside = Vec::new();
     let mut sum = 0.0;
     for _ in 0..DRAWN {
-        let (ratio, poisson) = (10_f64.powf(2.0 * next() - 1.0), 0.5 * next());
-        let (s, z, turn) = (0.98 * next(), 2.0 * next() - 1.0, std::f64::consts::TAU * next());
+        let (ratio, poisson) = (10_f64.powf(draw.signed()), 0.5 * draw.part());
+        let (s, z, turn) = (0.98 * draw.part(), draw.signed(), std::f64::consts::TAU * draw.part());
         let (r, flat) = (3.0 * s / (1.0 - s), (1.0 - z * z).sqrt());
         let scaled = [r * flat * turn.cos(), r * flat * turn.sin(), r * z];
         let mut contact = ContinuumForces::new(ratio, poisson, [32, 36, 64]).unwrap();

@@ -3,38 +3,12 @@
 
 use std::ops::Range;
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_halfspace::{Field, Grid, Material, MaterialPair, Offset, RectangleInfluence};
 use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, RollingError, SteadyContact, SteadyRolling, Way};
 use carom_solver::{CellFriction, CellState, ContactProblem, Driven, FrictionalError, Gap};
-
-/// Drawn numbers.
-struct Draw(u64);
-
-impl Draw {
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.part()
-    }
-
-    fn size(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.part())
-    }
-
-    fn sign(&mut self) -> f64 {
-        if self.part() < 0.5 { -1.0 } else { 1.0 }
-    }
-
-    fn count(&mut self, low: usize, high: usize) -> usize {
-        low + (self.part() * (high - low + 1) as f64) as usize
-    }
-}
 
 /// A drawn problem.
 struct Task {
@@ -59,12 +33,12 @@ impl Task {
     }
 }
 
-fn heights(draw: &mut Draw, grid: Grid) -> Field {
+fn heights(draw: &mut Congruential, grid: Grid) -> Field {
     let half = [0.5 * grid.nx() as f64 * grid.dx(), 0.5 * grid.ny() as f64 * grid.dy()];
     let (power, share, tilt) =
         (draw.between(1.2, 6.0), draw.between(0.3, 1.0), draw.between(-0.3, 0.3));
     let kind = draw.part();
-    let rough = if draw.part() < 0.3 { draw.size(1e-3, 0.3) } else { 0.0 };
+    let rough = if draw.part() < 0.3 { draw.log_between(1e-3, 0.3) } else { 0.0 };
     let place = [draw.between(-0.4, 0.4), draw.between(-0.4, 0.4)];
     let mut field = Field::from_function(grid, |x, y| {
         let [x, y] = [x / half[0], if grid.ny() == 1 { 0.0 } else { y / half[1] }];
@@ -89,15 +63,19 @@ fn heights(draw: &mut Draw, grid: Grid) -> Field {
     field.map(|height| height - least)
 }
 
-fn drawn(draw: &mut Draw, most: usize) -> Task {
+fn drawn(draw: &mut Congruential, most: usize) -> Task {
     let line = draw.part() < 0.15;
     let (nx, ny) = if line {
-        (draw.count(8, 4 * most), 1)
+        (8 + draw.below(4 * most - 7), 1)
     } else {
-        (draw.count(4, most), draw.count(4, most))
+        (4 + draw.below(most - 3), 4 + draw.below(most - 3))
     };
     let dx = 2.0 / nx as f64;
-    let dy = if line { draw.size(1.0, 100.0) } else { 2.0 / ny as f64 * draw.size(0.4, 2.5) };
+    let dy = if line {
+        draw.log_between(1.0, 100.0)
+    } else {
+        2.0 / ny as f64 * draw.log_between(0.4, 2.5)
+    };
     let grid = Grid::new(nx, ny, dx, dy).unwrap();
     let gap = heights(draw, grid);
     let highest = gap.values().iter().copied().filter(|h| h.is_finite()).fold(0.0, f64::max);
@@ -111,10 +89,11 @@ fn drawn(draw: &mut Draw, most: usize) -> Task {
     } else if draw.part() < 0.3 {
         Material::RIGID
     } else {
-        Material::from_shear(draw.size(0.2, 20.0), b).unwrap()
+        Material::from_shear(draw.log_between(0.2, 20.0), b).unwrap()
     };
     let pair = MaterialPair::new(one, two).unwrap();
-    let friction = if draw.part() < 0.5 { draw.between(0.05, 0.6) } else { draw.size(1e-3, 1.0) };
+    let friction =
+        if draw.part() < 0.5 { draw.between(0.05, 0.6) } else { draw.log_between(1e-3, 1.0) };
     let problem = if draw.part() < 0.2 {
         let cells = Field::from_function(grid, |x, _| {
             CellFriction::from(Friction::new(friction * (1.0 + 0.4 * (5.0 * x).sin())).unwrap())
@@ -124,7 +103,7 @@ fn drawn(draw: &mut Draw, most: usize) -> Task {
         ContactProblem::of_half_spaces(gap, pair, Friction::new(friction).unwrap()).unwrap()
     };
     let angle = if line || draw.part() < 0.5 {
-        [0.0, 180.0][draw.count(0, 1)]
+        draw.pick(&[0.0, 180.0])
     } else if draw.part() < 0.5 {
         90.0
     } else {
@@ -133,12 +112,12 @@ fn drawn(draw: &mut Draw, most: usize) -> Task {
     // A step of less than half a cell is no longer seen by the centres of the cells.
     let (sin, cos) = angle.to_radians().sin_cos();
     let cell = 1.0 / (cos.abs() / dx).max(sin.abs() / dy);
-    let length = [0.5, 1.0, 1.0, 1.0, 1.3, 2.0][draw.count(0, 5)] * cell;
+    let length = draw.pick(&[0.5, 1.0, 1.0, 1.0, 1.3, 2.0]) * cell;
     let way = Way::new(length).unwrap().towards(angle.to_radians()).unwrap();
     // The order of the creepage that saturates.
     let scale = friction * approach;
     let mut some = |arm: f64| {
-        let size = draw.size(1e-2, 1e2);
+        let size = draw.log_between(1e-2, 1e2);
         if draw.part() < 0.25 { 0.0 } else { draw.sign() * size * scale / arm }
     };
     let creepage = Creepage { along: some(1.0), across: some(1.0), spin: some(1.0) };
@@ -219,7 +198,7 @@ struct Tally {
 fn check(seed: u64, numbers: Range<u64>, most: usize, by_load: bool) -> Tally {
     let mut tally = Tally::default();
     for number in numbers {
-        let mut draw = Draw(
+        let mut draw = Congruential(
             seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)
                 .wrapping_add(number.wrapping_mul(0xD134_2543_DE82_EF95)),
         );
@@ -248,7 +227,7 @@ fn check(seed: u64, numbers: Range<u64>, most: usize, by_load: bool) -> Tally {
                     draw.between(0.0, 0.9)
                 };
             let angle = draw.between(0.0, std::f64::consts::TAU);
-            let (kind, turn) = (draw.count(0, 5), draw.between(-0.3, 0.3));
+            let (kind, turn) = (draw.below(6), draw.between(-0.3, 0.3));
             if kind != 1 {
                 task.drive.along = Driven::Load(limit * angle.cos());
             }

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::operator::{KernelOperator, TabulatedKernel, Threads};
 use carom_halfspace::{Coefficients, Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -325,15 +326,10 @@ fn a_normal_force_is_met_with_and_without_coupling() {
 
 /// Random creepages of all sizes, both signs and any mixture.
 fn creepages(seed: u64, count: usize) -> Vec<Creepage> {
-    let mut state = seed;
-    let mut next = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut draw = Congruential(seed);
     let mut any = || {
-        let size = 10.0_f64.powf(-12.0 + 16.0 * next());
-        let part = next();
+        let size = 10.0_f64.powf(-12.0 + 16.0 * draw.part());
+        let part = draw.part();
         if part < 0.2 { 0.0 } else { size * if part < 0.6 { -1.0 } else { 1.0 } }
     };
     (0..count).map(|_| Creepage { along: any(), across: any(), spin: any() }).collect()

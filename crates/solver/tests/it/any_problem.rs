@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use crate::delegating::Delegating;
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::operator::{HalfSpaceOperator, PeriodicOperator, SurfaceOperator, Threads};
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -14,33 +15,6 @@ use carom_solver::{
     FrictionalError, FrictionalScratch, Gap, Method as _, SelfAffine, SurfaceFriction, dissipated,
     violations,
 };
-
-/// Pseudo-random numbers from a seed.
-struct Random(u64);
-
-impl Random {
-    fn of(seed: u64) -> Self {
-        let mut own = Self(991 + 104_729 * seed);
-        for _ in 0..8 {
-            own.part();
-        }
-        own
-    }
-
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.part()
-    }
-
-    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[(self.part() * from.len() as f64) as usize]
-    }
-}
 
 /// A problem, the same problem on one grid only, and its description.
 struct Case {
@@ -64,9 +38,9 @@ impl Case {
     }
 }
 
-fn gap(random: &mut Random, grid: Grid) -> Gap {
-    let [a, b] = [(); 2].map(|()| random.within(0.2, 2.0));
-    let [x0, y0] = [(); 2].map(|()| random.within(-0.3, 0.3));
+fn gap(random: &mut Congruential, grid: Grid) -> Gap {
+    let [a, b] = [(); 2].map(|()| random.between(0.2, 2.0));
+    let [x0, y0] = [(); 2].map(|()| random.between(-0.3, 0.3));
     let seed = (1e6 * random.part()) as u64;
     let from = |height: &dyn Fn(f64, f64) -> f64| {
         Gap::from_function(grid, |x, y| height(x - x0, y - y0)).unwrap()
@@ -86,7 +60,7 @@ fn gap(random: &mut Random, grid: Grid) -> Gap {
     }
 }
 
-fn friction(random: &mut Random, grid: Grid) -> (SurfaceFriction, bool) {
+fn friction(random: &mut Congruential, grid: Grid) -> (SurfaceFriction, bool) {
     let f = |value: f64| Friction::new(value).unwrap();
     let kinetic = random.pick(&[0.05, 0.2, 0.5, 1.0]);
     match random.pick(&[0, 1, 2, 3]) {
@@ -103,12 +77,12 @@ fn friction(random: &mut Random, grid: Grid) -> (SurfaceFriction, bool) {
 }
 
 fn case(seed: u64) -> Case {
-    let mut random = Random::of(seed);
+    let mut random = Congruential(991 + 104_729 * seed).after(8);
     let periodic = random.part() < 0.2;
-    let [nx, ny] = [(); 2].map(|()| 2 * random.within(8.0, 26.0) as usize);
+    let [nx, ny] = [(); 2].map(|()| 2 * random.between(8.0, 26.0) as usize);
     let (nx, ny) = if periodic { (nx, ny) } else { (nx + 1, ny) };
     let grid = Grid::new(nx, ny, 2.2 / nx as f64, 2.2 / ny as f64).unwrap();
-    let poisson = [(); 2].map(|()| random.within(-0.3, 0.5));
+    let poisson = [(); 2].map(|()| random.between(-0.3, 0.5));
     let shear = [(); 2].map(|()| random.pick(&[1.0, 1.0, 5.0, 100.0]));
     let body = |i: usize| Material::from_shear(shear[i], poisson[i]).unwrap();
     let pair = match random.pick(&[0, 1, 2]) {
@@ -129,11 +103,11 @@ fn case(seed: u64) -> Case {
     };
     let mut steps = Vec::new();
     let size = random.pick(&[0.01, 0.1, 0.4]);
-    for _ in 0..1 + random.within(0.0, 5.0) as usize {
-        let mut tangential = || random.pick(&[0.0, 1.0, 1.0]) * random.within(-size, size);
+    for _ in 0..1 + random.between(0.0, 5.0) as usize {
+        let mut tangential = || random.pick(&[0.0, 1.0, 1.0]) * random.between(-size, size);
         let [xi, eta, omega] = [tangential(), tangential(), tangential()];
         let omega = if periodic { 0.0 } else { omega };
-        let drawn = random.within(0.1, 0.6);
+        let drawn = random.between(0.1, 0.6);
         let zeta = random.pick(&[drawn, 0.3, -0.1, 0.5]);
         steps.push(Shift { zeta, xi, eta, omega });
     }

@@ -1,6 +1,7 @@
 //! No solve is called a success that is none: pressures of drawn problems are judged by products that share no code with
 //! the solver.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::operator::{PeriodicOperator, Threads};
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -10,18 +11,6 @@ use carom_solver::{
 };
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
-
-/// Draws numbers from 0 to 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
 
 /// A drawn contact: cells, E*, gap, whether it is periodic, and the drive.
 struct Drawn {
@@ -33,19 +22,19 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new(random: &mut Random) -> Self {
-        let [nx, ny] = [(); 2].map(|()| 6 + 2 * (6.0 * random.next()) as usize);
-        let [dx, dy] = [(); 2].map(|()| 0.5 + random.next());
+    fn new(random: &mut Xorshift) -> Self {
+        let [nx, ny] = [(); 2].map(|()| 6 + 2 * random.below(6));
+        let [dx, dy] = [(); 2].map(|()| 0.5 + random.part());
         let grid = Grid::new(nx, ny, dx, dy).unwrap();
         let (sx, sy) = (nx as f64 * dx, ny as f64 * dy);
-        let is_periodic = random.next() < 0.5;
+        let is_periodic = random.part() < 0.5;
         let waves: Vec<[f64; 4]> = (0..6)
             .map(|_| {
-                let whole = |random: &mut Random| (3.0 * random.next()).floor() + 1.0;
-                [0.05 * random.next(), TAU * random.next(), whole(random), whole(random)]
+                let whole = |random: &mut Xorshift| (3.0 * random.part()).floor() + 1.0;
+                [0.05 * random.part(), TAU * random.part(), whole(random), whole(random)]
             })
             .collect();
-        let bend = if is_periodic { 0.0 } else { 0.2 * random.next() };
+        let bend = if is_periodic { 0.0 } else { 0.2 * random.part() };
         let height = |x: f64, y: f64| {
             let sum: f64 = waves
                 .iter()
@@ -56,9 +45,9 @@ impl Drawn {
         let mut gap: Vec<f64> = grid.centres().map(|(x, y)| height(x, y)).collect();
         let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
         gap.iter_mut().for_each(|gap| *gap -= least);
-        let drive = match random.next() < 0.5 {
-            true => Driven::Load(0.5 * random.next() * sx * sy * 0.05),
-            false => Driven::Shift(0.02 + 0.15 * random.next()),
+        let drive = match random.part() < 0.5 {
+            true => Driven::Load(0.5 * random.part() * sx * sy * 0.05),
+            false => Driven::Shift(0.02 + 0.15 * random.part()),
         };
         Self { grid, modulus: 1.0 / (1.0 - 0.25), gap, is_periodic, drive }
     }
@@ -130,7 +119,7 @@ impl Drawn {
 /// the tolerance; `energy_gap` is what the other product gives.
 #[test]
 fn no_drawn_contact_is_a_wrong_success() {
-    let mut random = Random(20_261_129);
+    let mut random = Xorshift(20_261_129);
     let (mut periodic, mut worst) = (0, 0.0_f64);
     for _ in 0..500 {
         let drawn = Drawn::new(&mut random);
@@ -190,11 +179,11 @@ fn no_drawn_contact_is_a_wrong_success() {
 /// of the first order in what is left of the conditions.
 #[test]
 fn the_energy_by_approach_is_bounded() {
-    let mut random = Random(20_261_130);
+    let mut random = Xorshift(20_261_130);
     let mut count = 0;
     while count < 100 {
         let drawn = Drawn::new(&mut random);
-        let zeta = 0.02 + 0.15 * random.next();
+        let zeta = 0.02 + 0.15 * random.part();
         if drawn.is_periodic {
             continue;
         }

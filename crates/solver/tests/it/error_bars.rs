@@ -1,34 +1,12 @@
 //! Error bars of drawn histories against the same histories on grids four times finer.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     ContactProblem, ContactState, Contour, Drive, Driven, Estimated, Estimates, Frictional, Gap,
     NestedHistory, ProblemError,
 };
-
-/// Pseudo-random numbers from a seed (a linear congruential generator).
-struct Random(u64);
-
-impl Random {
-    fn of(seed: u64) -> Self {
-        let mut own = Self(0x9e37_79b9 + 7_919 * seed);
-        for _ in 0..8 {
-            own.part();
-        }
-        own
-    }
-
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.part()
-    }
-}
 
 /// Bodies with a gap of power 2 to 4, off the centre of the grid, and a history of 3 to 5 steps.
 struct Drawn {
@@ -45,27 +23,27 @@ struct Drawn {
 impl Drawn {
     /// Of two coupled pairs and one of like bodies; driven by shifts, or by forces where the seed is odd.
     fn of(seed: u64) -> Self {
-        let mut random = Random::of(seed);
+        let mut random = Congruential(0x9e37_79b9 + 7_919 * seed).after(8);
         let body = |shear, nu| Material::from_shear(shear, nu).unwrap();
         let pair = match seed % 3 {
             0 => MaterialPair::new(body(1.0, 0.1), body(2.0, 0.45)),
             1 => MaterialPair::new(body(1.0, 0.0), Material::RIGID),
             _ => MaterialPair::new(body(1.0, 0.3), body(1.0, 0.3)),
         };
-        let friction = random.within(0.05, 0.6);
-        let power = random.within(2.0, 4.0);
-        let ratio = random.within(0.7, 1.5);
+        let friction = random.between(0.05, 0.6);
+        let power = random.between(2.0, 4.0);
+        let ratio = random.between(0.7, 1.5);
         let ridge = if random.part() < 0.5 { 0.6 } else { 0.0 };
-        let cells = random.within(24.0, 41.0) as usize;
-        let centre = [random.within(-0.1, 0.1), random.within(-0.1, 0.1)];
-        let count = 3 + (random.part() * 3.0) as usize;
+        let cells = random.between(24.0, 41.0) as usize;
+        let centre = [random.between(-0.1, 0.1), random.between(-0.1, 0.1)];
+        let count = 3 + random.below(3);
         let by_force = seed % 2 == 1;
         let drive = |_| {
-            let normal = random.within(0.15, 0.5);
+            let normal = random.between(0.15, 0.5);
             let size = friction * normal;
             // Beyond the limit of sliding by shifts, up to seven tenths of it by forces.
-            let [x, y] = [random.within(-size, size), random.within(-size, size)];
-            let turn = if random.part() < 0.3 { 0.3 * random.within(-size, size) } else { 0.0 };
+            let [x, y] = [random.between(-size, size), random.between(-size, size)];
+            let turn = if random.part() < 0.3 { 0.3 * random.between(-size, size) } else { 0.0 };
             if by_force {
                 let load = |part: f64| Driven::Load(0.6 * part);
                 Drive {

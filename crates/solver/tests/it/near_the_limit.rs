@@ -3,27 +3,13 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, FrictionalError, Gap,
     Method as _, Progress, SurfaceFriction, violations,
 };
-
-/// Pseudo-random numbers from a seed.
-struct Random(u64);
-
-impl Random {
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[(self.part() * from.len() as f64) as usize]
-    }
-}
 
 const FORCE: f64 = 5.0;
 
@@ -42,7 +28,7 @@ fn pair(kind: usize) -> MaterialPair {
 fn problem(kind: usize, friction: f64, cells: usize, rounding: f64) -> ContactProblem {
     let side = 32.0 / cells as f64;
     let grid = Grid::new(cells, cells, side, side).unwrap();
-    let mut random = Random(7);
+    let mut random = Congruential(7);
     let height =
         |(x, y): (f64, f64)| 0.0008 * (x * x + y * y) * (1.0 + rounding * (random.part() - 0.5));
     let gap = Field::new(grid, grid.centres().map(height).collect()).map(Gap::new).unwrap();
@@ -145,8 +131,7 @@ fn drawn(seeds: std::ops::Range<u64>, cells: usize) {
     let (mut wrong, mut slowest, mut products, mut all) = (Vec::new(), 0.0_f64, 0.0_f64, 0.0);
     let count = seeds.end - seeds.start;
     for seed in seeds {
-        let mut random = Random(991 + 104_729 * seed);
-        (0..8).for_each(|_| _ = random.part());
+        let mut random = Congruential(991 + 104_729 * seed).after(8);
         let kind = random.pick(&[0, 1]);
         let friction = random.pick(&[0.02, 0.1, 0.4, 0.8]);
         let missing = 10.0_f64.powf(-3.0 - 5.0 * random.part());

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::operator::{PeriodicOperator, Threads};
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -24,12 +25,8 @@ fn gap(kind: u64, grid: Grid) -> Gap {
     if kind == 0 {
         return Gap::wavy(grid, [0.02 * short; 2], sides).unwrap();
     }
-    let mut state = 12_345 + 7919 * kind;
-    let heights = (0..grid.cells()).map(|_| {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        0.05 * short * (state >> 11) as f64 / (1_u64 << 53) as f64
-    });
+    let mut draw = Congruential(12_345 + 7919 * kind);
+    let heights = (0..grid.cells()).map(|_| 0.05 * short * draw.part());
     Gap::new(Field::new(grid, heights.collect()).unwrap()).unwrap()
 }
 

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::delegating::Delegating;
+use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::operator::{
     Blocks, DisplacementField, HalfSpaceOperator, PeriodicOperator, SurfaceOperator, Threads,
     TractionField,
@@ -15,31 +16,19 @@ use carom_solver::{
     NormalError, Progress, SelfAffine, Stop,
 };
 
-/// Numbers from 0 to 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// A drawn rough surface, with a slope or a bend if it is not periodic.
-fn gap(random: &mut Random, periodic: bool) -> Gap {
-    let [nx, ny] = [(); 2].map(|()| 256 + 16 * (5.0 * random.next()) as usize);
+fn gap(random: &mut Xorshift, periodic: bool) -> Gap {
+    let [nx, ny] = [(); 2].map(|()| 256 + 16 * random.below(5));
     let width = 1.0 / nx as f64;
-    let grid = Grid::new(nx, ny, width, width * (0.8 + 0.4 * random.next())).unwrap();
-    let shortest = (4.0 + 12.0 * random.next()) * 1.3 * width;
-    let seed = (1e6 * random.next()) as u64;
+    let grid = Grid::new(nx, ny, width, width * (0.8 + 0.4 * random.part())).unwrap();
+    let shortest = (4.0 + 12.0 * random.part()) * 1.3 * width;
+    let seed = (1e6 * random.part()) as u64;
     let surface = SelfAffine { hurst: 0.8, rms: 0.01, longest: 0.4, shortest, seed };
     let rough = surface.gap(grid).unwrap();
     if periodic {
         return rough;
     }
-    let [slope, bend] = [0.02 * (random.next() - 0.5), 0.05 * random.next()];
+    let [slope, bend] = [0.02 * (random.part() - 0.5), 0.05 * random.part()];
     let heights = rough.heights().values().iter().zip(grid.centres());
     let values = heights.map(|(z, (x, y))| z + slope * x + bend * (x * x + y * y)).collect();
     Gap::new(carom_halfspace::Field::new(grid, values).unwrap()).unwrap()
@@ -101,12 +90,12 @@ fn violation(problem: &ContactProblem, state: &ContactState) -> f64 {
 }
 
 fn check(seed: u64, tolerance: f64) {
-    let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
-    let (periodic, by_force) = (random.next() < 0.5, random.next() < 0.5);
+    let mut random = Xorshift(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+    let (periodic, by_force) = (random.part() < 0.5, random.part() < 0.5);
     let gap = gap(&mut random, periodic);
     let few = problem(&gap, periodic, true, Threads::One);
     let all = problem(&gap, periodic, false, Threads::One);
-    let force = Driven::Load(1e-3 + 2e-3 * random.next());
+    let force = Driven::Load(1e-3 + 2e-3 * random.part());
     let (pressed, ..) = solved(&all, force, 1e-10);
     let drive = if by_force { force } else { Driven::Shift(pressed.shift.zeta) };
     let (state, reached, cells) = solved(&few, drive, tolerance);
@@ -160,7 +149,7 @@ fn a_contact_of_many_cells_is_that_of_all_cells() {
 /// A cell touches or does not, whatever the threads do.
 #[test]
 fn contacts_of_few_cells_have_the_same_bits_on_any_number_of_threads() {
-    let gap = gap(&mut Random(77), false);
+    let gap = gap(&mut Xorshift(77), false);
     let on = |threads| solved(&problem(&gap, false, true, threads), Driven::Load(4e-3), 1e-6).0;
     let one = on(Threads::One);
     for threads in [1, 2, 3] {
@@ -172,7 +161,7 @@ fn contacts_of_few_cells_have_the_same_bits_on_any_number_of_threads() {
 /// An observer that ends a correction ends the step.
 #[test]
 fn corrections_among_few_cells_end_when_they_are_told() {
-    let gap = gap(&mut Random(77), false);
+    let gap = gap(&mut Xorshift(77), false);
     let problem = problem(&gap, false, true, Threads::One);
     let method = Frictionless::default();
     let (mut seen, apart) = (0, ContactState::apart(gap.grid()));

@@ -1,6 +1,7 @@
 //! Friction times gamma far above one, and infinite friction between dissimilar bodies: random
 //! steps are solved and satisfy the friction law.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
@@ -9,36 +10,13 @@ use carom_solver::{
     violations,
 };
 
-/// Pseudo-random numbers from a seed.
-struct Random(u64);
-
-impl Random {
-    fn of(seed: u64) -> Self {
-        let mut own = Self(12345 + 7919 * seed);
-        for _ in 0..8 {
-            own.part();
-        }
-        own
-    }
-
-    fn part(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.part()
-    }
-}
-
 /// Number of steps of a random history, and whether the last one failed.
 fn history(seed: u64, product: f64) -> (usize, bool) {
-    let mut random = Random::of(seed);
-    let [nx, ny] = [(); 2].map(|()| random.within(4.0, 26.0) as usize);
-    let [a, b] = [(); 2].map(|()| random.within(0.2, 2.0));
-    let poisson = [(); 2].map(|()| random.within(-0.4, 0.5));
-    let stiffer = 10.0_f64.powf(random.within(-2.0, 2.0));
+    let mut random = Congruential(12345 + 7919 * seed).after(8);
+    let [nx, ny] = [(); 2].map(|()| random.between(4.0, 26.0) as usize);
+    let [a, b] = [(); 2].map(|()| random.between(0.2, 2.0));
+    let poisson = [(); 2].map(|()| random.between(-0.4, 0.5));
+    let stiffer = 10.0_f64.powf(random.between(-2.0, 2.0));
     let grid = Grid::new(nx, ny, 2.2 / nx as f64, 2.2 / ny as f64).unwrap();
     let body_1 = Material::from_shear(1.0, poisson[0]).unwrap();
     let body_2 = Material::from_shear(stiffer, poisson[1]).unwrap();
@@ -49,10 +27,10 @@ fn history(seed: u64, product: f64) -> (usize, bool) {
     let method = Frictional::default();
     let mut scratch = method.scratch(&problem).unwrap();
     let mut state = ContactState::apart(grid);
-    let steps = 1 + random.within(0.0, 4.0) as usize;
+    let steps = 1 + random.between(0.0, 4.0) as usize;
     for step in 1..=steps {
-        let (zeta, xi) = (random.within(0.05, 1.0), random.within(-0.4, 0.4));
-        let (eta, omega) = (random.within(-0.4, 0.4), random.within(-0.5, 0.5));
+        let (zeta, xi) = (random.between(0.05, 1.0), random.between(-0.4, 0.4));
+        let (eta, omega) = (random.between(-0.4, 0.4), random.between(-0.5, 0.5));
         let (before, drive) = (state.clone(), Drive::by_shift(Shift { zeta, xi, eta, omega }));
         match method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()) {
             Ok(_) => {
