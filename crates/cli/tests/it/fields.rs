@@ -2,6 +2,7 @@
 
 use crate::common::{carom, case, examples, examples_in, stdout};
 use carom_cases::case::{CaseKind, Entry, Form, Need};
+use carom_drawn::{Congruential, Draw as _};
 use std::collections::BTreeSet;
 use toml::{Table, Value};
 
@@ -315,17 +316,16 @@ fn check_says_what_is_wrong_and_reads_the_files_of_a_case() {
     }
 }
 
-/// The next number of a simple generator, below `end`.
-fn next(state: &mut u64, end: usize) -> usize {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*state >> 33) as usize % end.max(1)
+/// A whole number below `end`.
+fn next(draw: &mut Congruential, end: usize) -> usize {
+    (draw.bits() >> 33) as usize % end.max(1)
 }
 
 #[test]
 fn no_slip_of_the_hand_is_more_than_an_error() {
     const SLIPS: [&str; 12] =
         ["", "0", "-", "e9", "\"", "[", "]", "= ", "inf", " mm", "\n[x]\n", "{ mean = 1, sd = 1 }"];
-    let mut state = 9;
+    let mut draw = Congruential(9);
     let mut refused = 0;
     for kind in CaseKind::ALL {
         for (example, text) in examples(kind) {
@@ -340,10 +340,10 @@ fn no_slip_of_the_hand_is_more_than_an_error() {
             // Grids of a million cells are valid, and slow.
             let letters: Vec<char> = text.replace("count = 1", "count = 2").chars().collect();
             for _ in 0..40 {
-                let place = next(&mut state, letters.len());
-                let end = (place + next(&mut state, 4)).min(letters.len());
+                let place = next(&mut draw, letters.len());
+                let end = (place + next(&mut draw, 4)).min(letters.len());
                 let (before, after) = (&letters[..place], &letters[end..]);
-                let slip = SLIPS[next(&mut state, SLIPS.len())];
+                let slip = SLIPS[next(&mut draw, SLIPS.len())];
                 let bad =
                     before.iter().collect::<String>() + slip + &after.iter().collect::<String>();
                 let kind = CaseKind::of(&bad).unwrap_or(kind);

@@ -3,6 +3,7 @@
 use crate::common;
 
 use crate::common::{carom, case, close, example, folder, json, limited, stdout};
+use carom_drawn::{Draw as _, Xorshift};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -204,16 +205,14 @@ fn files(folder: &Path) -> Vec<String> {
 #[test]
 #[ignore = "a minute: fifty kills"]
 fn runs_killed_fifty_times_end_in_the_same_bits() {
-    let mut random = 88_172_645_463_325_252_u64;
+    let mut draw = Xorshift(88_172_645_463_325_252);
     for name in ["solve_torsion_with_shift.toml", "solve_to_accuracy.toml"] {
         let (case, kept) = (example(name), folder());
         let started = std::time::Instant::now();
         let whole = stdout(&["solve", &case, "--format", "csv"]);
         let most = 2 * started.elapsed().as_millis() as u64;
         for _ in 0..25 {
-            random ^= random << 13;
-            random ^= random >> 7;
-            random ^= random << 17;
+            let random = draw.bits();
             // Some runs begin afresh, so that kills meet all of them.
             if random.is_multiple_of(3) {
                 let _ = std::fs::remove_dir_all(&kept);

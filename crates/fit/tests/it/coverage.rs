@@ -2,6 +2,7 @@
 //! 2 to 60 degrees, 24 impacts at drawn angles, and the latter with a normal restitution that is unknown too.
 
 use carom_cases::input::CaseFile;
+use carom_drawn::{Draw as _, Splitmix};
 use carom_fit::{Data, FitError, Knowledge, Options, fit};
 use carom_impact::oblique::Groups;
 use carom_impact::restitution::with_yield;
@@ -13,7 +14,7 @@ type Failure = Box<dyn std::error::Error>;
 /// What is drawn.
 struct Design {
     name: &'static str,
-    angles: fn(&mut Draw) -> Vec<f64>,
+    angles: fn(&mut Splitmix) -> Vec<f64>,
     /// Standard error of the tangential ratio; that of the restitution is half of it.
     error: f64,
     /// The normal restitution, and whether it is unknown.
@@ -37,7 +38,7 @@ const DESIGNS: [Design; 3] = [
     },
     Design {
         name: "24 impacts, error .03 estimated",
-        angles: |draw| (0..24).map(|_| 2.0 + 58.0 * draw.uniform()).collect(),
+        angles: |draw| (0..24).map(|_| 2.0 + 58.0 * uniform(draw)).collect(),
         error: 0.03,
         e: 1.0,
         has_unknown_e: false,
@@ -45,7 +46,7 @@ const DESIGNS: [Design; 3] = [
     },
     Design {
         name: "24 impacts, error .03 given, e unknown",
-        angles: |draw| (0..24).map(|_| 2.0 + 58.0 * draw.uniform()).collect(),
+        angles: |draw| (0..24).map(|_| 2.0 + 58.0 * uniform(draw)).collect(),
         error: 0.03,
         e: 0.9,
         has_unknown_e: true,
@@ -53,18 +54,9 @@ const DESIGNS: [Design; 3] = [
     },
 ];
 
-/// Splitmix64.
-pub(crate) struct Draw(pub(crate) u64);
-
-impl Draw {
-    pub(crate) fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        ((z >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
+/// From 0 to 1, neither of them.
+pub(crate) fn uniform(draw: &mut Splitmix) -> f64 {
+    ((draw.bits() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
 }
 
 impl Design {
@@ -82,14 +74,14 @@ impl Design {
         ))
     }
 
-    fn data(&self, draw: &mut Draw) -> Result<Data, Failure> {
+    fn data(&self, draw: &mut Splitmix) -> Result<Data, Failure> {
         let angles = (self.angles)(draw);
         let error = Distribution::normal(0.0, self.error)?;
         let mut ratios = Vec::new();
         for angle in &angles {
             let lambda = angle.to_radians().tan() / FRICTION;
             let r_x = with_yield(Groups::of_spheres(RATIO, lambda)?, self.e)?;
-            ratios.push(1.0 - 2.0 / 7.0 * (1.0 + r_x) + error.quantile(draw.uniform())?);
+            ratios.push(1.0 - 2.0 / 7.0 * (1.0 + r_x) + error.quantile(uniform(draw))?);
         }
         let mut columns =
             vec![("angle".to_owned(), angles), ("body_1_tangential_ratio".to_owned(), ratios)];
@@ -97,7 +89,7 @@ impl Design {
             let count = columns[0].1.len();
             let half = Distribution::normal(self.e, 0.5 * self.error)?;
             let measured: Result<Vec<f64>, _> =
-                (0..count).map(|_| half.quantile(draw.uniform())).collect();
+                (0..count).map(|_| half.quantile(uniform(draw))).collect();
             columns.push(("normal_restitution".to_owned(), measured?));
         }
         Ok(Data::new(columns)?)
@@ -105,7 +97,7 @@ impl Design {
 
     /// How often each interval holds the truth, by Student's t and by the profile.
     fn coverage(&self, sets: usize) -> Result<Vec<(&'static str, [usize; 3])>, Failure> {
-        let (case, mut draw) = (self.case(), Draw(sets as u64));
+        let (case, mut draw) = (self.case(), Splitmix(sets as u64));
         let ratio = (Some("body_1_tangential_ratio".to_owned()), vec![self.error]);
         let mut errors = vec![ratio];
         if self.has_unknown_e {

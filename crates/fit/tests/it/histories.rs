@@ -1,10 +1,11 @@
 //! Forces over time during one impact: moduli, friction, and the unknown start of the clock.
 
 use crate::common::{close, of};
-use crate::coverage::Draw;
+use crate::coverage::uniform;
 use carom_cases::case::{Case as _, ImpactFile};
 use carom_cases::impact::course;
 use carom_cases::input::CaseFile;
+use carom_drawn::Splitmix;
 use carom_fit::{Data, Fit, FitError, GivenError, Options, fit};
 use carom_impact::uncertain::Distribution;
 
@@ -101,12 +102,12 @@ fn scattered_forces_of_an_oblique_impact_tell_friction_stiffness_and_touch() {
     let unknown =
         "friction = { fit = [0.01, 1] }, normal_over_tangential_stiffness = { fit = [0.8, 1.6] }";
     let open = case(UNKNOWN, unknown, 30.0, CLOCK);
-    let (mut draw, mut held) = (Draw(7), [0; 4]);
+    let (mut draw, mut held) = (Splitmix(7), [0; 4]);
     const SETS: usize = 20;
     for _ in 0..SETS {
         let mut noise = |error: f64| {
             let normal = Distribution::normal(0.0, error).unwrap();
-            normal.quantile(draw.uniform()).unwrap()
+            normal.quantile(uniform(&mut draw)).unwrap()
         };
         let across = points.iter().map(|point| point.force.x + noise(2.0)).collect();
         let along = points.iter().map(|point| point.force.z + noise(4.0)).collect();

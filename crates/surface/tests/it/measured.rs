@@ -1,5 +1,6 @@
 //! Measures of maps whose numbers are known, and warnings of maps with one fault each.
 
+use carom_drawn::{Draw as _, Xorshift};
 use carom_fourier::{Complex64, Transformed as _};
 use carom_surface::{Measures, Topography, spectrum, spikes};
 use std::f64::consts::{PI, TAU};
@@ -14,22 +15,14 @@ fn measures(map: &Topography, is_periodic: bool) -> Measures {
     Measures::of(map, spectrum(map, is_periodic).as_ref(), &spikes(map))
 }
 
-/// A generator of numbers from 0 to 1 (xorshift).
-fn random(state: &mut u64) -> f64 {
-    *state ^= *state << 13;
-    *state ^= *state >> 7;
-    *state ^= *state << 17;
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// A periodic surface with C ~ q^(-2 (1 + H)) between waves of n/4 and `shortest` points, rms height 0.2 um.
 fn self_affine(n: usize, hurst: f64, shortest: f64, seed: u64) -> Topography {
-    let mut state = seed;
+    let mut draw = Xorshift(seed);
     let mut waves = vec![Complex64::new(0.0, 0.0); n * n];
     for (place, wave) in waves.iter_mut().enumerate() {
         let along = |i: usize| if i <= n / 2 { i as f64 } else { i as f64 - n as f64 };
         let q = f64::hypot(along(place % n), along(place / n));
-        let phase = TAU * random(&mut state);
+        let phase = TAU * draw.part();
         if q >= 4.0 && q <= n as f64 / shortest {
             *wave = Complex64::from_polar(q.powf(-1.0 - hurst), phase);
         }

@@ -1,6 +1,7 @@
 //! Files that are no maps, or damaged: each is refused with its reason, before anything is allocated for what it claims.
 
 use crate::files::{Sur, Xml, archive, doubles, sdf};
+use carom_drawn::{Draw as _, Xorshift};
 use carom_surface::{Reading, SurfaceError, read};
 
 #[track_caller]
@@ -182,13 +183,8 @@ fn changed_files_never_end_the_program() {
         b"ncols 3\nnrows 2\ncellsize 1\n1 2 3\n4 5 6\n".to_vec(),
         b"x,y,z\n0,0,1\n0,1,2\n1,0,3\n1,1,4\n".to_vec(),
     ];
-    let mut state = 88_172_645_463_325_252_u64;
-    let mut next = move |below: usize| {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state % below as u64) as usize
-    };
+    let mut draw = Xorshift(88_172_645_463_325_252);
+    let mut next = |below: usize| (draw.bits() % below as u64) as usize;
     for file in &files {
         for _ in 0..2000 {
             let mut changed = file.clone();

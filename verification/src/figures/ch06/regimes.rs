@@ -1,5 +1,6 @@
 //! Figs. 6.13 and 6.14: the regime that follows each increment.
 
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::memory::{MemoryRegime, ScalarMemory};
 use carom_special::RangeError;
 use carom_special::roots::try_bisect;
@@ -221,24 +222,13 @@ pub(super) fn second() -> FigureResult {
     Ok(figure)
 }
 
-/// A reproducible sequence in (0, 1).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self, low: f64, high: f64) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-}
-
 /// Number of 5000 random second steps that contradict the conditions of the thesis.
 fn random_second() -> Result<Claim, RangeError> {
-    let mut sequence = Sequence(613);
+    let mut sequence = Congruential(613);
     let mut wrong = 0.0;
     for _ in 0..5000 {
-        let first = sequence.next(0.05, 0.95);
-        let (zeta, shift) = (sequence.next(0.4, 1.6), sequence.next(-1.5, 1.5));
+        let first = sequence.between(0.05, 0.95);
+        let (zeta, shift) = (sequence.between(0.4, 1.6), sequence.between(-1.5, 1.5));
         let (grown, change) = (zeta - 1.0, shift - first);
         let expected = if shift.abs() >= zeta {
             Kind::Sliding
@@ -343,14 +333,14 @@ pub(super) fn nth() -> FigureResult {
 
 /// (6.51) for random steps, and the receding edge, which the thesis omits.
 fn nth_claims(figure: &mut Figure) -> Result<(), Failure> {
-    let mut sequence = Sequence(614);
+    let mut sequence = Congruential(614);
     let (mut wrong, mut tried) = (0.0, 0.0);
     while tried < 5000.0 {
-        let (second, third) = (sequence.next(0.6, 1.4), sequence.next(0.5, 1.6));
+        let (second, third) = (sequence.between(0.6, 1.4), sequence.between(0.5, 1.6));
         let history: [Place; 3] =
-            [(1.0, 0.0), (1.0, sequence.next(0.2, 0.95)), (second, sequence.next(-0.9, 0.9))];
+            [(1.0, 0.0), (1.0, sequence.between(0.2, 0.95)), (second, sequence.between(-0.9, 0.9))];
         let memory = follow(&history)?;
-        let shift = sequence.next(-1.5, 1.5);
+        let shift = sequence.between(-1.5, 1.5);
         let (last, change) = (history[2].1 - history[1].1, shift - history[2].1);
         let (grown_last, grown) = (second - 1.0, third - second);
         if kind(&memory) != Kind::Decrease(2, -1) || change.abs() < -grown || change < grown {
