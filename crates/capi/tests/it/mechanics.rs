@@ -3,6 +3,7 @@
 use std::mem::zeroed;
 use std::ptr::{null, null_mut};
 
+use crate::particles::{cross, dot, plus};
 use carom_capi::*;
 
 type Vector = [f64; 3];
@@ -11,18 +12,6 @@ const STEEL: CaromMaterial =
     CaromMaterial { young_modulus: 208e9, poisson: 0.3, yield_stress: 0.0 };
 const GLASS: CaromMaterial =
     CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn plus(a: Vector, b: Vector, by: f64) -> Vector {
-    [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 fn close(a: Vector, b: Vector, size: f64) {
     let off = plus(a, b, -1.0);
