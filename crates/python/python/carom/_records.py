@@ -715,40 +715,41 @@ class HistorySteps(Records[HistoryStep], one=HistoryStep):
 class SolverStep(Record):
     """A step of the numerical solver. Loads act on body 1.
 
-    step                 number of the step, from 1
-    zeta                 approach, m
-    xi                   shift of body 2 against body 1 along x, m
-    eta                  the same along y, m
-    omega                twist about the normal, rad
-    F_x                  force on body 1 along x, N
-    F_y                  the same along y, N
-    F_z                  normal force, N
-    M_z                  torque on body 1, N m
-    peak_pressure        greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
-    contact_area         of all cells in contact, m2
-    stick_area           of those that stick, m2
-    stored_energy        elastic energy of both bodies, J
-    dissipated           friction heat since the start, J
-    contact_share        part of the window in contact
-    mean_gap             mean distance of the surfaces over the window, m
-    patches              connected parts of the contact
-    pressure_over_slope  mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces
-    energy_gap           the pressure is proven to be this near to the least energy for its force, J
-    residual_normal      what is left of the normal conditions
-    residual_tangential  what is left of the friction law
-    products_normal      products with the normal influence
-    products_tangential  the same with the tangential one
-    zeta_error           estimated error of zeta by the mesh, m
-    xi_error             the same of xi, m
-    eta_error            of eta, m
-    omega_error          of omega, rad
-    F_x_error            of F_x, N
-    F_y_error            of F_y, N
-    F_z_error            of F_z, N
-    M_z_error            of M_z, N m
-    peak_pressure_error  of peak_pressure, Pa
-    contact_area_error   of contact_area, at most, m2
-    stick_area_error     of stick_area, at most, m2
+    step                    number of the step, from 1
+    zeta                    approach, m
+    xi                      shift of body 2 against body 1 along x, m
+    eta                     the same along y, m
+    omega                   twist about the normal, rad
+    F_x                     force on body 1 along x, N
+    F_y                     the same along y, N
+    F_z                     normal force, N
+    M_z                     torque on body 1, N m
+    peak_pressure           greatest pressure: the vertex of parabolas through the highest cell and its neighbours, Pa
+    contact_area            of all cells in contact, m2
+    stick_area              of those that stick, m2
+    stored_energy           elastic energy of both bodies, J
+    dissipated              friction heat since the start, J
+    contact_share           part of the window in contact
+    mean_gap                mean distance of the surfaces over the window, m
+    patches                 connected parts of the contact
+    pressure_over_slope     mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces
+    energy_gap              the pressure is proven to be this near to the least energy for its force, J
+    energy_gap_by_approach  the same for the energy less the work of the approach, for its approach; undefined if none is known, J
+    residual_normal         what is left of the normal conditions
+    residual_tangential     what is left of the friction law
+    products_normal         products with the normal influence
+    products_tangential     the same with the tangential one
+    zeta_error              estimated error of zeta by the mesh, m
+    xi_error                the same of xi, m
+    eta_error               of eta, m
+    omega_error             of omega, rad
+    F_x_error               of F_x, N
+    F_y_error               of F_y, N
+    F_z_error               of F_z, N
+    M_z_error               of M_z, N m
+    peak_pressure_error     of peak_pressure, Pa
+    contact_area_error      of contact_area, at most, m2
+    stick_area_error        of stick_area, at most, m2
     """
 
     step: int
@@ -770,6 +771,7 @@ class SolverStep(Record):
     patches: int
     pressure_over_slope: float
     energy_gap: float
+    energy_gap_by_approach: float
     residual_normal: float
     residual_tangential: float
     products_normal: float
@@ -786,8 +788,8 @@ class SolverStep(Record):
     contact_area_error: float
     stick_area_error: float
 
-    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'peak_pressure': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'contact_share': '', 'mean_gap': 'm', 'patches': '', 'pressure_over_slope': '', 'energy_gap': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'peak_pressure_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'peak_pressure': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'contact_share': 'part of the window in contact', 'mean_gap': 'mean distance of the surfaces over the window', 'patches': 'connected parts of the contact', 'pressure_over_slope': 'mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces', 'energy_gap': 'the pressure is proven to be this near to the least energy for its force', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'peak_pressure_error': 'of peak_pressure', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
+    units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'peak_pressure': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'contact_share': '', 'mean_gap': 'm', 'patches': '', 'pressure_over_slope': '', 'energy_gap': 'J', 'energy_gap_by_approach': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'peak_pressure_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+    meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'peak_pressure': 'greatest pressure: the vertex of parabolas through the highest cell and its neighbours', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'contact_share': 'part of the window in contact', 'mean_gap': 'mean distance of the surfaces over the window', 'patches': 'connected parts of the contact', 'pressure_over_slope': 'mean pressure over the window, over E* times the rms slope of the gap; 0 if no half-spaces', 'energy_gap': 'the pressure is proven to be this near to the least energy for its force', 'energy_gap_by_approach': 'the same for the energy less the work of the approach, for its approach; undefined if none is known', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'peak_pressure_error': 'of peak_pressure', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
     _vectors = frozenset([])
     _axis = 'step'
 
@@ -814,6 +816,7 @@ class SolverSteps(Records[SolverStep], one=SolverStep):
     patches: NDArray[np.int64]
     pressure_over_slope: Array
     energy_gap: Array
+    energy_gap_by_approach: Array
     residual_normal: Array
     residual_tangential: Array
     products_normal: Array
