@@ -159,7 +159,7 @@ impl<'a> NumericalImpact<'a> {
     /// extrapolated.
     ///
     /// # Errors
-    /// As [`NumericalImpact::solve`]; [`RangeError`](carom_special::RangeError) as [`Instants::check`].
+    /// As [`NumericalImpact::solve`]; [`RangeError`] as [`Instants::check`].
     pub fn history<'b>(
         &self,
         instants: impl Into<Instants<'b>>,

@@ -267,5 +267,5 @@ def test_a_stored_solver_of_another_form_is_refused_by_name():
     state = ball().__getstate__()
     for form in ({"_form": 0}, {}):
         other = object.__new__(carom.Solver)
-        with pytest.raises(ValueError, match=r"form of the stored Solver = (0|None): this version reads 2"):
+        with pytest.raises(ValueError, match=r"form of the stored Solver = (0|None): this version reads 3"):
             other.__setstate__({**{key: value for key, value in state.items() if key != "_form"}, **form})

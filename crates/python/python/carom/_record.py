@@ -33,8 +33,9 @@ def _plain(value: Any) -> Any:
     if isinstance(value, Result):
         return value.to_dict()
     if isinstance(value, np.ndarray) and value.dtype.kind == "f":
-        gaps = np.isnan(value)
-        return np.where(gaps, None, value).tolist() if gaps.any() else value.tolist()
+        plain = value.astype(object)
+        plain[np.isnan(value)] = None
+        return plain.tolist()
     value = value.tolist() if isinstance(value, np.ndarray | np.generic) else value
     return None if isinstance(value, float) and value != value else value
 
