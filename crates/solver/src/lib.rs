@@ -48,6 +48,7 @@ mod parts;
 mod problem;
 mod result;
 mod rough;
+mod rows;
 mod state;
 mod tangential;
 

@@ -109,16 +109,6 @@ impl Passage {
     }
 }
 
-/// Coarse values interpolated at the fine cell centres.
-pub(crate) fn finer(coarse: Grid, values: &[f64], fine: Grid) -> Vec<f64> {
-    let (values, passage) = (Bilinear { grid: coarse, values }, Passage::new(coarse, fine));
-    let mut between = Vec::with_capacity(fine.cells());
-    for row in &passage.rows {
-        between.extend(passage.columns.iter().map(|column| values.at(*column, *row)));
-    }
-    between
-}
-
 /// Extends values to unknown cells as the mean of their known neighbours, one ring of cells after
 /// another.
 pub(crate) fn extended(grid: Grid, values: &mut [f64], known: &[bool], rings: usize) {
@@ -154,7 +144,19 @@ pub(crate) fn extended(grid: Grid, values: &mut [f64], known: &[bool], rings: us
 /// keeps its position.
 pub(crate) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<f64> {
     let squares = continued(coarse, pressure);
-    finer(coarse, &squares, fine).into_iter().map(|square| square.max(0.0).sqrt()).collect()
+    let (squares, passage) =
+        (Bilinear { grid: coarse, values: &squares }, Passage::new(coarse, fine));
+    // Zeroed memory is allocated where it is written.
+    let mut between = vec![0.0; fine.cells()];
+    for (row, cells) in passage.rows.iter().zip(between.chunks_exact_mut(fine.nx())) {
+        for (column, pressure) in passage.columns.iter().zip(cells) {
+            let square = squares.at(*column, *row);
+            if square > 0.0 {
+                *pressure = square.sqrt();
+            }
+        }
+    }
+    between
 }
 
 /// The squares of a pressure; outside the contact the mean of their linear extrapolations.
@@ -231,7 +233,8 @@ mod tests {
             both.filter(|(at, p)| (**p > 0.0) != (round(*at) > 0.0)).count()
         };
         let got = finer_pressure(coarse, &pressure, fine);
-        let plain = finer(coarse, &pressure, fine);
+        let passage = Passage::new(coarse, fine);
+        let plain: Vec<f64> = (0..fine.cells()).map(|cell| passage.at(&pressure, cell)).collect();
         assert!(5 * wrong(&got) < wrong(&plain), "{} {}", wrong(&got), wrong(&plain));
         let total: f64 = got.iter().sum::<f64>() * fine.cell_area();
         assert!((total / (2.0 / 3.0 * std::f64::consts::PI) - 1.0).abs() < 3e-3, "{total}");

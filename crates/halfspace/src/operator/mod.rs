@@ -31,6 +31,7 @@ mod precision;
 mod preconditioner;
 mod product;
 mod rolled;
+mod rows;
 mod sparse;
 mod spectrum;
 mod table;
@@ -49,6 +50,7 @@ pub use periodic::PeriodicOperator;
 pub use plate::{Plate, PlateOperator, PlateSymbol};
 pub use preconditioner::Preconditioner;
 pub use rolled::RolledOperator;
+pub use rows::NormalRows;
 pub use sparse::SPARSENESS;
 pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{InflcfUnits, KernelBlock, KernelOperator, TabulatedKernel};
@@ -59,7 +61,7 @@ pub use workspace::Workspace;
 
 use std::sync::Arc;
 
-use crate::{Coefficients, Grid, Offset};
+use crate::{Coefficients, Field, Grid, Offset};
 
 /// Error of a rough product, over the greatest displacement plus what the influence of a cell on itself makes of the root of
 /// the sum of all squared tractions.
@@ -228,4 +230,40 @@ pub trait SurfaceOperator: Send + Sync {
         displacements: DisplacementField<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), OperatorError>;
+
+    /// The normal displacements of all cells due to pressures alone, to be read row by row: operators that compute them by
+    /// Fourier transforms keep no field of them.
+    ///
+    /// ```
+    /// use std::sync::Mutex;
+    /// use carom_halfspace::operator::{HalfSpaceOperator, SurfaceOperator as _};
+    /// use carom_halfspace::{Grid, Material, MaterialPair};
+    /// let body = Material::from_shear(1.0, 0.3)?;
+    /// let grid = Grid::new(16, 16, 1.0, 1.0)?;
+    /// let operator = HalfSpaceOperator::new(MaterialPair::new(body, body)?, grid)?;
+    /// let mut workspace = operator.workspace();
+    /// let deepest = Mutex::new(0.0_f64);
+    /// operator.pressed(&vec![1.0; grid.cells()], &mut workspace)?.each(&|row| row == 8, &|_, displacements| {
+    ///     let most = displacements.iter().copied().fold(0.0, f64::max);
+    ///     *deepest.lock().unwrap() = most;
+    /// });
+    /// // The middle of a square of side l under p = 1 sinks by 4 l ln(1 + sqrt 2)/(pi E*); the nearest centre a little less.
+    /// let exact = 4.0 * 16.0 * (1.0 + 2.0_f64.sqrt()).ln() / std::f64::consts::PI * 0.7;
+    /// let most = *deepest.lock().unwrap();
+    /// assert!(most < exact && most > 0.998 * exact, "{most} {exact}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SurfaceOperator::apply`].
+    fn pressed<'a>(
+        &'a self,
+        pressure: &[f64],
+        workspace: &'a mut Workspace,
+    ) -> Result<Box<dyn NormalRows + 'a>, OperatorError> {
+        let mut displacement = Field::uniform(self.grid(), 0.0);
+        let displacements = DisplacementField::normal(displacement.values_mut());
+        self.apply(TractionField::normal(pressure), displacements, workspace)?;
+        Ok(Box::new(displacement))
+    }
 }

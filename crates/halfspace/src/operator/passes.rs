@@ -16,6 +16,7 @@ use super::plan::Plan;
 use super::pool;
 use super::precision::Real;
 use super::product::{Matrix, Term, Terms};
+use super::rows::NormalRows;
 use super::threads::Threads;
 use super::workspace::{Lane, Space, Tile, Workspace, each, exchange};
 
@@ -44,18 +45,33 @@ impl<T: Real> Plan<T> {
         outputs: &mut [&mut [f64]],
         space: &mut Space<T>,
     ) {
+        let (parts, unit) = self.transformed(inputs, (terms, outputs.len()), space);
+        self.rows_inverse((outputs, unit), &parts, space);
+    }
+
+    /// The passes but for the last: the results are the spectra of the rows of all outputs, in the unit that is returned.
+    fn transformed(
+        &self,
+        inputs: &[&[f64]],
+        (terms, outputs): (&Terms<'_, T>, usize),
+        space: &mut Space<T>,
+    ) -> (Parts, f64) {
         let (used, unit) = (self.used_rows(inputs), T::unit(inputs, self.threads));
-        let parts = Parts {
-            fields: inputs.len().max(outputs.len()),
+        let parts = self.parts(inputs.len().max(outputs), space);
+        self.rows_forward((inputs, unit), &used, &parts, space);
+        exchange(&mut space.tiles, space.lanes.len());
+        self.columns_pass((inputs.len(), &used), (terms.blocks, outputs), &parts, space);
+        exchange(&mut space.tiles, space.lanes.len());
+        (parts, unit * terms.unit)
+    }
+
+    fn parts(&self, fields: usize, space: &Space<T>) -> Parts {
+        Parts {
+            fields,
             rows: self.sizes.ny,
             each: self.rows_of_part(space.lanes.len()),
             blocks: self.blocks_of_part(space.lanes.len()),
-        };
-        self.rows_forward((inputs, unit), &used, &parts, space);
-        exchange(&mut space.tiles, space.lanes.len());
-        self.columns_pass((inputs.len(), &used), (terms.blocks, outputs.len()), &parts, space);
-        exchange(&mut space.tiles, space.lanes.len());
-        self.rows_inverse((outputs, unit * terms.unit), &parts, space);
+        }
     }
 
     /// The range of rows in which some input is not zero.
@@ -227,37 +243,94 @@ impl<T: Real> Plan<T> {
         parts: &Parts,
         space: &mut Space<T>,
     ) {
-        let (count, tiles, nx) = (space.lanes.len(), &space.tiles, self.sizes.nx);
+        let (tiles, nx) = (&space.tiles, self.sizes.nx);
         for (output, field) in outputs.iter_mut().enumerate() {
             each(self.threads, &mut space.lanes, field, parts.each * nx, |part, lane, results| {
                 for (row, result) in results.chunks_exact_mut(nx).enumerate() {
-                    let spectrum = &mut lane.spectrum[..self.sizes.columns()];
-                    let mut some = spectrum.chunks_mut(T::BLOCK);
-                    let at = parts.place::<T>(part, output, part * parts.each + row);
-                    for tile in &tiles[part * count..][..count] {
-                        let blocks = tile.chunks_exact(parts.block::<T>(part));
-                        for (block, values) in blocks.take(parts.blocks).zip(&mut some) {
-                            values.copy_from_slice(&block[at..at + values.len()]);
-                        }
+                    self.row_inverse((output, part, part * parts.each + row), parts, tiles, lane);
+                    for (result, value) in result.iter_mut().zip(&lane.row) {
+                        *result = value.to() * unit;
                     }
-                    self.row_inverse((result, unit), lane);
                 }
             });
         }
     }
 
-    fn row_inverse(&self, (result, unit): (&mut [f64], f64), lane: &mut Lane<T>) {
-        let length = self.sizes.columns();
+    /// One row of an output, to the row of the lane.
+    fn row_inverse(
+        &self,
+        (output, part, row): (usize, usize, usize),
+        parts: &Parts,
+        tiles: &[Tile<T>],
+        lane: &mut Lane<T>,
+    ) {
+        let (length, at) = (self.sizes.columns(), parts.place::<T>(part, output, row));
         let spectrum = &mut lane.spectrum[..length];
+        let mut some = spectrum.chunks_mut(T::BLOCK);
+        let count = self.threads.count();
+        for tile in &tiles[part * count..][..count] {
+            let blocks = tile.chunks_exact(parts.block::<T>(part));
+            for (block, values) in blocks.take(parts.blocks).zip(&mut some) {
+                values.copy_from_slice(&block[at..at + values.len()]);
+            }
+        }
         // Real by symmetry; the transform requires an exact zero.
         spectrum[0].im = T::zero();
         spectrum[length - 1].im = T::zero();
         let done =
             self.rows.inverse.process_with_scratch(spectrum, &mut lane.row, &mut lane.scratch);
         debug_assert!(done.is_ok(), "buffers are made for this plan");
-        for (result, value) in result.iter_mut().zip(&lane.row) {
-            *result = value.to() * unit;
-        }
+    }
+}
+
+/// The product of one field with a term: spectra of the rows of the result, which are transformed back when they are read.
+pub(crate) struct Transformed<'a> {
+    plan: &'a Plan,
+    space: &'a mut Space<f64>,
+    parts: Parts,
+    unit: f64,
+}
+
+impl Plan {
+    /// The product of one field with a term, row by row.
+    pub(crate) fn by_rows<'a>(
+        &'a self,
+        input: &[f64],
+        term: Option<Term<'_>>,
+        workspace: &'a mut Workspace,
+    ) -> Transformed<'a> {
+        let space = f64::space(workspace);
+        space.prepare(self, 1, 1);
+        let mut blocks: Matrix<'_, f64> = [[None; 3]; 3];
+        blocks[0][0] = term;
+        let terms = Terms { blocks: &blocks, unit: 1.0 };
+        let mut passes = || self.transformed(&[input], (&terms, 1), space);
+        let (parts, unit) = match self.threads {
+            Threads::One => passes(),
+            Threads::Pool => pool::within(passes),
+        };
+        Transformed { plan: self, space, parts, unit }
+    }
+}
+
+impl NormalRows for Transformed<'_> {
+    fn each(
+        &mut self,
+        wanted: &(dyn Fn(usize) -> bool + Sync),
+        take: &(dyn Fn(usize, &[f64]) + Sync),
+    ) {
+        let Self { plan, space, parts, unit } = self;
+        let Space { tiles, lanes } = &mut **space;
+        // Rows without a field to write: only their number counts.
+        let mut rows = vec![(); plan.sizes.ny];
+        each(plan.threads, lanes, &mut rows, parts.each, |part, lane, rows| {
+            for row in (part * parts.each..).take(rows.len()).filter(|row| wanted(*row)) {
+                plan.row_inverse((0, part, row), parts, tiles, lane);
+                let values = &mut lane.row[..plan.sizes.nx];
+                values.iter_mut().for_each(|value| *value *= *unit);
+                take(row, values);
+            }
+        });
     }
 }
 

@@ -12,8 +12,8 @@ use super::spectrum::Spectrum;
 use super::table::Entry;
 use super::torus::TorusInverse;
 use super::{
-    Axis, Blocks, DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads,
-    TractionField, Workspace,
+    Axis, Blocks, DisplacementField, NormalRows, OperatorError, Preconditioner, SurfaceOperator,
+    Threads, TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
 use carom_special::RangeError;
@@ -248,6 +248,16 @@ impl SurfaceOperator for PeriodicOperator {
             displacements,
             workspace,
         )
+    }
+
+    fn pressed<'a>(
+        &'a self,
+        pressure: &[f64],
+        workspace: &'a mut Workspace,
+    ) -> Result<Box<dyn NormalRows + 'a>, OperatorError> {
+        TractionField::normal(pressure).check(self.grid.cells())?;
+        let term = self.term(self.blocks, Axis::Normal, Axis::Normal)?;
+        Ok(Box::new(self.plan.by_rows(pressure, term, workspace)))
     }
 }
 

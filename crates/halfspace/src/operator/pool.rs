@@ -9,8 +9,8 @@ mod several {
     }
 
     /// Runs `work` within the pool, so that no worker needs to be woken for each of its parts.
-    pub(crate) fn within(work: impl FnOnce() + Send) {
-        rayon::scope(|_| work());
+    pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+        rayon::scope(|_| work())
     }
 
     /// Runs `work(part, lane, share)` for the shares of `data` of length `share`, one a lane.
@@ -54,8 +54,8 @@ mod several {
         1
     }
 
-    pub(crate) fn within(work: impl FnOnce()) {
-        work();
+    pub(crate) fn within<R>(work: impl FnOnce() -> R) -> R {
+        work()
     }
 
     pub(crate) fn each_lane<L, T>(

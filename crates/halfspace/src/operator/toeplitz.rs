@@ -11,7 +11,7 @@ use super::spectrum::Spectrum;
 use super::table::Entry;
 use super::torus::TorusInverse;
 use super::{
-    Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, Preconditioner,
+    Axis, Blocks, CoefficientTable, DisplacementField, NormalRows, OperatorError, Preconditioner,
     SurfaceOperator, Threads, TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair, Offset};
@@ -283,6 +283,16 @@ impl SurfaceOperator for HalfSpaceOperator {
     ) -> Result<(), OperatorError> {
         let terms = (|of, by| self.term(of, by), 1.0);
         apply(&self.plan, terms, tractions, displacements, workspace)
+    }
+
+    fn pressed<'a>(
+        &'a self,
+        pressure: &[f64],
+        workspace: &'a mut Workspace,
+    ) -> Result<Box<dyn NormalRows + 'a>, OperatorError> {
+        TractionField::normal(pressure).check(self.grid.cells())?;
+        let term = self.term(Axis::Normal, Axis::Normal)?;
+        Ok(Box::new(self.plan.by_rows(pressure, term, workspace)))
     }
 
     fn has_rough_products(&self) -> bool {

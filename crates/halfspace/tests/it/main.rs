@@ -10,4 +10,5 @@ mod periodic;
 mod plate;
 mod point_load;
 mod rectangle;
+mod rows;
 mod tables;

@@ -124,7 +124,11 @@ impl Pass<'_> {
             self.cost.coupling += 1.0;
         }
         let own = operator.normal_influence_of_a_cell();
-        scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
+        let gaps = match scratch.limits.is_sharp() {
+            true => &[],
+            false => scratch.normal.gap(operator, to.shift.zeta)?,
+        };
+        scratch.limits.follow(&to.pressure, gaps, own);
         self.check_period_can_shift(&scratch.limits.values)?;
         if let Some(slid) = self.slide(to, scratch)? {
             return Ok(slid);

@@ -59,9 +59,10 @@ impl Frictional {
         let zero = || vec![0.0; problem.grid().cells()];
         let heights = problem.gap().shared_heights();
         let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
+        let slips = !problem.friction().is_none();
         Ok(FrictionalScratch {
             normal: NormalGrids::new(operator, heights, || Ok(coarser.to_vec()))?,
-            tangential: TangentialScratch::new(operator, coarser),
+            tangential: TangentialScratch::new(operator, if slips { coarser } else { &[] }),
             limits: FrictionLimits::new(problem.grid().cells()),
             by_pressure: [coupling(), coupling()],
             offset: [zero(), zero()],

@@ -38,6 +38,8 @@ pub(super) struct ActiveSet {
     pub(super) own: f64,
     /// The gap g.
     pub(super) gap: Vec<f64>,
+    /// Whether it is that of the last solution.
+    pub(super) knows_gap: bool,
     /// K g on the active set.
     pub(super) preconditioned: Vec<f64>,
     /// The correction, subtracted from the pressure.
@@ -60,6 +62,7 @@ impl ActiveSet {
             workspace: operator.workspace(),
             own: operator.normal_influence_of_a_cell(),
             gap: zero(),
+            knows_gap: false,
             preconditioned: zero(),
             direction: zero(),
             image: zero(),
@@ -74,6 +77,7 @@ impl ActiveSet {
             *field = Vec::new();
         }
         (self.active, self.workspace) = (Vec::new(), Workspace::default());
+        self.knows_gap = false;
     }
 
     /// Makes room after a release.
@@ -92,9 +96,23 @@ impl ActiveSet {
         [gap, preconditioned, direction, image, ones]
     }
 
-    /// The gaps of the last solution.
-    pub(super) fn gap(&self) -> &[f64] {
-        &self.gap
+    /// The gaps of a solution.
+    pub(super) fn gap_of(
+        &mut self,
+        (operator, heights): (&dyn SurfaceOperator, &[f64]),
+        pressure: &[f64],
+        approach: f64,
+    ) -> Result<&[f64], OperatorError> {
+        if self.knows_gap {
+            return Ok(&self.gap);
+        }
+        self.make_room(heights.len());
+        let displacements = DisplacementField::normal(&mut self.gap);
+        operator.apply(TractionField::normal(pressure), displacements, &mut self.workspace)?;
+        each(self.threads, (&mut self.gap[..], heights), &|(gaps, heights)| {
+            gaps.iter_mut().zip(heights).for_each(|(gap, height)| *gap += height - approach);
+        });
+        Ok(&self.gap)
     }
 
     /// Solves a task whose initial pressure is positive somewhere.
@@ -108,6 +126,7 @@ impl ActiveSet {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         self.make_room(task.heights.len());
+        self.knows_gap = true;
         let patient = !task.operator.is_invariant();
         let mut state = IterationState { patient, ..IterationState::default() };
         self.begin(task, &mut state)?;

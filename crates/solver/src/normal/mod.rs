@@ -30,6 +30,8 @@ pub(crate) struct NormalGrids {
 
 /// From this number of cells on a coarse grid gives back its memory before a finer one needs its own.
 const LARGE: usize = 1 << 16;
+/// From this number on it is made anew for the next start.
+const LARGEST: usize = 1 << 20;
 
 /// Greatest number of cells along a side of the grid for the pilot solve.
 const PILOT_CELLS: usize = 64;
@@ -48,9 +50,10 @@ pub(crate) struct Target {
 #[derive(Clone)]
 struct Level {
     grid: Grid,
-    /// `None` on the finest grid, whose operator belongs to the problem.
+    /// `None` on the finest grid, whose operator belongs to the problem, and on a grid that is to be made anew.
     operator: Option<Arc<dyn SurfaceOperator>>,
-    heights: Arc<Field>,
+    /// `None` on a grid that is to be made anew.
+    heights: Option<Arc<Field>>,
     /// Empty from the end of a solve on.
     pressure: Vec<f64>,
     set: ActiveSet,
@@ -67,13 +70,8 @@ impl NormalGrids {
         // A known outline needs no coarse grids, and they would not resolve the peaks at its edge.
         if heights.values().iter().all(|height| !height.is_infinite()) {
             for operator in coarser()? {
-                let above = &levels[levels.len() - 1];
-                let threads = operator.threads();
-                let (fine, heights) = (above.heights.grid(), above.heights.values());
-                let heights = nested::coarser(fine, heights, operator.grid(), threads);
-                let heights = Arc::new(Field::new(operator.grid(), heights)?);
-                let level = Level::new(&*operator, heights);
-                levels.push(Level { operator: Some(operator), ..level });
+                let level = levels[levels.len() - 1].coarser(operator)?;
+                levels.push(level);
             }
         }
         Ok(Self { levels })
@@ -84,32 +82,41 @@ impl NormalGrids {
         &self.levels[0].pressure
     }
 
-    /// Moves the solution into a state without tractions, where all cells in contact slip.
+    /// Moves the solution into a state without tractions and contact, where all cells in contact then slip.
     pub(crate) fn give(&mut self, to: &mut ContactState) -> Result<(), OperatorError> {
         let finest = &mut self.levels[0];
         to.pressure = Field::new(finest.grid, std::mem::take(&mut finest.pressure))?;
         if finest.grid.cells() >= LARGE {
             finest.set.release();
         }
-        for (cell, pressure) in to.cells.values_mut().iter_mut().zip(to.pressure.values()) {
-            *cell = if *pressure > 0.0 { CellState::Slip } else { CellState::Exterior };
-        }
+        // Cells that are not written take no memory.
+        let cells = to.cells.values_mut().iter_mut().zip(to.pressure.values());
+        cells
+            .filter(|(_, pressure)| **pressure > 0.0)
+            .for_each(|(cell, _)| *cell = CellState::Slip);
         Ok(())
     }
 
     /// The gaps of the solution.
-    pub(crate) fn gap(&self) -> &[f64] {
-        self.levels[0].set.gap()
+    pub(crate) fn gap(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        approach: f64,
+    ) -> Result<&[f64], OperatorError> {
+        let Level { heights, pressure, set, .. } = &mut self.levels[0];
+        let heights = heights.as_deref().map_or(&[][..], Field::values);
+        set.gap_of((operator, heights), pressure, approach)
     }
 
     /// Sets the heights on the finest grid.
     pub(crate) fn set_heights(&mut self, heights: &Arc<Field>) {
-        self.levels[0].heights = Arc::clone(heights);
+        self.levels[0].heights = Some(Arc::clone(heights));
     }
 
     /// The heights on the finest grid, to be changed by the caller.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
-        Arc::make_mut(&mut self.levels[0].heights).values_mut()
+        let heights = self.levels[0].heights.as_mut();
+        heights.map_or(&mut [], |heights| Arc::make_mut(heights).values_mut())
     }
 
     /// The working memory for products on the finest grid.
@@ -160,6 +167,7 @@ impl NormalGrids {
     ) -> Result<Products, OperatorError> {
         let Target { tolerance, iterations } = target;
         let levels = &mut self.levels;
+        make_anew(levels, operator)?;
         let (coarsest, cells) = (levels.len() - 1, levels[0].grid.cells());
         levels[coarsest].guess(driven);
         let mut spent = Products::default();
@@ -171,10 +179,7 @@ impl NormalGrids {
             let (finer, coarser) = levels.split_at_mut(i);
             let (fine, coarse) = (&mut finer[i - 1], &coarser[0]);
             fine.pressure = nested::finer_pressure(coarse.grid, &coarse.pressure, fine.grid);
-            if coarser[0].grid.cells() >= LARGE {
-                coarser[0].set.release();
-                coarser[0].pressure = Vec::new();
-            }
+            coarser[0].release();
             if !fine.pressure.iter().any(|pressure| *pressure > 0.0) {
                 fine.guess(driven);
             }
@@ -197,7 +202,7 @@ impl NormalGrids {
         let Some(lowest) = self.levels[at].lowest() else { return Ok(None) };
         let grid = self.levels[at].grid;
         let alone = [lowest % grid.nx(), lowest / grid.nx()].map(|place| [place; 2]);
-        if matches!(driven, Driven::Shift(approach) if self.levels[at].heights.values()[lowest] >= approach)
+        if matches!(driven, Driven::Shift(approach) if self.levels[at].heights()[lowest] >= approach)
         {
             return Ok(Some((grid, alone)));
         }
@@ -220,20 +225,52 @@ impl NormalGrids {
 
 impl Level {
     fn new(operator: &dyn SurfaceOperator, heights: Arc<Field>) -> Self {
-        let (grid, pressure) = (operator.grid(), Vec::new());
+        let (grid, heights, pressure) = (operator.grid(), Some(heights), Vec::new());
         Self { grid, operator: None, heights, pressure, set: ActiveSet::new(operator) }
+    }
+
+    /// The next coarser grid, whose operator this is.
+    fn coarser(&self, operator: Arc<dyn SurfaceOperator>) -> Result<Self, OperatorError> {
+        let (grid, threads) = (operator.grid(), operator.threads());
+        let heights = Field::new(grid, nested::coarser(self.grid, self.heights(), grid, threads))?;
+        Ok(Self {
+            operator: Some(Arc::clone(&operator)),
+            ..Self::new(&*operator, Arc::new(heights))
+        })
+    }
+
+    /// The distances of the surfaces at zero approach.
+    fn heights(&self) -> &[f64] {
+        self.heights.as_deref().map_or(&[], Field::values)
+    }
+
+    /// Gives back the memory of a large coarse grid whose solution is no longer needed.
+    fn release(&mut self) {
+        if self.grid.cells() < LARGE {
+            return;
+        }
+        self.set.release();
+        self.pressure = Vec::new();
+        let is_alone = self.operator.as_ref().is_some_and(|own| Arc::strong_count(own) == 1);
+        if is_alone && self.grid.cells() >= LARGEST {
+            self.forget();
+        }
+    }
+
+    /// Gives back what is made anew for the next start.
+    fn forget(&mut self) {
+        (self.operator, self.heights, self.set.inverse) = (None, None, None);
     }
 
     /// The cell with the smallest gap, if any gap is finite.
     fn lowest(&self) -> Option<usize> {
-        let finite =
-            self.heights.values().iter().enumerate().filter(|(_, height)| height.is_finite());
+        let finite = self.heights().iter().enumerate().filter(|(_, height)| height.is_finite());
         finite.min_by(|one, other| one.1.total_cmp(other.1)).map(|(cell, _)| cell)
     }
 
     /// A first guess without better knowledge: semi-ellipsoidal pressures at the smallest gap.
     fn guess(&mut self, driven: Driven) {
-        let all = self.heights.values();
+        let all = self.heights.as_deref().map_or(&[][..], Field::values);
         let mut heights: Vec<f64> =
             all.iter().copied().filter(|height| height.is_finite()).collect();
         heights.sort_by(f64::total_cmp);
@@ -257,6 +294,21 @@ impl Level {
     }
 }
 
+/// Makes the coarse grids anew that were given back.
+fn make_anew(levels: &mut [Level], own: &dyn SurfaceOperator) -> Result<(), OperatorError> {
+    for at in 1..levels.len() {
+        let (finer, coarser) = levels.split_at_mut(at);
+        if coarser[0].heights.is_some() {
+            return Ok(());
+        }
+        let above = &finer[at - 1];
+        if let Some(operator) = above.operator.as_deref().unwrap_or(own).coarser() {
+            coarser[0] = above.coarser(operator?.into())?;
+        }
+    }
+    Ok(())
+}
+
 impl Level {
     fn solve(
         &mut self,
@@ -271,12 +323,41 @@ impl Level {
         };
         let mut task = NormalTask {
             operator: self.operator.as_deref().unwrap_or(own),
-            heights: self.heights.values(),
+            heights: self.heights.as_deref().map_or(&[], Field::values),
             driven,
             pressure: &mut self.pressure,
             approach,
         };
         let convergence = self.set.solve_any(&mut task, limits, observer)?;
         Ok((task.approach, convergence))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use carom_halfspace::operator::{PeriodicOperator, Threads};
+    use carom_halfspace::{Material, MaterialPair};
+
+    #[test]
+    fn grids_that_were_given_back_are_made_anew() {
+        let grid = Grid::new(128, 128, 0.1, 0.1).unwrap();
+        let body = Material::from_shear(1.0, 0.3).unwrap();
+        let pair = MaterialPair::new(body, body).unwrap();
+        let operator = PeriodicOperator::new(pair, grid, Threads::One).unwrap();
+        let waves = Field::from_function(grid, |x, y| 0.1 * ((2.0 * x).cos() + y.sin()));
+        let heights = Arc::new(waves);
+        let coarser = || nested::coarser_operators(&operator);
+        let mut grids = NormalGrids::new(&operator, &heights, coarser).unwrap();
+        let target = Target { tolerance: 1e-8, iterations: 1000 };
+        let solved = |grids: &mut NormalGrids| {
+            grids.start(&operator, Driven::Load(0.5), target).unwrap();
+            let start = grids.pressure().to_vec();
+            (start, grids.solve(&operator, Driven::Load(0.5), target, &mut ()).unwrap())
+        };
+        let first = solved(&mut grids);
+        assert!(grids.levels.len() > 2);
+        grids.levels[1..].iter_mut().for_each(Level::forget);
+        assert_eq!(solved(&mut grids), first);
     }
 }

@@ -68,7 +68,7 @@ impl ActiveSet {
 }
 
 /// The greater value; NaN if any is NaN.
-const fn greater(one: f64, other: f64) -> f64 {
+pub(super) const fn greater(one: f64, other: f64) -> f64 {
     if one.is_nan() {
         one
     } else if other.is_nan() || other > one {

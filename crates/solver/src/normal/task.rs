@@ -26,16 +26,17 @@ pub(super) struct NormalTask<'a> {
     pub(super) approach: f64,
 }
 
-/// Removes tension within the tolerance, and scales the pressures to a prescribed force.
+/// Removes tension within the tolerance, and scales the pressures to a prescribed force. Zeros are not written: pages of
+/// them take no memory.
 pub(super) fn finish(task: &mut NormalTask<'_>) {
-    for pressure in task.pressure.iter_mut() {
+    for pressure in task.pressure.iter_mut().filter(|pressure| **pressure != 0.0) {
         *pressure = pressure.max(0.0);
     }
     if let Driven::Load(force) = task.driven {
         // In the order in which the integral of a field is taken: the force is that which was prescribed, to the last bit.
         let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
         if sum > 0.0 {
-            for pressure in task.pressure.iter_mut() {
+            for pressure in task.pressure.iter_mut().filter(|pressure| **pressure != 0.0) {
                 *pressure *= force / sum;
             }
         }

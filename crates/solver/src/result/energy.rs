@@ -1,7 +1,9 @@
 //! Elastic energy and friction heat, cell by cell.
 
 use carom_halfspace::Field;
-use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
+use carom_halfspace::operator::{
+    DisplacementField, NormalRows, OperatorError, TractionField, Workspace,
+};
 
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
@@ -55,19 +57,20 @@ impl StoredEnergy {
         Ok(Self { normal: w, tangential: u })
     }
 
-    /// The sums of both over all cells, and the normal displacement w1 - w2 of each cell.
-    pub(super) fn sums_and_displacement(
-        problem: &ContactProblem,
+    /// The tangential part, summed over all cells, and the normal displacements w1 - w2 row by row.
+    pub(super) fn tangential_and_rows<'a>(
+        problem: &'a ContactProblem,
         state: &ContactState,
-    ) -> Result<([f64; 2], Field), OperatorError> {
+        workspace: &'a mut Workspace,
+    ) -> Result<(f64, Box<dyn NormalRows + 'a>), OperatorError> {
+        if has_pressure_alone(state) {
+            return Ok((0.0, problem.operator().pressed(state.pressure.values(), workspace)?));
+        }
         let ([u, v, w], half) = (displaced(problem, state)?, 0.5 * problem.grid().cell_area());
-        let loaded = w.values().iter().zip(state.pressure.values()).filter(|(_, p)| **p != 0.0);
-        let normal: f64 = loaded.map(|(w, p)| w * (half * p)).sum();
         let along = u.values().iter().zip(state.traction_x.values()).map(|(u, x)| u * x);
         let across = v.values().iter().zip(state.traction_y.values()).map(|(v, y)| v * y);
-        let tangential: f64 =
-            along.zip(across).map(|(along, across)| half * (along + across)).sum();
-        Ok(([normal, tangential], w))
+        let sum = along.zip(across).map(|(along, across)| half * (along + across)).sum();
+        Ok((sum, Box::new(w)))
     }
 
     /// The sum over all cells.
@@ -79,13 +82,16 @@ impl StoredEnergy {
 
 /// The displacements of each cell; tangential ones are left zero where there are no tractions: they do no work, and not
 /// every operator has them.
-fn displaced(problem: &ContactProblem, state: &ContactState) -> Result<[Field; 3], OperatorError> {
+pub(super) fn displaced(
+    problem: &ContactProblem,
+    state: &ContactState,
+) -> Result<[Field; 3], OperatorError> {
     let (operator, grid) = (problem.operator(), problem.grid());
     // Fields of zeros take no memory until they are written; copies do.
     let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
     let pressure = state.pressure.values();
-    let is_normal = x.iter().chain(y).all(|traction| *traction == 0.0);
+    let is_normal = has_pressure_alone(state);
     let tractions = match is_normal {
         true => TractionField::normal(pressure),
         false => TractionField::full(x, y, pressure),
@@ -96,6 +102,11 @@ fn displaced(problem: &ContactProblem, state: &ContactState) -> Result<[Field; 3
     };
     operator.apply(tractions, displacements, &mut operator.workspace())?;
     Ok([u, v, w])
+}
+
+fn has_pressure_alone(state: &ContactState) -> bool {
+    let tractions = state.traction_x.values().iter().chain(state.traction_y.values());
+    tractions.into_iter().all(|traction| *traction == 0.0)
 }
 
 /// The friction heat of a step in each cell: tangential traction at the end of the step, times

@@ -1,7 +1,9 @@
 //! The surfaces after a step: the gap that is left, patches of contact, and how near the pressure is to the solution.
 
 use super::StoredEnergy;
+use super::energy::displaced;
 use crate::problem::ContactProblem;
+use crate::rows::{Row, of_rows};
 use crate::state::{CellState, ContactState};
 use carom_halfspace::Field;
 use carom_halfspace::operator::OperatorError;
@@ -12,16 +14,11 @@ use carom_halfspace::operator::OperatorError;
 /// # Errors
 /// [`OperatorError`] if the state is on another grid.
 pub fn gap_left(problem: &ContactProblem, state: &ContactState) -> Result<Field, OperatorError> {
-    let (_, w) = StoredEnergy::sums_and_displacement(problem, state)?;
-    Ok(left(problem, state, w))
-}
-
-/// The gap from the displacement w.
-fn left(problem: &ContactProblem, state: &ContactState, mut w: Field) -> Field {
+    let [.., mut gap] = displaced(problem, state)?;
     let heights = problem.gap().heights().values();
     let zeta = state.shift.zeta;
-    w.values_mut().iter_mut().zip(heights).for_each(|(w, height)| *w += height - zeta);
-    w
+    gap.values_mut().iter_mut().zip(heights).for_each(|(w, height)| *w += height - zeta);
+    Ok(gap)
 }
 
 /// What the deformed surfaces are.
@@ -44,55 +41,93 @@ impl Surfaces {
         problem: &ContactProblem,
         state: &ContactState,
     ) -> Result<Self, OperatorError> {
-        let ([normal, tangential], w) = StoredEnergy::sums_and_displacement(problem, state)?;
-        let gap = left(problem, state, w);
+        let (operator, grid) = (problem.operator(), problem.grid());
+        let mut workspace = operator.workspace();
+        let (tangential, mut rows) =
+            StoredEnergy::tangential_and_rows(problem, state, &mut workspace)?;
+        let fields = [state.pressure.values(), problem.gap().heights().values()];
+        let rows =
+            of_rows(&mut *rows, (grid, fields), &|_| true, &|row| Sums::of(row, state.shift.zeta));
+        let sums = rows.iter().fold(Sums::default(), Sums::plus);
+        let area = grid.cell_area();
         // Where tractions displace along the normal, the normal energy is not that of the pressure alone.
-        let is_alone = !problem.operator().is_coupled();
-        let by_approach = is_alone
-            .then(|| energy_gap_by_approach(problem, (&state.pressure, normal), &gap))
-            .flatten();
-        let (sum, count) = gap
-            .values()
-            .iter()
-            .filter(|gap| gap.is_finite())
-            .fold((0.0, 0.0), |(sum, count), gap| (sum + gap, count + 1.0));
+        let least = operator.least_normal_influence().filter(|_| !operator.is_coupled());
         Ok(Self {
-            mean_gap: sum / count,
-            patches: patches(&state.cells, !problem.operator().displaces_on_average()),
-            energy_gap: energy_gap(&state.pressure, &gap),
-            energy_gap_by_approach: by_approach,
-            stored: normal + tangential,
+            mean_gap: sums.gap / sums.count,
+            patches: patches(&state.cells, !operator.displaces_on_average()),
+            energy_gap: area * sums.energy_gap(),
+            energy_gap_by_approach: least.map(|least| sums.energy_gap_by_approach(area, least)),
+            stored: 0.5 * area * sums.work + tangential,
         })
     }
 }
 
-/// The gap of Frank and Wolfe. For a given force F the pressure p >= 0 is the one of least energy
-/// J(p) = p.Kp/2 + p.h, whose gradient is the distance g of the surfaces but for a constant. J is convex, so that
-/// J(p) - J(q) <= (p - q).g for every q; the least value of q.g is F times the least g. Hence J is above its least value by
-/// p.g - F min g at most, and |p - p*|^2 = (p - p*).K(p - p*) by twice as much.
-fn energy_gap(pressure: &Field, gap: &Field) -> f64 {
-    let least = gap.values().iter().copied().fold(f64::INFINITY, f64::min);
-    let pairs = pressure.values().iter().zip(gap.values()).filter(|(p, _)| **p > 0.0);
-    let sum: f64 = pairs.map(|(p, gap)| p * (gap - least)).sum();
-    pressure.grid().cell_area() * sum
+/// Sums over cells.
+struct Sums {
+    /// Of the finite gaps, and their number.
+    gap: f64,
+    count: f64,
+    least: f64,
+    force: f64,
+    /// Of pressure times gap, and of pressure times displacement.
+    left: f64,
+    work: f64,
 }
 
-/// The same for a given approach. The pressure q of least energy less the work of the approach, J(q) = q.Kq/2 + q.(h - zeta),
-/// has the gradient g, so that J(p) - J(q) <= p.g - q.g <= p.g + o Q, with the force Q of q and the greatest overlap o. If the
-/// least influence is k, k Q^2 <= q.Kq = -2 J(q). With the stored energy E = p.g - J(p) and y^2 = -J(q): y^2 <= E + o sqrt(2/k) y.
-fn energy_gap_by_approach(
-    problem: &ContactProblem,
-    (pressure, energy): (&Field, f64),
-    gap: &Field,
-) -> Option<f64> {
-    let area = pressure.grid().cell_area();
-    let least = problem.operator().least_normal_influence()?;
-    let overlap = gap.values().iter().fold(0.0_f64, |most, gap| most.max(-gap));
-    let by = overlap * libm::sqrt(2.0 * area / least);
-    let root = 0.5 * (by + libm::sqrt(by * by + 4.0 * energy));
-    let pairs = pressure.values().iter().zip(gap.values()).filter(|(p, _)| **p > 0.0);
-    let work: f64 = area * pairs.map(|(p, gap)| p * gap).sum::<f64>();
-    Some((work + by * root).max(0.0))
+impl Default for Sums {
+    fn default() -> Self {
+        Self { gap: 0.0, count: 0.0, least: f64::INFINITY, force: 0.0, left: 0.0, work: 0.0 }
+    }
+}
+
+impl Sums {
+    fn of(row: &Row<'_>, approach: f64) -> Self {
+        let mut sums = Self::default();
+        for ((pressure, gap), w) in row.gaps(approach).zip(row.displacements) {
+            if gap.is_finite() {
+                (sums.gap, sums.count) = (sums.gap + gap, sums.count + 1.0);
+            }
+            sums.least = sums.least.min(gap);
+            if pressure > 0.0 {
+                sums.force += pressure;
+                sums.left += pressure * gap;
+            }
+            if pressure != 0.0 {
+                sums.work += pressure * w;
+            }
+        }
+        sums
+    }
+
+    fn plus(self, other: &Self) -> Self {
+        Self {
+            gap: self.gap + other.gap,
+            count: self.count + other.count,
+            least: self.least.min(other.least),
+            force: self.force + other.force,
+            left: self.left + other.left,
+            work: self.work + other.work,
+        }
+    }
+
+    /// The gap of Frank and Wolfe. For a given force F the pressure p >= 0 is the one of least energy
+    /// J(p) = p.Kp/2 + p.h, whose gradient is the distance g of the surfaces but for a constant. J is convex, so that
+    /// J(p) - J(q) <= (p - q).g for every q; the least value of q.g is F times the least g. Hence J is above its least
+    /// value by p.g - F min g at most, and |p - p*|^2 = (p - p*).K(p - p*) by twice as much.
+    fn energy_gap(&self) -> f64 {
+        if self.force > 0.0 { (self.left - self.force * self.least).max(0.0) } else { 0.0 }
+    }
+
+    /// The same for a given approach. The pressure q of least energy less the work of the approach,
+    /// J(q) = q.Kq/2 + q.(h - zeta), has the gradient g, so that J(p) - J(q) <= p.g - q.g <= p.g + o Q, with the force Q of q
+    /// and the greatest overlap o. If the least influence is k, k Q^2 <= q.Kq = -2 J(q). With the stored energy
+    /// E = p.g - J(p) and y^2 = -J(q): y^2 <= E + o sqrt(2/k) y.
+    fn energy_gap_by_approach(&self, area: f64, least: f64) -> f64 {
+        let (overlap, energy) = ((-self.least).max(0.0), 0.5 * area * self.work);
+        let by = overlap * libm::sqrt(2.0 * area / least);
+        let root = 0.5 * (by + libm::sqrt(by * by + 4.0 * energy));
+        (area * self.left + by * root).max(0.0)
+    }
 }
 
 /// The number of connected parts of the contact; cells are connected along their sides, and over the border if the
@@ -196,10 +231,9 @@ mod tests {
         let (zeta, area) = (0.01, grid.cell_area());
         for part in [0.0, 0.3, 0.9, 1.0, 1.4] {
             let pressure = part * zeta / own;
-            let field = |value: f64| Field::uniform(grid, value);
-            let energy = 0.5 * area * own * pressure * pressure;
-            let left = field(own * pressure - zeta);
-            let bound = energy_gap_by_approach(&problem, (&field(pressure), energy), &left);
+            let mut state = ContactState::apart(grid);
+            (state.shift.zeta, state.pressure) = (zeta, Field::uniform(grid, pressure));
+            let bound = Surfaces::of(&problem, &state).unwrap().energy_gap_by_approach;
             let above = 0.5 * area * own * (pressure - zeta / own).powi(2);
             let ratio = bound.unwrap() / (0.5 * area * zeta * zeta / own);
             assert!(ratio >= above / (0.5 * area * zeta * zeta / own) - 1e-15, "{part}: {ratio}");
