@@ -39,6 +39,7 @@ mod tabulated;
 mod threads;
 mod toeplitz;
 mod torus;
+mod triangle;
 mod validity;
 mod workspace;
 

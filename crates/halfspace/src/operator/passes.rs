@@ -222,12 +222,14 @@ impl<T: Real> Plan<T> {
     ) {
         let py = self.sizes.py;
         for column in 0..width {
-            let sum = &mut lane.sum[column * py..][..py];
+            let Lane { sum, blocks, factors, .. } = lane;
+            let sum = &mut sum[column * py..][..py];
             let mut fresh = true;
             for (input, term) in terms.iter().enumerate().take(inputs) {
                 let Some(term) = term else { continue };
-                let values = &lane.blocks[(input * T::BLOCK + column) * py..][..py];
-                term.spectrum.multiply(first + column, term.sign, values, sum, fresh);
+                let values = &blocks[(input * T::BLOCK + column) * py..][..py];
+                let at = (first + column, term.sign);
+                term.spectrum.multiply(at, values, (sum, fresh), factors);
                 fresh = false;
             }
             if fresh {

@@ -160,7 +160,8 @@ fn spectrum(pair: &MaterialPair, grid: Grid, sizes: &Sizes, entry: Entry) -> Spe
     }
     let [along, across] = entry.parity();
     let (half, imaginary) = (ny / 2 + 1, along != across);
-    Spectrum::Symmetric { values, half, imaginary, row_parity: across }
+    let all = Spectrum::Symmetric { values, half, imaginary, row_parity: across };
+    if matches!(entry, Entry::Zz) { all.folded(grid) } else { all }
 }
 
 impl SurfaceOperator for PeriodicOperator {

@@ -7,7 +7,9 @@ use carom_fourier::{Complex, Complex64};
 use super::length::Sizes;
 use super::plan::Plan;
 use super::precision::Real;
+use super::triangle::Triangle;
 use super::workspace::{Lane, each};
+use crate::Grid;
 
 /// By this power of e the sum over points ahead fades along the torus.
 const FADING: f64 = 4.0;
@@ -35,10 +37,12 @@ impl Parity {
 /// A transform, divided by the number of points, stored by columns.
 ///
 /// A kernel with even or odd symmetry in both coordinates has a real or imaginary transform with
-/// the same symmetry: half of the columns, with one real number per point, are stored.
+/// the same symmetry: half of the columns, with one real number per point, are stored. If it is even in both and the same
+/// along both on a square grid, half of these are enough.
 #[derive(Debug, Clone)]
 pub(crate) enum Spectrum<T = f64> {
     Symmetric { values: Vec<T>, half: usize, imaginary: bool, row_parity: Parity },
+    Square(Triangle<T>),
     General { values: Vec<Complex<T>>, length: usize },
 }
 
@@ -63,6 +67,18 @@ impl Spectrum {
         let half = plan.sizes.py / 2 + 1;
         let values = symmetric_columns(plan, &rows, y, scale, &mut lanes);
         Self::Symmetric { values, half, imaginary, row_parity: y }
+    }
+
+    /// The same of a kernel that is the same along both axes, if it is even and the grid is square.
+    pub(crate) fn folded(self, grid: Grid) -> Self {
+        match self {
+            Self::Symmetric { values, half, imaginary: false, row_parity: Parity::Even }
+                if grid.nx() == grid.ny() && grid.dx() == grid.dy() =>
+            {
+                Self::Square(Triangle::of(half, &values))
+            }
+            other => other,
+        }
     }
 
     /// From `kernel(columns, rows)` at any offset, source minus receiver.
@@ -126,6 +142,10 @@ impl Spectrum {
                 let value = sign * values[column * half + row];
                 if *imaginary { Complex64::new(0.0, value) } else { Complex64::new(value, 0.0) }
             }
+            Self::Square(values) => {
+                let row = if row < values.side() { row } else { 2 * (values.side() - 1) - row };
+                Complex64::new(values.at(column, row), 0.0)
+            }
             Self::General { values, length } => values[column * length + row],
         }
     }
@@ -145,7 +165,8 @@ impl Spectrum {
     /// The greatest value.
     pub(crate) fn greatest(&self) -> f64 {
         match self {
-            Self::Symmetric { values, .. } => values.iter().fold(0.0, |most, f| most.max(f.abs())),
+            Self::Symmetric { values, .. } => greatest(values),
+            Self::Square(values) => greatest(values.stored()),
             Self::General { values, .. } => values.iter().fold(0.0, |most, z| most.max(z.norm())),
         }
     }
@@ -158,6 +179,7 @@ impl Spectrum {
                 let values = values.iter().copied().map(part).collect();
                 Spectrum::Symmetric { values, half, imaginary, row_parity }
             }
+            Self::Square(ref values) => Spectrum::Square(values.map(part)),
             Self::General { ref values, length } => {
                 let values = values.iter().map(|z| Complex::new(part(z.re), part(z.im))).collect();
                 Spectrum::General { values, length }
@@ -167,14 +189,13 @@ impl Spectrum {
 }
 
 impl<T: Real> Spectrum<T> {
-    /// `sum = sign * spectrum * values` in one column; added to `sum` unless `fresh`.
+    /// `sum = sign * spectrum * values` in one column; added to `sum` unless `fresh`. `factors` has room for half of it.
     pub(crate) fn multiply(
         &self,
-        column: usize,
-        sign: T,
+        (column, sign): (usize, T),
         values: &[Complex<T>],
-        sum: &mut [Complex<T>],
-        fresh: bool,
+        (sum, fresh): (&mut [Complex<T>], bool),
+        factors: &mut [T],
     ) {
         match self {
             Self::Symmetric { values: all, half, imaginary, row_parity } => {
@@ -189,6 +210,14 @@ impl<T: Real> Spectrum<T> {
                     }
                 }
             }
+            Self::Square(all) => {
+                let own = &mut factors[..all.side()];
+                all.column(column, own);
+                match fresh {
+                    true => mirrored(own, sign, sign, values, sum, |f, z, _| z * f),
+                    false => mirrored(own, sign, sign, values, sum, |f, z, s| s + z * f),
+                }
+            }
             Self::General { values: all, length } => {
                 let own = &all[column * length..][..*length];
                 for ((factor, value), sum) in own.iter().zip(values).zip(sum) {
@@ -198,6 +227,10 @@ impl<T: Real> Spectrum<T> {
             }
         }
     }
+}
+
+fn greatest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 /// i f z.

@@ -195,7 +195,7 @@ impl<T: Real> TorusBlocks<T> {
             Spectrum::Symmetric { values, half, imaginary, .. } => {
                 Spectrum::Symmetric { values, half, imaginary, row_parity: Parity::Odd }
             }
-            general @ Spectrum::General { .. } => general,
+            other => other,
         };
         [spectrum(xx, sizes), odd, spectrum(yy, sizes)]
     }

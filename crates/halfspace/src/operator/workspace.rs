@@ -42,6 +42,8 @@ pub(crate) struct Lane<T = f64> {
     pub(crate) blocks: Vec<Complex<T>>,
     /// A block of columns of one output.
     pub(crate) sum: Vec<Complex<T>>,
+    /// Half of a column of a spectrum.
+    pub(crate) factors: Vec<T>,
     pub(crate) scratch: Vec<Complex<T>>,
 }
 
@@ -68,6 +70,7 @@ impl<T: Real> Lane<T> {
     pub(crate) fn prepare(&mut self, plan: &Plan<T>, inputs: usize) {
         // The transforms require these two at exactly their own length.
         self.row.resize(plan.sizes.px, T::zero());
+        self.factors.resize(self.factors.len().max(plan.sizes.py / 2 + 1), T::zero());
         grow(&mut self.scratch, plan.scratch());
         grow(&mut self.blocks, inputs * T::BLOCK * plan.sizes.py);
         grow(&mut self.sum, T::BLOCK * plan.sizes.py);
