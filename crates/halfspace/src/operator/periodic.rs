@@ -126,7 +126,9 @@ impl PeriodicOperator {
     fn term(&self, blocks: Blocks, of: Axis, by: Axis) -> Result<Option<Term<'_>>, OperatorError> {
         let (entry, sign) = blocks.entry(&self.pair, of, by)?;
         let place = |entry: Entry| &self.spectra[entry as usize];
-        let new = |entry| spectrum(&self.pair, self.grid, &self.plan.sizes, entry);
+        let all = |entry| spectrum(&self.pair, self.grid, &self.plan.sizes, entry);
+        let is_alone = self.blocks == Blocks::Normal;
+        let new = |entry| if is_alone { all(entry).folded(self.grid) } else { all(entry) };
         let spectrum = |entry| place(entry).get_or_init(|| new(entry));
         Ok(entry.map(|entry| Term { spectrum: spectrum(entry), sign }))
     }
@@ -160,8 +162,7 @@ fn spectrum(pair: &MaterialPair, grid: Grid, sizes: &Sizes, entry: Entry) -> Spe
     }
     let [along, across] = entry.parity();
     let (half, imaginary) = (ny / 2 + 1, along != across);
-    let all = Spectrum::Symmetric { values, half, imaginary, row_parity: across };
-    if matches!(entry, Entry::Zz) { all.folded(grid) } else { all }
+    Spectrum::Symmetric { values, half, imaginary, row_parity: across }
 }
 
 impl SurfaceOperator for PeriodicOperator {

@@ -69,7 +69,7 @@ impl Spectrum {
         Self::Symmetric { values, half, imaginary, row_parity: y }
     }
 
-    /// The same of a kernel that is the same along both axes, if it is even and the grid is square.
+    /// The same with half of the memory, of a kernel that is the same along both axes, if it is even and the grid is square.
     pub(crate) fn folded(self, grid: Grid) -> Self {
         match self {
             Self::Symmetric { values, half, imaginary: false, row_parity: Parity::Even }

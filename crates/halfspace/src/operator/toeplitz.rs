@@ -174,7 +174,7 @@ impl HalfSpaceOperator {
         // Not under the lock: pool threads that wait may start other products.
         let rows = |row: usize, values: &mut [f64]| self.table.fill_row(entry, row, values);
         let new = Spectrum::symmetric(&self.plan, rows, entry.parity());
-        let new = if matches!(entry, Entry::Zz) { new.folded(self.grid) } else { new };
+        let new = if self.blocks == Blocks::Normal { new.folded(self.grid) } else { new };
         place.get_or_init(|| new)
     }
 }
