@@ -137,7 +137,8 @@ fn assert_covered(errors: &[[f64; 2]], mean: f64) {
     let count = errors.len();
     let ratio = |[error, estimate]: &[f64; 2]| error / estimate;
     assert!(errors.iter().all(|pair| ratio(pair) < 2.0), "{errors:?}");
-    assert!(errors.iter().filter(|pair| ratio(pair) > 1.0).count() <= 1, "{errors:?}");
+    let wide = errors.iter().filter(|pair| ratio(pair) > 1.0).count();
+    assert!(wide <= errors.len().div_ceil(20), "{errors:?}");
     let sum: f64 = errors.iter().map(|[error, _]| error).sum();
     assert!(sum < mean * count as f64, "{errors:?}");
 }
@@ -145,6 +146,12 @@ fn assert_covered(errors: &[[f64; 2]], mean: f64) {
 #[test]
 fn spinning_impacts_by_rings_are_those_on_a_grid_within_their_estimates() {
     assert_covered(&errors((0..8).map(Drawn::new)), 4e-3);
+}
+
+#[test]
+#[ignore = "takes ten minutes"]
+fn three_hundred_spinning_impacts_are_those_on_a_grid_within_their_estimates() {
+    assert_covered(&errors((8..308).map(Drawn::new)), 4e-3);
 }
 
 /// The drawn ones with odd numbers are of unlike bodies.
