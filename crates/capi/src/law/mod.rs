@@ -16,7 +16,7 @@ use carom_laws::law_name::LawName;
 use carom_laws::rings::{self, RingLaw, RingMatrices, RingMemory};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
-use carom_laws::torsion::law::TorsionLaw;
+use carom_laws::torsion::law::{StoredTwist, TorsionLaw};
 use carom_laws::turning_law::TurningLaw;
 use carom_special::RangeError;
 
@@ -90,10 +90,10 @@ impl CaromLaw {
     fn checked(self) -> Result<Self, Failure> {
         match self.is_by_rings() {
             true => self.damped(self.ring_law(1.0, RingMemory::default())?).map(|_| ())?,
-            false => self.damped(self.shift_law(1.0, 0.0)?).map(|_| ())?,
+            false => self.damped(self.shift_law(1.0, self.friction_at(0.0)?)?).map(|_| ())?,
         }
         if self.has_torsion {
-            self.torsion_law(1.0)?;
+            self.twist(1.0)?;
         }
         Ok(self)
     }
@@ -148,13 +148,13 @@ impl CaromLaw {
         if self.weighs() { meeting.check_masses() } else { Ok(()) }
     }
 
-    /// The law of shifts of a contact of this relative radius that first touches at a slip speed.
-    pub(crate) fn shift_law(&self, relative_radius: f64, slip_speed: f64) -> Result<Law, Failure> {
-        self.shift_law_with(relative_radius, self.friction.at(slip_speed)?)
+    /// The friction of a contact that first touches at a slip speed.
+    pub(crate) fn friction_at(&self, slip_speed: f64) -> Result<StaticFriction, Failure> {
+        Ok(self.friction.at(slip_speed)?)
     }
 
-    /// The same with a coefficient of friction that was stored.
-    pub(crate) fn shift_law_with(
+    /// The law of shifts of a contact of this relative radius.
+    pub(crate) fn shift_law(
         &self,
         relative_radius: f64,
         friction: StaticFriction,
@@ -183,10 +183,11 @@ impl CaromLaw {
         }
     }
 
-    /// The law of twist of a contact of this relative radius, for separated bodies.
-    pub(crate) fn torsion_law(&self, relative_radius: f64) -> Result<TorsionLaw, Failure> {
+    /// The twist of a contact of this relative radius, for separated bodies.
+    pub(crate) fn twist(&self, relative_radius: f64) -> Result<StoredTwist, Failure> {
         let constants = self.unit.torsion(relative_radius);
-        Ok(TorsionLaw::from_constants(constants, self.friction.kinetic()?)?)
+        let law = TorsionLaw::from_constants(constants, self.friction.kinetic()?)?;
+        Ok(StoredTwist::new(&law)?)
     }
 
     /// A new contact with the damping of the law.

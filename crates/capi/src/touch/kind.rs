@@ -1,13 +1,11 @@
 //! The two kinds of contacts that a touch may hold: with a law of shifts, or with rings.
 
-use carom_laws::friction::Friction;
 use carom_laws::grains::{
-    GrainContact, GrainFrame, GrainLoad, Heats, Meeting, Twisted, grain_numbers, ring_grain_numbers,
+    GrainContact, GrainFrame, GrainLaw, Twisted, grain_numbers, ring_grain_numbers,
 };
 use carom_laws::law::ContactLaw as _;
 use carom_laws::rings::{RingLaw, RingMemory};
 use carom_laws::static_friction::StaticFriction;
-use carom_special::RangeError;
 
 use super::report::{CaromRegime, CaromReport};
 use crate::error::Failure;
@@ -21,43 +19,33 @@ pub(crate) trait Kind: Stored {
     /// Number of numbers of its stored form.
     const NUMBERS: usize;
 
-    /// A contact of bodies of these radii that first touch at a slip speed.
-    fn fresh(law: &CaromLaw, radii: [f64; 2], slip_speed: f64) -> Result<Self, Failure>;
+    /// The law that carries it.
+    type Law: GrainLaw;
 
-    /// Whether the bodies have not touched yet.
-    fn is_new(&self) -> bool;
+    /// A contact of bodies of this relative radius with this friction, if the law does not give it.
+    fn fresh(
+        law: &CaromLaw,
+        relative_radius: f64,
+        friction: StaticFriction,
+    ) -> Result<Self, Failure>;
 
     /// Whether the bodies overlapped at the end of the last step.
     fn overlaps(&self) -> bool;
 
-    /// A step, whose load goes to its place, and its heat to the sums if they are asked for.
-    fn advance(
+    /// Whether the bodies have not touched yet.
+    fn is_new(&self) -> bool;
+
+    /// Changes the contact of bodies of these radii, unless that fails.
+    fn change<T>(
         &mut self,
         of: (&CaromLaw, [f64; 2]),
-        meeting: &Meeting,
-        dt: f64,
-        load: &mut GrainLoad,
-        heats: Option<&mut Heats>,
-    ) -> Result<(), Failure>;
-
-    /// The load after the last step.
-    fn load(&self, of: (&CaromLaw, [f64; 2]), meeting: &Meeting) -> Result<GrainLoad, Failure>;
-
-    fn stored_energy(&self, of: (&CaromLaw, [f64; 2])) -> Result<f64, Failure>;
+        change: impl FnOnce(&mut GrainContact<Self::Law>) -> Result<T, Failure>,
+    ) -> Result<T, Failure>;
 
     fn report(&self, law: &CaromLaw) -> Result<CaromReport, Failure>;
 
     /// The coefficient of friction that it keeps.
     fn friction(&self) -> f64;
-
-    fn pack(&self, law: &CaromLaw, numbers: &mut [f64]) -> Result<(), Failure>;
-
-    /// The contact that numbers are, whose friction is that of the law or, if it goes by the slip speed, this one.
-    fn unpacked(
-        of: (&CaromLaw, [f64; 2]),
-        friction: Option<f64>,
-        numbers: &[f64],
-    ) -> Result<Self, Failure>;
 }
 
 /// A contact with a law of shifts.
@@ -66,15 +54,16 @@ pub(crate) type ShiftTouch = GrainContact<Law>;
 impl Kind for ShiftTouch {
     const NUMBERS: usize = grain_numbers(VERTICES);
 
+    type Law = Law;
+
     #[cold]
     #[inline(never)]
-    fn fresh(law: &CaromLaw, radii: [f64; 2], slip_speed: f64) -> Result<Self, Failure> {
-        law.damped(law.shift_law(relative_radius(radii)?, slip_speed)?)
-    }
-
-    #[inline(always)]
-    fn is_new(&self) -> bool {
-        Self::is_new(self)
+    fn fresh(
+        law: &CaromLaw,
+        relative_radius: f64,
+        friction: StaticFriction,
+    ) -> Result<Self, Failure> {
+        law.damped(law.shift_law(relative_radius, friction)?)
     }
 
     #[inline(always)]
@@ -83,28 +72,17 @@ impl Kind for ShiftTouch {
     }
 
     #[inline(always)]
-    fn advance(
+    fn is_new(&self) -> bool {
+        Self::is_new(self)
+    }
+
+    #[inline(always)]
+    fn change<T>(
         &mut self,
         _of: (&CaromLaw, [f64; 2]),
-        meeting: &Meeting,
-        dt: f64,
-        load: &mut GrainLoad,
-        heats: Option<&mut Heats>,
-    ) -> Result<(), Failure> {
-        match heats {
-            None => self.advance_into(meeting, dt, load)?,
-            // A copy, so that the meeting itself stays in registers where no heat is asked for.
-            Some(sums) => *load = self.advance_accounted(&{ *meeting }, dt, sums)?,
-        }
-        Ok(())
-    }
-
-    fn load(&self, _of: (&CaromLaw, [f64; 2]), meeting: &Meeting) -> Result<GrainLoad, Failure> {
-        Ok(Self::load(self, meeting))
-    }
-
-    fn stored_energy(&self, _of: (&CaromLaw, [f64; 2])) -> Result<f64, Failure> {
-        Ok(Self::stored_energy(self))
+        change: impl FnOnce(&mut Self) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        change(self)
     }
 
     fn report(&self, _law: &CaromLaw) -> Result<CaromReport, Failure> {
@@ -114,30 +92,6 @@ impl Kind for ShiftTouch {
 
     fn friction(&self) -> f64 {
         self.law().friction().get()
-    }
-
-    fn pack(&self, _law: &CaromLaw, numbers: &mut [f64]) -> Result<(), Failure> {
-        Ok(Self::pack(self, numbers)?)
-    }
-
-    fn unpacked(
-        (law, radii): (&CaromLaw, [f64; 2]),
-        friction: Option<f64>,
-        numbers: &[f64],
-    ) -> Result<Self, Failure> {
-        let radius = relative_radius(radii)?;
-        let its = match friction {
-            None => law.shift_law(radius, 0.0)?,
-            Some(friction) => {
-                let holds = friction.is_finite();
-                RangeError::check("friction", friction, holds, "finite")?;
-                let friction = Friction::new(friction)?;
-                law.shift_law_with(radius, StaticFriction::new(friction, friction)?)?
-            }
-        };
-        let mut contact = law.damped(its)?;
-        contact.unpack(numbers)?;
-        Ok(contact)
     }
 }
 
@@ -150,12 +104,6 @@ pub(crate) struct RingTouch {
 }
 
 impl RingTouch {
-    /// The contact with its law.
-    fn whole(&self, (law, radii): (&CaromLaw, [f64; 2])) -> Result<GrainContact<RingLaw>, Failure> {
-        let its = law.ring_law(relative_radius(radii)?, self.memory)?;
-        Ok(GrainContact::of_parts(its, self.frame))
-    }
-
     fn of(contact: &GrainContact<RingLaw>) -> Self {
         Self { memory: *contact.law().memory(), frame: *contact.frame() }
     }
@@ -164,41 +112,35 @@ impl RingTouch {
 impl Kind for RingTouch {
     const NUMBERS: usize = ring_grain_numbers(6, 8);
 
-    fn fresh(law: &CaromLaw, radii: [f64; 2], _slip_speed: f64) -> Result<Self, Failure> {
-        let its = law.ring_law(relative_radius(radii)?, RingMemory::default())?;
-        Ok(Self::of(&law.damped(its)?))
-    }
+    type Law = RingLaw;
 
-    fn is_new(&self) -> bool {
-        self.frame.is_new()
+    fn fresh(
+        law: &CaromLaw,
+        relative_radius: f64,
+        _friction: StaticFriction,
+    ) -> Result<Self, Failure> {
+        let its = law.ring_law(relative_radius, RingMemory::default())?;
+        Ok(Self::of(&law.damped(its)?))
     }
 
     fn overlaps(&self) -> bool {
         self.memory.shift().zeta > 0.0
     }
 
-    fn advance(
+    fn is_new(&self) -> bool {
+        self.frame.is_new()
+    }
+
+    fn change<T>(
         &mut self,
-        of: (&CaromLaw, [f64; 2]),
-        meeting: &Meeting,
-        dt: f64,
-        load: &mut GrainLoad,
-        heats: Option<&mut Heats>,
-    ) -> Result<(), Failure> {
-        let mut unasked = Heats::default();
-        let heats = heats.unwrap_or(&mut unasked);
-        let (contact, told) = self.whole(of)?.advanced(meeting, dt, heats)?;
+        (law, radii): (&CaromLaw, [f64; 2]),
+        change: impl FnOnce(&mut GrainContact<RingLaw>) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let its = law.ring_law(relative_radius(radii)?, self.memory)?;
+        let mut contact = GrainContact::of_parts(its, self.frame);
+        let told = change(&mut contact)?;
         *self = Self::of(&contact);
-        *load = told;
-        Ok(())
-    }
-
-    fn load(&self, of: (&CaromLaw, [f64; 2]), meeting: &Meeting) -> Result<GrainLoad, Failure> {
-        Ok(self.whole(of)?.load(meeting))
-    }
-
-    fn stored_energy(&self, of: (&CaromLaw, [f64; 2])) -> Result<f64, Failure> {
-        Ok(self.whole(of)?.stored_energy())
+        Ok(told)
     }
 
     fn report(&self, law: &CaromLaw) -> Result<CaromReport, Failure> {
@@ -217,19 +159,5 @@ impl Kind for RingTouch {
 
     fn friction(&self) -> f64 {
         0.0
-    }
-
-    fn pack(&self, law: &CaromLaw, numbers: &mut [f64]) -> Result<(), Failure> {
-        Ok(self.whole((law, [1.0; 2]))?.pack(numbers)?)
-    }
-
-    fn unpacked(
-        of: (&CaromLaw, [f64; 2]),
-        _friction: Option<f64>,
-        numbers: &[f64],
-    ) -> Result<Self, Failure> {
-        let mut contact = Self::fresh(of.0, of.1, 0.0)?.whole(of)?;
-        contact.unpack(numbers)?;
-        Ok(Self::of(&contact))
     }
 }

@@ -2,12 +2,9 @@
 
 use std::array::from_fn;
 
-use carom_laws::grains::{
-    Grain, Heats, Meeting, RollTrial, Surface, TOGETHER, Touching, advance_together,
-};
+use carom_laws::grains::{Grain, Heats, Rolling, Surface, TOGETHER, Touching, advance_together};
 
-use super::bodies::{Bodies as _, Second};
-use super::parts::Pressed;
+use super::bodies::Second;
 use super::step::{CaromGrainLoad, Step};
 use super::{CaromTouch, Place, ShiftTouch};
 use crate::error::{CaromError, CaromStatus, Failure, border};
@@ -121,18 +118,18 @@ unsafe fn step_together(
     if !(from..from + TOGETHER).all(is_ready) {
         return None;
     }
-    let mut rolls: [Option<Rolls>; TOGETHER] = [const { None }; TOGETHER];
-    for (i, rolls) in rolls.iter_mut().enumerate() {
-        // SAFETY: checked above.
-        *rolls = unsafe { Rolls::of(all.at(from + i), dt).ok()? };
-    }
     // SAFETY: checked above; the touches are distinct.
     let mut pairs = from_fn(|i| unsafe {
         let at = &mut *all.at(from + i);
         let law = &*at.law;
-        let contact = &mut *Place::<ShiftTouch>::of(at.touch, law).contact;
-        let load = at.load.as_load();
-        Touching { contact, bodies: [&at.one, &at.two], shares: law.shares, load }
+        let place = Place::<ShiftTouch>::of(at.touch, law);
+        let (contact, load, shares) = (&mut *place.contact, at.load.as_load(), law.shares);
+        let rolling = law.rolling().zip(place.roll.as_mut());
+        let rolling = rolling.and_then(|(resistance, roll)| {
+            let relative_radius = relative_radius([at.one.radius, at.two.radius]).ok()?;
+            Some(Rolling { resistance, relative_radius, roll })
+        });
+        Touching { contact, bodies: [&at.one, &at.two], shares, rolling, load }
     });
     let send_for_next = |i: usize| {
         let next = from + TOGETHER + i;
@@ -141,56 +138,7 @@ unsafe fn step_together(
             send_for(unsafe { (*all.at(next)).touch }.cast::<ShiftTouch>());
         }
     };
-    advance_together(&mut pairs, dt, send_for_next).ok()?;
-    for (i, rolls) in rolls.iter().enumerate() {
-        if let Some(rolls) = rolls {
-            // SAFETY: as above.
-            unsafe { rolls.end(all.at(from + i)) };
-        }
-    }
-    Some(())
-}
-
-/// A resistance to rolling in a step.
-struct Rolls {
-    meeting: Meeting,
-    relative_radius: f64,
-    trial: RollTrial,
-}
-
-impl Rolls {
-    /// None if the law has no resistance.
-    ///
-    /// # Safety
-    /// The encounter is ready.
-    #[inline(always)]
-    unsafe fn of(at: *const CaromEncounter, dt: f64) -> Result<Option<Self>, Failure> {
-        // SAFETY: the caller's promise.
-        let (at, law) = unsafe { (&*at, &*(*at).law) };
-        if law.is_alone() {
-            return Ok(None);
-        }
-        let bodies = [&at.one, &at.two];
-        let meeting = bodies.meeting(bodies.apart()?, law);
-        // SAFETY: the caller's promise.
-        let roll = unsafe { &*Place::<ShiftTouch>::of(at.touch, law).roll };
-        roll.check()?;
-        let relative_radius = relative_radius(bodies.radii())?;
-        let trial = Pressed { law, relative_radius, meeting: &meeting }.trial(roll, dt)?;
-        Ok(Some(Self { meeting, relative_radius, trial }))
-    }
-
-    /// # Safety
-    /// As [`Rolls::of`], and nobody else uses the encounter.
-    unsafe fn end(&self, at: *mut CaromEncounter) {
-        // SAFETY: the caller's promise.
-        let (at, law) = unsafe { (&mut *at, &*(*at).law) };
-        // SAFETY: the caller's promise.
-        let roll = unsafe { &mut *Place::<ShiftTouch>::of(at.touch, law).roll };
-        let pressed =
-            Pressed { law, relative_radius: self.relative_radius, meeting: &self.meeting };
-        pressed.roll((roll, &self.trial), at.load.as_load(), None);
-    }
+    advance_together(&mut pairs, dt, send_for_next).ok()
 }
 
 /// Whether a pair of grains has a contact with a law of shifts without torsion, for which nothing but its step and its
@@ -205,10 +153,15 @@ unsafe fn is_ready(at: &CaromEncounter) -> bool {
     if law.is_by_rings() || law.has_torsion() {
         return false;
     }
+    let place = Place::<ShiftTouch>::of(at.touch, law);
     // SAFETY: the caller's promise.
-    let Ok(Some(contact)) = (unsafe { Place::<ShiftTouch>::of(at.touch, law).seen() }) else {
+    let Ok(Some(contact)) = (unsafe { place.seen() }) else { return false };
+    // SAFETY: the caller's promise.
+    let roll = unsafe { place.roll.as_ref() };
+    let radii = [at.one.radius, at.two.radius];
+    if roll.is_some_and(|roll| roll.check().is_err() || relative_radius(radii).is_err()) {
         return false;
-    };
+    }
     // Masses that a restitution cannot use are refused one by one, and a first touch takes its friction there.
     (!law.weighs() || is_massive(&at.one, &at.two)) && (!law.is_by_slip() || contact.overlaps())
 }

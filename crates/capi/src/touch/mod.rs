@@ -9,12 +9,14 @@ pub(crate) mod report;
 pub(crate) mod step;
 pub(crate) mod told;
 
+use carom_laws::grains::GrainRoll;
+use carom_laws::torsion::law::StoredTwist;
+
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
 use crate::pointers::read;
 use crate::stored::{present, seen};
 use kind::Kind;
-use parts::{Roll, Twist};
 
 pub(crate) use kind::{RingTouch, ShiftTouch};
 
@@ -38,8 +40,8 @@ impl CaromLaw {
 
     /// The size of a touch whose contact is of this kind.
     fn size_of_touch<K: Kind>(&self) -> usize {
-        let twist = if self.has_torsion() { size_of::<Twist>() } else { 0 };
-        let roll = if self.rolling().is_some() { size_of::<Roll>() } else { 0 };
+        let twist = if self.has_torsion() { size_of::<StoredTwist>() } else { 0 };
+        let roll = if self.rolling().is_some() { size_of::<GrainRoll>() } else { 0 };
         size_of::<u64>() + size_of::<K>() + twist + roll
     }
 }
@@ -49,8 +51,10 @@ pub(crate) struct Place<K> {
     mark: *mut u64,
     contact: *mut K,
     tag: u64,
-    twist: *mut Twist,
-    roll: *mut Roll,
+    /// Null if the law has none.
+    twist: *mut StoredTwist,
+    /// Likewise.
+    roll: *mut GrainRoll,
 }
 
 impl<K: Kind> Place<K> {
@@ -58,9 +62,14 @@ impl<K: Kind> Place<K> {
     pub(crate) fn of(touch: *const CaromTouch, law: &CaromLaw) -> Self {
         let mark = touch.cast::<u64>().cast_mut();
         let contact = mark.wrapping_add(1).cast::<K>();
-        let behind = contact.wrapping_add(1).cast::<Twist>();
-        let roll = if law.has_torsion() { behind.wrapping_add(1) } else { behind };
-        Self { mark, contact, tag: law.tag(), twist: behind, roll: roll.cast() }
+        let none = std::ptr::null_mut();
+        let behind = contact.wrapping_add(1).cast::<StoredTwist>();
+        let (twist, behind) = match law.has_torsion() {
+            true => (behind, behind.wrapping_add(1).cast()),
+            false => (none, behind.cast()),
+        };
+        let roll = if law.rolling().is_some() { behind } else { none.cast() };
+        Self { mark, contact, tag: law.tag(), twist, roll }
     }
 
     /// The contact; none if the bodies are separated.
@@ -80,18 +89,6 @@ impl<K: Kind> Place<K> {
     pub(crate) unsafe fn seen<'a>(&self) -> Result<Option<&'a K>, Failure> {
         // SAFETY: the caller's promise.
         unsafe { seen(*self.mark, self.tag, self.contact) }
-    }
-
-    /// Writes the contact.
-    ///
-    /// # Safety
-    /// As [`Place::present`].
-    pub(crate) unsafe fn keep(&self, contact: K) {
-        // SAFETY: the caller's promise; the old bytes need no drop.
-        unsafe {
-            self.contact.write(contact);
-            *self.mark = K::MARK ^ self.tag;
-        }
     }
 
     /// The bodies are separated.

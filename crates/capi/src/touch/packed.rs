@@ -1,31 +1,24 @@
 //! A touch as plain numbers, for a file or another process.
 
+use carom_laws::friction::Friction;
 use carom_laws::grains::GrainRoll;
+use carom_laws::static_friction::StaticFriction;
+use carom_laws::torsion::law::StoredTwist;
+use carom_special::RangeError;
 
 use super::kind::{Kind, RingTouch, ShiftTouch};
-use super::parts::{TWIST_NUMBERS, roll_of, torsion};
-use super::{CaromTouch, Place, Roll};
+use super::parts::Parts;
+use super::{CaromTouch, Place};
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
 use crate::law::unit::relative_radius;
 use crate::pointers::{read, write};
 
-/// Where the parts of a touch lie among its numbers: those of its contact, of its twist, of its rolling, and its
-/// coefficient of friction.
-struct Layout {
-    twist: usize,
-    roll: usize,
-    friction: usize,
-    whole: usize,
-}
-
-impl Layout {
-    fn of<K: Kind>(law: &CaromLaw) -> Self {
-        let twist = K::NUMBERS;
-        let roll = twist + if law.has_torsion() { TWIST_NUMBERS } else { 0 };
-        let friction = roll + if law.rolling().is_some() { GrainRoll::NUMBERS } else { 0 };
-        Self { twist, roll, friction, whole: friction + usize::from(law.is_by_slip()) }
-    }
+/// The number of numbers of a touch, the last of which is its coefficient of friction if that goes by the slip speed.
+fn count<K: Kind>(law: &CaromLaw) -> usize {
+    let twist = if law.has_torsion() { StoredTwist::NUMBERS } else { 0 };
+    let roll = if law.rolling().is_some() { GrainRoll::NUMBERS } else { 0 };
+    K::NUMBERS + twist + roll + usize::from(law.is_by_slip())
 }
 
 /// # Safety
@@ -35,29 +28,18 @@ unsafe fn pack<K: Kind>(
     touch: *const CaromTouch,
     numbers: *mut f64,
 ) -> Result<(), Failure> {
-    let (place, layout) = (Place::<K>::of(touch, law), Layout::of::<K>(law));
     // SAFETY: the caller's promise.
-    let contact = unsafe { place.seen()? };
+    let parts = unsafe { Place::<K>::of(touch, law).copied()? };
     // SAFETY: the caller's promise.
-    let roll = unsafe { place.rolled(law)? };
-    // SAFETY: the caller's promise.
-    let numbers = unsafe { std::slice::from_raw_parts_mut(numbers, layout.whole) };
-    let Some(contact) = contact else {
+    let numbers = unsafe { std::slice::from_raw_parts_mut(numbers, count::<K>(law)) };
+    let Some(mut parts) = parts else {
         numbers.fill(0.0);
         return Ok(());
     };
-    contact.pack(law, &mut numbers[..layout.twist])?;
-    if law.has_torsion() {
-        // SAFETY: the caller's promise.
-        numbers[layout.twist..layout.roll].copy_from_slice(unsafe { place.twisted() });
-    }
-    if law.rolling().is_some() {
-        numbers[layout.roll..layout.friction].copy_from_slice(&roll.packed());
-    }
-    if law.is_by_slip() {
-        numbers[layout.friction] = contact.friction();
-    }
-    Ok(())
+    let (numbers, last) = numbers.split_at_mut(numbers.len() - usize::from(law.is_by_slip()));
+    last.fill(parts.contact.friction());
+    // No number depends on the radii.
+    parts.held().change((law, [1.0; 2]), |whole| Ok(whole.pack(numbers)?))
 }
 
 /// # Safety
@@ -68,37 +50,43 @@ unsafe fn unpack<K: Kind>(
     numbers: *const f64,
     touch: *mut CaromTouch,
 ) -> Result<(), Failure> {
-    let (place, layout) = (Place::<K>::of(touch, law), Layout::of::<K>(law));
+    let place = Place::<K>::of(touch, law);
     // SAFETY: the caller's promise.
-    let numbers = unsafe { std::slice::from_raw_parts(numbers, layout.whole) };
+    let numbers = unsafe { std::slice::from_raw_parts(numbers, count::<K>(law)) };
     if numbers[0] == 0.0 {
         // SAFETY: the caller's promise.
         unsafe { place.clear() };
         return Ok(());
     }
-    let (mut twist, mut roll) = ([0.0; TWIST_NUMBERS], Roll::default());
-    if law.has_torsion() {
-        twist.copy_from_slice(&numbers[layout.twist..layout.roll]);
-        torsion(law, relative_radius(radii)?, &twist)?;
-    }
-    if law.rolling().is_some() {
-        let mut its = [0.0; GrainRoll::NUMBERS];
-        its.copy_from_slice(&numbers[layout.roll..layout.friction]);
-        roll = roll_of(&its)?;
-    }
-    relative_radius(radii)?;
-    let friction = law.is_by_slip().then(|| numbers[layout.friction]);
-    let contact = K::unpacked((law, radii), friction, &numbers[..layout.twist]);
-    let contact = contact.map_err(Failure::in_state)?;
+    let parts = unpacked(law, radii, numbers)?;
     // SAFETY: the caller's promise.
-    unsafe {
-        place.keep(contact);
-        place.keep_roll(law, roll);
-        if law.has_torsion() {
-            *place.twist = twist;
-        }
-    }
+    unsafe { place.keep(parts) };
     Ok(())
+}
+
+fn unpacked<K: Kind>(
+    law: &CaromLaw,
+    radii: [f64; 2],
+    numbers: &[f64],
+) -> Result<Parts<K>, Failure> {
+    relative_radius(radii)?;
+    let (numbers, friction) = match numbers {
+        [numbers @ .., friction] if law.is_by_slip() => (numbers, kept(*friction)),
+        _ => (numbers, law.friction_at(0.0)),
+    };
+    let parts = friction.and_then(|friction| {
+        let mut parts = Parts::<K>::fresh((law, radii), friction)?;
+        parts.held().change((law, radii), |whole| Ok(whole.unpack(numbers)?))?;
+        Ok(parts)
+    });
+    parts.map_err(Failure::in_state)
+}
+
+/// A coefficient of friction that was stored.
+fn kept(friction: f64) -> Result<StaticFriction, Failure> {
+    RangeError::check("friction", friction, friction.is_finite(), "finite")?;
+    let friction = Friction::new(friction)?;
+    Ok(StaticFriction::new(friction, friction)?)
 }
 
 /// The number of numbers into which a touch of this law packs: 82 of a law of shifts, 314 of CAROM_LAW_RINGS; 83 more
@@ -113,8 +101,8 @@ pub unsafe extern "C" fn carom_touch_pack_size(law: *const CaromLaw) -> usize {
     let call = || unsafe {
         let law = read(law, "law")?;
         size = match law.is_by_rings() {
-            true => Layout::of::<RingTouch>(law).whole,
-            false => Layout::of::<ShiftTouch>(law).whole,
+            true => count::<RingTouch>(law),
+            false => count::<ShiftTouch>(law),
         };
         Ok(())
     };

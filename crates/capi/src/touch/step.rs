@@ -5,11 +5,10 @@ use carom_special::RangeError;
 
 use super::bodies::{Bodies, Second};
 use super::kind::{Kind, RingTouch, ShiftTouch};
-use super::parts::{Pressed, TWIST_NUMBERS};
-use super::{CaromTouch, Place, Roll, Twist};
+use super::parts::{Held, Parts};
+use super::{CaromTouch, Place};
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
-use crate::law::unit::relative_radius;
 use crate::pointers::{read, write, write_or_null};
 
 /// The load that body 2 exerts on body 1.
@@ -100,122 +99,38 @@ impl Step<'_> {
         let meeting = bodies.meeting(apart, self.law);
         self.law.check_masses(&meeting)?;
         let place = Place::<K>::of(self.touch, self.law);
-        // SAFETY: the caller's promise.
-        let present = unsafe { place.present()? };
-        // Bodies that were apart touch anew, if their friction is that of the first touch.
-        let present = present.filter(|contact| !self.law.is_by_slip() || contact.overlaps());
-        if !self.law.is_alone() {
-            let radii = bodies.radii();
-            // SAFETY: the caller's promise.
-            return unsafe { self.with_parts(&place, present, radii, &{ meeting }, (load, heats)) };
-        }
         let of = (self.law, bodies.radii());
-        let Some(contact) = present else {
-            let mut contact =
-                K::fresh(self.law, of.1, bodies.meeting(apart, self.law).slip_speed())?;
-            contact.advance(of, &meeting, self.dt, load, heats)?;
-            if !contact.is_new() {
-                // SAFETY: the caller's promise.
-                unsafe { place.keep(contact) };
+        // SAFETY: the caller's promise.
+        let held = unsafe { place.held()? };
+        // Bodies that were apart touch anew, if their friction is that of the first touch.
+        let held = held.filter(|held| !self.law.is_by_slip() || held.contact.overlaps());
+        match held {
+            Some(held) if self.law.is_alone() => held
+                .contact
+                .change(of, |contact| Ok(contact.advance_with(&meeting, self.dt, load, heats)?)),
+            Some(held) => self.whole(held.checked()?, of.1, &{ meeting }, (load, heats)),
+            None => {
+                let meeting = bodies.meeting(apart, self.law);
+                let mut parts = Parts::<K>::met(of, &meeting)?;
+                self.whole(parts.held(), of.1, &meeting, (load, heats))?;
+                if !parts.contact.is_new() {
+                    // SAFETY: the caller's promise.
+                    unsafe { place.keep(parts) };
+                }
+                Ok(())
             }
-            return Ok(());
-        };
-        contact.advance(of, &meeting, self.dt, load, heats)
+        }
     }
 
-    /// A step with torsion or rolling. What may fail of them comes first, on copies; the contact itself stays as it was
-    /// if its step fails.
-    ///
-    /// # Safety
-    /// As [`Step::make`].
     #[inline(never)]
-    unsafe fn with_parts<K: Kind>(
+    fn whole<K: Kind>(
         self,
-        place: &Place<K>,
-        present: Option<&mut K>,
+        mut held: Held<'_, K>,
         radii: [f64; 2],
         meeting: &Meeting,
-        (load, mut heats): (&mut GrainLoad, Option<&mut Heats>),
+        (load, heats): (&mut GrainLoad, Option<&mut Heats>),
     ) -> Result<(), Failure> {
-        let (law, dt) = (self.law, self.dt);
-        let pressed = Pressed { law, relative_radius: relative_radius(radii)?, meeting };
-        // SAFETY: the caller's promise.
-        let mut roll = unsafe { place.rolled(law)? };
-        let trial = pressed.trial(&roll, dt)?;
-        let (mut turned, mut made) = (None, Heats::default());
-        if law.has_torsion() {
-            let made = heats.is_some().then_some(&mut made);
-            // SAFETY: the caller's promise.
-            turned = Some(pressed.turned(unsafe { place.twisted() }, dt, made)?);
-        }
-        let of = (law, radii);
-        let is_kept = match present {
-            Some(contact) => {
-                contact.advance(of, meeting, dt, load, heats.as_deref_mut())?;
-                true
-            }
-            None => {
-                let mut contact = K::fresh(law, radii, meeting.slip_speed())?;
-                contact.advance(of, meeting, dt, load, heats.as_deref_mut())?;
-                if !contact.is_new() {
-                    // SAFETY: the caller's promise.
-                    unsafe { place.keep(contact) };
-                }
-                !contact.is_new()
-            }
-        };
-        if let Some(turned) = &turned {
-            pressed.add(load, turned.torque);
-        }
-        pressed.roll((&mut roll, &trial), load, heats.as_deref_mut());
-        if let Some(heats) = heats {
-            heats.friction += made.friction;
-        }
-        if is_kept {
-            // SAFETY: the caller's promise.
-            unsafe { place.keep_roll(law, roll) };
-        }
-        if let (true, Some(turned)) = (is_kept, &turned) {
-            // SAFETY: the caller's promise.
-            pressed.keep(turned, unsafe { &mut *place.twist });
-        }
-        Ok(())
-    }
-}
-
-/// A twist of bodies that are apart.
-const UNTWISTED: &Twist = &[0.0; TWIST_NUMBERS];
-
-impl<K: Kind> Place<K> {
-    /// The twist of a law with torsion.
-    ///
-    /// # Safety
-    /// As [`Place::seen`].
-    pub(super) unsafe fn twisted<'a>(&self) -> &'a Twist {
-        // SAFETY: the caller's promise; any bytes are numbers.
-        unsafe { if *self.mark == 0 { UNTWISTED } else { &*self.twist } }
-    }
-
-    /// The rolling; that of bodies that are apart if there is no contact, or no resistance.
-    ///
-    /// # Safety
-    /// As [`Place::seen`].
-    pub(super) unsafe fn rolled(&self, law: &CaromLaw) -> Result<Roll, Failure> {
-        // SAFETY: the caller's promise; any bytes are numbers.
-        let is_there = unsafe { *self.mark != 0 } && law.rolling().is_some();
-        // SAFETY: as above.
-        let roll = if is_there { unsafe { *self.roll } } else { Roll::default() };
-        roll.check().map_err(|error| Failure::from(error).in_state())?;
-        Ok(roll)
-    }
-
-    /// # Safety
-    /// As [`Place::present`].
-    pub(super) unsafe fn keep_roll(&self, law: &CaromLaw, roll: Roll) {
-        if law.rolling().is_some() {
-            // SAFETY: the caller's promise.
-            unsafe { *self.roll = roll };
-        }
+        held.change((self.law, radii), |whole| Ok(whole.advance(meeting, self.dt, load, heats)?))
     }
 }
 

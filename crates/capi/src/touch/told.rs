@@ -5,13 +5,12 @@ use carom_special::RangeError;
 
 use super::bodies::{Bodies, Second};
 use super::kind::{Kind, RingTouch, ShiftTouch};
-use super::parts::{Pressed, torsion};
+use super::parts::Parts;
 use super::report::CaromReport;
 use super::step::{CaromGrainLoad, finite};
 use super::{CaromTouch, Place};
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::CaromLaw;
-use crate::law::unit::relative_radius;
 use crate::pointers::{read, write};
 
 /// # Safety
@@ -23,25 +22,13 @@ unsafe fn load_of<K: Kind>(
 ) -> Result<GrainLoad, Failure> {
     let meeting = bodies.meeting(bodies.apart()?, law);
     law.check_masses(&meeting)?;
-    let (place, radii) = (Place::<K>::of(touch, law), bodies.radii());
+    let of = (law, bodies.radii());
     // SAFETY: the caller's promise.
-    let mut load = match unsafe { place.seen()? } {
-        Some(contact) => contact.load((law, radii), &meeting)?,
-        None => K::fresh(law, radii, meeting.slip_speed())?.load((law, radii), &meeting)?,
+    let mut parts = match unsafe { Place::<K>::of(touch, law).copied()? } {
+        Some(parts) => parts,
+        None => Parts::met(of, &meeting)?,
     };
-    if law.is_alone() || meeting.is_apart() {
-        return Ok(load);
-    }
-    let pressed = Pressed { law, relative_radius: relative_radius(radii)?, meeting: &meeting };
-    // SAFETY: the caller's promise.
-    let roll = unsafe { place.rolled(law)? };
-    if law.has_torsion() {
-        // SAFETY: the caller's promise.
-        let its = torsion(law, pressed.relative_radius, unsafe { place.twisted() })?;
-        pressed.add(&mut load, carom_laws::grains::GrainTwist::new(its).torque(&meeting));
-    }
-    pressed.add(&mut load, roll.torque(pressed.relative_radius, &meeting));
-    Ok(load)
+    parts.held().change(of, |whole| Ok(whole.load(&meeting)))
 }
 
 /// The load of two bodies after the last step, without a new one: the same bits if the positions are the same. A touch
@@ -85,20 +72,9 @@ unsafe fn energy_of<K: Kind>(
     touch: *const CaromTouch,
     radii: [f64; 2],
 ) -> Result<f64, Failure> {
-    let place = Place::<K>::of(touch, law);
     // SAFETY: the caller's promise.
-    let Some(contact) = (unsafe { place.seen()? }) else { return Ok(0.0) };
-    let mut energy = contact.stored_energy((law, radii))?;
-    // SAFETY: the caller's promise.
-    let roll = unsafe { place.rolled(law)? };
-    if law.has_torsion() {
-        // SAFETY: the caller's promise.
-        let twist = unsafe { place.twisted() };
-        energy += torsion(law, relative_radius(radii)?, twist)?.twist_energy();
-    }
-    if let Some(resistance) = law.rolling() {
-        energy += roll.stored_energy(resistance);
-    }
+    let Some(mut parts) = (unsafe { Place::<K>::of(touch, law).copied()? }) else { return Ok(0.0) };
+    let energy = parts.held().change((law, radii), |whole| Ok(whole.stored_energy()))?;
     Ok(RangeError::finite("energy", energy)?)
 }
 

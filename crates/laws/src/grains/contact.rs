@@ -200,23 +200,26 @@ impl<L: GrainLaw> GrainContact<L> {
         Ok(load)
     }
 
-    /// As [`GrainContact::advance_accounted`], of a contact that is not needed if the step fails: a large one is copied
-    /// less.
+    /// As [`GrainContact::advance_into`], and adds the heat to sums if they are given.
     ///
     /// # Errors
     /// As [`GrainContact::advance`].
-    pub fn advanced(
-        mut self,
+    #[inline(always)]
+    pub fn advance_with(
+        &mut self,
         meeting: &Meeting,
         dt: f64,
-        heats: &mut Heats,
-    ) -> Result<(Self, GrainLoad), RangeError> {
-        if self.is_new() && meeting.is_apart() {
-            let load = self.advance_accounted(meeting, dt, heats)?;
-            return Ok((self, load));
+        load: &mut GrainLoad,
+        heats: Option<&mut Heats>,
+    ) -> Result<(), RangeError> {
+        match heats {
+            None => self.advance_into(meeting, dt, load),
+            // A copy, so that the meeting itself stays in registers where no heat is asked for.
+            Some(sums) => {
+                *load = self.advance_accounted(&{ *meeting }, dt, sums)?;
+                Ok(())
+            }
         }
-        let load = self.go(meeting, dt, heats)?;
-        Ok((self, load))
     }
 
     /// A step with its heats, of a contact that is not kept if it fails, or is new and stays apart.
@@ -304,7 +307,7 @@ impl<L: GrainLaw> GrainContact<L> {
         let axes = [self.frame.tangent, meeting.normal];
         let mut load = load_in(axes, meeting.arms, normal_force, self.frame.friction);
         if L::Twist::COUNTS {
-            load.twist(meeting, self.frame.twist.get().torque);
+            load.couple(meeting, times(meeting.normal, self.frame.twist.get().torque));
         }
         load
     }

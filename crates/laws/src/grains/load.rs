@@ -17,13 +17,15 @@ pub struct GrainLoad {
 }
 
 impl GrainLoad {
-    /// Adds a torque about the normal, on body 1; body 2 gets the opposite unless it is a wall, which has no arm.
-    pub(super) fn twist(&mut self, meeting: &Meeting, torque: f64) {
-        for ((to, arm), sign) in self.torques.iter_mut().zip(meeting.arms).zip([1.0, -1.0]) {
-            if arm != 0.0 {
-                for (to, normal) in to.iter_mut().zip(meeting.normal) {
-                    *to += sign * torque * normal;
-                }
+    /// Adds a torque on body 1; body 2 gets the opposite unless it is a wall, which has no arm.
+    #[inline]
+    pub(super) fn couple(&mut self, meeting: &Meeting, torque: Vector) {
+        let [one, two] = &mut self.torques;
+        let has_torque = meeting.arms[1] != 0.0;
+        for k in 0..3 {
+            one[k] += torque[k];
+            if has_torque {
+                two[k] -= torque[k];
             }
         }
     }

@@ -52,6 +52,7 @@ mod twist;
 mod twisted;
 mod undamped;
 mod vector;
+mod whole;
 
 pub use contact::GrainContact;
 pub use frame::GrainFrame;
@@ -60,7 +61,8 @@ pub use law::GrainLaw;
 pub use load::GrainLoad;
 pub use meeting::{Apart, Grain, Meeting, Surface, Wall, compliance_shares};
 pub use pack::{grain_numbers, ring_grain_numbers};
-pub use rolling::{GrainRoll, RollTrial, RollingResistance};
+pub use rolling::{GrainRoll, Rolling, RollingResistance};
 pub use together::{TOGETHER, Touching, advance_together};
 pub use twist::GrainTwist;
 pub use twisted::{TwistState, Twisted};
+pub use whole::WholeContact;

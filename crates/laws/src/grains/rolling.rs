@@ -3,6 +3,7 @@
 use carom_special::RangeError;
 
 use super::heats::Heats;
+use super::load::GrainLoad;
 use super::meeting::Meeting;
 use super::vector::{Vector, cross, dot, plus, times};
 
@@ -111,10 +112,7 @@ impl GrainRoll {
     }
 
     /// The step without the slider, before the normal force is known; what it says is all that can fail.
-    ///
-    /// # Errors
-    /// As [`GrainRoll::advance`].
-    pub fn trial(
+    fn trial(
         &self,
         (resistance, relative_radius): (&RollingResistance, f64),
         meeting: &Meeting,
@@ -144,7 +142,7 @@ impl GrainRoll {
     }
 
     /// The end of a step, whose trial has not failed: the torque on body 1, and what becomes heat.
-    pub fn end(
+    fn end(
         &mut self,
         (resistance, relative_radius): (&RollingResistance, f64),
         trial: &RollTrial,
@@ -211,6 +209,36 @@ impl GrainRoll {
     }
 }
 
+/// The resistance of a contact to rolling.
+#[derive(Debug)]
+pub struct Rolling<'a> {
+    /// Its constants.
+    pub resistance: &'a RollingResistance,
+    /// R, 1/R = 1/R_1 + 1/R_2.
+    pub relative_radius: f64,
+    /// Its state.
+    pub roll: &'a mut GrainRoll,
+}
+
+impl Rolling<'_> {
+    pub(super) fn trial(&self, meeting: &Meeting, dt: f64) -> Result<RollTrial, RangeError> {
+        self.roll.trial((self.resistance, self.relative_radius), meeting, dt)
+    }
+
+    /// Adds the torque to the load that presses the bodies, after a trial.
+    pub(super) fn end(
+        &mut self,
+        meeting: &Meeting,
+        trial: &RollTrial,
+        load: &mut GrainLoad,
+        heats: &mut Heats,
+    ) {
+        let pressed = dot(load.force, meeting.normal);
+        let of = (self.resistance, self.relative_radius);
+        load.couple(meeting, self.roll.end(of, trial, pressed, heats));
+    }
+}
+
 /// How a step ends.
 #[derive(Debug, Clone, Copy, Default)]
 enum End {
@@ -224,7 +252,7 @@ enum End {
 
 /// A step of a resistance to rolling before the normal force is known ([`GrainRoll::trial`]).
 #[derive(Debug, Clone, Copy, Default)]
-pub struct RollTrial {
+pub(super) struct RollTrial {
     end: End,
     normal: Vector,
     /// Shift and force of before, in the axes of the end of the step.

@@ -7,9 +7,11 @@ use carom_special::RangeError;
 use super::contact::GrainContact;
 use super::dashpots::{Dashpots, Effective, Motion};
 use super::drag_heat::DragHeat;
+use super::heats::Heats;
 use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, elastic, forces};
 use super::meeting::{Grain, Meeting, Meetings};
 use super::number::{LANES, Lanes, Number as _, hold, lanes};
+use super::rolling::Rolling;
 use super::step::{Before, Step, parting};
 use super::vector::dot;
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
@@ -29,6 +31,8 @@ pub struct Touching<'a, S: VertexStack<[f64; 2]>> {
     pub bodies: [&'a Grain; 2],
     /// The fractions of the approach, as in [`Meeting::of_spheres`].
     pub shares: [f64; 2],
+    /// The resistance to rolling.
+    pub rolling: Option<Rolling<'a>>,
     /// The load on body 1 at the end of the step; output.
     pub load: &'a mut GrainLoad,
 }
@@ -59,7 +63,7 @@ impl<S: VertexStack<[f64; 2]>> Touching<'_, S> {
 /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0, mass: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
 /// let mut pairs = four.each_mut().map(|(contact, load)| {
-///     Touching { contact, bodies: [&above, &below], shares: [0.5; 2], load }
+///     Touching { contact, bodies: [&above, &below], shares: [0.5; 2], rolling: None, load }
 /// });
 /// advance_together(&mut pairs, 1e-3, |_| {})?;
 /// assert!(four.iter().all(|(_, load)| load.force[0] < 0.0));
@@ -71,6 +75,41 @@ impl<S: VertexStack<[f64; 2]>> Touching<'_, S> {
 #[inline(always)]
 pub fn advance_together<S: VertexStack<[f64; 2]>>(
     pairs: &mut [Touching<'_, S>; TOGETHER],
+    dt: f64,
+    meanwhile: impl FnMut(usize),
+) -> Result<(), RangeError> {
+    match pairs.iter().any(|pair| pair.rolling.is_some()) {
+        true => rolling(pairs, dt, meanwhile),
+        false => without_rolling(pairs, dt, meanwhile),
+    }
+}
+
+/// Pairs some of which resist rolling.
+#[inline(never)]
+fn rolling<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
+    dt: f64,
+    meanwhile: impl FnMut(usize),
+) -> Result<(), RangeError> {
+    let mut rolls = [const { None }; TOGETHER];
+    for (rolls, pair) in rolls.iter_mut().zip(&*pairs) {
+        if let Some(rolling) = &pair.rolling {
+            let meeting = pair.meeting()?;
+            *rolls = Some((meeting, rolling.trial(&meeting, dt)?));
+        }
+    }
+    without_rolling(pairs, dt, meanwhile)?;
+    for (rolls, pair) in rolls.iter().zip(pairs) {
+        if let (Some((meeting, trial)), Some(rolling)) = (rolls, &mut pair.rolling) {
+            rolling.end(meeting, trial, pair.load, &mut Heats::default());
+        }
+    }
+    Ok(())
+}
+
+#[inline(always)]
+fn without_rolling<S: VertexStack<[f64; 2]>>(
+    pairs: &mut Pairs<'_, S>,
     dt: f64,
     meanwhile: impl FnMut(usize),
 ) -> Result<(), RangeError> {

@@ -210,6 +210,7 @@ fn lanes_rings_and_walls_rebound_alike() {
             contact,
             bodies: [&grains[0], &grains[1]],
             shares: [0.5; 2],
+            rolling: None,
             load: lent.next().unwrap(),
         });
         advance_together(&mut pairs, dt, |_| ()).unwrap();

@@ -336,7 +336,7 @@ fn of_contacts_advanced_together_none_is_changed_if_one_is_refused() {
         let mut pairs = four.each_mut().map(|(contact, load)| {
             i += 1;
             let one = if i == 3 { third } else { &above };
-            Touching { contact, bodies: [one, &below], shares: [0.5; 2], load }
+            Touching { contact, bodies: [one, &below], shares: [0.5; 2], rolling: None, load }
         });
         let done = advance_together(&mut pairs, 0.0, |_| {});
         (done, four)

@@ -280,7 +280,7 @@ fn go_as_alone(mut alone: [Contact; TOGETHER]) {
             .enumerate()
             .map(|(i, (contact, load))| {
                 let [one, two] = &bodies[i];
-                Touching { contact, bodies: [one, two], shares: shares[i], load }
+                Touching { contact, bodies: [one, two], shares: shares[i], rolling: None, load }
             })
             .collect();
         let mut pairs: [_; TOGETHER] = std::mem::take(&mut pairs).try_into().unwrap();

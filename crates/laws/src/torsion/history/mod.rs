@@ -7,8 +7,10 @@
 //! it the sliding density replaces it (10.25).
 
 mod pack;
+mod stored;
 
 pub use pack::packed_numbers;
+pub(in crate::torsion) use stored::StoredHistory;
 
 use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;

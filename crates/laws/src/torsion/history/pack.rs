@@ -107,34 +107,29 @@ impl TwistHistory {
     /// The state of [`TwistHistory::unpack`].
     #[inline]
     pub(in crate::torsion) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
-        let room = numbers.len() as f64;
-        let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
-            return RangeError::check("numbers", room, false, ">= 7").map(|_| Self::new());
-        };
-        if *head == [0.0; HEAD] {
-            return Ok(Self::new());
-        }
-        let [mark, count, radius, twist, torque, stick, ring_steps] = *head;
-        let level = mark - 1e4 * VERSION;
-        let known = (0.0..=mesh::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
-        RangeError::check("mark", mark, known, "of version 5")?;
-        let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
-        RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
-        for number in [mark, count, radius, twist, stick, ring_steps] {
-            in_contact("numbers", number)?;
-        }
-        RangeError::finite("torque", torque)?;
-        RangeError::check("radius", radius, (radius > 0.0) == (count > 0.0), "> 0 in contact")?;
-        let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
-        RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
-        let counts = (0.0..=f64::from(u32::MAX)).contains(&ring_steps);
-        RangeError::check("ring steps", ring_steps, counts, "a number of steps")?;
-        let segments = read_pieces(rest, count as usize, radius)?;
-        let ring_steps = ring_steps as u32;
-        let level = level as usize;
-        let read = Self { radius, twist, torque, stick, segments, ring_steps, level };
+        check(numbers)?;
+        let read = Self::of(numbers);
         read.check_meaning()?;
         Ok(read)
+    }
+
+    /// The state of numbers that are a history.
+    #[inline]
+    pub(super) fn of(numbers: &[f64]) -> Self {
+        let Some((&[mark, count, radius, twist, torque, stick, ring_steps], rest)) =
+            numbers.split_first_chunk::<HEAD>()
+        else {
+            return Self::new();
+        };
+        if mark == 0.0 {
+            return Self::new();
+        }
+        let pieces = rest.as_chunks::<EACH>().0;
+        let pieces = pieces.get(..count as usize).unwrap_or(pieces);
+        let mut segments = Vec::with_capacity(pieces.len() + SEGMENTS_OF_A_STEP);
+        segments.extend(pieces.iter().map(piece_of));
+        let (ring_steps, level) = (ring_steps as u32, (mark - 1e4 * VERSION) as usize);
+        Self { radius, twist, torque, stick, segments, ring_steps, level }
     }
 
     /// Joins neighbouring pieces, those with the least effect first, until this many are left.
@@ -211,16 +206,34 @@ struct Joint {
     jump: f64,
 }
 
-/// The first pieces that numbers represent, inside a contact radius, with room for those of a step.
-fn read_pieces(numbers: &[f64], count: usize, radius: f64) -> Result<Vec<Segment>, RangeError> {
-    let pieces = numbers.as_chunks::<EACH>().0;
-    let pieces = pieces.get(..count).unwrap_or(pieces);
-    if !are_sound(pieces, radius) {
-        check_pieces(pieces, radius)?;
+/// Checks numbers that may be a history, but not what they mean together.
+#[inline]
+pub(super) fn check(numbers: &[f64]) -> Result<(), RangeError> {
+    let room = numbers.len() as f64;
+    let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
+        return RangeError::check("numbers", room, false, ">= 7").map(|_| ());
+    };
+    if *head == [0.0; HEAD] {
+        return Ok(());
     }
-    let mut segments = Vec::with_capacity(pieces.len() + SEGMENTS_OF_A_STEP);
-    segments.extend(pieces.iter().map(piece_of));
-    Ok(segments)
+    let [mark, count, radius, twist, torque, stick, ring_steps] = *head;
+    let level = mark - 1e4 * VERSION;
+    let known = (0.0..=mesh::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
+    RangeError::check("mark", mark, known, "of version 5")?;
+    let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
+    RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
+    for number in [mark, count, radius, twist, stick, ring_steps] {
+        in_contact("numbers", number)?;
+    }
+    RangeError::finite("torque", torque)?;
+    RangeError::check("radius", radius, (radius > 0.0) == (count > 0.0), "> 0 in contact")?;
+    let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
+    RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
+    let counts = (0.0..=f64::from(u32::MAX)).contains(&ring_steps);
+    RangeError::check("ring steps", ring_steps, counts, "a number of steps")?;
+    let pieces = rest.as_chunks::<EACH>().0;
+    let pieces = pieces.get(..count as usize).unwrap_or(pieces);
+    if are_sound(pieces, radius) { Ok(()) } else { check_pieces(pieces, radius) }
 }
 
 /// Whether pieces pass all of [`check_pieces`], as one condition without branches: steps of many contacts ask this of

@@ -1,8 +1,10 @@
 //! The contact law of a twist.
 
 mod shift_twist;
+mod stored;
 
 pub use shift_twist::ShiftTwistLaw;
+pub use stored::StoredTwist;
 
 use std::f64::consts::PI;
 
