@@ -37,8 +37,8 @@ pub struct CaromLawOptions {
     pub size: usize,
     /// A CAROM_LAW constant; by default CAROM_LAW_COULOMB.
     pub law: u32,
-    /// 1: friction resists the spin about the normal, by a law with memory that neglects the shift, and costs about ten
-    /// times as much as a step without it. CAROM_LAW_RINGS always counts the spin. 0: it is left alone.
+    /// 1: friction resists the spin about the normal, by a law with memory that neglects the shift, and costs three to
+    /// four times as much as a step without it. CAROM_LAW_RINGS always counts the spin. 0: it is left alone.
     pub torsion: u32,
     /// CAROM_LAW_COULOMB: error of the friction force over its limit, by default 1e-2. CAROM_LAW_RINGS: relative
     /// accuracy with which tractions satisfy the friction limit, by default 3e-3.

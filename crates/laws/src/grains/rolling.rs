@@ -84,14 +84,9 @@ impl GrainRoll {
         dt: f64,
         normal_force: f64,
     ) -> Result<[f64; 3], RangeError> {
-        let mut unasked = Heats::default();
-        self.advance_accounted(
-            (resistance, relative_radius),
-            meeting,
-            dt,
-            normal_force,
-            &mut unasked,
-        )
+        let mut rolling = Rolling { resistance, relative_radius, roll: self };
+        let trial = rolling.trial(meeting, dt)?;
+        Ok(rolling.end(&trial, normal_force, None))
     }
 
     /// As [`GrainRoll::advance`], and adds what becomes heat: of the dashpot, of the slider, and of the spring where the
@@ -101,65 +96,15 @@ impl GrainRoll {
     /// As [`GrainRoll::advance`].
     pub fn advance_accounted(
         &mut self,
-        of: (&RollingResistance, f64),
+        (resistance, relative_radius): (&RollingResistance, f64),
         meeting: &Meeting,
         dt: f64,
         normal_force: f64,
         heats: &mut Heats,
     ) -> Result<[f64; 3], RangeError> {
-        let trial = self.trial(of, meeting, dt)?;
-        Ok(self.end(of, &trial, normal_force, heats))
-    }
-
-    /// The step without the slider, before the normal force is known; what it says is all that can fail.
-    fn trial(
-        &self,
-        (resistance, relative_radius): (&RollingResistance, f64),
-        meeting: &Meeting,
-        dt: f64,
-    ) -> Result<RollTrial, RangeError> {
-        let normal = meeting.normal;
-        if dt == 0.0 && !meeting.is_apart() {
-            let force = self.force;
-            return Ok(RollTrial { end: End::Stays, normal, force, ..RollTrial::default() });
-        }
-        let from = if self.normal == [0.0; 3] { normal } else { self.normal };
-        let middle = unit(plus(from, normal));
-        let angle = dot(meeting.turning(), middle) * dt;
-        let [shift, force] =
-            [self.shift, self.force].map(|v| turned(carried(v, from, normal), normal, angle));
-        let rate = cross(meeting.twisting(), middle);
-        let way = times(carried(rate, middle, normal), -relative_radius * dt);
-        let is_apart = meeting.is_apart();
-        let by_dashpot = if is_apart { 0.0 } else { resistance.damping / dt };
-        let stuck = sum(times(plus(shift, way), -resistance.stiffness), -by_dashpot, way);
-        let end = if is_apart { End::Apart } else { End::Rolls };
-        for v in [shift, way, force, stuck, times(shift, resistance.stiffness)] {
-            checked(dot(v, v).sqrt())?;
-        }
-        checked(relative_radius)?;
-        Ok(RollTrial { end, normal, shift, force, way, stuck, by_dashpot })
-    }
-
-    /// The end of a step, whose trial has not failed: the torque on body 1, and what becomes heat.
-    fn end(
-        &mut self,
-        (resistance, relative_radius): (&RollingResistance, f64),
-        trial: &RollTrial,
-        normal_force: f64,
-        heats: &mut Heats,
-    ) -> [f64; 3] {
-        let &RollTrial { end, normal, shift, force, way, .. } = trial;
-        if matches!(end, End::Rolls | End::Apart) {
-            let before = resistance.energy(shift);
-            *self = match end {
-                End::Rolls => trial.slipped(resistance, normal_force.max(0.0)),
-                End::Apart | End::Stays => Self::default(),
-            };
-            let work = -0.5 * dot(plus(force, self.force), way);
-            heats.rolling += work + before - resistance.energy(self.shift);
-        }
-        times(cross(normal, self.force), relative_radius)
+        let mut rolling = Rolling { resistance, relative_radius, roll: self };
+        let trial = rolling.trial(meeting, dt)?;
+        Ok(rolling.end(&trial, normal_force, Some(heats)))
     }
 
     /// The torque on body 1 after the last step, N m.
@@ -221,21 +166,69 @@ pub struct Rolling<'a> {
 }
 
 impl Rolling<'_> {
+    /// The step without the slider, before the normal force is known; what it says is all that can fail.
     pub(super) fn trial(&self, meeting: &Meeting, dt: f64) -> Result<RollTrial, RangeError> {
-        self.roll.trial((self.resistance, self.relative_radius), meeting, dt)
+        let (Self { resistance, roll, .. }, normal) = (self, meeting.normal);
+        if dt == 0.0 && !meeting.is_apart() {
+            return Ok(RollTrial { end: End::Stays, normal, ..RollTrial::default() });
+        }
+        let from = if roll.normal == [0.0; 3] { normal } else { roll.normal };
+        let middle = unit(plus(from, normal));
+        let turn = Turn { from, normal, angle: dot(meeting.turning(), middle) * dt };
+        let shift = turn.of(roll.shift);
+        let rate = cross(meeting.twisting(), middle);
+        let way = times(carried(rate, middle, normal), -self.relative_radius * dt);
+        let is_apart = meeting.is_apart();
+        let by_dashpot = if is_apart { 0.0 } else { resistance.damping / dt };
+        let stuck = sum(times(plus(shift, way), -resistance.stiffness), -by_dashpot, way);
+        let end = if is_apart { End::Apart } else { End::Rolls };
+        for v in [shift, way, roll.force, stuck, times(shift, resistance.stiffness)] {
+            checked(dot(v, v))?;
+        }
+        checked(self.relative_radius * self.relative_radius)?;
+        Ok(RollTrial { end, normal, turn, shift, way, stuck, by_dashpot })
+    }
+
+    /// The end of a step, whose trial has not failed: the torque on body 1, and what becomes heat.
+    fn end(&mut self, trial: &RollTrial, normal_force: f64, heats: Option<&mut Heats>) -> [f64; 3] {
+        let (before, resistance) = (self.roll.force, self.resistance);
+        match trial.end {
+            End::Stays => {}
+            End::Apart => *self.roll = GrainRoll::default(),
+            End::Rolls => *self.roll = trial.slipped(resistance, normal_force.max(0.0)),
+        }
+        if let (Some(heats), End::Apart | End::Rolls) = (heats, trial.end) {
+            let forces = plus(trial.turn.of(before), self.roll.force);
+            let [stored, rest] = [trial.shift, self.roll.shift].map(|s| resistance.energy(s));
+            heats.rolling += -0.5 * dot(forces, trial.way) + stored - rest;
+        }
+        times(cross(trial.normal, self.roll.force), self.relative_radius)
     }
 
     /// Adds the torque to the load that presses the bodies, after a trial.
-    pub(super) fn end(
+    pub(super) fn press(
         &mut self,
         meeting: &Meeting,
         trial: &RollTrial,
         load: &mut GrainLoad,
-        heats: &mut Heats,
+        heats: Option<&mut Heats>,
     ) {
         let pressed = dot(load.force, meeting.normal);
-        let of = (self.resistance, self.relative_radius);
-        load.couple(meeting, self.roll.end(of, trial, pressed, heats));
+        load.couple(meeting, self.end(trial, pressed, heats));
+    }
+}
+
+/// How the axes of a contact turn in a step.
+#[derive(Debug, Clone, Copy, Default)]
+struct Turn {
+    from: Vector,
+    normal: Vector,
+    angle: f64,
+}
+
+impl Turn {
+    fn of(&self, vector: Vector) -> Vector {
+        turned(carried(vector, self.from, self.normal), self.normal, self.angle)
     }
 }
 
@@ -250,14 +243,14 @@ enum End {
     Rolls,
 }
 
-/// A step of a resistance to rolling before the normal force is known ([`GrainRoll::trial`]).
+/// A step of a resistance to rolling before the normal force is known ([`Rolling::trial`]).
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct RollTrial {
     end: End,
     normal: Vector,
-    /// Shift and force of before, in the axes of the end of the step.
+    turn: Turn,
+    /// The shift of before, in the axes of the end of the step.
     shift: Vector,
-    force: Vector,
     /// By how much the bodies roll.
     way: Vector,
     /// The force without slip.
@@ -284,8 +277,13 @@ impl RollTrial {
 /// Sizes up to this leave heat and torque finite.
 const LARGEST: f64 = 1e100;
 
-fn checked(size: f64) -> Result<(), RangeError> {
-    RangeError::check("rolling resistance", size, size <= LARGEST, "at most 1e100").map(|_| ())
+/// Checks a size by its square.
+fn checked(square: f64) -> Result<(), RangeError> {
+    if square <= LARGEST * LARGEST {
+        return Ok(());
+    }
+    let size = square.sqrt();
+    RangeError::check("rolling resistance", size, false, "at most 1e100").map(|_| ())
 }
 
 /// A vector across `from`, carried to `to` by the smallest rotation.

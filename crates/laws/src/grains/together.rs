@@ -7,7 +7,6 @@ use carom_special::RangeError;
 use super::contact::GrainContact;
 use super::dashpots::{Dashpots, Effective, Motion};
 use super::drag_heat::DragHeat;
-use super::heats::Heats;
 use super::load::{GrainLoad, LARGEST_ARM, LARGEST_DRAG, elastic, forces};
 use super::meeting::{Grain, Meeting, Meetings};
 use super::number::{LANES, Lanes, Number as _, hold, lanes};
@@ -101,7 +100,7 @@ fn rolling<S: VertexStack<[f64; 2]>>(
     without_rolling(pairs, dt, meanwhile)?;
     for (rolls, pair) in rolls.iter().zip(pairs) {
         if let (Some((meeting, trial)), Some(rolling)) = (rolls, &mut pair.rolling) {
-            rolling.end(meeting, trial, pair.load, &mut Heats::default());
+            rolling.press(meeting, trial, pair.load, None);
         }
     }
     Ok(())

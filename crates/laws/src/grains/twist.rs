@@ -31,13 +31,18 @@ impl GrainTwist {
         &self.law
     }
 
+    /// The law alone.
+    pub(super) fn into_law(self) -> TorsionLaw {
+        self.law
+    }
+
     /// The torque on body 1 at the end of the last step, N m; the torque on body 2 is the opposite.
     #[must_use]
     pub fn torque(&self, meeting: &Meeting) -> [f64; 3] {
         if meeting.is_apart() {
             return [0.0; 3];
         }
-        times(meeting.normal, self.law.load().m_z)
+        times(meeting.normal, self.law.twist_torque())
     }
 
     /// Advances by a step of duration `dt`, at the end of which the bodies are as given, and
@@ -46,7 +51,7 @@ impl GrainTwist {
     /// # Errors
     /// [`RangeError`] for a twist that the law does not allow; the state is then unchanged.
     pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<[f64; 3], RangeError> {
-        self.step(meeting, dt, |law, to| law.advance(to).map(|_| ()))?;
+        self.step(meeting, dt, TorsionLaw::move_to)?;
         Ok(self.torque(meeting))
     }
 

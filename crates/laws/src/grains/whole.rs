@@ -82,11 +82,11 @@ impl Turned {
         Ok(Self { twist, torque, moves: true })
     }
 
-    fn keep(&self, meeting: &Meeting, twist: &mut StoredTwist) {
+    fn keep(self, meeting: &Meeting, twist: &mut StoredTwist) {
         if self.moves && meeting.is_apart() {
             twist.separate();
         } else if self.moves {
-            twist.keep(self.twist.law());
+            twist.keep(self.twist.into_law());
         }
     }
 }
@@ -110,13 +110,12 @@ impl<L: GrainLaw> WholeContact<'_, L> {
         let turn = |twist: &&mut StoredTwist| Turned::of(twist, meeting, dt, made.as_mut());
         let turned = self.twist.as_ref().map(turn).transpose()?;
         self.contact.advance_with(meeting, dt, load, heats.as_deref_mut())?;
-        if let (Some(twist), Some(turned)) = (&mut self.twist, &turned) {
+        if let (Some(twist), Some(turned)) = (&mut self.twist, turned) {
             load.couple(meeting, turned.torque);
             turned.keep(meeting, twist);
         }
         if let (Some(rolling), Some(trial)) = (&mut self.rolling, &rolls) {
-            let mut unasked = Heats::default();
-            rolling.end(meeting, trial, load, heats.as_deref_mut().unwrap_or(&mut unasked));
+            rolling.press(meeting, trial, load, heats.as_deref_mut());
         }
         if let (Some(heats), Some(made)) = (heats, made) {
             heats.friction += made.friction;
@@ -168,7 +167,7 @@ impl<L: GrainLaw> WholeContact<'_, L> {
         }
         if let Some(twist) = &self.twist {
             let (before, place) = rest.split_last_chunk_mut().ok_or_else(enough)?;
-            twist.pack(place);
+            twist.pack(place)?;
             rest = before;
         }
         self.contact.pack(rest)

@@ -18,7 +18,7 @@ impl TwistHistory {
         RangeError::check("torque", self.torque, holds, "at most the sliding torque")?;
         let mut end = self.radius;
         for segment in self.segments.iter().rev() {
-            if let Density::Slip { radius, .. } = segment.density {
+            if let Density::Slip { radius, .. } = segment.density() {
                 let holds = radius >= end;
                 let allowed = "at least the outer radius of its piece";
                 RangeError::check("slip radius", radius, holds, allowed)?;

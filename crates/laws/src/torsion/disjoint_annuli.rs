@@ -81,7 +81,7 @@ impl TwistHistory {
 
     /// The state after a substep with one slip annulus, whether it satisfies the friction law or not.
     fn single_annulus(&self, radius: f64, twist: f64) -> (Self, SingleAnnulus) {
-        let mut moved = self.trial();
+        let mut moved = self.clone();
         if radius > self.radius {
             moved.grow(radius, twist, &mut super::heat::Unmetered);
             return (moved, SingleAnnulus::Growth);
@@ -139,7 +139,7 @@ impl TwistHistory {
             let density = before.densities[i] + solution.changes[i];
             let demand = demand_of(density.abs(), mesh.sliding()[i], mesh.radius(), to);
             let laid = Density::Stick(density);
-            next.push(Segment { from, density: laid, twist: below, torque, demand });
+            next.push(Segment::new(from, laid, [below, torque], demand));
             below += density * (to - from);
             torque += old.torque_below(to) - old.torque_below(from)
                 + solution.changes[i] * moment(to, from);
@@ -163,7 +163,7 @@ impl TwistHistory {
             let torque = torque + sign * sliding_torque(edge, radius);
             let density = Density::Slip { sign, radius };
             self.truncate(edge);
-            self.push(Segment { from: edge, density, twist, torque, demand: radius });
+            self.push(Segment::new(edge, density, [twist, torque], radius));
             self.set_torque(torque, radius);
             self.stick = edge;
         }
@@ -182,7 +182,7 @@ impl TwistHistory {
             }
             // A constant density is measured from where it begins, the sliding density from its
             // outer radius.
-            let (twist, torque) = match segment.density {
+            let (twist, torque) = match segment.density() {
                 Density::Stick(_) => (segment.twist_to(start), segment.torque_to(start)),
                 Density::Slip { .. } => (segment.twist, segment.torque),
             };

@@ -269,7 +269,7 @@ impl<'a> Front<'a> {
         };
         let depth = depth.max(0.0);
         let Sloped { value, slope } = twist_of_depth(depth);
-        let below = match segment.density {
+        let below = match segment.density() {
             Density::Stick(density) => Sloped {
                 value: segment.twist + density * (edge - segment.from),
                 slope: density * edge,

@@ -20,14 +20,8 @@ impl TwistHistory {
     /// New area formed in complete adhesion.
     pub(super) fn adhere(&mut self, radius: f64, twist: f64) {
         let density = Density::Stick((twist - self.twist) / (radius - self.radius));
-        let segment = Segment {
-            from: self.radius,
-            density,
-            twist: self.twist,
-            torque: self.torque,
-            demand: 0.0,
-        };
-        let same = self.segments.last().is_some_and(|last| last.density == density);
+        let segment = Segment::new(self.radius, density, [self.twist, self.torque], 0.0);
+        let same = self.segments.last().is_some_and(|last| last.density() == density);
         if !same {
             self.push(segment);
         }
@@ -75,19 +69,21 @@ impl TwistHistory {
         let below = if self.radius == 0.0 { self.twist } else { self.twist_below(start) };
         let (twist_to, torque_to) = (below, self.torque_below(start));
         if self.radius == 0.0 {
-            self.segments.clear();
+            self.segments.truncate(0);
         }
         self.truncate(start);
-        let laid =
-            Segment { from: start, density, twist: twist_to, torque: torque_to, demand: radius };
-        match self.segments.last_mut() {
-            Some(last) if last.density == density => last.demand = last.demand.max(radius),
+        let laid = Segment::new(start, density, [twist_to, torque_to], radius);
+        match self.segments.last().copied() {
+            Some(last) if last.density() == density => {
+                let demand = last.demand.max(radius);
+                self.segments.replace(self.segments.len() - 1, Segment { demand, ..last });
+            }
             _ => self.push(laid),
         }
         let torque = laid.torque_to(end) + sign * sliding_torque(end, radius);
         let density = Density::Slip { sign, radius };
         self.set_torque(torque, radius);
         self.stick = end;
-        self.push(Segment { from: end, density, twist, torque, demand: radius });
+        self.push(Segment::new(end, density, [twist, torque], radius));
     }
 }

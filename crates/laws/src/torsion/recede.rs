@@ -124,7 +124,7 @@ impl TwistHistory {
                 && self.goes_on_slipping(radius, twist, sign)
                 && self.stays_within_friction(radius, twist, sign)
                 && (back <= 1.0 || {
-                    let mut after = self.trial();
+                    let mut after = self.clone();
                     after.follow(SlipPath::Inward(sign), radius, twist);
                     back <= lowest_rate(back, after.stick / radius)
                 });
@@ -160,7 +160,7 @@ impl TwistHistory {
         if calm == [true; 2] {
             return true;
         }
-        let mut after = self.trial();
+        let mut after = self.clone();
         after.follow(SlipPath::Inward(sign), radius, twist);
         (calm[0] || self.slips_over(&after, kept, radius, sign))
             && (calm[1] || self.annulus_balances(&after, sign))
@@ -195,7 +195,7 @@ impl TwistHistory {
             let slips = self.slip_sign().is_some();
             let kept = self.kept(if slips { self.stick } else { self.radius });
             if !kept.below_sliding(0.0, self.radius, sign) {
-                let mut after = self.trial();
+                let mut after = self.clone();
                 after.grow(radius, twist, &mut Unmetered);
                 if !self.slips_over(&after, kept, self.radius, sign) {
                     return false;
@@ -266,7 +266,7 @@ impl TwistHistory {
 
     /// Whether torque and outer density of a solution are within friction.
     pub(super) fn is_admissible(&self) -> bool {
-        let rim = self.segments.last().map_or(0.0, |last| last.density.at(self.radius));
+        let rim = self.segments.last().map_or(0.0, |last| last.density().at(self.radius));
         let sticks = self.stick >= self.radius;
         self.torque.abs() <= sliding_limit(self.radius) && !(sticks && rim.abs() > 1.0)
     }
@@ -281,7 +281,7 @@ pub(super) fn lowest_rate(back: f64, stick: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::torsion::segment::Density;
+    use crate::torsion::segment::{Density, Segment};
 
     /// A contact that grew in adhesion has traction up to its edge: the twist of the edge may not exceed its growth.
     #[test]
@@ -290,7 +290,7 @@ mod tests {
         history.advance(1.0, 0.9).expect("in range");
         assert_eq!(history.stick_radius(), 1.0);
         for (density, holds) in [(0.9, true), (1.0, true), (1.01, false), (-1.01, false)] {
-            history.segments[0].density = Density::Stick(density);
+            history.segments.replace(0, Segment::new(0.0, Density::Stick(density), [0.0; 2], 1.0));
             assert_eq!(history.is_admissible(), holds, "{density}");
         }
     }

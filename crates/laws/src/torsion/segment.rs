@@ -38,11 +38,15 @@ pub(super) fn stuck_torque(density: f64, from: f64, to: f64) -> f64 {
     0.25 * density * (a - b) * (a + b)
 }
 
-/// A density from a radius outwards.
+/// A density from a radius outwards: six numbers, which may be kept as bytes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
 pub(super) struct Segment {
     pub(super) from: f64,
-    pub(super) density: Density,
+    /// The contact radius in which a density slid; 0 for a constant one, since no contact slides at a radius of zero.
+    pub(super) slid: f64,
+    /// The sign of the slip, or the constant.
+    pub(super) value: f64,
     /// Twist and torque of everything inside `from`. On a slip segment the sliding ones outside
     /// `from` are added, from which those outside another radius are subtracted.
     pub(super) twist: f64,
@@ -75,9 +79,43 @@ impl Deepest {
 }
 
 impl Segment {
+    /// Number of its numbers.
+    pub(super) const NUMBERS: usize = 6;
+
+    /// A density from a radius outwards, with its [`Segment::twist`], [`Segment::torque`] and [`Segment::demand`].
+    pub(super) const fn new(
+        from: f64,
+        density: Density,
+        [twist, torque]: [f64; 2],
+        demand: f64,
+    ) -> Self {
+        let (slid, value) = match density {
+            Density::Stick(density) => (0.0, density),
+            Density::Slip { sign, radius } => (radius, sign),
+        };
+        Self { from, slid, value, twist, torque, demand }
+    }
+
+    pub(super) fn density(&self) -> Density {
+        match self.slid {
+            0.0 => Density::Stick(self.value),
+            radius => Density::Slip { sign: self.value, radius },
+        }
+    }
+
+    pub(super) const fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let &Self { from, slid, value, twist, torque, demand } = self;
+        [from, slid, value, twist, torque, demand]
+    }
+
+    pub(super) const fn of(numbers: &[f64; Self::NUMBERS]) -> Self {
+        let &[from, slid, value, twist, torque, demand] = numbers;
+        Self { from, slid, value, twist, torque, demand }
+    }
+
     /// Twist of everything inside a radius in this segment.
     pub(super) fn twist_to(&self, s: f64) -> f64 {
-        match self.density {
+        match self.density() {
             Density::Stick(density) => self.twist + density * (s - self.from),
             Density::Slip { sign, radius } => self.twist - sign * sliding_twist(s, radius),
         }
@@ -85,7 +123,7 @@ impl Segment {
 
     /// Twist of everything inside a radius, and the density there to the accuracy of a step of Newton.
     pub(super) fn twist_and_density(&self, s: f64) -> Sloped {
-        match self.density {
+        match self.density() {
             Density::Stick(density) => Sloped { value: self.twist_to(s), slope: density },
             Density::Slip { sign, radius } => {
                 let Sloped { value, slope } = sliding_twist_and_density(s, radius);
@@ -96,7 +134,7 @@ impl Segment {
 
     /// Torque of everything inside a radius in this segment.
     pub(super) fn torque_to(&self, s: f64) -> f64 {
-        match self.density {
+        match self.density() {
             Density::Stick(density) => self.torque + stuck_torque(density, self.from, s),
             Density::Slip { sign, radius } => self.torque - sign * sliding_torque(s, radius),
         }
@@ -104,7 +142,7 @@ impl Segment {
 
     /// Twist and torque of everything inside a radius in this segment.
     pub(super) fn inside(&self, s: f64) -> (f64, f64) {
-        match self.density {
+        match self.density() {
             Density::Stick(_) => (self.twist_to(s), self.torque_to(s)),
             Density::Slip { sign, radius } => {
                 let (twist, torque) = sliding_twist_and_torque(s, radius);
@@ -147,12 +185,12 @@ impl Segment {
     /// (bh - twist_to(c)) - B(c; radius)`.
     fn excess(&self, radius: f64, target: f64, sign: f64) -> impl Fn(f64) -> Sloped {
         let rest = target - sign * self.twist;
-        let other = match self.density {
+        let other = match self.density() {
             Density::Slip { sign: before, radius } => Some((sign * before, radius)),
             Density::Stick(_) => None,
         };
         let shift = other.map_or(0.0, |(_, before)| libm::log(before / radius));
-        let (density, from) = (self.density, self.from);
+        let (density, from) = (self.density(), self.from);
         move |v| {
             let sliding = twist_of_depth(v);
             let scale = FRAC_2_PI * radius;

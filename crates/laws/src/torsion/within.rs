@@ -55,19 +55,20 @@ impl<'a> Kept<'a> {
     /// With an outermost piece that is within friction because a slip annulus spread into it: if its
     /// density is constant, it is below the sliding density where the annulus ends.
     pub(super) fn inside_front(self) -> Self {
-        let known = matches!(self.pieces, [.., Segment { density: Density::Stick(_), .. }]);
+        let sticks = |last: &Segment| matches!(last.density(), Density::Stick(_));
+        let known = self.pieces.last().is_some_and(sticks);
         Self { known, ..self }
     }
 
     /// Whether the outermost density is constant up to the radius.
     pub(super) fn ends_in_stick(self) -> bool {
         let Some(last) = self.pieces.last() else { return false };
-        last.from < self.top && matches!(last.density, Density::Stick(_))
+        last.from < self.top && matches!(last.density(), Density::Stick(_))
     }
 
     /// Whether the twist in the direction of a sign is a convex function of the radius in the outermost piece.
     pub(super) fn twist_is_convex(self, sign: f64) -> bool {
-        let slid = |piece: &Segment| matches!(piece.density, Density::Slip { sign: own, .. } if own == sign);
+        let slid = |piece: &Segment| matches!(piece.density(), Density::Slip { sign: own, .. } if own == sign);
         !self.pieces.last().is_some_and(slid)
     }
 
@@ -89,7 +90,7 @@ impl<'a> Kept<'a> {
     pub(super) fn below_sliding(self, outside: f64, radius: f64, sign: f64) -> bool {
         self.inwards(radius)
             .take_while(|(_, end)| *end > outside)
-            .all(|(piece, end)| piece.density.above_sliding(piece.from, end, radius, sign) <= 0.0)
+            .all(|(piece, end)| piece.density().above_sliding(piece.from, end, radius, sign) <= 0.0)
     }
 
     /// The radius inside which no density is above the sliding density of a contact radius.
@@ -97,7 +98,7 @@ impl<'a> Kept<'a> {
         let above = |(piece, end): &(&Segment, f64)| {
             [1.0, -1.0]
                 .iter()
-                .any(|sign| piece.density.above_sliding(piece.from, *end, radius, *sign) > 0.0)
+                .any(|sign| piece.density().above_sliding(piece.from, *end, radius, *sign) > 0.0)
         };
         self.inwards(radius).filter(above).last().map_or(self.top, |(piece, _)| piece.from)
     }
@@ -107,9 +108,9 @@ impl<'a> Kept<'a> {
     pub(super) fn balance(self, radius: f64, sign: f64) -> bool {
         let mut used = 0.0;
         self.inwards(radius).skip(usize::from(self.known)).all(|(piece, end)| {
-            let over = piece.density.above_sliding(piece.from, end, radius, sign);
+            let over = piece.density().above_sliding(piece.from, end, radius, sign);
             if over > 0.0 {
-                let from = piece.from.max(piece.density.covered_inside(radius));
+                let from = piece.from.max(piece.density().covered_inside(radius));
                 let spare = self.spare(from, end, radius, sign);
                 used += over * (2.0 * (end - from) / from).sqrt() / spare;
             }
@@ -126,7 +127,7 @@ impl<'a> Kept<'a> {
         // The annulus spreads over the outermost.
         let pieces = pieces.skip(usize::from(self.annulus.is_some()));
         let spare = |(piece, outer): (&Segment, f64)| {
-            piece.density.below_sliding(outer, radius, sign) * weight(outer - piece.from, outer)
+            piece.density().below_sliding(outer, radius, sign) * weight(outer - piece.from, outer)
         };
         rim + pieces.map(spare).sum::<f64>()
     }

@@ -54,3 +54,4 @@ mod torsion_shaken;
 mod turned_stiffness;
 mod twist_known;
 mod twist_packed;
+mod whole_contact;

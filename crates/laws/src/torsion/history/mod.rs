@@ -7,9 +7,11 @@
 //! it the sliding density replaces it (10.25).
 
 mod pack;
+mod pieces;
 mod stored;
 
 pub use pack::packed_numbers;
+pub(in crate::torsion) use pieces::Pieces;
 pub(in crate::torsion) use stored::StoredHistory;
 
 use carom_special::RangeError;
@@ -24,9 +26,6 @@ use crate::torsion::steady::SteadyAnnulus;
 /// A slip annulus narrower than this fraction of the radius is left out, and its twist stays at the
 /// edge. The relative error of the torque is the square of this.
 const NEGLIGIBLE_WIDTH: f64 = 1e-9;
-
-/// Room for the segments that most steps add, so that they need no other place in memory.
-pub(in crate::torsion) const SEGMENTS_OF_A_STEP: usize = 4;
 
 /// Ratio of radii of the panels for the stored energy, as a logarithm, and number of panels that
 /// matter.
@@ -81,7 +80,7 @@ pub struct TwistHistory {
     pub(in crate::torsion) twist: f64,
     pub(in crate::torsion) torque: f64,
     pub(in crate::torsion) stick: f64,
-    pub(in crate::torsion) segments: Vec<Segment>,
+    pub(in crate::torsion) segments: Pieces,
     pub(in crate::torsion) ring_steps: u32,
     /// The level of the ring width at the edge.
     pub(in crate::torsion) level: usize,
@@ -117,13 +116,13 @@ impl TwistHistory {
         Ok(Self::at_level((width / mesh::NARROWEST).log2() as usize))
     }
 
-    const fn at_level(level: usize) -> Self {
+    fn at_level(level: usize) -> Self {
         Self {
             radius: 0.0,
             twist: 0.0,
             torque: 0.0,
             stick: 0.0,
-            segments: Vec::new(),
+            segments: Pieces::default(),
             ring_steps: 0,
             level,
         }
@@ -169,7 +168,7 @@ impl TwistHistory {
     #[must_use]
     pub fn density(&self, s: f64) -> f64 {
         match self.segment_at(s) {
-            Some(segment) if s < self.radius => segment.density.at(s),
+            Some(segment) if s < self.radius => segment.density().at(s),
             _ => 0.0,
         }
     }
@@ -182,7 +181,7 @@ impl TwistHistory {
             let mut to = self.segments.get(i + 1).map_or(self.radius, |next| next.from);
             // The twist of a slip segment grows logarithmically towards the centre.
             for panel in 0..PANELS {
-                let last = panel + 1 == PANELS || matches!(segment.density, Density::Stick(_));
+                let last = panel + 1 == PANELS || matches!(segment.density(), Density::Stick(_));
                 let from = if last { segment.from } else { segment.from.max(PANEL * to) };
                 sum += RULE.integrate(from, to, |s| {
                     let rest = self.twist - segment.twist_to(s);
@@ -200,13 +199,6 @@ impl TwistHistory {
     /// Clears the history of the contact.
     pub(in crate::torsion) fn separate(&mut self, twist: f64) {
         *self = Self { twist, ring_steps: self.ring_steps, ..Self::at_level(self.level) };
-    }
-
-    /// A copy with room for the segments of a step, to try it.
-    pub(in crate::torsion) fn trial(&self) -> Self {
-        let mut segments = Vec::with_capacity(self.segments.len() + SEGMENTS_OF_A_STEP);
-        segments.extend_from_slice(&self.segments);
-        Self { segments, ..*self }
     }
 
     /// A substep whose pattern of slip is known.
@@ -269,7 +261,7 @@ impl TwistHistory {
             self.segments.truncate(i);
         }
         let density = Density::Slip { sign, radius };
-        self.push(Segment { from: stick, density, twist, torque, demand: radius });
+        self.push(Segment::new(stick, density, [twist, torque], radius));
     }
 
     /// Sets the torque, limited to the sliding torque against rounding and the width of rings.
@@ -291,7 +283,7 @@ impl TwistHistory {
 
     /// The sign of the outermost slip annulus, if the contact slips there.
     pub(in crate::torsion) fn slip_sign(&self) -> Option<f64> {
-        match self.segments.last()?.density {
+        match self.segments.last()?.density() {
             Density::Slip { sign, radius } if radius == self.radius => Some(sign),
             _ => None,
         }
@@ -300,23 +292,15 @@ impl TwistHistory {
     /// New area in this step carries no traction before it slips.
     fn grow_to(&mut self, radius: f64) {
         if radius > self.radius {
-            self.push(Segment {
-                from: self.radius,
-                density: Density::Stick(0.0),
-                twist: self.twist,
-                torque: self.torque,
-                demand: 0.0,
-            });
+            let below = [self.twist, self.torque];
+            self.push(Segment::new(self.radius, Density::Stick(0.0), below, 0.0));
         }
     }
 
     /// Removes everything outside a radius.
     pub(in crate::torsion) fn truncate(&mut self, radius: f64) {
-        while self.segments.len() > 1
-            && self.segments.last().is_some_and(|last| last.from >= radius)
-        {
-            self.segments.pop();
-        }
+        let inside = self.segments.iter().rposition(|segment| segment.from < radius);
+        self.segments.truncate(inside.map_or(1, |last| last + 1));
     }
 
     pub(in crate::torsion) fn twist_below(&self, s: f64) -> f64 {

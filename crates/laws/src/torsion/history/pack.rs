@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::{SEGMENTS_OF_A_STEP, TwistHistory};
+use super::{Pieces, TwistHistory};
 use crate::bounds::{LARGEST, in_contact};
 use crate::torsion::mesh;
 use crate::torsion::segment::{Density, Segment, stuck_torque};
@@ -13,7 +13,7 @@ const VERSION: f64 = 5.0;
 /// Number of values stored before the pieces.
 const HEAD: usize = 7;
 /// Numbers per piece.
-const EACH: usize = 6;
+const EACH: usize = Segment::NUMBERS;
 /// The greatest torque inside a piece: that of sliding at the greatest radius, 1e60.
 const LARGEST_TORQUE: f64 = 1e240;
 /// Least number of pieces that a stored state must have room for.
@@ -29,7 +29,7 @@ impl TwistHistory {
     /// Number of pieces of density in the history: each reversal of the twist adds one or two,
     /// rings about a hundred.
     #[must_use]
-    pub const fn pieces(&self) -> usize {
+    pub fn pieces(&self) -> usize {
         self.segments.len()
     }
 
@@ -68,8 +68,9 @@ impl TwistHistory {
             self.write(numbers);
             return Ok(0.0);
         }
-        let mut thinned = self.trial();
-        let jump = thinned.thin(capacity);
+        let mut thinned = self.clone();
+        let mut jumps: Vec<f64> = (0..self.joints()).map(|i| self.jump(i)).collect();
+        let jump = thinned.thin(capacity, &mut jumps);
         thinned.write(numbers);
         Ok(jump)
     }
@@ -84,13 +85,7 @@ impl TwistHistory {
         let (pieces, unused) = rest.split_at_mut(EACH * segments.len());
         unused.fill(0.0);
         for (segment, place) in segments.iter().zip(pieces.as_chunks_mut::<EACH>().0) {
-            let Segment { from, density, twist, torque, demand } = *segment;
-            // No contact slides at a radius of zero: such a piece stuck.
-            let (radius, value) = match density {
-                Density::Stick(density) => (0.0, density),
-                Density::Slip { sign, radius } => (radius, sign),
-            };
-            *place = [from, radius, value, twist, torque, demand];
+            *place = segment.numbers();
         }
     }
 
@@ -107,61 +102,63 @@ impl TwistHistory {
     /// The state of [`TwistHistory::unpack`].
     #[inline]
     pub(in crate::torsion) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
-        check(numbers)?;
-        let read = Self::of(numbers);
+        let room = numbers.len() as f64;
+        let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
+            return RangeError::check("numbers", room, false, ">= 7").map(|_| Self::new());
+        };
+        if *head == [0.0; HEAD] {
+            return Ok(Self::new());
+        }
+        let [mark, count, radius, twist, torque, stick, ring_steps] = *head;
+        let level = mark - 1e4 * VERSION;
+        let known = (0.0..=mesh::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
+        RangeError::check("mark", mark, known, "of version 5")?;
+        let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
+        RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
+        for number in [mark, count, radius, twist, stick, ring_steps] {
+            in_contact("numbers", number)?;
+        }
+        RangeError::finite("torque", torque)?;
+        RangeError::check("radius", radius, (radius > 0.0) == (count > 0.0), "> 0 in contact")?;
+        let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
+        RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
+        let counts = (0.0..=f64::from(u32::MAX)).contains(&ring_steps);
+        RangeError::check("ring steps", ring_steps, counts, "a number of steps")?;
+        let segments = read_pieces(rest, count as usize, radius)?;
+        let ring_steps = ring_steps as u32;
+        let level = level as usize;
+        let read = Self { radius, twist, torque, stick, segments, ring_steps, level };
         read.check_meaning()?;
         Ok(read)
     }
 
-    /// The state of numbers that are a history.
-    #[inline]
-    pub(super) fn of(numbers: &[f64]) -> Self {
-        let Some((&[mark, count, radius, twist, torque, stick, ring_steps], rest)) =
-            numbers.split_first_chunk::<HEAD>()
-        else {
-            return Self::new();
-        };
-        if mark == 0.0 {
-            return Self::new();
-        }
-        let pieces = rest.as_chunks::<EACH>().0;
-        let pieces = pieces.get(..count as usize).unwrap_or(pieces);
-        let mut segments = Vec::with_capacity(pieces.len() + SEGMENTS_OF_A_STEP);
-        segments.extend(pieces.iter().map(piece_of));
-        let (ring_steps, level) = (ring_steps as u32, (mark - 1e4 * VERSION) as usize);
-        Self { radius, twist, torque, stick, segments, ring_steps, level }
-    }
-
     /// Joins neighbouring pieces, those with the least effect first, until this many are left.
-    /// Returns the greatest jump of the torque.
-    fn thin(&mut self, pieces: usize) -> f64 {
+    /// Returns the greatest jump of the torque. `jumps` has the jump of each joint, and at the end that of each that is
+    /// left.
+    pub(super) fn thin(&mut self, pieces: usize, mut jumps: &mut [f64]) -> f64 {
         let mut worst: f64 = 0.0;
-        // The outermost piece may still be sliding.
-        let joints = self.segments.len().saturating_sub(2);
-        let mut jumps: Vec<f64> = (0..joints).map(|i| self.jump(i)).collect();
         while self.segments.len() > pieces.max(FEWEST_PIECES) {
             let each = jumps.iter().copied().enumerate();
             let Some((i, jump)) = each.min_by(|one, other| one.1.total_cmp(&other.1)) else {
                 break;
             };
-            self.segments[i] = self.joined(i);
-            self.segments.remove(i + 1);
-            self.raise_demands(i);
+            self.segments.join(i, self.joined(i));
             worst = worst.max(jump);
             // Only joints with the new piece have changed.
-            jumps.remove(i);
-            for i in i.saturating_sub(1)..jumps.len().min(i + 1) {
-                jumps[i] = self.jump(i);
+            jumps.copy_within(i + 1.., i);
+            let left = jumps.len() - 1;
+            jumps = &mut jumps[..left];
+            let (from, to) = (i.saturating_sub(1), i + 1);
+            for (i, jump) in jumps.iter_mut().enumerate().take(to).skip(from) {
+                *jump = self.jump(i);
             }
         }
         worst
     }
 
-    /// Demands do not decrease outwards.
-    fn raise_demands(&mut self, from: usize) {
-        let least = self.segments[from].demand;
-        let outside = self.segments[from + 1..].iter_mut();
-        outside.take_while(|piece| piece.demand < least).for_each(|piece| piece.demand = least);
+    /// The number of joints. The outermost piece may still be sliding.
+    pub(super) fn joints(&self) -> usize {
+        self.segments.len().saturating_sub(2)
     }
 
     /// The end of the piece above another one.
@@ -175,11 +172,11 @@ impl TwistHistory {
         let Joint { from, density, twist, torque, .. } = self.joint(i);
         let [lower, upper] = [&self.segments[i], &self.segments[i + 1]];
         let demand = lower.demand.max(upper.demand).max(demand_inside(end, density));
-        Segment { from, density: Density::Stick(density), twist, torque, demand }
+        Segment::new(from, Density::Stick(density), [twist, torque], demand)
     }
 
     /// The change of the torque inside the end of a joint.
-    fn jump(&self, i: usize) -> f64 {
+    pub(super) fn jump(&self, i: usize) -> f64 {
         let jump = self.joint(i).jump.abs();
         if jump.is_nan() { f64::INFINITY } else { jump }
     }
@@ -206,38 +203,17 @@ struct Joint {
     jump: f64,
 }
 
-/// Checks numbers that may be a history, but not what they mean together.
-#[inline]
-pub(super) fn check(numbers: &[f64]) -> Result<(), RangeError> {
-    let room = numbers.len() as f64;
-    let Some((head, rest)) = numbers.split_first_chunk::<HEAD>() else {
-        return RangeError::check("numbers", room, false, ">= 7").map(|_| ());
-    };
-    if *head == [0.0; HEAD] {
-        return Ok(());
+/// The first pieces that numbers represent, inside a contact radius.
+fn read_pieces(numbers: &[f64], count: usize, radius: f64) -> Result<Pieces, RangeError> {
+    let pieces = numbers.as_chunks::<EACH>().0;
+    let pieces = pieces.get(..count).unwrap_or(pieces);
+    if !are_sound(pieces, radius) {
+        check_pieces(pieces, radius)?;
     }
-    let [mark, count, radius, twist, torque, stick, ring_steps] = *head;
-    let level = mark - 1e4 * VERSION;
-    let known = (0.0..=mesh::WIDEST_LEVEL as f64).contains(&level) && level == level.floor();
-    RangeError::check("mark", mark, known, "of version 5")?;
-    let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
-    RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
-    for number in [mark, count, radius, twist, stick, ring_steps] {
-        in_contact("numbers", number)?;
-    }
-    RangeError::finite("torque", torque)?;
-    RangeError::check("radius", radius, (radius > 0.0) == (count > 0.0), "> 0 in contact")?;
-    let within = (0.0..=radius).contains(&stick) && (stick > 0.0) == (radius > 0.0);
-    RangeError::check("stick radius", stick, within, "> 0 in contact, at most the radius")?;
-    let counts = (0.0..=f64::from(u32::MAX)).contains(&ring_steps);
-    RangeError::check("ring steps", ring_steps, counts, "a number of steps")?;
-    let pieces = rest.as_chunks::<EACH>().0;
-    let pieces = pieces.get(..count as usize).unwrap_or(pieces);
-    if are_sound(pieces, radius) { Ok(()) } else { check_pieces(pieces, radius) }
+    Ok(pieces.iter().map(Segment::of).collect())
 }
 
-/// Whether pieces pass all of [`check_pieces`], as one condition without branches: steps of many contacts ask this of
-/// each piece.
+/// Whether pieces pass all of [`check_pieces`], as one condition without branches.
 fn are_sound(pieces: &[[f64; EACH]], radius: f64) -> bool {
     let mut sound = pieces.first().is_none_or(|first| first[0] == 0.0 && first[1] == 0.0);
     let mut below = -1.0;
@@ -276,14 +252,6 @@ fn check_pieces(pieces: &[[f64; EACH]], radius: f64) -> Result<(), RangeError> {
     Ok(())
 }
 
-/// The piece that six checked numbers represent.
-fn piece_of(numbers: &[f64; EACH]) -> Segment {
-    let [from, radius, value, twist, torque, demand] = *numbers;
-    let density =
-        if radius == 0.0 { Density::Stick(value) } else { Density::Slip { sign: value, radius } };
-    Segment { from, density, twist, torque, demand }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -294,9 +262,7 @@ mod tests {
         while history.segments.len() > pieces {
             let joints = (0..history.segments.len() - 2).map(|i| (history.jump(i), i));
             let (jump, i) = joints.min_by(|a, b| a.0.total_cmp(&b.0)).expect("many pieces");
-            history.segments[i] = history.joined(i);
-            history.segments.remove(i + 1);
-            history.raise_demands(i);
+            history.segments.join(i, history.joined(i));
             worst = worst.max(jump);
         }
         (history, worst)
@@ -316,7 +282,8 @@ mod tests {
         assert!(history.pieces() > 20, "{}", history.pieces());
         for pieces in 4..history.pieces() {
             let mut thinned = history.clone();
-            let jump = thinned.thin(pieces);
+            let mut jumps: Vec<f64> = (0..history.joints()).map(|i| history.jump(i)).collect();
+            let jump = thinned.thin(pieces, &mut jumps);
             let rise = |pair: &[Segment]| pair[0].demand <= pair[1].demand;
             assert!(thinned.segments.windows(2).all(rise), "demands rise outwards");
             assert_eq!((thinned, jump), thinned_by_search(history.clone(), pieces), "{pieces}");

@@ -256,6 +256,11 @@ impl TorsionLaw {
         self.go(to, TwistHistory::advance_with_heat)
     }
 
+    /// Advances to a new shift, as [`ContactLaw::advance`].
+    pub(crate) fn move_to(&mut self, to: Shift) -> Result<(), RangeError> {
+        self.go(to, TwistHistory::advance).map(|_| ())
+    }
+
     /// Advances to a new shift. The history is moved by `advance`, whose value is returned as its
     /// heat.
     fn go(
@@ -303,13 +308,14 @@ impl TorsionLaw {
         Ok(())
     }
 
-    /// The torque in physical units.
-    fn torque(&self) -> f64 {
-        match &self.state {
-            State::Frictionless => 0.0,
-            State::Lubkin(history) => history.torque(),
-            State::Adhesion(memory) => memory.force(),
-        }
+    /// The torque of the twist.
+    pub(crate) fn twist_torque(&self) -> f64 {
+        self.per_torque
+            * match &self.state {
+                State::Frictionless => 0.0,
+                State::Lubkin(history) => history.torque(),
+                State::Adhesion(memory) => memory.force(),
+            }
     }
 }
 
@@ -336,7 +342,7 @@ impl ContactLaw for TorsionLaw {
     type Error = RangeError;
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        self.go(shift, TwistHistory::advance)?;
+        self.move_to(shift)?;
         Ok(self.load())
     }
 
@@ -347,7 +353,7 @@ impl ContactLaw for TorsionLaw {
     fn load(&self) -> ContactLoad {
         let zeta = self.shift.zeta.max(0.0);
         let f_z = 2.0 / 3.0 * self.c_z * (zeta * zeta.sqrt());
-        ContactLoad { f_z, m_z: self.torque() * self.per_torque, ..ContactLoad::default() }
+        ContactLoad { f_z, m_z: self.twist_torque(), ..ContactLoad::default() }
     }
 }
 

@@ -58,11 +58,11 @@ impl StoredTwist {
         self.history.check()
     }
 
-    /// Keeps the state of the same law after a step.
-    pub fn keep(&mut self, law: &TorsionLaw) {
+    /// Keeps the state of the law, which was that of [`StoredTwist::law`], after a step.
+    pub fn keep(&mut self, mut law: TorsionLaw) {
         let Shift { zeta, omega, .. } = law.shift();
         (self.zeta, self.omega) = (zeta, omega);
-        if let State::Lubkin(history) = &law.state {
+        if let State::Lubkin(history) = &mut law.state {
             self.history.keep(history);
         }
     }
@@ -72,10 +72,14 @@ impl StoredTwist {
         (self.zeta, self.omega, self.history) = (0.0, 0.0, StoredHistory::NEW);
     }
 
-    /// Writes the state as the numbers of [`TorsionLaw::pack`].
-    pub fn pack(&self, numbers: &mut [f64; Self::NUMBERS]) {
-        numbers[..HEAD].copy_from_slice(&[self.zeta, 0.0, 0.0, self.omega]);
-        numbers[HEAD..].copy_from_slice(self.history.numbers());
+    /// Writes the state as the numbers of [`TorsionLaw::pack`]; all are zero for separated bodies.
+    ///
+    /// # Errors
+    /// As [`TorsionLaw::pack`].
+    pub fn pack(&self, numbers: &mut [f64; Self::NUMBERS]) -> Result<(), RangeError> {
+        let (head, history) = numbers.split_at_mut(HEAD);
+        head.copy_from_slice(&[self.zeta, 0.0, 0.0, self.omega]);
+        self.history.pack(history)
     }
 
     /// Restores what [`StoredTwist::pack`] of a law with the same constants wrote.
@@ -83,9 +87,9 @@ impl StoredTwist {
     /// # Errors
     /// [`RangeError`] for numbers that are no state; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64; Self::NUMBERS]) -> Result<(), RangeError> {
-        self.law().unpack(numbers)?;
-        (self.zeta, self.omega) = (numbers[0], numbers[HEAD - 1]);
-        self.history = StoredHistory::of(numbers);
+        let mut law = self.law();
+        law.unpack(numbers)?;
+        self.keep(law);
         Ok(())
     }
 }
