@@ -11,6 +11,7 @@ mod creep;
 mod error;
 mod fit;
 mod friction;
+mod grains;
 mod hertz;
 mod influence;
 mod line;
@@ -60,6 +61,8 @@ mod _carom {
     use super::fit::{fit, fit_table};
     #[pymodule_export]
     use super::friction::slip_speed_friction;
+    #[pymodule_export]
+    use super::grains::GrainContacts;
     #[pymodule_export]
     use super::hertz::Hertz;
     #[pymodule_export]

@@ -40,11 +40,17 @@ def plain(given):
     """The values alone."""
     if isinstance(given, dict):
         return {name: plain(one) for name, one in given.items()}
+    if type(given) is tuple:
+        return tuple(plain(one) for one in given)
     return given.value if isinstance(given, In) else given
 
 
 def none(value):
     return In(value, "")
+
+
+def grains():
+    return carom.GrainContacts(2, (0.01, 0.02), STEEL, 0.3, torsion=True, rolling=(1e6, 0.1, 0.01))
 
 
 def state(contact):
@@ -162,6 +168,18 @@ CALLS = {
     "Contacts.follow": [
         Call(carom.Contacts.follow, PATH | {"out": In(np.zeros((2, 2, 4)), "N")},
              lambda **given: carom.Contacts(2, HERTZ, 0.3, law="rings").follow(**given)),
+    ],
+    "GrainContacts": [
+        Call(carom.GrainContacts, {"count": none(2), "radii": In((0.01, 0.02), "m"), "materials": STEEL, "friction": none(0.3), "law": "coulomb",
+                                   "relaxation": In(0.0, "s"), "restitution": none(0.8), "masses": In((0.033, 0.27), "kg"), "torsion": True,
+                                   "rolling": (In(1e6, "N/m"), In(0.1, "N*s/m"), none(0.01))},
+             lambda **given: repr(carom.GrainContacts(**given))),
+    ],
+    "GrainContacts.step": [
+        Call(carom.GrainContacts.step, {"dt": In(1e-6, "s"), "place_1": In([0.0, 0.0, 0.03 - 1e-7], "m"), "velocity_1": In([0.1, 0.0, -0.2], "m/s"),
+                                        "spin_1": In([1.0, 2.0, 3.0], "rad/s"), "place_2": In([0.0, 0.0, 0.0], "m"),
+                                        "velocity_2": In([0.1, 0.2, 0.0], "m/s"), "spin_2": In([3.0, 0.0, 1.0], "rad/s"), "heat": True},
+             lambda **given: np.concatenate(grains().step(**given))),
     ],
     "Hertz": [Call(carom.Hertz, {"materials": PAIR, "curvature_a": In(50.0, "1/m"), "curvature_b": In(40.0, "1/m"),
                                     "smallest_radius": In(0.01, "m")})],

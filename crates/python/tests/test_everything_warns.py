@@ -42,6 +42,7 @@ OUTSIDE = {
     "Contact.follow": lambda _: carom.Contact(SPHERES, 0.3).follow([1e-3, 5e-3]),
     "Contacts.advance": lambda _: carom.Contacts(3, SPHERES, 0.3).advance([1e-9, 4e-3, 5e-3]),
     "Contacts.follow": lambda _: carom.Contacts(3, SPHERES, 0.3).follow(np.array([1e-3, 5e-3])),
+    "GrainContacts.step": lambda _: carom.GrainContacts(2, (0.01, 0.01), RUBBER, 0.3).step(1e-6, [0.0, 0.0, 0.015]),
     "ShiftTwist.advance": lambda _: carom.ShiftTwist(SPHERES, 0.3).advance(5e-3),
     "Twist.advance": lambda _: carom.Twist(SPHERES, 0.3).advance(5e-3),
     "collide": lambda _: carom.collide(BALL, FLOOR, 0.5),
@@ -66,7 +67,7 @@ OUTSIDE = {
 MADE, TOLD, PURE = "loads nothing", "reads what a step has told of", "has no sizes and no loads, only ratios"
 #: Why the others need not.
 NEED_NOT = {
-    **dict.fromkeys("Body Body.moving Contact Contacts Hertz Hertz.of_radii Material MaterialPair Plate RestitutionBySpeed RestitutionBySpeed.at ShiftTwist".split(), MADE),
+    **dict.fromkeys("Body Body.moving Contact Contacts GrainContacts Hertz Hertz.of_radii Material MaterialPair Plate RestitutionBySpeed RestitutionBySpeed.at ShiftTwist".split(), MADE),
     **dict.fromkeys("SlipSpeedFriction SlipSpeedFriction.at Solver Surface Surface.measures Surface.prepared Surface.warnings Twist cells hertz_of_spheres surface plane sphere cases.new".split(), MADE),
     **dict.fromkeys("Contact.traction Contact.turn_frame Solver.summary Solver.stress von_mises cases.Stresses.to_xarray".split(), TOLD),
     **dict.fromkeys("plot.history plot.loop plot.pressure plot.stick_slip plot.tractions".split(), TOLD),

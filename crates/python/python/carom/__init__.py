@@ -87,6 +87,7 @@ from ._creep import creep_coefficients, creep_force, fastsim
 from ._derivatives import ReboundDerivatives, rebound_derivatives
 from ._fit import Fit, fit
 from ._friction import SlipSpeedFriction
+from ._grains import GrainContacts
 from ._impact import collide, collide_many, history, plane, sphere
 from ._loss import RestitutionBySpeed
 from ._mistakes import help_calls
@@ -165,6 +166,7 @@ __all__ = [
     "FitPrediction",
     "FitPredictions",
     "FitQuality",
+    "GrainContacts",
     "Hertz",
     "HertzState",
     "HertzStates",

@@ -1,0 +1,98 @@
+"""Whole contacts of grains: rolling and spin against closed forms."""
+
+import copy
+import math
+import pickle
+
+import carom
+import numpy as np
+import pytest
+
+RADIUS, MASS, GRAVITY = 0.01, 0.033, 9.81
+INERTIA = 0.4 * MASS * RADIUS**2
+RUBBER = carom.Material(1e8, 0.45)
+ON_PLANE = (RADIUS, math.inf)
+
+
+def resting():
+    """The height of a ball that rests on a plane."""
+    weight = MASS * GRAVITY
+    return RADIUS - carom.hertz(carom.hertz_of_spheres(RADIUS, math.inf, RUBBER), force=weight).approach
+
+
+def test_a_ball_rolls_to_rest():
+    """Rolling without slip it is slowed down by 5/7 f g, over the way v^2/(10/7 f g)."""
+    limit, start, dt = 0.1, 0.05, 2e-5
+    contacts = carom.GrainContacts(1, ON_PLANE, RUBBER, 0.5, relaxation=1e-4, rolling=(1e5, 1.0, limit))
+    place, velocity, spin = np.array([0.0, 0.0, resting()]), np.array([start, 0.0, 0.0]), np.array([0.0, start / RADIUS, 0.0])
+    stops = start / (5 / 7 * limit * GRAVITY)
+    for step in range(int(1.5 * stops / dt)):
+        place = place + dt * velocity
+        force, torque, on_plane = (load[0] for load in contacts.step(dt, place, velocity, spin, [*place[:2], 0.0]))
+        velocity = velocity + dt * (force / MASS - [0.0, 0.0, GRAVITY])
+        spin = spin + dt * torque / INERTIA
+        if step == int(0.5 * stops / dt):
+            assert velocity[0] == pytest.approx(0.5 * start, rel=0.01)
+            rolling = torque[1] - RADIUS * -force[0]
+            assert rolling == pytest.approx(-limit * RADIUS * force[2], rel=1e-3)
+    assert not on_plane.any()
+    assert abs(velocity[0]) < 0.01 * start
+    assert place[0] == pytest.approx(start**2 / (10 / 7 * limit * GRAVITY), rel=0.01)
+
+
+def test_a_pinned_ball_swings_on_spring_and_dashpot():
+    """Without friction I w' = -R^2 (k angle + c w)."""
+    stiffness, damping, dt, start = 2e3, 0.02, 1e-5, 0.1
+    contacts = carom.GrainContacts(1, ON_PLANE, RUBBER, 0.0, rolling=(stiffness, damping, 1e6))
+    decay = RADIUS**2 * damping / (2 * INERTIA)
+    rate = math.sqrt(RADIUS**2 * stiffness / INERTIA - decay**2)
+    spin = start
+    for step in range(1, 2001):
+        torque = contacts.step(dt, [0.0, 0.0, resting()], spin_1=[0.0, spin, 0.0], heat=True).torque_1[0]
+        spin += dt * torque[1] / INERTIA
+        at = (step + 0.5) * dt
+        exact = start * math.exp(-decay * at) * (math.cos(rate * at) - decay / rate * math.sin(rate * at))
+        assert abs(spin - exact) < 0.02 * start, step
+    lost = 0.5 * INERTIA * (start**2 - spin**2) - (contacts.stored_energy[0] - carom.GrainContacts(1, ON_PLANE, RUBBER, 0.0).stored_energy[0])
+    compression = 0.4 * MASS * GRAVITY * (RADIUS - resting())
+    assert contacts.heats["rolling"] == pytest.approx(lost + compression, rel=0.02)
+
+
+def test_spin_slides_at_the_torque_of_its_law():
+    """3 pi/16 f F_z a, where all of the contact slides."""
+    hertz = carom.hertz_of_spheres(RADIUS, RADIUS, RUBBER)
+    state = carom.hertz(hertz, approach=1e-6)
+    contacts = carom.GrainContacts(3, (RADIUS, RADIUS), RUBBER, 0.3, torsion=True)
+    for _ in range(50):
+        loads = contacts.step(1e-4, [0.0, 0.0, 2 * RADIUS - 1e-6], spin_1=[[0.0, 0.0, z] for z in (50.0, 0.0, -50.0)])
+    torque = 3 * math.pi / 16 * 0.3 * state.force * state.semi_axis_a
+    assert loads.torque_1[:, 2] == pytest.approx([-torque, 0.0, torque], rel=1e-6)
+    assert loads.torque_2 == pytest.approx(-loads.torque_1)
+
+
+@pytest.mark.parametrize("law", ["coulomb", "fixed-direction", "rings"])
+def test_contacts_are_copied_and_kept(law):
+    contacts = carom.GrainContacts(2, (RADIUS, RADIUS), RUBBER, 0.3, law=law, restitution=0.8, masses=(MASS, MASS), torsion=True, rolling=(1e3, 0.1, 0.1))
+    spins = [[1.0, 2.0, 30.0], [0.0, 0.0, 0.0]]
+    for _ in range(5):
+        contacts.step(1e-5, [0.0, 0.0, 2 * RADIUS - 1e-6], [0.01, 0.0, 0.0], spins, heat=True)
+    others = [copy.copy(contacts), copy.deepcopy(contacts), pickle.loads(pickle.dumps(contacts))]
+    loads = [one.step(1e-5, [0.0, 0.0, 2 * RADIUS - 1.1e-6], [0.01, 0.0, 0.0], spins) for one in (contacts, *others)]
+    for load in loads[1:]:
+        assert np.allclose(load, loads[0], rtol=1e-12, atol=0)
+    assert others[2].heats == contacts.heats
+    assert len(contacts) == 2 and "GrainContacts" in repr(contacts)
+
+
+def test_what_cannot_be_is_named():
+    with pytest.raises(carom.RangeError, match="friction = -1"):
+        carom.GrainContacts(1, ON_PLANE, RUBBER, 0.3, rolling=(1e3, 0.1, -1.0))
+    with pytest.raises(ValueError, match='"viscous"'):
+        carom.GrainContacts(1, ON_PLANE, RUBBER, 0.3, law="viscous")
+    weightless = carom.GrainContacts(1, ON_PLANE, RUBBER, 0.3, restitution=0.5)
+    with pytest.raises(carom.RangeError, match="mass"):
+        weightless.step(1e-6, [0.0, 0.0, RADIUS])
+    contacts = carom.GrainContacts(2, ON_PLANE, RUBBER, 0.3)
+    with pytest.raises(carom.RangeError, match="distance") as told:
+        contacts.step(1e-6, [[0.0, 0.0, RADIUS], [0.0, 0.0, 0.0]])
+    assert told.value.index == 1
