@@ -164,8 +164,8 @@ typedef struct carom_law_options {
   size_t size;
   /* A CAROM_LAW constant; by default CAROM_LAW_COULOMB. */
   uint32_t law;
-  /* 1: friction resists the spin about the normal, by a law with memory that neglects the shift, and costs about ten
-   * times as much as a step without it. CAROM_LAW_RINGS always counts the spin. 0: it is left alone. */
+  /* 1: friction resists the spin about the normal, by a law with memory that neglects the shift, and costs three to
+   * four times as much as a step without it. CAROM_LAW_RINGS always counts the spin. 0: it is left alone. */
   uint32_t torsion;
   /* CAROM_LAW_COULOMB: error of the friction force over its limit, by default 1e-2. CAROM_LAW_RINGS: relative
    * accuracy with which tractions satisfy the friction limit, by default 3e-3. */
@@ -316,7 +316,7 @@ typedef struct carom_report {
  * The constants are those of the step in which contact began. To change them, set the touch to zero. */
 typedef struct carom_touch carom_touch;
 
-/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3208 of CAROM_LAW_RINGS; 664 more with torsion,
+/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3208 of CAROM_LAW_RINGS; 744 more with torsion,
  * 72 more with a resistance to rolling. 0 for null. */
 size_t carom_touch_size(const struct carom_law *law);
 
