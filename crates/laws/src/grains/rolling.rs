@@ -18,15 +18,16 @@ use super::vector::{Vector, cross, dot, plus, times};
 /// that on body 2 the opposite.
 ///
 /// ```
-/// use carom_laws::grains::{Grain, GrainRoll, Meeting, RollingResistance};
+/// use carom_laws::grains::{Grain, GrainRoll, Meeting, Rolling, RollingResistance};
 /// let resistance = RollingResistance::new(3e4, 20.0, 0.02)?;
 /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 0.03, mass: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 0.049999], spin: [0.0, 5.0, 0.0], radius: 0.02, ..below };
 /// let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
-/// let (mut roll, relative_radius, pressed) = (GrainRoll::default(), 0.012, 50.0);
-/// let torque = roll.advance(&resistance, relative_radius, &meeting, 1e-3, pressed)?;
+/// let (mut roll, pressed) = (GrainRoll::default(), 50.0);
+/// let mut rolling = Rolling { resistance: &resistance, relative_radius: 0.012, roll: &mut roll };
+/// let torque = rolling.advance(&meeting, 1e-3, pressed, None)?;
 /// // It acts against the spin, and has come to its limit.
-/// assert!((torque[1] + relative_radius * 0.02 * pressed).abs() < 1e-15);
+/// assert!((torque[1] + 0.012 * 0.02 * pressed).abs() < 1e-15);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,43 +70,6 @@ pub struct GrainRoll {
 impl GrainRoll {
     /// Number of numbers of a stored state.
     pub const NUMBERS: usize = 9;
-
-    /// Advances by a step of duration `dt`, at the end of which the bodies are as given and pressed together by
-    /// `normal_force`, and returns the torque on body 1, N m. The step of s is that of the implicit Euler method.
-    /// Bodies that are apart lose the history; a step of duration zero changes nothing else.
-    ///
-    /// # Errors
-    /// [`RangeError`] if way, displacement, force or radius are no numbers or above 1e100; the state is then unchanged.
-    pub fn advance(
-        &mut self,
-        resistance: &RollingResistance,
-        relative_radius: f64,
-        meeting: &Meeting,
-        dt: f64,
-        normal_force: f64,
-    ) -> Result<[f64; 3], RangeError> {
-        let mut rolling = Rolling { resistance, relative_radius, roll: self };
-        let trial = rolling.trial(meeting, dt)?;
-        Ok(rolling.end(&trial, normal_force, None))
-    }
-
-    /// As [`GrainRoll::advance`], and adds what becomes heat: of the dashpot, of the slider, and of the spring where the
-    /// bodies part.
-    ///
-    /// # Errors
-    /// As [`GrainRoll::advance`].
-    pub fn advance_accounted(
-        &mut self,
-        (resistance, relative_radius): (&RollingResistance, f64),
-        meeting: &Meeting,
-        dt: f64,
-        normal_force: f64,
-        heats: &mut Heats,
-    ) -> Result<[f64; 3], RangeError> {
-        let mut rolling = Rolling { resistance, relative_radius, roll: self };
-        let trial = rolling.trial(meeting, dt)?;
-        Ok(rolling.end(&trial, normal_force, Some(heats)))
-    }
 
     /// The torque on body 1 after the last step, N m.
     #[must_use]
@@ -166,6 +130,24 @@ pub struct Rolling<'a> {
 }
 
 impl Rolling<'_> {
+    /// Advances by a step of duration `dt`, at the end of which the bodies are as given and pressed together by
+    /// `normal_force`, and returns the torque on body 1, N m. The step of s is that of the implicit Euler method.
+    /// Bodies that are apart lose the history; a step of duration zero changes nothing else. What becomes heat is added
+    /// to `heats` if they are given: of the dashpot, of the slider, and of the spring where the bodies part.
+    ///
+    /// # Errors
+    /// [`RangeError`] if way, displacement, force or radius are no numbers or above 1e100; the state is then unchanged.
+    pub fn advance(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        normal_force: f64,
+        heats: Option<&mut Heats>,
+    ) -> Result<[f64; 3], RangeError> {
+        let trial = self.trial(meeting, dt)?;
+        Ok(self.end(&trial, normal_force, heats))
+    }
+
     /// The step without the slider, before the normal force is known; what it says is all that can fail.
     pub(super) fn trial(&self, meeting: &Meeting, dt: f64) -> Result<RollTrial, RangeError> {
         let (Self { resistance, roll, .. }, normal) = (self, meeting.normal);

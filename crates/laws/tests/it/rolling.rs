@@ -1,6 +1,6 @@
 //! The resistance of grains to rolling: spring, dashpot and slider, in axes that move with the grains.
 
-use carom_laws::grains::{Grain, GrainRoll, Heats, Meeting, RollingResistance, Surface};
+use carom_laws::grains::{Grain, GrainRoll, Heats, Meeting, Rolling, RollingResistance, Surface};
 
 const RADII: [f64; 2] = [0.02, 0.03];
 const RELATIVE: f64 = 1.0 / (1.0 / RADII[0] + 1.0 / RADII[1]);
@@ -40,7 +40,9 @@ fn meeting(normal: V, zeta: f64, spins: [V; 2]) -> Meeting {
 /// The torque on body 1 of a step on the z axis, and its heat.
 fn step(roll: &mut GrainRoll, damping: f64, spins: [V; 2], heats: &mut Heats) -> V {
     let met = meeting([0.0, 0.0, 1.0], 1e-6, spins);
-    roll.advance_accounted((&resistance(damping), RELATIVE), &met, DT, PRESSED, heats).unwrap()
+    let resistance = &resistance(damping);
+    let mut rolling = Rolling { resistance, relative_radius: RELATIVE, roll };
+    rolling.advance(&met, DT, PRESSED, Some(heats)).unwrap()
 }
 
 /// A slow roll: the torque is that of a spring of R^2 k and a dashpot of R^2 c.
@@ -111,7 +113,12 @@ fn a_pair_that_rotates_as_a_whole_does_not_roll() {
         let spin = axis.map(|w| w * rate);
         let own = if k == 0 { 0.1 } else { 0.0 };
         let met = meeting(normal, 1e-6, [[spin[0] + own, spin[1], spin[2]], spin]);
-        torque = roll.advance(&resistance(0.0), RELATIVE, &met, dt, PRESSED).unwrap();
+        let rolling = &mut Rolling {
+            resistance: &resistance(0.0),
+            relative_radius: RELATIVE,
+            roll: &mut roll,
+        };
+        torque = rolling.advance(&met, dt, PRESSED, None).unwrap();
         if k == 0 {
             first = torque;
         }
@@ -129,8 +136,9 @@ fn the_end_of_a_contact_gives_its_energy_as_heat() {
     let energy = roll.stored_energy(&resistance(0.0));
     assert!(energy > 0.0 && heats.rolling.abs() < 1e-12 * energy);
     let apart = meeting([0.0, 0.0, 1.0], -0.01, [[0.0; 3]; 2]);
-    let of = (&resistance(0.0), RELATIVE);
-    let torque = roll.advance_accounted(of, &apart, DT, 0.0, &mut heats).unwrap();
+    let resistance = &resistance(0.0);
+    let mut rolling = Rolling { resistance, relative_radius: RELATIVE, roll: &mut roll };
+    let torque = rolling.advance(&apart, DT, 0.0, Some(&mut heats)).unwrap();
     assert_eq!((torque, roll), ([0.0; 3], GrainRoll::default()));
     assert!((heats.rolling - energy).abs() < 1e-12 * energy);
 }
@@ -155,7 +163,9 @@ fn what_was_packed_goes_on_to_the_same_bits() {
     };
     let met = Meeting::on_surface(&one, &wall, 0.5);
     let go = |roll: &mut GrainRoll, dt| {
-        roll.advance(&resistance(DAMPING), RADII[0], &met, dt, PRESSED).unwrap()
+        let resistance = &resistance(DAMPING);
+        let mut rolling = Rolling { resistance, relative_radius: RADII[0], roll };
+        rolling.advance(&met, dt, PRESSED, None).unwrap()
     };
     for _ in 0..20 {
         let torque = go(&mut roll, DT);
@@ -188,7 +198,9 @@ fn what_is_wrong_is_named() {
     let before = roll;
     for (spin, dt) in [(1e200, DT), (f64::NAN, DT), (1.0, f64::NAN), (1.0, f64::INFINITY)] {
         let met = meeting([0.0, 0.0, 1.0], 1e-6, [[spin, 0.0, 0.0], [0.0; 3]]);
-        let told = roll.advance(&resistance(DAMPING), RELATIVE, &met, dt, PRESSED);
+        let resistance = &resistance(DAMPING);
+        let mut rolling = Rolling { resistance, relative_radius: RELATIVE, roll: &mut roll };
+        let told = rolling.advance(&met, dt, PRESSED, None);
         assert_eq!(told.unwrap_err().field, "rolling resistance");
         assert_eq!(roll, before);
     }

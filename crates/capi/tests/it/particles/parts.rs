@@ -3,7 +3,7 @@
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
-use carom_laws::grains::{GrainRoll, Meeting, RollingResistance};
+use carom_laws::grains::{GrainRoll, Meeting, Rolling, RollingResistance};
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw as _, Shift};
 use carom_laws::torsion::law::TorsionLaw;
@@ -108,7 +108,9 @@ fn rolling_adds_the_torque_of_its_spring_and_slider() {
                 let other = without.tried(&plain, (&one, &two), DT, Some(&mut unrolled)).unwrap();
                 assert_eq!(load.force, other.force);
                 let pressed = dot(load.force, meeting.normal);
-                let torque = roll.advance(&resistance, relative(), &meeting, DT, pressed).unwrap();
+                let (resistance, relative_radius) = (&resistance, relative());
+                let mut rolling = Rolling { resistance, relative_radius, roll: &mut roll };
+                let torque = rolling.advance(&meeting, DT, pressed, None).unwrap();
                 for (k, torque) in torque.into_iter().enumerate() {
                     let [one, two] = [
                         load.torque_1[k] - other.torque_1[k],
