@@ -8,7 +8,8 @@
 //! of spheres may be advanced four at a time ([`advance_together`]). With [`crate::rings::RingLaw`] instead, shift, twist
 //! and the coupling of dissimilar materials act together; the matrices of two materials
 //! ([`crate::rings::RingMatrices`]) are made once and shared, and what one contact remembers
-//! ([`crate::rings::RingMemory`]) is numbers without pointers. A [`GrainRoll`] resists rolling.
+//! ([`crate::rings::RingMemory`]) is numbers without pointers. A [`Rolling`] resists
+//! rolling. A [`WholeContact`] makes the step of all of them.
 //!
 //! Two corrections make a few time steps enough for an impact. The law is given the shift with Numerov's
 //! correction, which cancels the error of second order of a leapfrog integrator. Without damping, friction is
