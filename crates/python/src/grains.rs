@@ -166,7 +166,8 @@ impl GrainContacts {
         let (shared, heats) = (&self.shared, self.heats());
         let states: Result<Vec<Vec<f64>>, RangeError> = of_any!(&mut self.contacts, parts => {
             parts.iter_mut().map(|parts| {
-                let mut numbers = vec![0.0; parts.numbers()];
+                let roll = shared.rolling.map_or(0, |_| GrainRoll::NUMBERS);
+                let mut numbers = vec![0.0; parts.numbers() + roll];
                 if !parts.contact.is_new() {
                     shared.whole(parts).pack(&mut numbers)?;
                 }
@@ -231,11 +232,11 @@ fn equal<L: GrainLaw>(
 }
 
 impl<L: GrainLaw> Parts<L> {
-    /// Number of numbers of its state.
+    /// Number of numbers of its state without that of its rolling.
     fn numbers(&self) -> usize {
         let law = if L::Twist::COUNTS { ring_grain_numbers(6, 8) } else { grain_numbers(VERTICES) };
         let twist = self.twist.map_or(0, |_| StoredTwist::NUMBERS);
-        law + twist + GrainRoll::NUMBERS
+        law + twist
     }
 }
 
