@@ -124,7 +124,7 @@ fn rolling_adds_the_torque_of_its_spring_and_slider() {
                     largest = largest.max(torque.abs() / (relative() * 0.02 * pressed));
                 }
                 let spring = touch.energy(&law, RADII) - without.energy(&plain, RADII);
-                let expected = roll.stored_energy(&resistance);
+                let expected = roll.stored_energy(resistance);
                 assert!((spring - expected).abs() <= 1e-12 * touch.energy(&law, RADII));
                 assert_eq!(touch.load(&law, &one, &two).unwrap(), load);
             }
