@@ -75,6 +75,39 @@ fn rows_are_those_of_the_field_to_the_bit() {
     }
 }
 
+/// Operators of pressures alone store half of what others do where the grid is square.
+#[test]
+fn pressures_alone_displace_as_beside_tractions() {
+    let body = Material::from_shear(1.0, 0.3).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let mut draw = Xorshift(9);
+    for (nx, ny, dx, dy) in
+        [(32, 32, 0.5, 0.5), (32, 32, 0.5, 0.7), (32, 30, 0.5, 0.5), (2, 2, 1.0, 1.0)]
+    {
+        let grid = Grid::new(nx, ny, dx, dy).unwrap();
+        let pressure: Vec<f64> = (0..grid.cells()).map(|_| draw.signed()).collect();
+        let displaced = |operator: &dyn SurfaceOperator| {
+            let mut w = vec![0.0; grid.cells()];
+            let displacements = DisplacementField::normal(&mut w);
+            let tractions = TractionField::normal(&pressure);
+            operator.apply(tractions, displacements, &mut operator.workspace()).unwrap();
+            w
+        };
+        let threads = Threads::One;
+        let free = [Blocks::Normal, Blocks::All].map(|blocks| {
+            displaced(&HalfSpaceOperator::with_blocks(pair, grid, blocks, threads).unwrap())
+        });
+        let periodic = [Blocks::Normal, Blocks::All].map(|blocks| {
+            displaced(&PeriodicOperator::with_blocks(pair, grid, blocks, threads).unwrap())
+        });
+        for [alone, beside] in [free, periodic] {
+            let greatest = beside.iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+            let off = alone.iter().zip(&beside).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-14 * greatest, "{nx} {ny} {dx} {dy}: {off}");
+        }
+    }
+}
+
 #[test]
 fn what_a_product_refuses_is_refused_row_by_row() {
     let mut broken = vec![0.0; grid().cells()];
