@@ -85,8 +85,28 @@ def test_contacts_are_copied_and_kept(law):
 
 
 def test_what_cannot_be_is_named():
-    with pytest.raises(carom.RangeError, match="friction = -1"):
-        carom.GrainContacts(1, ON_PLANE, RUBBER, 0.3, rolling=(1e3, 0.1, -1.0))
+    def make(radii=ON_PLANE, **options):
+        return carom.GrainContacts(1, radii, RUBBER, 0.3, **options)
+
+    wrong = [
+        ({"rolling": (1e3, 0.1, -1.0)}, "rolling: friction = -1"),
+        ({"rolling": (math.inf, 0.1, 0.1)}, "rolling: stiffness = inf"),
+        ({"rolling": (1e3, 0.1)}, r"rolling: must be three numbers, \(stiffness, damping, friction\)"),
+        ({"rolling": 5}, "rolling: must be three numbers"),
+        ({"radii": (-RADIUS, RADIUS)}, "radius_1 = -0.01 is out of range: must be > 0"),
+        ({"radii": (math.inf, RADIUS)}, "radius_1 = inf is out of range: must be finite"),
+        ({"radii": (RADIUS, -RADIUS)}, "radius_2 = -0.01"),
+        ({"masses": (1.0, 0.0)}, "mass_2 = 0.0 is out of range: must be > 0"),
+        ({"masses": (math.nan, 1.0)}, "mass_1 = nan"),
+    ]
+    for options, message in wrong:
+        with pytest.raises(ValueError, match=message):
+            make(**options)
+    with pytest.raises(TypeError, match="law: must be a name, not None"):
+        make(law=None)
+    for name in ("velocity_1", "spin_2", "place_2"):
+        with pytest.raises(carom.RangeError, match=f"{name} = nan is out of range: must be finite"):
+            make(rolling=(1e3, 0.1, 0.1)).step(1e-6, [0.0, 0.0, RADIUS], **{name: [0.0, math.nan, 0.0]})
     with pytest.raises(ValueError, match='"viscous"'):
         carom.GrainContacts(1, ON_PLANE, RUBBER, 0.3, law="viscous")
     weightless = carom.GrainContacts(1, ON_PLANE, RUBBER, 0.3, restitution=0.5)

@@ -112,10 +112,20 @@ def counted(name: str, x: object, each: int = 1) -> int:
         raise TypeError(f"{name}: must be a whole number, not {str(x):.60}") from None
     if 0 <= whole * each <= FEW or 0 <= whole * each <= available_room():
         return whole
-    allowed = "at least 0" if whole < 0 else "few enough for the free memory"
-    error = RangeError(f"{name} = {whole} is out of range: must be {allowed}")
-    error.field, error.value, error.index = name, float(whole), None
-    raise error
+    raise _refused(name, whole, "at least 0" if whole < 0 else "few enough for the free memory")
+
+
+def within(name: str, x: float, holds: bool, allowed: str) -> float:
+    """A number that is in its range."""
+    if not holds:
+        raise _refused(name, x, allowed)
+    return x
+
+
+def _refused(name: str, x: float, allowed: str) -> RangeError:
+    error = RangeError(f"{name} = {x} is out of range: must be {allowed}")
+    error.field, error.value, error.index = name, float(x), None
+    return error
 
 
 def counts(name: str, x: object, allowed: str) -> tuple[int, int]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom, _show
-from ._arrays import counted, flag, number, spread, two
+from ._arrays import counted, flag, number, spread, two, within
 from ._carom import Material, MaterialPair
 from ._contact_theory import hertz_of_spheres
 from ._types import Array
@@ -19,6 +19,22 @@ if TYPE_CHECKING:
 
 
 UNITS = {"place": "m", "velocity": "m/s", "spin": "rad/s"}
+ROLLING = {"stiffness": "N/m", "damping": "N*s/m", "friction": ""}
+
+
+def _above_zero(name: str, both: tuple[float, float]) -> tuple[float, float]:
+    """A quantity of both bodies."""
+    one, other = (within(f"{name}_{k}", x, x > 0, "> 0") for k, x in enumerate(both, 1))
+    return one, other
+
+
+def _resistance(rolling: object) -> list[float]:
+    """Stiffness, damping and friction of a resistance to rolling."""
+    if not isinstance(rolling, list | tuple | np.ndarray) or len(rolling) != len(ROLLING):
+        raise ValueError(f"rolling: must be three numbers, ({', '.join(ROLLING)}), not {rolling!s:.60}")
+    given = {f"rolling: {name}": (x, unit) for (name, unit), x in zip(ROLLING.items(), rolling, strict=True)}
+    values = {name: number(name, x, unit) for name, (x, unit) in given.items()}
+    return [within(name, x, 0 <= x < np.inf, "finite and >= 0") for name, x in values.items()]
 
 
 class GrainLoads(NamedTuple):
@@ -66,14 +82,14 @@ class GrainContacts:
         rolling: tuple[float, float, float] | None = None,
     ) -> None:
         pair = materials if isinstance(materials, MaterialPair) else MaterialPair(materials)
-        both = two("radii", radii, "m")
+        both = _above_zero("radius", two("radii", radii, "m"))
+        within("radius_1", both[0], both[0] < np.inf, "finite")
         hertz = hertz_of_spheres(*both, pair.material_1, pair.material_2)
-        resists = None if rolling is None else [
-            number(f"rolling: {name}", value, unit)
-            for (name, unit), value in zip((("stiffness", "N/m"), ("damping", "N*s/m"), ("friction", "")), rolling, strict=True)
-        ]
+        resists = None if rolling is None else _resistance(rolling)
+        if not isinstance(law, str):
+            raise TypeError(f"law: must be a name, not {law!r:.60}")
         options = (law, number("relaxation", relaxation, "s"), number("restitution", restitution), flag("torsion", torsion), resists)
-        bodies = [both, two("masses", masses, "kg")]
+        bodies = [both, _above_zero("mass", two("masses", masses, "kg"))]
         self._native = _carom.GrainContacts(counted("count", count), hertz, bodies, number("friction", friction), options)
 
     def __len__(self) -> int:
@@ -105,7 +121,10 @@ class GrainContacts:
         bodies = np.empty((len(self), 2, 3, 3))
         for i, (name, both) in enumerate(given.items()):
             for k, one in enumerate(both):
-                bodies[:, k, i] = spread(f"{name}_{k + 1}", one, (len(self), 3), UNITS[name])
+                values = spread(f"{name}_{k + 1}", one, (len(self), 3), UNITS[name])
+                for value in values[~np.isfinite(values)]:
+                    within(f"{name}_{k + 1}", float(value), False, "finite")
+                bodies[:, k, i] = values
         loads = self._native.step(number("dt", dt, "s"), bodies.reshape(-1, 9), flag("heat", heat))
         return GrainLoads(*(loads[:, i : i + 3] for i in (0, 3, 6)))
 
