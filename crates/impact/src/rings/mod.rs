@@ -51,7 +51,8 @@ const EVEN: f64 = 1e-12;
 /// | 123 with spin, half of them unlike | .0017 | .016 | 121 | 1.2 |
 ///
 /// The largest errors are those of the law itself, where |gamma| f is .2 and more (one of 94 impacts without spin was .031
-/// off, 1.9 times its estimate); below, all with spin are within .0083. With the default tolerance the finest rings
+/// off, 1.9 times its estimate); below, all with spin are within .0083. Of 410 others with spin, among them two balls and hollow
+/// ones, 12 differ from finer rings by more than their estimate, one by twice as much. With the default tolerance the finest rings
 /// are left out, which take 40 ms and more.
 ///
 /// ```
