@@ -1,7 +1,7 @@
 //! Impacts of spheres by rings: common pairs of materials, similar bodies, spin about the normal, limits.
 
 use carom_halfspace::Material;
-use carom_impact::{Body, Collision, Motion, RingImpact};
+use carom_impact::{Body, Collision, Motion, NormalRestitution, RingImpact};
 use carom_laws::friction::Friction;
 use carom_laws::validity::Limit;
 
@@ -239,5 +239,85 @@ fn regimes_have_the_sign_of_their_own_direction() {
     );
     for quarters in [1, 2, 3] {
         assert_eq!(regimes(quarters), along_x, "{quarters}");
+    }
+}
+
+/// A ball whose spin makes all of the contact slide, in a material of Kelvin and Voigt: normal force by its theory, friction
+/// f times Hertz's pressure against the local slip, without elastic shifts. R_x, by the middle of short steps.
+fn sliding(
+    radius: f64,
+    mass: f64,
+    modulus: f64,
+    friction: f64,
+    relaxation: f64,
+    slip: f64,
+    spin: f64,
+) -> f64 {
+    let stiffness = 4.0 / 3.0 * modulus * radius.sqrt();
+    let inertia = 0.4 * mass * radius * radius;
+    // Force and torque over the normal force, and the radius.
+    let friction_of = |slip: f64, rim: f64| {
+        let (rings, angles) = (24, 32);
+        let (mut force, mut torque) = (0.0, 0.0);
+        for i in 0..rings {
+            // Equal parts of the normal force.
+            let outside = (i as f64 + 0.5) / f64::from(rings);
+            let r = (1.0 - outside.powf(2.0 / 3.0)).sqrt();
+            for j in 0..angles {
+                let (sin, cos) =
+                    (std::f64::consts::TAU * (f64::from(j) + 0.5) / f64::from(angles)).sin_cos();
+                let [x, y] = [slip - rim * r * sin, rim * r * cos];
+                let size = x.hypot(y).max(1e-300);
+                force += x / size;
+                torque += r * (y * cos - x * sin) / size;
+            }
+        }
+        [force, torque].map(|sum| friction * sum / f64::from(rings * angles))
+    };
+    let (mut depth, mut rate, mut u, mut omega) = (0.0, 0.1, slip, spin);
+    let step = 2e-6;
+    loop {
+        let middle: f64 = depth + 0.5 * step * rate;
+        let effective = if rate > 0.0 {
+            (middle.powf(1.5) + 1.5 * relaxation * middle.sqrt() * rate).powf(2.0 / 3.0)
+        } else {
+            middle + relaxation * rate
+        };
+        if effective <= 0.0 {
+            return -u / slip;
+        }
+        let (normal, a) = (stiffness * effective.powf(1.5), (radius * effective).sqrt());
+        let [force, torque] = friction_of(u, omega * a);
+        rate -= step * normal / mass;
+        u -= step * 3.5 * force * normal / mass;
+        omega -= step * torque * a * normal / inertia;
+        depth += step * rate;
+    }
+}
+
+#[test]
+fn a_spinning_ball_that_loses_energy_slides_on() {
+    let (radius, mass, friction, speeds, spin) = (0.01, 0.004, 0.05, [0.004, -0.1], 160.0);
+    let rubber = Material::from_young(6.5e6, 0.14).unwrap();
+    let modulus = 6.5e6 / (2.0 * (1.0 - 0.14 * 0.14));
+    let off = |relaxation: f64| {
+        let motion = Motion::new([speeds[0], 0.0, speeds[1]], [0.0, 0.0, spin]).unwrap();
+        let ball = Body::sphere(radius, rubber, mass).unwrap().moving(motion);
+        let friction_law = Friction::new(friction).unwrap();
+        let collision = Collision::new(ball, Body::plane(rubber), friction_law).unwrap();
+        let loss = NormalRestitution::viscoelastic(relaxation).unwrap();
+        let collision = collision.with_normal_restitution(loss);
+        let outcome = RingImpact::new(&collision).solve().unwrap();
+        let rebound = outcome.rebound().unwrap();
+        let known = sliding(radius, mass, modulus, friction, relaxation, speeds[0], spin);
+        let estimate = rebound.error_estimate * rebound.contact_velocity_before.norm() / speeds[0];
+        [(rebound.r_x.unwrap() - known).abs(), estimate]
+    };
+    // Elastic shifts make the first difference.
+    let [elastic, estimate] = off(0.0);
+    assert!(elastic < 0.01 && estimate < 0.01, "{elastic} {estimate}");
+    for relaxation in [1e-4, 5e-4, 2e-3] {
+        let [off, estimate] = off(relaxation);
+        assert!(off < estimate + elastic && off < 0.02, "{relaxation}: {off} {estimate}");
     }
 }
