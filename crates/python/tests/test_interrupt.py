@@ -88,7 +88,9 @@ CALLS = {
     "special": lambda: carom.special.hyp3f2(1.0, 0.5, 0.6, 1.5, np.linspace(0, 1, 30_000_000)),
     "cases.solve": lambda: carom.cases.solve(changed(case("solve"), "cells = [40, 40]", "cells = [512, 512]")),
     "cases.solve to an accuracy": lambda: carom.cases.solve(case("solve"), accuracy=1e-5),
-    "cases.roll": lambda: carom.cases.roll(changed(case("roll"), "cells = [40, 40]", "cells = [512, 512]"), coefficients=True),
+    "cases.roll": lambda: carom.cases.roll(
+        changed(changed(case("roll"), "#[grid]", "[grid]"), "#elements = 40", "elements = 200"), coefficients=True
+    ),
     "cases.stress": lambda: carom.cases.stress(changed(case("stress"), "count = 41", "count = 47000")),
     "Solver.stress": lambda: solver(128).stress(np.linspace(0, 1e-4, 1_000_000), 0.0, 1e-5),
 }
