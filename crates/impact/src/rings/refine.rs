@@ -22,6 +22,9 @@ const SLIDE_ALONG: f64 = 3.0;
 const MANY: f64 = 30.0;
 /// Coefficient of (gamma f)^2 in the error of the law of rings itself.
 const LEFT_OUT: f64 = 0.15;
+/// Coefficient of kappa - 1 in the error of the solution for similar bodies, whose friction has the direction of the
+/// tangential velocity everywhere. On a grid of 80 cells it was .0017 f v_z off at kappa = 1.44.
+const BY_DIRECTION: f64 = 4e-3;
 /// Friction above which hardly anything slips.
 const STRONGEST: f64 = 5.0;
 /// gamma/f at which half of the error for similar bodies is subtracted.
@@ -86,8 +89,8 @@ impl Problem {
     ) -> Result<Found, RingImpactError> {
         let (exact, left_out) = (self.exact()?, self.left_out());
         let mut best = None;
-        let is_usual = allowed >= RingImpact::TOLERANCE;
-        for level in levels.iter().filter(|level| level.is_usual || !is_usual) {
+        let takes_finest = allowed < RingImpact::TOLERANCE && self.converges();
+        for level in levels.iter().filter(|level| level.is_usual || takes_finest) {
             let mut samples = Vec::new();
             let passage = level.observed(self, &mut |sample| samples.push(sample))?;
             let Some(run) = correction.of(self, level, passage, &exact)? else { continue };
@@ -97,7 +100,7 @@ impl Problem {
             let enough = estimate <= allowed.max(left_out) && along <= normal;
             best = Some(Found {
                 passage: run.passage,
-                estimate: estimate + left_out + run.by_law,
+                estimate: estimate + left_out + self.of_straight_friction() + run.by_law,
                 normal: along,
                 spin: spin + level.floor.of_spin,
                 level: *level,
@@ -108,6 +111,13 @@ impl Problem {
             }
         }
         best.ok_or(RingImpactError::NoSeparation)
+    }
+
+    /// Whether more rings come nearer to the impact. Without spin they do for similar bodies alone: coupling moves the centre
+    /// of the contact, which rings about a fixed centre see as a singular pressure at their rim, the more the finer they are.
+    /// With |gamma| f = .1 and 24 rings the velocity was .018 f v_z off, with 8 rings .009.
+    fn converges(&self) -> bool {
+        self.constants.gamma == 0.0 || self.motion.before[3] != 0.0
     }
 
     /// The impact; R_x and its estimated error where it is the limit for vanishing tangential velocities.
@@ -200,6 +210,15 @@ impl Problem {
     pub(super) fn left_out(&self) -> f64 {
         let strength = self.strength() * self.friction.get().clamp(1.0, STRONGEST);
         LEFT_OUT * strength * strength * self.reached()
+    }
+
+    /// The error of the solution for similar bodies, in the same unit; with spin none is subtracted.
+    fn of_straight_friction(&self) -> f64 {
+        if self.motion.before[3] != 0.0 {
+            return 0.0;
+        }
+        let beyond = (self.constants.kappa - 1.0).max(0.0);
+        BY_DIRECTION * beyond * self.taken_off() * self.reached()
     }
 
     /// By how much the step law of a viscous material is corrected, over f v_z: as much may be left of its error.

@@ -12,6 +12,9 @@ use std::f64::consts::TAU;
 /// The rate of the torsional motion of a ball by a torque, in units of its mass and radius.
 const ABOUT: f64 = 2.5;
 
+/// The default tolerance.
+const USUAL: f64 = RingImpact::TOLERANCE;
+
 /// A ball of radius and mass 1 that meets a plane with velocity 1.
 struct Drawn {
     materials: [Material; 2],
@@ -102,9 +105,9 @@ impl Drawn {
     }
 
     /// The same by rings, in the axes of the motions, and the estimate of its error.
-    fn by_rings(&self, turn: f64) -> ([f64; 2], f64) {
+    fn by_rings(&self, turn: f64, tolerance: f64) -> ([f64; 2], f64) {
         let collision = self.collision(turn);
-        let outcome = RingImpact::new(&collision).solve().unwrap();
+        let outcome = RingImpact::new(&collision).within(tolerance).unwrap().solve().unwrap();
         let rebound = outcome.rebound().unwrap();
         let after = rebound.contact_velocity_after / self.friction;
         let (sin, cos) = turn.sin_cos();
@@ -119,14 +122,14 @@ fn off(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 /// The errors of some impacts over f v_z beyond that of the grid, and the estimates.
-fn errors(impacts: impl Iterator<Item = Drawn>) -> Vec<[f64; 2]> {
+fn errors(impacts: impl Iterator<Item = Drawn>, tolerance: f64) -> Vec<[f64; 2]> {
     let of = |drawn: Drawn| {
         let frame = *drawn.collision(0.0).frame();
         let [coarse, fine] = [64, 128].map(|steps| drawn.on_grid(36, steps));
         let fewer = drawn.on_grid(26, 64);
         let limit: [f64; 2] = std::array::from_fn(|i| fine[i] + (fine[i] - coarse[i]) / 3.0);
         let own = off(fine, coarse) / 3.0 + off(fewer, coarse);
-        let (after, estimate) = drawn.by_rings(0.0);
+        let (after, estimate) = drawn.by_rings(0.0, tolerance);
         let along = |axis: nalgebra::Vector3<f64>| axis.x * after[0] + axis.y * after[1];
         [(off([along(frame.x()), along(frame.y())], limit) - own).max(0.0), estimate]
     };
@@ -145,13 +148,13 @@ fn assert_covered(errors: &[[f64; 2]], mean: f64) {
 
 #[test]
 fn spinning_impacts_by_rings_are_those_on_a_grid_within_their_estimates() {
-    assert_covered(&errors((0..8).map(Drawn::new)), 4e-3);
+    assert_covered(&errors((0..8).map(Drawn::new), USUAL), 4e-3);
 }
 
 #[test]
 #[ignore = "takes ten minutes"]
 fn three_hundred_spinning_impacts_are_those_on_a_grid_within_their_estimates() {
-    assert_covered(&errors((8..308).map(Drawn::new)), 4e-3);
+    assert_covered(&errors((8..308).map(Drawn::new), USUAL), 4e-3);
 }
 
 /// The drawn ones with odd numbers are of unlike bodies.
@@ -161,7 +164,9 @@ fn unlike_impacts_without_spin_are_those_on_a_grid_within_their_estimates() {
         let drawn = Drawn::new(2 * impact + 1);
         Drawn { slips: [drawn.slips[0], 0.0], ..drawn }
     };
-    assert_covered(&errors((0..8).map(still)), 3e-3);
+    assert_covered(&errors((0..8).map(still), USUAL), 3e-3);
+    // More rings would be farther off.
+    assert_covered(&errors((0..4).map(still), 1e-3), 3e-3);
 }
 
 /// Where all slides, tractions lift one side of the contact off and press the other: the normal force changes in the third
@@ -224,9 +229,9 @@ fn unlike_bodies_that_lose_energy_leave_by_rings_as_on_a_grid() {
 fn the_axes_of_the_contact_do_not_matter_to_a_spinning_impact() {
     for impact in 0..30 {
         let drawn = Drawn::new(impact);
-        let (first, estimate) = drawn.by_rings(0.0);
+        let (first, estimate) = drawn.by_rings(0.0, USUAL);
         for turn in [0.196, 0.393, 1.1, 2.9] {
-            let (turned, _) = drawn.by_rings(turn);
+            let (turned, _) = drawn.by_rings(turn, USUAL);
             assert!(
                 off(first, turned) < 1e-6 + 1e-2 * estimate,
                 "{impact} {turn}: {first:?} {turned:?}"
