@@ -255,7 +255,13 @@ impl Search {
             self.found.retain(|place| place.normal.dot(&chosen.normal) < cosine);
             self.places.push(chosen);
         }
-        self.places.sort_by_key(|place| (place.part, place.number));
+        // A stable sort that allocates nothing.
+        let key = |place: &Place| (place.part, place.number);
+        for i in 1..self.places.len() {
+            let own = key(&self.places[i]);
+            let to = self.places[..i].partition_point(|place| key(place) <= own);
+            self.places[to..=i].rotate_right(1);
+        }
     }
 }
 
