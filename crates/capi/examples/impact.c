@@ -146,12 +146,35 @@ static void contacts(void) {
 }
 /* ANCHOR_END: contacts */
 
+/* ANCHOR: surface */
+/* A ball over the ridge of a roof, which is a place of the wall of carom_touch_step. */
+static void surface(void) {
+  const double roof[2][3][3] = {{{0, 0, 1}, {0, 4, 1}, {-2, 2, 0}}, {{0, 0, 1}, {0, 4, 1}, {2, 2, 0}}};
+  const double radius = 0.5, center[3] = {0, 2, 1.4};
+  carom_mesh *mesh;
+  carom_place places[4];
+  size_t count;
+  carom_error error;
+  if (carom_mesh_make(&roof[0][0][0], 2, 0.2, NULL, &mesh, &error) != CAROM_STATUS_OK) {
+    printf("%s\n", error.text);
+    failures += 1;
+    return;
+  }
+  must(carom_mesh_places(mesh, center, radius, places, 4, &count, &error) == CAROM_STATUS_OK &&
+           count == 1 && places[0].part == CAROM_PART_EDGE && places[0].is_sharp &&
+           places[0].normal[2] == 1.0 && fabs(places[0].distance - 0.4) < 1e-15,
+       "the ball touches the ridge");
+  carom_mesh_free(mesh);
+}
+/* ANCHOR_END: surface */
+
 int main(void) {
   printf("carom %s\n", carom_version());
   must(carom_abi_version() == CAROM_ABI_VERSION, "header and library are of one version");
   impact();
   restitution();
   contacts();
+  surface();
   printf(failures == 0 ? "all is well\n" : "failed\n");
   return failures == 0 ? 0 : 1;
 }

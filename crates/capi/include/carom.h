@@ -21,11 +21,12 @@
  *   1. Errors and versions
  *   2. Materials and the names of laws
  *   3. Contacts of particles: grains and walls
- *   4. Contacts with given shifts
- *   5. Impacts
- *   6. R_x of spheres
- *   7. Creep forces of a rolling contact
- *   8. Limits of the theory */
+ *   4. Surfaces of triangles
+ *   5. Contacts with given shifts
+ *   6. Impacts
+ *   7. R_x of spheres
+ *   8. Creep forces of a rolling contact
+ *   9. Limits of the theory */
 
 #ifndef CAROM_H
 #define CAROM_H
@@ -88,16 +89,16 @@ const char *carom_status_text(int32_t status);
 
 /* Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
  * the loaded library. */
-#define CAROM_ABI_VERSION 12
+#define CAROM_ABI_VERSION 13
+
+/* The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read. */
+#define CAROM_STATE_VERSION 2
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
 
 /* The version of the structures and functions of this library. */
 uint32_t carom_abi_version(void);
-
-/* The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read. */
-uint32_t carom_state_version(void);
 
 /* ---- 2. Materials and the names of laws ---------------------------------------
  *
@@ -311,7 +312,7 @@ typedef struct carom_report {
 /* The state of the contact of two grains, or of a grain and a wall, in memory of the caller: `carom_touch_size(law)`
  * bytes, aligned to 8, that may be copied as bytes. Zero bytes stand for two separated bodies. Only the build that
  * wrote it can read it, and only with a law of the same kind; `carom_touch_pack` converts it to numbers that any build
- * of this `carom_state_version()` can read.
+ * of this `CAROM_STATE_VERSION` can read.
  *
  * The constants are those of the step in which contact began. To change them, set the touch to zero. */
 typedef struct carom_touch carom_touch;
@@ -427,7 +428,79 @@ carom_status carom_touch_unpack(const struct carom_law *law,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
 
-/* ---- 4. Contacts with given shifts --------------------------------------------
+/* ---- 4. Surfaces of triangles -------------------------------------------------
+ *
+ * carom_mesh_make makes a surface of triangles, carom_mesh_places finds where a ball touches it: places and
+ * normals of the walls of carom_touch_step. */
+
+/* `carom_place.part`: the inside of a face. */
+#define CAROM_PART_FACE 0
+
+/* `carom_place.part`: an edge between its ends. */
+#define CAROM_PART_EDGE 1
+
+/* `carom_place.part`: a corner. */
+#define CAROM_PART_CORNER 2
+
+/* A surface of triangles, with the memory of a search: it may be used by one thread at a time. It takes about 450 bytes
+ * a triangle. */
+typedef struct carom_mesh carom_mesh;
+
+/* A place where a ball touches a surface. */
+typedef struct carom_place {
+  /* The point of the surface. */
+  double point[3];
+  /* The unit normal from there to the centre of the ball. */
+  double normal[3];
+  /* The distance of the centre from the point. */
+  double distance;
+  /* The ends of an edge in the given triangles; of a corner twice itself, of a face twice a point of its plane that is
+   * the same for all places on it. */
+  double ends[2][3];
+  /* Where the surface repeats itself: how far the copy that is touched is from the given triangles; else zero. */
+  double shift[3];
+  /* A `CAROM_PART_...`. */
+  uint32_t part;
+  /* Which one, from 0; of a face the triangle. */
+  uint32_t number;
+  /* 1 if it is an edge or a corner where triangles meet at more than the smooth angle, or end; else 0. */
+  uint32_t is_sharp;
+} carom_place;
+
+/* Makes a surface of `count` triangles, nine numbers for each: three corners in any order. Corners with the same
+ * coordinates are one, triangles in one plane are one face, and both sides count. Places whose normals differ by less
+ * than `smooth`, from .01 to .8 rad, are one place. `period`, if not null, has three numbers: the lengths after which
+ * the surface repeats itself along the axes, 0 for none; shorter than the surface they are refused. `carom_mesh_free`
+ * releases the surface.
+ *
+ * `triangles` must have 9 `count` entries. */
+carom_status carom_mesh_make(const double *triangles,
+                             size_t count,
+                             double smooth,
+                             const double *period,
+                             struct carom_mesh **mesh,
+                             struct carom_error *error);
+
+/* The places where a ball with this centre touches the surface whose distance from the centre is at most `reach`:
+ * where the surface is nearer than anywhere close by, within a face, on an edge or at a corner. The first `room` of them
+ * are written to `places`, faces first, as their triangles were given; `count` is their number, which may be greater.
+ * It allocates nothing once it has found as much before.
+ *
+ * `center` must have 3 entries, `places` `room`; `mesh` must be made by this library and not yet freed. */
+carom_status carom_mesh_places(struct carom_mesh *mesh,
+                               const double *center,
+                               double reach,
+                               struct carom_place *places,
+                               size_t room,
+                               size_t *count,
+                               struct carom_error *error);
+
+/* Releases a surface; null is allowed.
+ *
+ * `mesh` must be null or made by this library, and is not to be used again. */
+void carom_mesh_free(struct carom_mesh *mesh);
+
+/* ---- 5. Contacts with given shifts --------------------------------------------
  *
  * carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the
  * materials and the shape. carom_contact_advance moves a contact to a new approach and shift and returns
@@ -507,7 +580,7 @@ typedef struct carom_load {
 #define CAROM_STATE_NUMBERS 66
 
 /* The state of a contact as 66 numbers, in memory of the caller; zeros stand for two bodies that just touch,
- * without shift. The numbers mean the same on any machine and in any build of this `carom_state_version()`,
+ * without shift. The numbers mean the same on any machine and in any build of this `CAROM_STATE_VERSION`,
  * so that they can be stored in files and sent to other processes. `carom_contact_pack` writes them;
  * `carom_contact_unpack` makes a contact from them, which continues with the same bits. The friction of the
  * pair must be finite. */
@@ -585,7 +658,7 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
                                         size_t load_stride,
                                         struct carom_error *error);
 
-/* ---- 5. Impacts ---------------------------------------------------------------
+/* ---- 6. Impacts ---------------------------------------------------------------
  *
  * carom_collide computes the impact of two bodies. */
 
@@ -800,7 +873,7 @@ carom_status carom_collide(const struct carom_body *body_1,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
 
-/* ---- 6. R_x of spheres --------------------------------------------------------
+/* ---- 7. R_x of spheres --------------------------------------------------------
  *
  * R_x is minus the tangential velocity of the contact after an impact over that before. */
 
@@ -863,7 +936,7 @@ carom_status carom_restitution_dissimilar(double kappa,
                                           uint32_t *method,
                                           struct carom_error *error);
 
-/* ---- 7. Creep forces of a rolling contact -------------------------------------
+/* ---- 8. Creep forces of a rolling contact -------------------------------------
  *
  * carom_creep_coefficients gives the forces of a wheel on a rail, or of any rolling bodies, at small
  * creepage, carom_creep_force at any creepage and spin. */
@@ -921,7 +994,7 @@ carom_status carom_creep_force(const double *semi_axes,
                                struct carom_creep_force_result *force,
                                struct carom_error *error);
 
-/* ---- 8. Limits of the theory --------------------------------------------------
+/* ---- 9. Limits of the theory --------------------------------------------------
  *
  * Warnings of an impact are bits of carom_rebound; carom_warning_text gives their words.
  * carom_law_validity tells whether a contact is small enough for Hertz's theory,

@@ -2,7 +2,8 @@
 //! functions.
 //!
 //! - A [`CaromLaw`] is what the contacts of particles of two materials have in common, made once: materials, law,
-//!   friction, damping, torsion, resistance to rolling. It is the only memory that the library allocates for a caller.
+//!   friction, damping, torsion, resistance to rolling. It and a
+//!   [`CaromMesh`], a surface of triangles, are the only memory that the library allocates for a caller.
 //! - A [`CaromTouch`] is one contact of a grain with another one or with a wall: positions, velocities and spins in,
 //!   force and torques out. It lies in memory of the caller, whose size the law tells, and only the build that wrote it
 //!   can read it; zero bytes stand for two separated bodies. It packs into numbers that any build of this format
@@ -32,6 +33,7 @@ mod error;
 mod impact;
 mod law;
 mod material;
+mod mesh;
 mod pair;
 mod pointers;
 mod restitution;
@@ -72,6 +74,10 @@ pub use material::{
     CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, carom_law_name,
     carom_law_of_name,
 };
+pub use mesh::{
+    CAROM_PART_CORNER, CAROM_PART_EDGE, CAROM_PART_FACE, CaromMesh, CaromPlace, carom_mesh_free,
+    carom_mesh_make, carom_mesh_places,
+};
 pub use pair::{CaromPair, carom_pair_of_curvatures, carom_pair_of_spheres};
 pub use restitution::{
     CAROM_BY_RINGS, CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_dissimilar,
@@ -92,4 +98,4 @@ pub use validity::{
     CAROM_WARNING_WAVE_LOSS, CAROM_WARNING_YIELDS, CaromValidity, carom_validity_text,
     carom_warning_text,
 };
-pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};
+pub use version::{CAROM_ABI_VERSION, CAROM_STATE_VERSION, carom_abi_version, carom_version};

@@ -4,7 +4,10 @@ use std::ffi::c_char;
 
 /// Raised whenever a structure or a function of this header changes. Compare it with `carom_abi_version()` of
 /// the loaded library.
-pub const CAROM_ABI_VERSION: u32 = 12;
+pub const CAROM_ABI_VERSION: u32 = 13;
+
+/// The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read.
+pub const CAROM_STATE_VERSION: u32 = 2;
 
 /// The version of the library, as "0.1.0"; not to be freed.
 #[unsafe(no_mangle)]
@@ -16,10 +19,4 @@ pub extern "C" fn carom_version() -> *const c_char {
 #[unsafe(no_mangle)]
 pub extern "C" fn carom_abi_version() -> u32 {
     CAROM_ABI_VERSION
-}
-
-/// The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read.
-#[unsafe(no_mangle)]
-pub extern "C" fn carom_state_version() -> u32 {
-    2
 }

@@ -10,6 +10,7 @@
 //! | [`nearest_points`] | the nearest points of two bodies, in contact or not |
 //! | [`ContactPoint`] | the contact point of two bodies, with its axes [`ContactFrame`] |
 //! | [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both bodies |
+//! | [`mesh::TriangleMesh`] | a surface of triangles, and where it touches a ball |
 //! | [`Inertia`] | mass and moments of inertia of solids and shells |
 //!
 //! ```
@@ -35,6 +36,7 @@ mod placed;
 mod surface;
 
 pub mod curvature;
+pub mod mesh;
 
 pub use attitude::{Attitude, angle_matrix};
 pub use contact_point::{ContactPoint, TOUCH_TOLERANCE};

@@ -16,6 +16,7 @@ mod hertz;
 mod influence;
 mod line;
 mod materials;
+mod meshes;
 mod mistakes;
 mod plate;
 mod quantities;
@@ -69,6 +70,8 @@ mod _carom {
     use super::line::line_state;
     #[pymodule_export]
     use super::materials::{Material, MaterialPair};
+    #[pymodule_export]
+    use super::meshes::TriangleMesh;
     #[pymodule_export]
     use super::mistakes::{meant, renamed};
     #[pymodule_export]

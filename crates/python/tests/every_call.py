@@ -237,6 +237,14 @@ CALLS = {
         Call(carom.Solver.step, given(LOADS), lambda **given: solver().step(**given)),
     ],
     "Solver.stress": [Call(carom.Solver.stress, POINTS | {"body": none(1)}, lambda **given: solver().stress(**given))],
+    "TriangleMesh": [
+        Call(carom.TriangleMesh, {"triangles": In([[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]], "m"), "smooth": In(0.2, "rad"),
+                                  "period": In((0.0, 0.0, 2.0), "m")}, lambda **given: repr(carom.TriangleMesh(**given))),
+    ],
+    "TriangleMesh.places": [
+        Call(carom.TriangleMesh.places, {"centers": In([[0.2, 0.3, 0.1], [0.5, 0.6, 0.1]], "m"), "radii": In(0.3, "m")},
+             lambda **given: np.column_stack(carom.TriangleMesh([[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]).places(**given)[:4])),
+    ],
     "Twist": [Call(carom.Twist, {"hertz": HERTZ, "friction": none(0.3)}, lambda **given: state(carom.Twist(**given)))],
     "Twist.advance": [
         Call(carom.Twist.advance, {"zeta": In(1e-6, "m"), "omega": In(1e-4, "rad")}, lambda **given: carom.Twist(HERTZ, 0.3).advance(**given)),

@@ -11,7 +11,7 @@ import warnings
 import carom
 import pytest
 
-MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._creep", "carom._grains", "carom._impact", "carom._roll", "carom._solver", "carom.cases", "carom.plot"]
+MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._creep", "carom._grains", "carom._impact", "carom._mesh", "carom._roll", "carom._solver", "carom.cases", "carom.plot"]
 
 
 @pytest.mark.parametrize("name", MODULES)

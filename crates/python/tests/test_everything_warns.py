@@ -68,7 +68,7 @@ MADE, TOLD, PURE = "loads nothing", "reads what a step has told of", "has no siz
 #: Why the others need not.
 NEED_NOT = {
     **dict.fromkeys("Body Body.moving Contact Contacts GrainContacts Hertz Hertz.of_radii Material MaterialPair Plate RestitutionBySpeed RestitutionBySpeed.at ShiftTwist".split(), MADE),
-    **dict.fromkeys("SlipSpeedFriction SlipSpeedFriction.at Solver Surface Surface.measures Surface.prepared Surface.warnings Twist cells hertz_of_spheres surface plane sphere cases.new".split(), MADE),
+    **dict.fromkeys("SlipSpeedFriction SlipSpeedFriction.at Solver Surface Surface.measures Surface.prepared Surface.warnings TriangleMesh TriangleMesh.places Twist cells hertz_of_spheres surface plane sphere cases.new".split(), MADE),
     **dict.fromkeys("Contact.traction Contact.turn_frame Solver.summary Solver.stress von_mises cases.Stresses.to_xarray".split(), TOLD),
     **dict.fromkeys("plot.history plot.loop plot.pressure plot.stick_slip plot.tractions".split(), TOLD),
     **dict.fromkeys("creep_coefficients lubkin_torque lubkin_stick_radius plot.restitution".split(), PURE),

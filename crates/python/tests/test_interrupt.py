@@ -92,6 +92,7 @@ CALLS = {
         changed(changed(case("roll"), "#[grid]", "[grid]"), "#elements = 40", "elements = 200"), coefficients=True
     ),
     "cases.stress": lambda: carom.cases.stress(changed(case("stress"), "count = 41", "count = 47000")),
+    "TriangleMesh.places": lambda: carom.TriangleMesh(np.random.default_rng(1).random((2000, 3, 3))).places(np.full((100_000, 3), 0.5), 1.0),
     "Solver.stress": lambda: solver(128).stress(np.linspace(0, 1e-4, 1_000_000), 0.0, 1e-5),
 }
 

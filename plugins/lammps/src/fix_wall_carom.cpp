@@ -237,7 +237,9 @@ void FixWallCarom::post_force(int)
 void FixWallCarom::meet(int i, double duration, bool looks, Reaction &sum)
 {
   const double radius = atom->radius[i];
-  const int count = wall.near(atom->x[i], radius, nears);
+  carom_error why;
+  const int count = wall.near(atom->x[i], radius, nears, &why);
+  if (count < 0) carom::fail(lmp, who(), why);
   if (count > carom::WallShape::MOST)
     error->one(FLERR, who() + ": grain " + std::to_string(atom->tag[i]) + " touches the wall in more than " +
                           std::to_string(carom::WallShape::MOST) + " places");

@@ -635,7 +635,7 @@ void PairCarom::read_restart_settings(FILE *fp)
 static uint32_t file_version()
 {
   constexpr uint32_t OF_STYLE = 7;
-  return 1000 * OF_STYLE + carom_state_version();
+  return 1000 * OF_STYLE + CAROM_STATE_VERSION;
 }
 
 void PairCarom::write_restart(FILE *fp)

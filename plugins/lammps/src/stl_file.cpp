@@ -1,8 +1,6 @@
 #include "stl_file.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -18,8 +16,6 @@ static constexpr uint64_t TITLE = 80, HEAD = TITLE + 4, RECORD = 50, NORMAL = 12
 // Above this a file is refused before any of it is read.
 static constexpr uint64_t MOST_TRIANGLES = 10000000, MOST_BYTES = 4000000000;
 static constexpr int CORNERS = 9;
-// A triangle whose height is below this part of its longest side has no normal.
-static constexpr double FLATTEST = 1e-7;
 
 [[noreturn]] static void wrong(const std::string &path, const std::string &what)
 {
@@ -42,39 +38,6 @@ static std::string contents_of(const std::string &path)
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (fread(&bytes[0], 1, bytes.size(), file.get()) != bytes.size()) wrong(path, " cannot be read to its end");
   return bytes;
-}
-
-// What is wrong with a triangle; null if nothing.
-static const char *fault_of(const double *corners)
-{
-  for (int k = 0; k < CORNERS; k++)
-    if (!std::isfinite(corners[k])) return "a coordinate is not a finite number";
-  double sides[3][3], longest = 0.0;
-  for (int side = 0; side < 3; side++) {
-    double square = 0.0;
-    for (int k = 0; k < 3; k++) {
-      sides[side][k] = corners[3 * ((side + 1) % 3) + k] - corners[3 * side + k];
-      square += sides[side][k] * sides[side][k];
-    }
-    longest = std::max(longest, square);
-  }
-  if (!std::isfinite(longest)) return "it is too large";
-  double square = 0.0;
-  for (int k = 0; k < 3; k++) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    const double area = sides[0][next] * sides[1][last] - sides[0][last] * sides[1][next];
-    square += area * area;
-  }
-  if (!(std::sqrt(square) > FLATTEST * longest)) return "its corners lie on a line: must have an area";
-  return nullptr;
-}
-
-static void check(const std::string &path, const std::vector<double> &triangles)
-{
-  if (triangles.empty()) wrong(path, " has no triangles: must have at least one");
-  for (std::size_t at = 0; at < triangles.size(); at += CORNERS)
-    if (const char *fault = fault_of(&triangles[at]))
-      wrong(path, ": triangle " + std::to_string(at / CORNERS + 1) + " is not valid: " + fault);
 }
 
 static uint64_t stated_count(const std::string &bytes)
@@ -192,7 +155,7 @@ std::vector<double> read_stl(const std::string &path)
     wrong(path, " states " + std::to_string(stated_count(bytes)) + " triangles, but has " +
                     std::to_string(bytes.size()) + " bytes: must have " +
                     std::to_string(HEAD + RECORD * stated_count(bytes)) + ", or be a text that begins with 'solid'");
-  check(path, triangles);
+  if (triangles.empty()) wrong(path, " has no triangles: must have at least one");
   return triangles;
 }
 

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-// Nine numbers for each triangle, its three corners. The normals of the file are left out. Throws a
+// Nine numbers for each triangle, its three corners, as they stand there. The normals of the file are left out. Throws a
 // std::runtime_error that names the file, the triangle and what is allowed.
 std::vector<double> read_stl(const std::string &path);
 

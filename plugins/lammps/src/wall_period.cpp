@@ -57,12 +57,8 @@ void WallShape::repeat(LAMMPS *lmp, const std::string &who)
     check_box(lmp, who, axis);
     check_turn(lmp, who, axis, axes);
   }
-  if (mesh && has_periods_of(lmp)) return;
-  mesh = std::make_shared<const Mesh>(triangles, smooth * DEGREE, period);
-  for (int axis = 0; axis < 3; axis++)
-    if (mesh->is_too_long(axis))
-      lmp->error->all(FLERR, who + out_of_range(std::string("length of the surface along ") + AXES[axis], number(mesh->length(axis)),
-                                                "at most " + number(period[axis]) + ", the period of the box, with which the surface repeats itself"));
+  if (has_periods_of(lmp)) return;
+  make_mesh(lmp, who, period);
 }
 
 // The surface has the period of the box, which must be along an axis and stay.
@@ -74,9 +70,9 @@ void WallShape::check_box(LAMMPS *lmp, const std::string &who, int axis) const
   const double tilt = tilt_of(domain, axis, &name);
   if (tilt != 0.0)
     lmp->error->all(FLERR, who + out_of_range(std::string("tilt ") + name + " of the box", number(tilt), "0, since the box is periodic" + along));
-  if (mesh && mesh->period()[axis] > 0.0 && !is_same(domain->prd[axis], mesh->period()[axis]))
+  if (periods[axis] > 0.0 && !is_same(domain->prd[axis], periods[axis]))
     lmp->error->all(FLERR, who + out_of_range("length of the box" + along, number(domain->prd[axis]),
-                                              number(mesh->period()[axis]) + " as in the run before, since the surface repeats itself there"));
+                                              number(periods[axis]) + " as in the run before, since the surface repeats itself there"));
   const int tilts[3] = {0, Fix::BOX_CHANGE_XY, Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_YZ};
   for (const Fix *fix : lmp->modify->get_fix_list())
     if (fix->box_change & ((Fix::BOX_CHANGE_X << axis) | tilts[axis]))
@@ -108,7 +104,7 @@ bool WallShape::has_periods_of(LAMMPS *lmp) const
   periods_of(lmp, period);
   for (int axis = 0; axis < 3; axis++) {
     const char *name;
-    if (!is_same(period[axis], mesh->period()[axis])) return false;
+    if (!is_same(period[axis], periods[axis])) return false;
     if (period[axis] > 0.0 && tilt_of(lmp->domain, axis, &name) != 0.0) return false;
   }
   return true;
@@ -118,7 +114,7 @@ bool WallShape::has_periods_of(LAMMPS *lmp) const
 void WallShape::stay_close()
 {
   for (int axis = 0; axis < 3; axis++) {
-    const double period = mesh->period()[axis];
+    const double period = periods[axis];
     if (period == 0.0) continue;
     const double far = std::trunc(point[axis] / period) * period;
     if (far == 0.0) continue;

@@ -203,11 +203,24 @@ void WallShape::check_mesh(LAMMPS *lmp, const std::string &who)
   direction[2] = 1.0;
   if (!has_center) std::copy_n(point, 3, middle);
   triangles = triangles_of_file(lmp, who, file, scale);
+  smooth_cosine = std::cos(smooth * DEGREE);
+  make_mesh(lmp, who + ": STL file '" + file + "'", periods);
 }
 
-int WallShape::near(const double *x, double radius, Near *to) const
+// All ranks have the same triangles.
+void WallShape::make_mesh(LAMMPS *lmp, const std::string &who, const double *period)
 {
-  if (kind == MESH) return near_mesh(x, radius, to);
+  carom_mesh *made;
+  carom_error why;
+  if (carom_mesh_make(triangles.data(), triangles.size() / 9, smooth * DEGREE, period, &made, &why) != CAROM_STATUS_OK)
+    lmp->error->all(FLERR, who + ": " + why.text);
+  mesh.reset(made, carom_mesh_free);
+  std::copy_n(period, 3, periods);
+}
+
+int WallShape::near(const double *x, double radius, Near *to, carom_error *why) const
+{
+  if (kind == MESH) return near_mesh(x, radius, to, why);
   to->is_refused = false;
   if (kind == PLANE) return near_plane(x, *to);
   return kind == SPHERE ? near_sphere(x, *to) : near_axis(x, radius, *to);
@@ -242,42 +255,57 @@ void WallShape::out_of_file(const double *vector, double *to) const
 // A little more than the radius, so that a contact that ends is seen to end.
 static constexpr double REACH = 1.01;
 
-int WallShape::near_mesh(const double *x, double radius, Near *to) const
+int WallShape::near_mesh(const double *x, double radius, Near *to, carom_error *why) const
 {
   const double arm[3] = {x[0] - point[0], x[1] - point[1], x[2] - point[2]};
   double own[3];
   into_file(arm, own);
-  Mesh::Place places[MOST];
-  const int count = mesh->places(own, REACH * radius, places);
-  for (int k = 0; k < std::min(count, MOST); k++) at_place(places[k], to[k]);
-  return count;
+  carom_place places[MOST];
+  std::size_t count;
+  if (carom_mesh_places(mesh.get(), own, REACH * radius, places, MOST, &count, why) != CAROM_STATUS_OK) return -1;
+  const int most = static_cast<int>(std::min<std::size_t>(count, MOST + 1));
+  for (int k = 0; k < std::min(most, MOST); k++) at_place(places[k], to[k]);
+  return most;
 }
 
-void WallShape::at_place(const Mesh::Place &place, Near &near) const
+void WallShape::at_place(const carom_place &place, Near &near) const
 {
   // Of a face that does not turn any point of its plane will do.
-  const bool is_at_rest = place.kind == Mesh::FACE && dot(spin, spin) == 0.0;
-  double carried[3];
-  const double *at = is_at_rest ? place.fixed : place.point;
-  if (is_at_rest && mesh->does_repeat()) {
-    mesh->fixed_in_period(place, carried);
-    at = carried;
-  }
-  out_of_file(at, near.place);
+  const bool is_at_rest = place.part == CAROM_PART_FACE && dot(spin, spin) == 0.0;
+  const double *end = place.ends[0], *shift = place.shift;
+  const double fixed[3] = {end[0] + shift[0], end[1] + shift[1], end[2] + shift[2]};
+  out_of_file(is_at_rest ? fixed : place.point, near.place);
   for (int k = 0; k < 3; k++) near.place[k] += point[k];
   std::copy_n(place.normal, 3, near.own_normal);
   std::fill_n(near.own_axis, 3, 0.0);
   std::fill_n(near.curvature, 2, 0.0);
-  near.height = place.height;
+  near.height = place.distance;
   near.is_refused = place.is_sharp && edge_radius == 0.0;
   near.of_mesh = place;
   if (place.is_sharp && edge_radius > 0.0) {
     near.curvature[0] = 1.0 / edge_radius;
-    if (place.kind == Mesh::CORNER) near.curvature[1] = near.curvature[0];
-    else cross(place.along, place.normal, near.own_axis);
+    if (place.part == CAROM_PART_CORNER) {
+      near.curvature[1] = near.curvature[0];
+    } else {
+      double along[3] = {place.ends[1][0] - end[0], place.ends[1][1] - end[1], place.ends[1][2] - end[2]};
+      const double length = std::sqrt(dot(along, along));
+      for (double &number : along) number /= length;
+      cross(along, place.normal, near.own_axis);
+    }
   }
   out_of_file(near.own_normal, near.normal);
   out_of_file(near.own_axis, near.axis);
+}
+
+std::string WallShape::name_of(const Near &near)
+{
+  const double *one = near.of_mesh.ends[0], *two = near.of_mesh.ends[1];
+  char text[240];
+  if (near.of_mesh.part == CAROM_PART_CORNER)
+    snprintf(text, sizeof text, "the corner at (%g, %g, %g)", one[0], one[1], one[2]);
+  else
+    snprintf(text, sizeof text, "the edge from (%g, %g, %g) to (%g, %g, %g)", one[0], one[1], one[2], two[0], two[1], two[2]);
+  return text;
 }
 
 void WallShape::carry_axis(double *axis, Near &near) const

@@ -3,8 +3,8 @@
 #define CAROM_WALL_SHAPE_H
 
 #include "carom.h"
-#include "mesh.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,24 +39,26 @@ class WallShape {
     // no grain may touch.
     double own_normal[3], own_axis[3];
     bool is_refused;
-    Mesh::Place of_mesh;
+    carom_place of_mesh;
   };
   // A mesh touches a grain in several places, the others in one.
-  static constexpr int MOST = Mesh::MOST;
+  static constexpr int MOST = 16;
   // The places where a contact may be; returns their number, 0 if the wall has no side towards the grain, MOST + 1 if
-  // there are more.
-  int near(const double *x, double radius, Near *to) const;
+  // there are more, -1 for a place of the grain at which there can be none: `why` says so.
+  int near(const double *x, double radius, Near *to, carom_error *why) const;
   // A contact that comes from another place of a mesh keeps its axis, turned as the normal: `axis` is what it was, in
   // the axes of the file.
   void carry_axis(double *axis, Near &near) const;
-  std::string name_of(const Near &near) const { return mesh->name_of(near.of_mesh); }
+  // The ends of an edge of a mesh, or the place of a corner, in words.
+  static std::string name_of(const Near &near);
 
   bool is_curved() const { return kind != PLANE; }
   bool is_round() const { return kind == PLANE || kind == SPHERE || (is_mesh() && edge_radius == 0.0); }
   bool is_mesh() const { return kind == MESH; }
   // Contacts of a mesh whose normals differ by less are one: the cosine of the angle.
-  double cosine_of_smooth() const { return mesh->cosine_of_smooth(); }
-  double bytes() const { return mesh ? mesh->bytes() + 8.0 * triangles.capacity() : 0.0; }
+  double cosine_of_smooth() const { return smooth_cosine; }
+  // The library needs 450 bytes a triangle.
+  double bytes() const { return (8.0 + 450.0 / 9.0) * static_cast<double>(triangles.size()); }
   // Whether a box may be periodic along this axis: shape and motion are then the same all along it, or a mesh repeats
   // itself.
   bool extends_along(int axis) const;
@@ -102,8 +104,9 @@ class WallShape {
   bool is_bounded = false, has_center = false;
   std::string file;
   std::vector<double> triangles;    // of the file
-  std::shared_ptr<const Mesh> mesh;
-  double scale = 1.0, smooth = 10.0, edge_radius = 0.0;    // no radius: edges are refused
+  std::shared_ptr<carom_mesh> mesh;
+  double periods[3] = {0.0, 0.0, 0.0};    // with which it repeats itself along the axes, 0 for none
+  double scale = 1.0, smooth = 10.0, smooth_cosine, edge_radius = 0.0;    // no radius: edges are refused
   bool has_edges = false, is_for_mesh = false;    // whether a radius was given, or any of the three
   double speed[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0}, middle[3] = {0.0, 0.0, 0.0};
 
@@ -118,8 +121,9 @@ class WallShape {
   bool is_turned() const;
   void into_file(const double *vector, double *to) const;
   void out_of_file(const double *vector, double *to) const;
-  int near_mesh(const double *x, double radius, Near *to) const;
-  void at_place(const Mesh::Place &place, Near &near) const;
+  void make_mesh(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const double *period);
+  int near_mesh(const double *x, double radius, Near *to, carom_error *why) const;
+  void at_place(const carom_place &place, Near &near) const;
   bool near_plane(const double *x, Near &near) const;
   bool near_sphere(const double *x, Near &near) const;
   bool near_axis(const double *x, double radius, Near &near) const;

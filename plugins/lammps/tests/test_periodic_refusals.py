@@ -13,7 +13,7 @@ P = "change_box all boundary p f f"
     [
         ("stl cube.stl", P, []),
         ("stl cube.stl scale 4", P, []),
-        ("stl cube.stl scale 4.001", P, ["length of the surface along x = 8.002 is out of range: must be at most 8, the period of the box"]),
+        ("stl cube.stl scale 4.001", P, ["length of the surface along x = 8.002 is out of range: must be at most 8, the period with which it repeats itself"]),
         ("stl cube.stl omega 0 2 0", P, ["omega = 0 2 0 is out of range: must be along x, in which the box is periodic"]),
         ("stl cube.stl omega -2 0 0", P, []),
         ("stl cube.stl omega 2 0 0", "change_box all boundary p f p", ["omega = 2 0 0 is out of range: must be 0 0 0", "more than one axis"]),

@@ -23,7 +23,7 @@ pub(crate) use kind::{RingTouch, ShiftTouch};
 /// The state of the contact of two grains, or of a grain and a wall, in memory of the caller: `carom_touch_size(law)`
 /// bytes, aligned to 8, that may be copied as bytes. Zero bytes stand for two separated bodies. Only the build that
 /// wrote it can read it, and only with a law of the same kind; `carom_touch_pack` converts it to numbers that any build
-/// of this `carom_state_version()` can read.
+/// of this `CAROM_STATE_VERSION` can read.
 ///
 /// The constants are those of the step in which contact began. To change them, set the touch to zero.
 #[derive(Debug)]

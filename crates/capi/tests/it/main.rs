@@ -9,6 +9,7 @@ mod hostile;
 mod impact_friction;
 mod losses;
 mod mechanics;
+mod meshes;
 mod particles;
 mod programs;
 mod told;

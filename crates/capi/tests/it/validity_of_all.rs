@@ -17,11 +17,13 @@ const NEED_NOT: &[&str] = &[
     "carom_restitution",
     "carom_creep_coefficients",
     "carom_creep_force",
+    "carom_mesh_make",
+    "carom_mesh_places",
+    "carom_mesh_free",
     "carom_status_text",
     "carom_warning_text",
     "carom_version",
     "carom_abi_version",
-    "carom_state_version",
 ];
 
 /// The declarations of the header, each in one line.

@@ -2,6 +2,7 @@
 
 mod frames;
 mod inertia;
+mod meshes;
 mod nearest_points;
 mod random;
 mod shapes;

@@ -90,6 +90,7 @@ from ._friction import SlipSpeedFriction
 from ._grains import GrainContacts
 from ._impact import collide, collide_many, history, plane, sphere
 from ._loss import RestitutionBySpeed
+from ._mesh import TriangleMesh
 from ._mistakes import help_calls
 from ._records import (
     Bounce,
@@ -200,6 +201,7 @@ __all__ = [
     "SolverSteps",
     "Surface",
     "SurfaceMeasures",
+    "TriangleMesh",
     "Twist",
     "__version__",
     "cases",

@@ -37,6 +37,12 @@ const GROUPS: &[Group] = &[
         ],
     },
     Group {
+        title: "Surfaces of triangles",
+        about: "carom_mesh_make makes a surface of triangles, carom_mesh_places finds where a ball touches it: places and\n\
+                normals of the walls of carom_touch_step.",
+        modules: &["mesh"],
+    },
+    Group {
         title: "Contacts with given shifts",
         about: "carom_pair_of_spheres and carom_pair_of_curvatures make the constants of a contact from the\n\
                 materials and the shape. carom_contact_advance moves a contact to a new approach and shift and returns\n\

@@ -6,6 +6,7 @@ use std::ptr::{null_mut, slice_from_raw_parts_mut};
 
 use carom_capi::*;
 
+use super::calls::meshes::tent;
 use super::random::Random;
 
 /// What the caller keeps of each kind.
@@ -18,6 +19,8 @@ pub(crate) struct World {
     pub(crate) states: [CaromState; 6],
     /// Made once; freed at the end.
     pub(crate) laws: [*mut CaromLaw; LAWS],
+    /// Made once; freed at the end.
+    pub(crate) mesh: *mut CaromMesh,
     /// Each has room for any law.
     pub(crate) touches: [[u64; WORDS]; TOUCHES],
     pub(crate) packed: [[f64; NUMBERS]; LAWS],
@@ -76,6 +79,7 @@ impl World {
                 contacts: zeroed(),
                 states: zeroed(),
                 laws: laws(),
+                mesh: tent(),
                 touches: [[0; WORDS]; TOUCHES],
                 packed: zeroed(),
                 time: 0.0,
@@ -259,5 +263,7 @@ impl Drop for World {
             // SAFETY: made by the library, and freed once.
             unsafe { carom_law_free(law) };
         }
+        // SAFETY: made by the library, and freed once.
+        unsafe { carom_mesh_free(self.mesh) };
     }
 }

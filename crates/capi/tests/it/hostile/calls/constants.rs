@@ -158,7 +158,7 @@ pub(super) fn words(world: &mut World, which: usize) -> CaromStatus {
         29 => carom_version(),
         30 => carom_warning_text(world.bits() as u32),
         31 => carom_law_name(world.pick(5) as u32),
-        _ => carom_status_text((carom_abi_version() + carom_state_version()) as i32),
+        _ => carom_status_text(carom_abi_version() as i32),
     };
     // SAFETY: ends with a zero.
     assert!(which == 31 || !unsafe { CStr::from_ptr(text) }.is_empty());

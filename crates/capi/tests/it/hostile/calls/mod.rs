@@ -4,14 +4,15 @@ mod answers;
 mod constants;
 mod contacts;
 mod impacts;
+pub(super) mod meshes;
 mod particles;
 
 use carom_capi::*;
 
 use super::world::World;
 
-/// All functions of the border but `carom_law_free`.
-pub(crate) const NAMES: [&str; 34] = [
+/// All functions of the border but `carom_law_free` and `carom_mesh_free`.
+pub(crate) const NAMES: [&str; 36] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -44,8 +45,10 @@ pub(crate) const NAMES: [&str; 34] = [
     "carom_version",
     "carom_warning_text",
     "carom_law_name",
-    "carom_abi_version, carom_state_version",
+    "carom_abi_version",
     "carom_law_of_name",
+    "carom_mesh_make",
+    "carom_mesh_places",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -58,7 +61,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         0 => 7 + world.pick(2),
         1 => 5 + world.pick(2),
         2..=14 => 18 + world.pick(4),
-        15..=40 => 22 + world.pick(12),
+        15..=40 => 22 + world.pick(14),
         41..=140 => [0, 1, 2, 3, 4, 9][world.pick(6)],
         _ => 10 + world.pick(8),
     };
@@ -72,6 +75,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
         20 | 21 => constants::laws(world, which),
         22..=26 => constants::limits(world, which),
         27 => constants::creep(world),
+        34 | 35 => meshes::mesh(world, which),
         _ => constants::words(world, which),
     };
     world.told[status as usize] += 1;
