@@ -3,6 +3,8 @@
 //! What reaches new code is collected below `target/`; the seeds in `fuzz/corpus` are only read.
 
 use anyhow::{Context as _, bail, ensure};
+use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
@@ -11,6 +13,7 @@ use crate::doors::{NO_CRATES, fetches};
 use crate::outcome::{Outcome, Part};
 use crate::python::call;
 use crate::root::root;
+use crate::taplo::files;
 use crate::tools::CARGO_FUZZ;
 
 /// How long each target runs by default, in seconds.
@@ -74,8 +77,10 @@ impl Fuzzer {
         let mut command = self.command("run");
         command.arg(target).arg(found).arg(self.root.join("fuzz/corpus").join(target)).arg("--");
         command.arg(format!("-max_total_time={seconds}")).args(LIMITS).arg("-print_final_stats=1");
-        let words = self.root.join(format!("fuzz/{target}.dict"));
-        if words.exists() {
+        let forms = self.root.join(format!("fuzz/{target}.dict"));
+        if forms.exists() {
+            let words = self.root.join(format!("target/{target}.dict"));
+            std::fs::write(&words, std::fs::read_to_string(forms)? + &words_of_cases(&self.root)?)?;
             command.arg(format!("-dict={}", words.display()));
         }
         println!("== target {target}, {seconds} s");
@@ -93,6 +98,34 @@ fn toolchain(root: &Path) -> anyhow::Result<Option<String>> {
     Ok((!name.is_empty()).then_some(name))
 }
 
+/// The names and words of all kinds of cases, from their schemas, as lines of a dictionary.
+fn words_of_cases(root: &Path) -> anyhow::Result<String> {
+    let mut words = BTreeSet::new();
+    for schema in files(&root.join("docs/schema"), "json")? {
+        collect(&serde_json::from_str(&std::fs::read_to_string(schema)?)?, &mut words);
+    }
+    Ok(words.into_iter().map(|word| format!("\"{word}\"\n")).collect())
+}
+
+fn collect(part: &Value, words: &mut BTreeSet<String>) {
+    match part {
+        Value::Object(own) => {
+            for (name, value) in own {
+                match (name.as_str(), value) {
+                    ("properties", Value::Object(fields)) => words.extend(fields.keys().cloned()),
+                    ("enum", Value::Array(all)) => {
+                        words.extend(all.iter().filter_map(Value::as_str).map(str::to_owned));
+                    }
+                    _ => {}
+                }
+                collect(value, words);
+            }
+        }
+        Value::Array(all) => all.iter().for_each(|one| collect(one, words)),
+        _ => {}
+    }
+}
+
 /// The names of all targets.
 fn targets(root: &Path) -> anyhow::Result<Vec<String>> {
     let manifest: toml::Table = std::fs::read_to_string(root.join(MANIFEST))?.parse()?;
@@ -106,6 +139,17 @@ fn targets(root: &Path) -> anyhow::Result<Vec<String>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_fuzzer_knows_names_and_words_of_all_kinds_of_cases() {
+        let words = words_of_cases(&root()).unwrap();
+        for word in
+            ["body_1", "normal_restitution", "rolling_resistance", "ellipsoid", "half-space"]
+        {
+            assert!(words.contains(&format!("\"{word}\"\n")), "{word}");
+        }
+        assert!(words.lines().count() > 200, "{words}");
+    }
 
     #[test]
     fn every_target_has_seeds() {

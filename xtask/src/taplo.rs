@@ -102,7 +102,7 @@ fn kind_of<'a>(example: &Path, kinds: &'a [String]) -> &'a str {
 }
 
 /// The files of a folder with this ending, in order.
-fn files(folder: &Path, ending: &str) -> anyhow::Result<Vec<PathBuf>> {
+pub(crate) fn files(folder: &Path, ending: &str) -> anyhow::Result<Vec<PathBuf>> {
     let entries = std::fs::read_dir(folder).with_context(|| folder.display().to_string())?;
     let paths = entries.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>()?;
     let has = |path: &PathBuf| path.extension().is_some_and(|end| end == ending);
