@@ -1,8 +1,9 @@
 //! Derivatives of the rebound of spheres and planes by all that it depends on.
 
 use carom_special::RangeError;
-use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::input::{INPUTS, Input, OUTPUTS, Part, Row, mobilities};
 use super::{Collision, CollisionError};
 use crate::body::Body;
 use crate::closed_form::restitution_in_sliding;
@@ -10,77 +11,7 @@ use crate::motion::Motion;
 use crate::oblique::Groups;
 use crate::restitution::Sensitivity;
 
-/// Numbers of a rebound: velocity and spin of body 1, then of body 2, in axes of space.
-pub(super) const OUTPUTS: usize = 12;
-/// The same before the impact, then the inputs of [`Input::ALL`].
-pub(super) const INPUTS: usize = 24;
-
-type Row = RowSVector<f64, INPUTS>;
 type Rows = SMatrix<f64, 3, INPUTS>;
-
-/// An input of an impact of spheres or planes; bodies are counted from 0. Of a body with a new mass or radius the
-/// shape of its mass stays: I/(m R^2) is an input of its own, [`Input::Inertia`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Input {
-    /// A component of the velocity of a body.
-    Velocity(usize, usize),
-    /// A component of its spin.
-    Spin(usize, usize),
-    /// Its radius; no effect for a plane.
-    Radius(usize),
-    /// Its mass; no effect if it is infinite.
-    Mass(usize),
-    /// Its I/(m R^2).
-    Inertia(usize),
-    /// Its shear modulus; no effect if the ratio of stiffnesses was given.
-    ShearModulus(usize),
-    /// Its Poisson's ratio; no effect if the ratio of stiffnesses was given.
-    Poisson(usize),
-    /// The coefficient of friction; no effect if it is infinite.
-    Friction,
-    /// Normal over tangential stiffness, kappa, alone.
-    StiffnessRatio,
-}
-
-impl Input {
-    /// All of them, as columns of [`ReboundDerivatives::matrix`].
-    pub const ALL: [Self; INPUTS] = {
-        let mut all = [Self::StiffnessRatio; INPUTS];
-        let mut i = 0;
-        while i < 2 {
-            let mut axis = 0;
-            while axis < 3 {
-                all[6 * i + axis] = Self::Velocity(i, axis);
-                all[6 * i + 3 + axis] = Self::Spin(i, axis);
-                axis += 1;
-            }
-            all[12 + i] = Self::Radius(i);
-            all[14 + i] = Self::Mass(i);
-            all[16 + i] = Self::Inertia(i);
-            all[18 + i] = Self::ShearModulus(i);
-            all[20 + i] = Self::Poisson(i);
-            i += 1;
-        }
-        all[22] = Self::Friction;
-        all
-    };
-
-    /// Its column.
-    #[must_use]
-    pub const fn column(self) -> usize {
-        match self {
-            Self::Velocity(body, axis) => 6 * body + axis,
-            Self::Spin(body, axis) => 6 * body + 3 + axis,
-            Self::Radius(body) => 12 + body,
-            Self::Mass(body) => 14 + body,
-            Self::Inertia(body) => 16 + body,
-            Self::ShearModulus(body) => 18 + body,
-            Self::Poisson(body) => 20 + body,
-            Self::Friction => 22,
-            Self::StiffnessRatio => 23,
-        }
-    }
-}
 
 /// A rebound and its derivatives.
 #[derive(Debug, Clone, PartialEq)]
@@ -137,13 +68,10 @@ impl Collision {
             let spin = -cross * impulse;
             let mut by_velocity = by * (sign * part.inverse_mass);
             let mut by_spin = -cross * by;
-            let mut add = |input: Input, velocities: f64, spins: f64| {
+            for (input, [velocities, spins]) in part.changes(i) {
                 by_velocity.column_mut(input.column()).axpy(velocities, &velocity, 1.0);
                 by_spin.column_mut(input.column()).axpy(spins, &spin, 1.0);
-            };
-            add(Input::Mass(i), -part.by_mass, -part.by_mass);
-            add(Input::Radius(i), 0.0, -part.by_radius);
-            add(Input::Inertia(i), 0.0, -part.by_inertia);
+            }
             matrix.fixed_view_mut::<3, INPUTS>(6 * i, 0).copy_from(&by_velocity);
             matrix.fixed_view_mut::<3, INPUTS>(6 * i + 3, 0).copy_from(&by_spin);
             motions[i].velocity += velocity;
@@ -249,52 +177,5 @@ impl Collision {
             by[Input::Poisson(i).column()] = kappa * own * (1.0 / whole_along - 0.5 / whole_across);
         }
         by
-    }
-}
-
-/// D_xx and D_zz with their derivatives.
-fn mobilities(parts: &[Part; 2]) -> [(f64, Row); 2] {
-    let along = parts[0].inverse_mass + parts[1].inverse_mass;
-    let (mut across, mut by_along, mut by_across) = (along, Row::zeros(), Row::zeros());
-    for (i, part) in parts.iter().enumerate() {
-        let turning = part.height * part.turning;
-        across += turning;
-        by_along[Input::Mass(i).column()] = -part.inverse_mass * part.by_mass;
-        by_across[Input::Mass(i).column()] = -(part.inverse_mass + turning) * part.by_mass;
-        by_across[Input::Inertia(i).column()] = -turning * part.by_inertia;
-    }
-    [(across, by_across), (along, by_along)]
-}
-
-/// What an impulse does to a body.
-#[derive(Clone, Copy)]
-pub(super) struct Part {
-    height: f64,
-    inverse_mass: f64,
-    /// R/I.
-    turning: f64,
-    /// 1/m, 1/R and 1/(I/(m R^2)), or 0 where the input has no effect.
-    by_mass: f64,
-    by_radius: f64,
-    by_inertia: f64,
-}
-
-impl Part {
-    /// None if an impulse acts on a body otherwise than on a ball or on one that is fixed.
-    pub(super) fn of(collision: &Collision, i: usize) -> Option<Self> {
-        let body = &collision.bodies[i];
-        let (height, inertia) = (body.height()?, body.inertia());
-        let (inverse_mass, inverse) = (inertia.inverse_mass(), inertia.inverse_moments().x);
-        let one_kind = (inverse_mass > 0.0) == (inverse > 0.0) && inertia.is_isotropic();
-        let moves = inverse_mass > 0.0;
-        let turns = moves && height > 0.0;
-        one_kind.then(|| Self {
-            height,
-            inverse_mass,
-            turning: height * inverse,
-            by_mass: if moves { inverse_mass } else { 0.0 },
-            by_radius: if turns { 1.0 / height } else { 0.0 },
-            by_inertia: if turns { height * height * inverse / inverse_mass } else { 0.0 },
-        })
     }
 }

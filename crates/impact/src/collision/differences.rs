@@ -1,12 +1,9 @@
 //! Derivatives of rebounds by differences, where no theory gives them: with a loss, coupling, or torsion.
 
-use carom_geometry::{Inertia, Surface};
-use carom_halfspace::Material;
 use nalgebra::SMatrix;
 
-use super::derivatives::{INPUTS, OUTPUTS, Part};
+use super::input::{INPUTS, OUTPUTS, Part};
 use super::{Collision, CollisionError, CollisionSolver, Input, ReboundDerivatives};
-use crate::body::Body;
 use crate::motion::Motion;
 use crate::oblique::Regime;
 use crate::outcome::Outcome;
@@ -114,51 +111,6 @@ impl Collision {
             crosses: above_changes || below_changes,
         })
     }
-
-    /// An input, and the size by which its step is measured; none if it has no effect.
-    fn value(&self, input: Input) -> Option<(f64, f64)> {
-        let speed = self.velocity().norm();
-        let of = |i: usize| (&self.bodies[i], self.bodies[i].height().unwrap_or(0.0));
-        let (value, size) = match input {
-            Input::Velocity(i, axis) => (of(i).0.motion().velocity[axis], speed),
-            Input::Spin(i, axis) => match of(i) {
-                (body, height) if height > 0.0 => (body.motion().spin[axis], speed / height),
-                _ => return None,
-            },
-            Input::Radius(i) => (of(i).1, of(i).1),
-            Input::Mass(i) => own(of(i).0.inertia().mass()),
-            Input::Inertia(i) => own(inertia_ratio(of(i).0)),
-            Input::ShearModulus(i) => own(of(i).0.material().shear_modulus()),
-            Input::Poisson(i) if of(i).0.material().is_rigid() => return None,
-            Input::Poisson(i) => (of(i).0.material().poisson(), 0.5),
-            Input::Friction => own(self.friction.get()),
-            Input::StiffnessRatio => own(self.stiffness_ratio?),
-        };
-        (value.is_finite() && size > 0.0 && size.is_finite()).then_some((value, size))
-    }
-
-    /// The same collision with another value of an input.
-    fn with_input(&self, input: Input, value: f64) -> Result<Self, CollisionError> {
-        let mut bodies = self.bodies.clone();
-        match input {
-            Input::Friction => {
-                let friction = carom_laws::friction::Friction::new(value)?;
-                return Ok(self.clone().with_friction(friction)?);
-            }
-            Input::StiffnessRatio => return Ok(self.clone().with_stiffness_ratio(value)?),
-            Input::Velocity(i, _)
-            | Input::Spin(i, _)
-            | Input::Radius(i)
-            | Input::Mass(i)
-            | Input::Inertia(i)
-            | Input::ShearModulus(i)
-            | Input::Poisson(i) => bodies[i] = changed(&bodies[i], input, value)?,
-        }
-        let [one, two] = bodies;
-        let fresh = Self::along(one, two, self.frame().z().into(), self.friction)?;
-        let Self { bodies, contact, materials, hertz, levers, mobility, .. } = fresh;
-        Ok(Self { bodies, contact, materials, hertz, levers, mobility, ..self.clone() })
-    }
 }
 
 type Row = nalgebra::SVector<f64, OUTPUTS>;
@@ -188,46 +140,4 @@ struct Slope {
 fn row([one, two]: &[Motion; 2]) -> Row {
     let all = [&one.velocity, &one.spin, &two.velocity, &two.spin];
     Row::from_iterator(all.into_iter().flat_map(|vector| vector.iter().copied()))
-}
-
-/// A value whose steps are parts of itself.
-fn own(value: f64) -> (f64, f64) {
-    (value, value)
-}
-
-fn inertia_ratio(body: &Body) -> f64 {
-    let (inertia, height) = (body.inertia(), body.height().unwrap_or(0.0));
-    inertia.moments()[0] / (inertia.mass() * height * height)
-}
-
-/// A body with another value of an input.
-fn changed(body: &Body, input: Input, value: f64) -> Result<Body, CollisionError> {
-    let (mut motion, material) = (body.motion(), body.material());
-    let (mass, radius) = (body.inertia().mass(), body.height().unwrap_or(0.0));
-    let ball = |mass: f64, radius: f64, ratio: f64| -> Result<Body, CollisionError> {
-        let inertia = Inertia::new(mass, [ratio * mass * radius * radius; 3])?;
-        Ok(Body::new(Surface::sphere(radius)?, material, inertia).moving(motion))
-    };
-    let with = |shear: f64, poisson: f64| -> Result<Body, CollisionError> {
-        Ok(body.clone().with_material(Material::from_shear(shear, poisson)?))
-    };
-    Ok(match input {
-        Input::Mass(_) => ball(value, radius, inertia_ratio(body))?,
-        Input::Radius(_) if mass.is_finite() => ball(mass, value, inertia_ratio(body))?,
-        Input::Radius(_) => {
-            Body::new(Surface::sphere(value)?, material, body.inertia()).moving(motion)
-        }
-        Input::Inertia(_) => ball(mass, radius, value)?,
-        Input::ShearModulus(_) => with(value, material.poisson())?,
-        Input::Poisson(_) => with(material.shear_modulus(), value)?,
-        Input::Velocity(_, axis) => {
-            motion.velocity[axis] = value;
-            body.clone().moving(motion)
-        }
-        Input::Spin(_, axis) => {
-            motion.spin[axis] = value;
-            body.clone().moving(motion)
-        }
-        Input::Friction | Input::StiffnessRatio => body.clone(),
-    })
 }
