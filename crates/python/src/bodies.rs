@@ -10,10 +10,19 @@ use pyo3::types::PyDict;
 use crate::error::Fault;
 use crate::materials::Material;
 use crate::mistakes::needed;
-use crate::quantities::{
-    Attitude as Turned, Centre, Density, In, Mass, Moments, Row, Several, Sizes, Spin, Velocity,
-};
+use crate::quantities::{In, Row, Several, arguments};
 use crate::show::{self, Quantity, repr};
+
+arguments! {
+    Turned "attitude" "",
+    Centre "centre" "m",
+    Density "density" "kg/m**3",
+    Mass "mass" "kg",
+    Moments "moments" "kg*m**2",
+    Sizes "sizes" "m",
+    Spin "spin" "rad/s",
+    Velocity "velocity" "m/s",
+}
 
 const QUANTITIES: &[Quantity] = &[
     ("shape", "", "shape"),

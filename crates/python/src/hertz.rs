@@ -12,12 +12,19 @@ use crate::arrays::{Numbers, map};
 use crate::error::Fault;
 use crate::materials::{MaterialPair, Pair};
 use crate::mistakes::needed;
-use crate::quantities::{
-    Angle, CurvatureA, CurvatureB, In, Radii1, Radii2, Row, SmallestRadius, Stiffness,
-};
+use crate::quantities::{Angle, In, Row, arguments};
 use crate::records::arrays;
 use crate::show::{self, Quantity, repr};
 use crate::told::{Told, of_loads};
+
+arguments! {
+    CurvatureA "curvature_a" "1/m",
+    CurvatureB "curvature_b" "1/m",
+    Radii1 "radii_1" "m",
+    Radii2 "radii_2" "m",
+    SmallestRadius "smallest_radius" "m",
+    Stiffness "stiffness" "N/m**(3/2)",
+}
 
 const QUANTITIES: &[Quantity] = &[
     ("materials", "", "of both bodies"),

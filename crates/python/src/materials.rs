@@ -7,8 +7,15 @@ use pyo3::types::PyDict;
 
 use crate::error::Fault;
 use crate::mistakes::{needed, refuse};
-use crate::quantities::{In, Poisson, ShearModulus, YieldStress, YoungModulus};
+use crate::quantities::{In, arguments};
 use crate::show::{self, Quantity, repr};
+
+arguments! {
+    Poisson "poisson" "",
+    ShearModulus "shear_modulus" "Pa",
+    YieldStress "yield_stress" "Pa",
+    YoungModulus "young_modulus" "Pa",
+}
 
 const MATERIAL: &[Quantity] = &[
     ("young_modulus", "Pa", "Young's modulus"),

@@ -8,8 +8,14 @@ use pyo3::types::PyDict;
 
 use crate::error::Fault;
 use crate::mistakes::needed;
-use crate::quantities::{In, SideA, SideB, Thickness};
+use crate::quantities::{In, arguments};
 use crate::show::{self, Quantity, repr};
+
+arguments! {
+    SideA "a" "m",
+    SideB "b" "m",
+    Thickness "thickness" "m",
+}
 
 const QUANTITIES: &[Quantity] = &[
     ("a", "m", "side along x"),

@@ -18,12 +18,13 @@ pub(crate) trait Argument {
     const UNIT: &'static str;
 }
 
+/// Arguments with their names and units. Those of one module stand in it, those of several below.
 macro_rules! arguments {
     ($($argument:ident $name:literal $unit:literal,)*) => {
         $(
             #[derive(Debug, Clone, Copy)]
             pub(crate) struct $argument;
-            impl Argument for $argument {
+            impl $crate::quantities::Argument for $argument {
                 const NAME: &'static str = $name;
                 const UNIT: &'static str = $unit;
             }
@@ -31,42 +32,19 @@ macro_rules! arguments {
     };
 }
 
+pub(crate) use arguments;
+
 arguments! {
     Accuracy "accuracy" "",
     Angle "angle" "rad",
-    Attitude "attitude" "",
-    Centre "centre" "m",
-    CurvatureA "curvature_a" "1/m",
-    CurvatureB "curvature_b" "1/m",
-    Density "density" "kg/m**3",
     Eta "eta" "m",
     Friction "friction" "",
-    Mass "mass" "kg",
-    Moments "moments" "kg*m**2",
     Normal "normal" "",
     Omega "omega" "rad",
-    Poisson "poisson" "",
-    Pressure "pressure" "Pa",
     R "r" "",
-    Radii1 "radii_1" "m",
-    Radii2 "radii_2" "m",
-    SemiAxes "semi_axes" "m",
-    ShearModulus "shear_modulus" "Pa",
-    SideA "a" "m",
-    SideB "b" "m",
-    Sizes "sizes" "m",
-    SmallestRadius "smallest_radius" "m",
-    Spin "spin" "rad/s",
     StaticFriction "static_friction" "",
-    StickRadius "stick_radius" "",
-    Stiffness "stiffness" "N/m**(3/2)",
-    Thickness "thickness" "m",
     Tolerance "tolerance" "",
-    Traction "traction" "Pa",
-    Velocity "velocity" "m/s",
     Xi "xi" "m",
-    YieldStress "yield_stress" "Pa",
-    YoungModulus "young_modulus" "Pa",
     Zeta "zeta" "m",
 }
 

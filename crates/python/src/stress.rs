@@ -10,8 +10,15 @@ use pyo3::prelude::*;
 use crate::arrays::{Numbers, map, same_length};
 use crate::error::Fault;
 use crate::materials::Material;
-use crate::quantities::{self, In, Pressure, Row, SemiAxes, StickRadius};
+use crate::quantities::{In, Row, arguments};
 use crate::told::{Told, of_contact};
+
+arguments! {
+    Pressure "pressure" "Pa",
+    SemiAxes "semi_axes" "m",
+    StickRadius "stick_radius" "",
+    SurfaceTraction "traction" "Pa",
+}
 
 /// The stress (xx, yy, zz, xy, yz, zx) at points of a body, an array (n, 6), and warnings.
 #[pyfunction]
@@ -21,7 +28,7 @@ pub(crate) fn stress<'py>(
     semi_axes: Row<SemiAxes, 2>,
     material: Material,
     pressure: In<Pressure>,
-    traction: Row<quantities::Traction, 2>,
+    traction: Row<SurfaceTraction, 2>,
     stick_radius: In<StickRadius>,
     x: Numbers<'py>,
     y: Numbers<'py>,
