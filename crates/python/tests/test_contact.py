@@ -327,6 +327,10 @@ def test_twist():
     third = carom.Twist(HERTZ, F)
     third.advance(1e-6)
     m_z, f_z = third.advance(1e-6, 1e-3)
+    for one in (both, third):
+        again = pickle.loads(pickle.dumps(one))
+        assert again.dissipated == one.dissipated > 0
+        assert (again.stored_energy, again.load, again.shift) == (one.stored_energy, one.load, one.shift)
     twist = carom.MaterialPair(STEEL).shear_modulus * a**2 * 1e-3 / (F * f_z)
     assert m_z / (F * f_z * a) == pytest.approx(carom.lubkin_torque(twist), rel=1e-12)
     np.testing.assert_allclose(carom.lubkin_stick_radius([0.0, 100.0]), [1.0, 0.0], atol=1e-6)

@@ -3,6 +3,7 @@
 use crate::common::{alumina, ball, close, fitted, of};
 use carom_cases::case::{Case as _, ImpactFile};
 use carom_cases::impact::outcome;
+use carom_cases::input::CaseFile;
 use carom_fit::Data;
 
 /// Outcomes of the case without unknowns, by the command's own way.
@@ -40,6 +41,35 @@ fn the_table_has_the_motions_of_the_solver() {
             let size = if point.quantity.contains("spin") { 400.0 } else { 4.0 };
             close(point.fitted, point.measured, size * tolerance);
         }
+    }
+}
+
+/// Friction changes the velocity of a sliding ball by f (1 + e) v_n and its slip by 7/2 of it; with backspin that turns the
+/// ball of a steep impact back.
+#[test]
+fn sliding_balls_with_backspin_rebound_at_the_angles_of_the_formula() {
+    let (speed, spin, f, e) = (3.9, 3000.0, 0.1, 0.8);
+    let angles = [2.0, 5.0, 40.0_f64];
+    let mut columns = [vec![], vec![], vec![]];
+    for angle in angles.map(f64::to_radians) {
+        let (across, down) = (speed * angle.sin(), speed * angle.cos());
+        let change = f * (1.0 + e) * down;
+        let after = across - change;
+        let slip = across + 2.5e-3 * spin - 3.5 * change;
+        let angle_of = |along: f64| along.atan2(e * down).to_degrees();
+        let row = [after / across, angle_of(after), angle_of(slip)];
+        columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
+    }
+    assert!(columns[0][0] < 0.0 && columns[0][2] > 0.0);
+    let contact = "friction = { fit = [0.01, 0.2] }\nlaw = \"coulomb\"\nnormal_restitution = 0.8\nloss = \"yield\"";
+    let text = alumina(contact).text().replace("4000", "4000\nspin = [0, -3000, 0]");
+    let names = ["body_1_tangential_ratio", "body_1_rebound_angle", "contact_rebound_angle"];
+    for (name, column) in names.into_iter().zip(columns) {
+        let data = vec![("angle".to_owned(), angles.to_vec()), (name.to_owned(), column)];
+        let case = CaseFile::from_text(text.clone());
+        let fit = fitted(&case, &Data::new(data).unwrap(), Some(0.01)).unwrap();
+        close(of(&fit, "friction").value, f, 1e-7);
+        fit.points.iter().for_each(|point| close(point.fitted, point.measured, 1e-5));
     }
 }
 

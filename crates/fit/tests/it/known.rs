@@ -128,10 +128,17 @@ fn a_wrong_value_counts_little_with_a_robust_loss() {
     let errors = [(None, vec![0.004])];
     let run = |loss| {
         let options = Options { errors: &errors, loss, ..Options::default() };
-        of(&fit(&alumina(BOTH), &data, &options).unwrap(), "friction").value
+        fit(&alumina(BOTH), &data, &options).unwrap()
     };
-    let [squares, huber] = [Loss::Squares, Loss::Huber].map(run);
+    let fits = [Loss::Squares, Loss::Huber].map(run);
+    let [squares, huber] = fits.each_ref().map(|fit| of(fit, "friction").value);
     assert!((huber - 0.1).abs() < 0.25 * (squares - 0.1).abs(), "{huber} {squares}");
+    // The slope of 2 c^2 (sqrt(1 + r^2/c^2) - 1) over that of r^2.
+    let weight = |residual: f64| 1.0 / (1.0 + (residual / 1.345).powi(2)).sqrt();
+    for (one, other) in fits[0].points.iter().zip(&fits[1].points) {
+        close(one.weight, 1.0, 0.0);
+        close(other.weight, weight((other.measured - other.fitted) / 0.004), 1e-12);
+    }
 }
 
 #[test]
@@ -145,6 +152,17 @@ fn a_best_value_at_a_bound_is_told() {
     assert_eq!(one.interval, None);
     assert_eq!(one.profile.unwrap()[0], 0.11);
     assert!(fit.statements[0].contains("is its bound, 0.11"), "{:?}", fit.statements);
+}
+
+#[test]
+fn an_interval_that_reaches_a_bound_tells_which() {
+    let angles = [50.0, 60.0, 70.0, 80.0];
+    for (bounds, side) in [("[0.095, 1]", "lower"), ("[0.01, 0.105]", "upper")] {
+        let case = alumina(&format!("friction = {{ fit = {bounds} }}\nlaw = \"coulomb\""));
+        let fit = fitted(&case, &data(&angles, exact(&angles)), Some(0.01)).unwrap();
+        let told = fit.statements.concat();
+        assert!(told.contains(&format!("friction reaches its {side} bound")), "{told}");
+    }
 }
 
 #[test]
@@ -172,6 +190,18 @@ fn predictions_have_bands_that_follow_the_unknown() {
         let half = slope * 1.959_963_985 * of(&fit, "friction").deviation.unwrap();
         close(one.interval.unwrap()[1] - one.value, half, 1e-6 * half);
     }
+}
+
+/// Sliding impacts say nothing of the stiffness ratio: a degree of freedom is left for it, and what it moves has no band.
+#[test]
+fn predictions_that_need_what_is_not_determined_have_no_band() {
+    let angles = [60.0, 67.0, 73.0, 80.0];
+    let ahead = Data::new(vec![("angle".to_owned(), vec![20.0, 65.0])]).unwrap();
+    let errors = [(None, vec![0.01])];
+    let options = Options { errors: &errors, predict: Some(&ahead), ..Options::default() };
+    let fit = fit(&alumina(BOTH), &data(&angles, exact(&angles)), &options).unwrap();
+    let has_band: Vec<bool> = fit.predictions.iter().map(|one| one.interval.is_some()).collect();
+    assert_eq!((has_band, fit.quality.freedom), (vec![false, true], 3));
 }
 
 #[test]

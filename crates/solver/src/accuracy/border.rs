@@ -171,5 +171,12 @@ mod tests {
         assert!(zero[1].error < 1e-8, "{zero:?}");
         let by_chance = TANGENTIAL.of_both([[1.0, 1.001, 1.004], [0.5, 0.500_001, 0.5]], 0.1);
         assert!(by_chance[1].error > 0.4 * by_chance[0].error, "{by_chance:?}");
+        let forces = [[1.0, 1.1, 1.3], [0.5, 0.5, 0.5]];
+        let turned = |values| TORSIONAL.of_turned(values, forces, 2.0, 0.01).error;
+        let by_chance = turned([0.3, 0.300_001, 0.3]);
+        // As if it differed by .15 R times what the forces do.
+        let of_forces = TORSIONAL.factor * (0.15 * 2.0 * (0.1 + 0.5 * 0.2) * 0.01_f64).sqrt();
+        assert!((by_chance / of_forces - 1.0).abs() < 1e-12, "{by_chance} {of_forces}");
+        assert!(turned([1e-17, -1e-17, 0.0]) < 1e-8 && turned([0.3; 3]) == 0.0);
     }
 }

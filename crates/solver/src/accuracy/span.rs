@@ -108,3 +108,29 @@ impl Span {
         Window::about(middle, Grid::new(cells, cells, dx, dy)?)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_side_moves_by_a_part_of_the_length_across_it() {
+        let oblong = Span([[0.0, 4.0], [0.0, 1.0]]);
+        for (side, x, y) in [
+            (Side::Left, [-2.0, 4.0], [0.0, 1.0]),
+            (Side::Right, [0.0, 6.0], [0.0, 1.0]),
+            (Side::Bottom, [0.0, 4.0], [-0.5, 1.0]),
+            (Side::Top, [0.0, 4.0], [0.0, 1.5]),
+        ] {
+            assert_eq!(oblong.moved(side, 0.5, false), Span([x, y]));
+        }
+    }
+
+    #[test]
+    fn a_rectangle_that_is_short_along_either_axis_is_small() {
+        let all = Span([[0.0, 1.0]; 2]);
+        for (x, y, is_small) in [(0.1, 1.0, true), (1.0, 0.1, true), (0.5, 0.5, false)] {
+            assert_eq!(Span([[0.0, x], [0.0, y]]).is_small_in(&all, 0.2), is_small);
+        }
+    }
+}

@@ -7,7 +7,8 @@ use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
-    ContactProblem, Drive, Estimated, Frictional, Gap, GridWarning, NestedHistory, Side,
+    ContactProblem, ContactState, Drive, Estimated, Frictional, Gap, GridWarning, NestedHistory,
+    Side,
 };
 
 /// Twenty positions of the contact relative to the cells, evenly distributed.
@@ -104,6 +105,24 @@ fn a_contact_at_the_border_or_of_few_cells_is_in_doubt() {
     assert_eq!(pressed(48, [8.0, 0.0]), [GridWarning::Border { side: Side::Right }]);
     assert_eq!(pressed(48, [0.0, -8.0]), [GridWarning::Border { side: Side::Bottom }]);
     assert!(matches!(pressed(10, [0.0, 0.0])[..], [GridWarning::FewCells { across: 8 }]));
+}
+
+/// On whichever of the three grids: the history stays as it is.
+#[test]
+fn a_state_of_another_grid_is_not_restored() {
+    let make = |grid: Grid| Known::Hertz.problem(grid.nx(), [0.0; 2]);
+    let grids = [48, 24, 12].map(|n| Known::Hertz.problem(n, [0.0; 2]).unwrap().grid());
+    let mut history = NestedHistory::new(Frictional::default(), grids[0], make).unwrap();
+    history.step(&Known::Hertz.drives(48).unwrap()[0], &mut ()).unwrap();
+    let before = (history.state().clone(), history.coarse_states().map(Option::<&_>::cloned));
+    for wrong in 0..3 {
+        let mut own = grids;
+        own[wrong] = grids[(wrong + 1) % 3];
+        let [fine, coarse, coarsest] = own.map(ContactState::apart);
+        assert!(history.restore(fine, [Some(coarse), Some(coarsest)]).is_err());
+        let after = (history.state().clone(), history.coarse_states().map(Option::<&_>::cloned));
+        assert_eq!(after, before);
+    }
 }
 
 /// Few or no cells stick, without a contour: the area is not known exactly.

@@ -194,4 +194,6 @@ fn pressure_over_slope_has_both_slopes_and_the_whole_window() {
     let wanted = step.load.f_z / window / (modulus * slope);
     assert!(step.load.f_z > 0.0);
     assert!((step.pressure_over_slope / wanted - 1.0).abs() < 1e-12, "{step:?} {wanted}");
+    // Tractions of dissimilar bodies press, too: the energy has no bound by the pressure alone.
+    assert_eq!(step.energy_gap_by_approach, None);
 }

@@ -3,6 +3,7 @@
 mod files;
 mod kinds;
 mod measured;
+mod oblong;
 mod prepared;
 mod texts;
 mod wrong;

@@ -93,6 +93,24 @@ fn hursts_exponent_is_that_of_the_surface() {
     assert_eq!(spectrum(&wave, false).unwrap().hurst, None);
 }
 
+/// Of whole periods; parts of surfaces scatter up to twice as much.
+#[test]
+fn hursts_exponent_scatters_over_surfaces_as_its_deviation_tells() {
+    const SURFACES: u64 = 60;
+    let found = (1..=SURFACES).map(|seed| spectrum(&self_affine(128, 0.8, 4.0, 7919 * seed), true));
+    let found: Vec<[f64; 2]> = found
+        .map(|found| found.unwrap())
+        .map(|found| [found.hurst.unwrap(), found.hurst_deviation.unwrap()])
+        .collect();
+    let mean = |of: &dyn Fn([f64; 2]) -> f64| {
+        found.iter().map(|one| of(*one)).sum::<f64>() / SURFACES as f64
+    };
+    let middle = mean(&|[hurst, _]| hurst);
+    let scatter = mean(&|[hurst, _]| (hurst - middle).powi(2)).sqrt();
+    let told = mean(&|[_, deviation]| deviation);
+    assert!((0.7..1.4).contains(&(told / scatter)), "{told} {scatter}");
+}
+
 #[test]
 fn a_rough_map_without_a_fault_has_no_warning() {
     for seed in 1..6 {

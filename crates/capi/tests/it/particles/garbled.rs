@@ -55,7 +55,10 @@ fn ask_all(
     all.push(status(garbled.load(law, &one, &second).map(drop)));
     all.push(status(garbled.clone().tried(law, (&one, &second), DT, None).map(drop)));
     all.push(status(garbled.clone().tried(law, (&one, &second), DT, Some(&mut heats)).map(drop)));
-    all.push(status(together(&[law], &mut touches, &[bodies; 9], DT, None).0));
+    let many = together(&[law], &mut touches, &[bodies; 9], DT, None).0;
+    assert!(many.as_ref().err().is_none_or(|told| told.index == 2), "{many:?}");
+    all.push(status(many));
+    assert_eq!(all[6], all[4], "one by one or together");
     all
 }
 
@@ -70,7 +73,8 @@ impl Touch {
 fn a_changed_word_of_a_touch_is_a_status_and_no_jump() {
     for law in LAWS {
         let plain = CaromLawOptions { relaxation: 1e-7, ..options(law) };
-        for its in [plain, CaromLawOptions { torsion: 1, rolling: ROLLING, ..plain }] {
+        let rolls = CaromLawOptions { rolling: ROLLING, ..plain };
+        for its in [plain, rolls, CaromLawOptions { torsion: 1, ..rolls }] {
             let law = Made::new([GLASS; 2], 0.4, &its).unwrap();
             let mut whole = law.touch();
             for i in 1..40 {
