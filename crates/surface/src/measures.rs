@@ -44,7 +44,8 @@ pub struct Measures {
     pub border_step: [f64; 2],
     /// Hurst's exponent; none if the spectrum is no power of the wave number.
     pub hurst: Option<f64>,
-    /// Its standard deviation, by the scatter of the spectrum about the power.
+    /// Its standard deviation, by the scatter of the spectrum about the power. That of parts of surfaces is up to twice as
+    /// large.
     pub hurst_deviation: Option<f64>,
 }
 

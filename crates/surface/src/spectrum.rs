@@ -14,7 +14,8 @@ pub struct Spectrum {
     /// Hurst's exponent by C ~ q^(-2 (1 + H)) between the wave numbers that carry most of the slope; none if the
     /// density is no power of q there.
     pub hurst: Option<f64>,
-    /// Standard deviation of the exponent by the scatter about the line.
+    /// Standard deviation of the exponent by the scatter about the line. That of parts of surfaces, which are faded out, is up to
+    /// twice as large.
     pub hurst_deviation: Option<f64>,
 }
 
