@@ -246,14 +246,14 @@ fn what_overflows_is_refused() {
     assert!(solve(1e200, 1.0).is_ok());
 }
 
-/// The validity compares the long semi-axis with the same radius as the approach.
+/// The validity compares the long semi-axis with the same radius as the approach, and its speed by the spin with f v_z.
 #[test]
 fn an_oblong_contact_is_as_large_as_it_is_long() {
     let shape = carom_geometry::Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
     let inertia = shape.solid(0.3).unwrap();
     let body = Body::new(shape, steel(), inertia);
     let rebound = solve(
-        body.moving(Motion::new([0.1, 0.0, -1.0], [0.0; 3]).unwrap()),
+        body.moving(Motion::new([0.1, 0.0, -1.0], [0.0, 0.0, 300.0]).unwrap()),
         Body::plane(steel()),
         0.3,
     );
@@ -262,4 +262,7 @@ fn an_oblong_contact_is_as_large_as_it_is_long() {
     let by_approach = rebound.validity.approach_over_radius / rebound.maximal_approach;
     let by_contact = rebound.validity.semi_axis_over_radius / short.max(long);
     assert!(long > 1.2 * short && (by_contact / by_approach - 1.0).abs() < 1e-12);
+    let twist = 300.0 * long / 0.3;
+    let by_spin = rebound.validity.spin_on_shift / (2.0 * twist / (1.0 + twist));
+    assert!((by_spin - 1.0).abs() < 1e-12, "{by_spin}");
 }

@@ -297,3 +297,13 @@ fn what_no_materials_have_is_refused() {
     assert_eq!(error.field, "lambda");
     assert!(error.to_string().contains("0 where friction is infinite"), "{error}");
 }
+
+/// Below lambda = 0.02 R_x is its limit for vanishing slips: its estimate has no step there.
+#[test]
+fn the_estimate_of_a_small_slip_goes_on_from_that_of_a_larger_one() {
+    let estimate = |lambda: f64| {
+        of_dissimilar(&groups([1.15, 0.2, 0.1, lambda, 3.5]), 1e-2).unwrap().error_estimate
+    };
+    let [below, above] = [0.0199, 0.0201].map(estimate);
+    assert!((above / below - 1.0).abs() < 0.05, "{below} {above}");
+}

@@ -155,6 +155,23 @@ fn a_ball_rests_on_a_slope_that_its_resistance_bears() {
     }
 }
 
+/// Resistance to rolling does not hold what friction does not: beyond tan = f the ball slides down with
+/// g (sin - f cos), and does not turn if the torque that resists exceeds that of friction.
+#[test]
+fn a_ball_that_cannot_roll_slides_down_where_friction_does_not_hold_it() {
+    for (slope, rests) in [(0.28_f64, true), (0.31, false), (0.5, false)] {
+        for mu in [0.35, 2.0] {
+            let normal = Vector3::new(slope.sin(), 0.0, slope.cos());
+            let wall = floor(slope).with_rolling_resistance(mu).unwrap();
+            let path = run(wall, &ball((R * normal).into(), [0.0; 3], [0.0; 3]), 0.5);
+            assert_eq!(path.ending() == Ending::Rest { wall: 0 }, rests, "{slope} {mu}");
+            let acceleration = if rests { 0.0 } else { G * (slope.sin() - 0.3 * slope.cos()) };
+            near(path.last().motion.velocity.norm(), 0.5 * acceleration, 1e-12);
+            assert_eq!(path.last().motion.spin, Vector3::zeros());
+        }
+    }
+}
+
 /// A ball that rolls faster than kinetic friction would let it: static friction holds it.
 #[test]
 fn static_friction_keeps_a_ball_rolling() {
@@ -545,5 +562,25 @@ fn a_slow_ball_meets_an_oscillating_wall() {
         let path = scene.run(&slow, Limits::new(2000.0, 1).unwrap()).unwrap();
         let [bounce] = path.bounces() else { panic!("{:?}", path.ending()) };
         assert!((bounce.time - 1000.0).abs() < 1.0, "{}", bounce.time);
+    }
+}
+
+/// An oscillating wall is met at the first instant at which it is a radius away, wherever in its oscillation it begins.
+#[test]
+fn a_wall_that_begins_anywhere_meets_a_slow_ball_where_the_gap_closes() {
+    let (a, speed, height) = (1e-3, 1e-3, 5e-4);
+    for phase in (0..24).map(|i| f64::from(i) * std::f64::consts::PI / 12.0) {
+        let gap =
+            |t: f64| height - speed * t - a * (std::f64::consts::TAU / 0.02 * t + phase).sin();
+        if gap(0.0) <= 0.0 {
+            continue;
+        }
+        let motion = WallMotion::oscillation([0.0, 0.0, a], 0.02, phase).unwrap();
+        let scene = Scene::new([0.0; 3]).unwrap().with(floor(0.0).with_motion(motion).unwrap());
+        let ball = ball([0.0, 0.0, R + height], [0.0, 0.0, -speed], [0.0; 3]);
+        let path = scene.run(&ball, Limits::new(1.0, 1).unwrap()).unwrap();
+        let [bounce] = path.bounces() else { panic!("{phase}: {:?}", path.ending()) };
+        assert!(gap(bounce.time).abs() < 1e-12, "{phase}: {}", bounce.time);
+        assert!((0..1000).all(|i| gap(1e-3 * f64::from(i) * bounce.time) > 0.0), "{phase}");
     }
 }

@@ -333,3 +333,26 @@ fn bodies_far_from_the_origin_meet() {
     let landed = Collision::meeting(far, Body::plane(steel()), friction(0.2)).unwrap();
     assert!((landed.bodies()[0].placed().centre().z - 0.01).abs() < 1e-14);
 }
+
+/// Head-on, R_x is told where it is the same in all directions: not of a ball whose moments of inertia differ, however
+/// their axes lie, along whatever normal, and whichever of the bodies moves.
+#[test]
+fn head_on_restitution_is_told_if_it_is_that_of_all_directions() {
+    for normal in [[0.0, 0.0, 1.0], [0.3, -0.2, 1.0], [0.1, 0.7, -0.4], [-0.9, 0.2, 0.3]] {
+        for (degrees, moving) in [(0.0, 0), (45.0, 0), (70.0, 0), (0.0, 1), (45.0, 1), (70.0, 1)] {
+            for (moments, tells) in [([1.2e-6; 3], true), ([1.0e-6, 1.6e-6, 1.2e-6], false)] {
+                let ball = || Body::sphere(0.01, steel(), 0.03).unwrap();
+                let turned = Attitude::about([0.0, 0.0, 1.0], f64::to_radians(degrees)).unwrap();
+                let other = ball().with_inertia(Inertia::new(0.03, moments).unwrap());
+                let mut bodies = [ball(), other.turned(turned)];
+                let velocity: Vector3<f64> =
+                    [-0.7, 0.7][moving] * Vector3::from(normal).normalize();
+                let motion = Motion::new(velocity.into(), [0.0; 3]).unwrap();
+                bodies[moving] = bodies[moving].clone().moving(motion);
+                let [one, two] = bodies;
+                let met = collided(&Collision::along(one, two, normal, friction(0.3)).unwrap());
+                assert_eq!(met.r_x.is_some(), tells, "{normal:?} {degrees} {moving}");
+            }
+        }
+    }
+}

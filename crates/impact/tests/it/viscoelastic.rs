@@ -398,3 +398,39 @@ fn the_uncertainty_by_the_cause_covers_other_materials() {
     assert_eq!(collision.solve().unwrap().rebound().unwrap().model_uncertainty, 0.0);
     assert!(collide(9.0, e).model_uncertainty < 1e-12);
 }
+
+/// The uncertainty of an ellipsoid on a plane has the mobility and the compliance along its slip: of a solid one on its axis
+/// c, D_tt/D_zz = 1 + 5 c^2/(c^2 + l^2) along the axis l.
+#[test]
+fn the_uncertainty_by_the_cause_is_that_along_the_slip() {
+    let (e, f, axes) = (0.5, 0.5, [0.03, 0.02, 0.015]);
+    let rubber = Material::from_young(5e6, 0.45).unwrap();
+    let surface = Surface::ellipsoid(axes).unwrap();
+    let inertia = surface.solid(0.1).unwrap();
+    for (velocity, long) in [([0.3, 0.0, -0.3], axes[0]), ([0.0, 0.3, -0.3], axes[1])] {
+        let body = Body::new(surface.clone(), rubber, inertia).at([0.0, 0.0, axes[2]]).unwrap();
+        let body = body.moving(Motion::new(velocity, [0.0; 3]).unwrap());
+        let friction = Friction::new(f).unwrap();
+        let collision = Collision::touching(body, Body::plane(rubber), friction).unwrap();
+        let collision = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let rebound = collision.solve().unwrap().rebound().unwrap().clone();
+        let stiffness = collision.hertz().stiffness();
+        let is_x = collision.velocity().x.abs() > collision.velocity().y.abs();
+        let ratio = if is_x { stiffness.c_x } else { stiffness.c_y } / stiffness.c_z;
+        let chi = ratio * (1.0 + 5.0 * axes[2].powi(2) / (axes[2].powi(2) + long.powi(2)));
+        let elastic =
+            |psi: f64| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap().restitution();
+        let (r_x, psi) = (rebound.r_x.unwrap(), ratio / f);
+        let shifted = r_x - elastic(2.0 * psi / (1.0 + e));
+        let scaled = r_x - (0.5 * (1.0 + e) * (1.0 + elastic(psi)) - 1.0);
+        let wanted = shifted.abs().max(scaled.abs());
+        let known = rebound.model_uncertainty;
+        assert!((known / wanted - 1.0).abs() < 1e-9, "{velocity:?}: {known} {wanted}");
+        // Slip and approach are equal.
+        let told = rebound.warnings.iter().find_map(|warning| match warning {
+            Warning::UnknownLoss { share } => Some(*share),
+            _ => None,
+        });
+        assert!((told.unwrap() * 2.0_f64.sqrt() / known - 1.0).abs() < 1e-12, "{told:?} {known}");
+    }
+}

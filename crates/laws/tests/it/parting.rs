@@ -8,6 +8,7 @@ use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall};
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::rings::{RingLaw, Tolerance};
+use carom_laws::viscous::{Viscosity, ViscousLaw};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const WALL: Wall = Wall { place: [0.0; 3], normal: UP, velocity: [0.0; 3] };
@@ -174,4 +175,23 @@ fn the_torque_is_a_mean_from_four_steps_before_the_gap_opens() {
         let want = if is_mean { mean } else { now };
         assert!((got / -want - 1.0).abs() < 1e-9, "{steps}: {got} {mean} {now}");
     }
+}
+
+/// A viscous law forgets by how much its shift led when the bodies part: the next touch is that of a new law.
+#[test]
+fn a_viscous_law_touches_anew_after_the_bodies_part() {
+    let (hertz, zeta) = (hertz(), 1e-4);
+    let viscosity = Viscosity::new(0.3).unwrap();
+    let new = || ViscousLaw::new(rings(&hertz), viscosity, friction().get(), hertz.stiffness());
+    let touch = |law: &mut ViscousLaw<RingLaw>| {
+        [0.3, 0.7, 1.0, 0.8].map(|part| {
+            let to = Shift { zeta: part * zeta, xi: 0.2 * part * zeta, ..Shift::default() };
+            law.advance_at(to, Shift { zeta, xi: 0.2 * zeta, ..Shift::default() }).unwrap()
+        })
+    };
+    let (mut law, first) = (new(), touch(&mut new()));
+    touch(&mut law);
+    let leaving = Shift { zeta: -zeta, xi: 0.5 * zeta, eta: -0.4 * zeta, ..Shift::default() };
+    assert_eq!(law.advance_at(Shift::default(), leaving).unwrap().f_z, 0.0);
+    assert_eq!(touch(&mut law), first);
 }
