@@ -169,6 +169,17 @@ fn unlike_impacts_without_spin_are_those_on_a_grid_within_their_estimates() {
     assert_covered(&errors((0..4).map(still), 1e-3), 3e-3);
 }
 
+/// The solution for similar bodies takes friction along the velocity everywhere: nu says how far it is off.
+#[test]
+fn similar_bodies_by_rings_leave_as_on_a_grid_within_their_estimates() {
+    let still = |impact: usize| {
+        let drawn = Drawn::new(2 * impact);
+        let material = Material::from_shear(drawn.materials[0].shear_modulus(), 0.45).unwrap();
+        Drawn { materials: [material; 2], slips: [0.6 + 0.4 * impact as f64, 0.0], ..drawn }
+    };
+    assert_covered(&errors((0..4).map(still), 1e-3), 2e-3);
+}
+
 /// Where all slides, tractions lift one side of the contact off and press the other: the normal force changes in the third
 /// order of gamma f, not by the tension that is cut from the pressures.
 #[test]
