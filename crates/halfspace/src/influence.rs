@@ -144,16 +144,10 @@ impl RectangleInfluence {
     pub(crate) fn independent(&self, offset: Offset) -> Independent {
         Independent::of(&self.pair, &self.rectangle.trusted_integrals(offset))
     }
-
-    /// The normal displacement due to pressure alone, to the bits of [`RectangleInfluence::independent`].
-    #[cfg(feature = "operators")]
-    pub(crate) fn normal(&self, offset: Offset) -> f64 {
-        normal(&self.pair, self.rectangle.inverse_distance(offset))
-    }
 }
 
 /// The normal displacement due to pressure, (4.14), from the integral of 1/r.
-fn normal(pair: &MaterialPair, inverse_distance: f64) -> f64 {
+pub(crate) fn normal(pair: &MaterialPair, inverse_distance: f64) -> f64 {
     let direct = 1.0 / (2.0 * PI * pair.shear_modulus());
     direct * (1.0 - pair.poisson()) * inverse_distance
 }

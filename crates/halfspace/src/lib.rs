@@ -30,6 +30,8 @@ mod influence;
 mod interior;
 mod material;
 #[cfg(feature = "operators")]
+mod multipoles;
+#[cfg(feature = "operators")]
 pub mod operator;
 mod point_load;
 mod rectangle;

@@ -158,19 +158,6 @@ impl Rectangle {
         far.then(|| [along_x, along_y].map(gauss::rule))
     }
 
-    /// The integral of 1/r alone, to the bits of [`Rectangle::trusted_integrals`].
-    #[cfg(feature = "operators")]
-    pub(crate) fn inverse_distance(&self, offset: Offset) -> f64 {
-        let (x, y) = (offset.x.abs(), offset.y.abs());
-        if x.max(y) <= POINT_LIKE * self.width_x.max(self.width_y)
-            && let Some([rule_x, rule_y]) = self.far_rules(x, y)
-        {
-            let (ix, iy) = self.intervals(x, y);
-            return inverse_tensor(ix, rule_x, iy, rule_y) * self.scale;
-        }
-        self.in_first_quadrant(x, y).inverse_distance
-    }
-
     /// The integrands at the centre times the area.
     fn as_point(&self, x: f64, y: f64) -> RectangleIntegrals {
         let r = libm::hypot(x, y);
@@ -230,20 +217,6 @@ fn tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> Rectang
         }
     }
     sum.scaled(x.half * y.half)
-}
-
-/// The integral of 1/r of [`tensor`].
-#[cfg(feature = "operators")]
-fn inverse_tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> f64 {
-    let mut sum = 0.0;
-    for ny in rule_y {
-        let py = y.centre + y.half * ny.position;
-        for nx in rule_x {
-            let px = x.centre + x.half * nx.position;
-            sum += nx.weight * ny.weight * (1.0 / (px * px + py * py)).sqrt();
-        }
-    }
-    sum * (x.half * y.half)
 }
 
 /// Closed form along x, Gauss rule across, for a cell that is far in y.

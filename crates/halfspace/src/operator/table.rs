@@ -4,7 +4,8 @@ use super::memory;
 use super::pool;
 use super::spectrum::Parity;
 use super::{Axis, OperatorError, Threads};
-use crate::influence::Independent;
+use crate::influence::{Independent, normal};
+use crate::multipoles::Multipoles;
 use crate::{Coefficients, Grid, MaterialPair, Offset, RectangleInfluence};
 
 /// The independent coefficients of (4.14), in the order of the table's blocks.
@@ -114,6 +115,8 @@ impl Blocks {
 #[derive(Debug, Clone)]
 pub struct CoefficientTable {
     influence: RectangleInfluence,
+    /// Of a cell.
+    multipoles: Multipoles,
     grid: Grid,
     blocks: [Vec<f64>; 6],
 }
@@ -155,7 +158,7 @@ impl CoefficientTable {
             Threads::One => rows.into_iter().enumerate().for_each(fill),
             Threads::Pool => pool::each(rows, fill),
         }
-        Self { influence, grid, blocks }
+        Self { influence, multipoles: Multipoles::of(grid.cell()), grid, blocks }
     }
 
     /// The grid.
@@ -173,6 +176,14 @@ impl CoefficientTable {
     /// The influence of one cell.
     pub(crate) const fn influence(&self) -> &RectangleInfluence {
         &self.influence
+    }
+
+    /// The normal displacement due to pressure on a cell, which is that of the table to rounding.
+    pub(crate) fn normal(&self, offset: Offset) -> f64 {
+        match self.multipoles.inverse_distance(offset) {
+            Some(inverse_distance) => normal(&self.pair(), inverse_distance),
+            None => self.influence.independent(offset).zz,
+        }
     }
 
     /// Memory of the coefficients, in bytes.
@@ -204,9 +215,16 @@ impl CoefficientTable {
         }
         let block = self.block(entry);
         block.get(at).copied().unwrap_or_else(|| {
-            let offset = Offset { x: n as f64 * self.grid.dx(), y: m as f64 * self.grid.dy() };
-            entry.value(&self.influence.independent(offset))
+            self.fresh(entry, Offset { x: n as f64 * self.grid.dx(), y: m as f64 * self.grid.dy() })
         })
+    }
+
+    /// A coefficient that is not stored.
+    fn fresh(&self, entry: Entry, offset: Offset) -> f64 {
+        match entry {
+            Entry::Zz => self.normal(offset),
+            _ => entry.value(&self.influence.independent(offset)),
+        }
     }
 
     /// The values of one coefficient at offsets `0..nx` by `0..ny`; empty if not stored.
@@ -225,11 +243,7 @@ impl CoefficientTable {
         }
         let y = row as f64 * self.grid.dy();
         for (column, value) in values.iter_mut().enumerate() {
-            let offset = Offset { x: column as f64 * self.grid.dx(), y };
-            *value = match entry {
-                Entry::Zz => self.influence.normal(offset),
-                _ => entry.value(&self.influence.independent(offset)),
-            };
+            *value = self.fresh(entry, Offset { x: column as f64 * self.grid.dx(), y });
         }
     }
 }

@@ -151,7 +151,7 @@ impl HalfSpaceOperator {
         let [n, m] = [columns, rows].map(|count| count.unsigned_abs() as usize);
         let stored = (n < grid.nx() && m < grid.ny()).then(|| grid.index(n, m));
         let stored = stored.and_then(|at| self.table.block(Entry::Zz).get(at));
-        let fresh = || self.table.influence().normal(self.grid.offset(columns, rows));
+        let fresh = || self.table.normal(self.grid.offset(columns, rows));
         stored.copied().unwrap_or_else(fresh)
     }
 

@@ -213,7 +213,7 @@ fn where_no_grid_is_coarser_there_is_no_influence_among_some() {
 
 /// The table of pressures alone takes a shorter way.
 #[test]
-fn a_table_of_pressures_alone_has_the_bits_of_the_whole() {
+fn a_table_of_pressures_alone_is_that_of_the_whole() {
     let grid = Grid::new(150, 90, 0.3, 0.7).unwrap();
     let [all, normal] =
         [carom_halfspace::operator::Blocks::All, carom_halfspace::operator::Blocks::Normal].map(
@@ -221,6 +221,6 @@ fn a_table_of_pressures_alone_has_the_bits_of_the_whole() {
         );
     for (i, j) in (0..150).flat_map(|i| (0..90).map(move |j| (i, j))) {
         let [all, normal] = [&all, &normal].map(|one| one.coefficients(i, j).rows[2][2]);
-        assert_eq!(all.to_bits(), normal.to_bits(), "{i} {j}");
+        assert!((all / normal - 1.0).abs() < 1.5e-15, "{i} {j}");
     }
 }
