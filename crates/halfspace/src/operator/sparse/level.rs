@@ -2,11 +2,13 @@
 
 use super::super::pool;
 use super::super::threads::Threads;
-use super::stencil::{EVEN, NODES, ODD, REACH, kind};
+use super::stencil::{GATHERED, INTERPOLATED, NODES, REACH};
+use super::sums::Sums;
 
-/// Places beside the grid that are stored; even, so that places and their numbers are odd together.
-pub(super) const PAD: usize = 10;
-const _: () = assert!(PAD > REACH && PAD >= 2 * NODES && PAD.is_multiple_of(2));
+/// Places beside the grid that are stored: a row more than stencils reach, whose rows are longer than they reach. It is
+/// even, so that places and their numbers are odd together.
+pub(super) const PAD: usize = 12;
+const _: () = assert!(PAD > REACH && PAD > 2 * NODES && PAD.is_multiple_of(2));
 
 /// So many points are a share of work.
 const SHARE: usize = 512;
@@ -48,6 +50,18 @@ impl Frame {
     /// Where a place of the grid is stored.
     pub(super) const fn at(&self, column: usize, row: usize) -> usize {
         (row + PAD) * self.stride() + column + PAD
+    }
+
+    /// The numbers of a stored place along x and y.
+    fn place(&self, at: usize) -> [i32; 2] {
+        let (at, stride) = (at as u32, self.stride() as u32);
+        [at % stride, at / stride].map(|number| number as i32)
+    }
+
+    /// The kind of a stored place: 1 if its number along x is odd, and 2 if that along y is.
+    fn kind(&self, at: usize) -> usize {
+        let [column, row] = self.place(at);
+        (column % 2 + 2 * (row % 2)) as usize
     }
 
     /// Where the node of a stored place with even numbers is stored on the coarser grid, as the offset of columns and
@@ -96,32 +110,22 @@ impl Level {
     fn each_node(&self, coarser: &Frame, mut call: impl FnMut(usize)) {
         let nodes = Nodes::new(&self.frame, coarser);
         for at in &self.points {
-            nodes.each(*at as usize, |node, _| call(node));
+            nodes.each(*at as usize, &mut call);
         }
     }
 
     /// Pressures on the coarser grid with the same influence far away.
     pub(super) fn gather(&self, fine: &Frame, pressures: &[f32], gathered: &mut [f32]) {
-        let stride = fine.stride();
         let [over, down] = fine.shift(&self.frame);
-        for (at, gathered) in self.points.iter().zip(gathered) {
-            let (row, column) =
-                (*at as usize / self.frame.stride(), *at as usize % self.frame.stride());
+        let place = |at: usize| {
+            let [column, row] = self.frame.place(at);
             let centre =
-                (2 * (row as i32 - down)) as usize * stride + (2 * (column as i32 - over)) as usize;
-            let along = |start: usize| {
-                let mut sum = pressures[start];
-                for (x, weight) in ODD {
-                    sum += weight * pressures[start.wrapping_add_signed(x as isize)];
-                }
-                sum
-            };
-            let mut sum = along(centre);
-            for (y, weight) in ODD {
-                sum += weight * along(centre.wrapping_add_signed(y as isize * stride as isize));
-            }
-            *gathered = sum;
-        }
+                (2 * (row - down)) as usize * fine.stride() + (2 * (column - over)) as usize;
+            (&GATHERED, centre - NODES * (fine.stride() + 1))
+        };
+        gathered.fill(0.0);
+        Sums { points: &self.points, values: pressures, stride: fine.stride() }
+            .add(place, gathered);
     }
 
     /// Values of the points: interpolated from the coarser grid, and a product with the stencil of their kind.
@@ -132,17 +136,14 @@ impl Level {
         threads: Threads,
         found: &mut [f32],
     ) {
-        let (stride, nodes) = (self.frame.stride(), Nodes::new(&self.frame, coarser));
-        let work = |(share, found): (usize, &mut [f32])| {
-            for (at, found) in self.points[share * SHARE..].iter().zip(found) {
-                let at = *at as usize;
-                let mut sum =
-                    near(&stencils[kind(at % stride, at / stride)], pressures, at, stride);
-                nodes.each(at, |node, weight| sum += weight * of_nodes[node]);
-                *found = sum;
-            }
-        };
-        shares(threads, found, work);
+        let nodes = Nodes::new(&self.frame, coarser);
+        shares(threads, found, |(share, found)| {
+            let points = &self.points[share * SHARE..];
+            found.fill(0.0);
+            self.add_near(points, |at| &stencils[self.frame.kind(at)], pressures, found);
+            let interpolated = Sums { points, values: of_nodes, stride: coarser.stride() };
+            interpolated.add(|at| (&INTERPOLATED[self.frame.kind(at)], nodes.first(at)), found);
+        });
     }
 
     /// A product with one stencil for all points.
@@ -153,13 +154,23 @@ impl Level {
         threads: Threads,
         found: &mut [f32],
     ) {
+        shares(threads, found, |(share, found)| {
+            found.fill(0.0);
+            self.add_near(&self.points[share * SHARE..], |_| stencil, values, found);
+        });
+    }
+
+    /// Adds sums over stencils that are centred at the points.
+    fn add_near<'s, const R: usize, const W: usize>(
+        &self,
+        points: &[u32],
+        stencil: impl Fn(usize) -> &'s [[f32; W]; R],
+        values: &[f32],
+        found: &mut [f32],
+    ) {
         let stride = self.frame.stride();
-        let work = |(share, found): (usize, &mut [f32])| {
-            for (at, found) in self.points[share * SHARE..].iter().zip(found) {
-                *found = near(stencil, values, *at as usize, stride);
-            }
-        };
-        shares(threads, found, work);
+        let place = |at: usize| (stencil(at), at - R / 2 * (stride + 1));
+        Sums { points, values, stride }.add(place, found);
     }
 
     /// Puts the values of the points into the array.
@@ -187,47 +198,31 @@ fn shares(threads: Threads, found: &mut [f32], work: impl Fn((usize, &mut [f32])
     }
 }
 
-/// The sum over a stencil about a place. By itself it is compiled to vector instructions; within the loop over points it
-/// is not always.
-#[inline(never)]
-fn near<const R: usize, const W: usize>(
-    stencil: &[[f32; W]; R],
-    values: &[f32],
-    at: usize,
-    stride: usize,
-) -> f32 {
-    let mut sums = [0.0; W];
-    let mut start = at - R / 2 * stride - R / 2;
-    for row in stencil {
-        let values = &values[start..start + W];
-        for ((sum, factor), value) in sums.iter_mut().zip(row).zip(values) {
-            *sum += factor * value;
-        }
-        start += stride;
-    }
-    sums.iter().sum()
-}
-
 /// The nodes of stored places.
-struct Nodes {
-    stride: usize,
+struct Nodes<'a> {
+    frame: &'a Frame,
     coarse: usize,
     shift: [i32; 2],
 }
 
-impl Nodes {
-    fn new(frame: &Frame, coarser: &Frame) -> Self {
-        Self { stride: frame.stride(), coarse: coarser.stride(), shift: frame.shift(coarser) }
+impl<'a> Nodes<'a> {
+    fn new(frame: &'a Frame, coarser: &Frame) -> Self {
+        Self { frame, coarse: coarser.stride(), shift: frame.shift(coarser) }
     }
 
-    #[inline]
-    fn each(&self, at: usize, mut call: impl FnMut(usize, f32)) {
-        let (column, row) = ((at % self.stride) as i32, (at / self.stride) as i32);
-        let weights = |place: i32| if place % 2 == 0 { &EVEN[..] } else { &ODD[..] };
-        for (y, of_y) in weights(row) {
-            let start = ((row + y) / 2 + self.shift[1]) as usize * self.coarse;
-            for (x, of_x) in weights(column) {
-                call(start + ((column + x) / 2 + self.shift[0]) as usize, of_x * of_y);
+    /// The first of the nodes about a place.
+    fn first(&self, at: usize) -> usize {
+        let [column, row] = self.frame.place(at);
+        let [x, y] = [column, row].map(|place| (place - NODES as i32).div_euclid(2));
+        (y + self.shift[1]) as usize * self.coarse + (x + self.shift[0]) as usize
+    }
+
+    /// Calls with each node that has a weight.
+    fn each(&self, at: usize, mut call: impl FnMut(usize)) {
+        let first = self.first(at);
+        for (y, row) in INTERPOLATED[self.frame.kind(at)].iter().enumerate() {
+            for (x, _) in row.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+                call(first + y * self.coarse + x);
             }
         }
     }

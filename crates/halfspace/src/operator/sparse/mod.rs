@@ -8,6 +8,7 @@
 
 mod level;
 mod stencil;
+mod sums;
 
 use std::sync::Arc;
 
@@ -39,7 +40,7 @@ const SLENDEREST: f64 = 2.0;
 
 /// The inverse counts neighbours up to this offset.
 const INVERSE_REACH: usize = 4;
-type InverseStencil = [[f32; 2 * INVERSE_REACH + 4]; 2 * INVERSE_REACH + 1];
+type InverseStencil = [[f32; 2 * INVERSE_REACH + 8]; 2 * INVERSE_REACH + 1];
 
 /// What inverts the influence, as if the cells of all grids were those of the finest.
 struct Inverse {

@@ -7,13 +7,13 @@
 
 /// Points at most so far apart along both axes have their exact influence.
 pub(super) const REACH: usize = 8;
-/// Numbers in a row of a stencil: those of all offsets, and zeros that fill vectors of four.
-pub(super) const ROW: usize = 2 * REACH + 4;
+/// Numbers in a row of a stencil: those of all offsets, and zeros that fill vectors of eight.
+pub(super) const ROW: usize = 2 * REACH + 8;
 /// Nodes reach so far from an odd place.
 pub(super) const NODES: usize = 5;
 
-/// The nodes of cubic interpolation at an odd place, by their offsets on the fine grid.
-pub(super) const ODD: [(i32, f32); 6] = [
+/// The nodes of interpolation at an odd place, by their offsets on the fine grid.
+const ODD: [(i32, f32); 6] = [
     (-5, 0.01171875),
     (-3, -0.09765625),
     (-1, 0.5859375),
@@ -21,8 +21,45 @@ pub(super) const ODD: [(i32, f32); 6] = [
     (3, -0.09765625),
     (5, 0.01171875),
 ];
-/// The node at an even place.
-pub(super) const EVEN: [(i32, f32); 1] = [(0, 1.0)];
+/// The weights of all nodes about a place of each kind, see [`kind`](super::level::Frame::kind), from the first one that an
+/// odd place has; an even place is the fourth of them.
+pub(super) static INTERPOLATED: [[[f32; 8]; 6]; 4] = {
+    let even = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0];
+    let mut odd = [0.0; 6];
+    let mut at = 0;
+    while at < 6 {
+        odd[at] = ODD[at].1;
+        at += 1;
+    }
+    [products(&even, &even), products(&odd, &even), products(&even, &odd), products(&odd, &odd)]
+};
+
+/// What a node has of the pressures about it, from an offset of minus [`NODES`] on: those that are interpolated from it.
+pub(super) static GATHERED: [[f32; 16]; 2 * NODES + 1] = {
+    let mut weights = [0.0; 2 * NODES + 1];
+    weights[NODES] = 1.0;
+    let mut at = 0;
+    while at < 6 {
+        weights[2 * at] = ODD[at].1;
+        at += 1;
+    }
+    products(&weights, &weights)
+};
+
+/// The products of weights along x and y.
+const fn products<const R: usize, const W: usize>(x: &[f32; R], y: &[f32; R]) -> [[f32; W]; R] {
+    let mut all = [[0.0; W]; R];
+    let mut row = 0;
+    while row < R {
+        let mut column = 0;
+        while column < R {
+            all[row][column] = x[column] * y[row];
+            column += 1;
+        }
+        row += 1;
+    }
+    all
+}
 
 /// What is missing, by offset along y and x.
 pub(super) type Stencil = [[f32; ROW]; 2 * REACH + 1];
@@ -31,7 +68,7 @@ pub(super) type Stencil = [[f32; ROW]; 2 * REACH + 1];
 const FARTHER: usize = 2 * NODES;
 const FARTHEST: usize = REACH + FARTHER;
 
-/// The stencils of the four kinds of receivers, see [`kind`], from a kernel that is even along both axes.
+/// The stencils of the four kinds of receivers, see [`kind`](super::level::Frame::kind), from a kernel that is even along both axes.
 pub(super) fn stencils(kernel: &impl Fn(i32, i32) -> f64) -> [Stencil; 4] {
     let mut known = [[0.0; FARTHEST + 1]; FARTHEST + 1];
     for (y, row) in known.iter_mut().enumerate() {
@@ -51,11 +88,6 @@ pub(super) fn stencils(kernel: &impl Fn(i32, i32) -> f64) -> [Stencil; 4] {
         }
         stencil
     })
-}
-
-/// The kind of a receiver: 1 if its place along x is odd, and 2 if that along y is.
-pub(super) const fn kind(column: usize, row: usize) -> usize {
-    column % 2 + 2 * (row % 2)
 }
 
 /// The influence at an offset by interpolation at both points.
