@@ -31,7 +31,6 @@ impl<T: Real> Plan<T> {
         workspace: &mut Workspace,
     ) {
         let space = T::space(workspace);
-        space.prepare(self, inputs.len(), outputs.len());
         match self.threads {
             Threads::One => self.passes(inputs, terms, outputs, space),
             Threads::Pool => pool::within(|| self.passes(inputs, terms, outputs, space)),
@@ -56,6 +55,8 @@ impl<T: Real> Plan<T> {
         (terms, outputs): (&Terms<'_, T>, usize),
         space: &mut Space<T>,
     ) -> (Parts, f64) {
+        // On a thread of the pool, which has given back the memory of the last product.
+        space.prepare(self, inputs.len(), outputs);
         let (used, unit) = (self.used_rows(inputs), T::unit(inputs, self.threads));
         let parts = self.parts(inputs.len().max(outputs), space);
         self.rows_forward((inputs, unit), &used, &parts, space);
@@ -118,13 +119,9 @@ impl<T: Real> Plan<T> {
                     padding.fill(T::zero());
                     let mut spectrum = std::mem::take(&mut lane.spectrum);
                     self.row_forward(lane, &mut spectrum[..self.sizes.columns()]);
-                    let mut some = spectrum[..self.sizes.columns()].chunks(T::BLOCK);
-                    let at = parts.place::<T>(part, field, row);
-                    for tile in tiles.iter_mut() {
-                        let blocks = tile.chunks_exact_mut(parts.block::<T>(part));
-                        for (block, values) in blocks.take(parts.blocks).zip(&mut some) {
-                            block[at..at + values.len()].copy_from_slice(values);
-                        }
+                    let some = spectrum[..self.sizes.columns()].chunks(T::BLOCK);
+                    for (slot, values) in parts.slots_mut((part, field, row), tiles).zip(some) {
+                        slot[..values.len()].copy_from_slice(values);
                     }
                     lane.spectrum = spectrum;
                 }
@@ -245,11 +242,12 @@ impl<T: Real> Plan<T> {
         parts: &Parts,
         space: &mut Space<T>,
     ) {
-        let (tiles, nx) = (&space.tiles, self.sizes.nx);
+        let (tiles, count, nx) = (&space.tiles, space.lanes.len(), self.sizes.nx);
         for (output, field) in outputs.iter_mut().enumerate() {
             each(self.threads, &mut space.lanes, field, parts.each * nx, |part, lane, results| {
+                let own = &tiles[part * count..][..count];
                 for (row, result) in results.chunks_exact_mut(nx).enumerate() {
-                    self.row_inverse((output, part, part * parts.each + row), parts, tiles, lane);
+                    self.row_inverse((output, part, part * parts.each + row), parts, own, lane);
                     for (result, value) in result.iter_mut().zip(&lane.row) {
                         *result = value.to() * unit;
                     }
@@ -258,7 +256,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// One row of an output, to the row of the lane.
+    /// One row of an output, from the tiles of its part to the row of the lane.
     fn row_inverse(
         &self,
         (output, part, row): (usize, usize, usize),
@@ -266,15 +264,11 @@ impl<T: Real> Plan<T> {
         tiles: &[Tile<T>],
         lane: &mut Lane<T>,
     ) {
-        let (length, at) = (self.sizes.columns(), parts.place::<T>(part, output, row));
+        let length = self.sizes.columns();
         let spectrum = &mut lane.spectrum[..length];
-        let mut some = spectrum.chunks_mut(T::BLOCK);
-        let count = self.threads.count();
-        for tile in &tiles[part * count..][..count] {
-            let blocks = tile.chunks_exact(parts.block::<T>(part));
-            for (block, values) in blocks.take(parts.blocks).zip(&mut some) {
-                values.copy_from_slice(&block[at..at + values.len()]);
-            }
+        let slots = parts.slots((part, output, row), tiles);
+        for (values, slot) in spectrum.chunks_mut(T::BLOCK).zip(slots) {
+            values.copy_from_slice(&slot[..values.len()]);
         }
         // Real by symmetry; the transform requires an exact zero.
         spectrum[0].im = T::zero();
@@ -285,12 +279,11 @@ impl<T: Real> Plan<T> {
     }
 }
 
-/// The product of one field with a term: spectra of the rows of the result, which are transformed back when they are read.
+/// The product of one field with a term, whose rows are stored where their spectra were.
 pub(crate) struct Transformed<'a> {
     plan: &'a Plan,
     space: &'a mut Space<f64>,
     parts: Parts,
-    unit: f64,
 }
 
 impl Plan {
@@ -302,35 +295,56 @@ impl Plan {
         workspace: &'a mut Workspace,
     ) -> Transformed<'a> {
         let space = f64::space(workspace);
-        space.prepare(self, 1, 1);
         let mut blocks: Matrix<'_, f64> = [[None; 3]; 3];
         blocks[0][0] = term;
         let terms = Terms { blocks: &blocks, unit: 1.0 };
-        let mut passes = || self.transformed(&[input], (&terms, 1), space);
-        let (parts, unit) = match self.threads {
+        let mut passes = || {
+            let (parts, unit) = self.transformed(&[input], (&terms, 1), space);
+            self.rows_inverse_in_place(unit, &parts, space);
+            parts
+        };
+        let parts = match self.threads {
             Threads::One => passes(),
             Threads::Pool => pool::within(passes),
         };
-        Transformed { plan: self, space, parts, unit }
+        Transformed { plan: self, space, parts }
+    }
+
+    /// Transforms the rows of one output back, and stores them instead of their spectra, which are longer.
+    fn rows_inverse_in_place(&self, unit: f64, parts: &Parts, space: &mut Space<f64>) {
+        let count = space.lanes.len();
+        each(self.threads, &mut space.lanes, &mut space.tiles, count, |part, lane, tiles| {
+            for row in parts.rows(part) {
+                self.row_inverse((0, part, row), parts, tiles, lane);
+                let some = lane.row[..self.sizes.nx].chunks(2 * f64::BLOCK);
+                for (slot, values) in parts.slots_mut((part, 0, row), tiles).zip(some) {
+                    for (place, pair) in slot.iter_mut().zip(values.chunks(2)) {
+                        let next = pair.get(1).copied().unwrap_or_default();
+                        *place = Complex::new(pair[0] * unit, next * unit);
+                    }
+                }
+            }
+        });
     }
 }
-
 impl NormalRows for Transformed<'_> {
     fn each(
         &mut self,
         wanted: &(dyn Fn(usize) -> bool + Sync),
         take: &(dyn Fn(usize, &[f64]) + Sync),
     ) {
-        let Self { plan, space, parts, unit } = self;
+        let Self { plan, space, parts } = self;
         let Space { tiles, lanes } = &mut **space;
-        // Rows without a field to write: only their number counts.
-        let mut rows = vec![(); plan.sizes.ny];
-        each(plan.threads, lanes, &mut rows, parts.each, |part, lane, rows| {
-            for row in (part * parts.each..).take(rows.len()).filter(|row| wanted(*row)) {
-                plan.row_inverse((0, part, row), parts, tiles, lane);
-                let values = &mut lane.row[..plan.sizes.nx];
-                values.iter_mut().for_each(|value| *value *= *unit);
-                take(row, values);
+        let (nx, count) = (plan.sizes.nx, lanes.len());
+        each(plan.threads, lanes, tiles, count, |part, lane, tiles| {
+            for row in parts.rows(part).filter(|row| wanted(*row)) {
+                let some = lane.row[..nx].chunks_mut(2 * f64::BLOCK);
+                for (values, slot) in some.zip(parts.slots((part, 0, row), tiles)) {
+                    for (pair, stored) in values.chunks_mut(2).zip(slot) {
+                        pair.copy_from_slice(&[stored.re, stored.im][..pair.len()]);
+                    }
+                }
+                take(row, &lane.row[..nx]);
             }
         });
     }
@@ -362,5 +376,29 @@ impl Parts {
     fn place<T: Real>(&self, part: usize, field: usize, row: usize) -> usize {
         let own = self.rows(part);
         (field * own.len() + row - own.start) * T::BLOCK
+    }
+
+    /// What the tiles of a part have of a row, block by block.
+    fn slots<'t, T: Real>(
+        &self,
+        (part, field, row): (usize, usize, usize),
+        tiles: &'t [Tile<T>],
+    ) -> impl Iterator<Item = &'t [Complex<T>]> {
+        let (block, blocks) = (self.block::<T>(part), self.blocks);
+        let at = self.place::<T>(part, field, row);
+        let of_tile = move |tile: &'t Tile<T>| tile.chunks_exact(block).take(blocks);
+        tiles.iter().flat_map(of_tile).map(move |block| &block[at..at + T::BLOCK])
+    }
+
+    /// The same, to be written.
+    fn slots_mut<'t, T: Real>(
+        &self,
+        (part, field, row): (usize, usize, usize),
+        tiles: &'t mut [Tile<T>],
+    ) -> impl Iterator<Item = &'t mut [Complex<T>]> {
+        let (block, blocks) = (self.block::<T>(part), self.blocks);
+        let at = self.place::<T>(part, field, row);
+        let of_tile = move |tile: &'t mut Tile<T>| tile.chunks_exact_mut(block).take(blocks);
+        tiles.iter_mut().flat_map(of_tile).map(move |block| &mut block[at..at + T::BLOCK])
     }
 }
