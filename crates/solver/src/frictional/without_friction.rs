@@ -33,6 +33,8 @@ impl Frictional {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, FrictionalError> {
         refuse_tangential_loads(drive)?;
+        // Fields of zeros take no memory until they are written; made ahead, they are no hole in what follows.
+        *to = ContactState::apart(problem.grid());
         let operator = problem.operator();
         let target = Target { tolerance: self.tolerance, iterations: self.iterations };
         let grids = &mut scratch.normal;
@@ -46,8 +48,6 @@ impl Frictional {
         let (zeta, reached) = grids.solve(operator, drive.normal, target, observer)?;
         let reached = Convergence { products: started.plus(reached.products), ..reached };
         let reached = converged("pressures", self.tolerance, reached)?;
-        // Fields of zeros take no memory until they are written.
-        *to = ContactState::apart(problem.grid());
         to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
         grids.give(to)?;
         Ok(reached)

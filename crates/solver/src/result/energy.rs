@@ -63,7 +63,7 @@ impl StoredEnergy {
         state: &ContactState,
         workspace: &'a mut Workspace,
     ) -> Result<(f64, Box<dyn NormalRows + 'a>), OperatorError> {
-        if has_pressure_alone(state) {
+        if state.has_pressure_alone() {
             return Ok((0.0, problem.operator().pressed(state.pressure.values(), workspace)?));
         }
         let ([u, v, w], half) = (displaced(problem, state)?, 0.5 * problem.grid().cell_area());
@@ -91,7 +91,7 @@ pub(super) fn displaced(
     let [mut u, mut v, mut w] = [(); 3].map(|()| Field::uniform(grid, 0.0));
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
     let pressure = state.pressure.values();
-    let is_normal = has_pressure_alone(state);
+    let is_normal = state.has_pressure_alone();
     let tractions = match is_normal {
         true => TractionField::normal(pressure),
         false => TractionField::full(x, y, pressure),
@@ -102,11 +102,6 @@ pub(super) fn displaced(
     };
     operator.apply(tractions, displacements, &mut operator.workspace())?;
     Ok([u, v, w])
-}
-
-fn has_pressure_alone(state: &ContactState) -> bool {
-    let tractions = state.traction_x.values().iter().chain(state.traction_y.values());
-    tractions.into_iter().all(|traction| *traction == 0.0)
 }
 
 /// The friction heat of a step in each cell: tangential traction at the end of the step, times
@@ -121,11 +116,13 @@ pub fn dissipated(before: &ContactState, after: &ContactState) -> Field {
     heat
 }
 
+/// The sum over all cells.
+pub(super) fn heat(before: &ContactState, after: &ContactState) -> f64 {
+    if after.has_pressure_alone() { 0.0 } else { heats(before, after).sum() }
+}
+
 /// The same, cell by cell.
-pub(super) fn heats<'a>(
-    before: &'a ContactState,
-    after: &'a ContactState,
-) -> impl Iterator<Item = f64> + 'a {
+fn heats<'a>(before: &'a ContactState, after: &'a ContactState) -> impl Iterator<Item = f64> + 'a {
     let area = after.pressure.grid().cell_area();
     let tractions = after.traction_x.values().iter().zip(after.traction_y.values());
     let slips = after.slips_since(before).zip(tractions);

@@ -6,7 +6,7 @@ use carom_table::{Column, Value};
 use crate::accuracy::{Estimated, Estimates};
 use crate::convergence::{Convergence, Products, Residuals};
 use crate::problem::ContactProblem;
-use crate::result::energy::heats;
+use crate::result::energy::heat;
 use crate::result::surfaces::{Surfaces, rms_slope};
 use crate::state::{CellState, ContactState};
 use carom_halfspace::operator::OperatorError;
@@ -92,7 +92,6 @@ impl StepSummary {
         let area = after.pressure.grid().cell_area();
         let [stick, slip] =
             [CellState::Stick, CellState::Slip].map(|cell| after.count(cell) as f64);
-        let heat: f64 = heats(before, after).sum();
         let surfaces = Surfaces::of(problem, after)?;
         let window = area * after.pressure.grid().cells() as f64;
         let load = after.load();
@@ -104,7 +103,7 @@ impl StepSummary {
             contact_area: area * (stick + slip),
             stick_area: area * stick,
             stored_energy: surfaces.stored,
-            dissipated: self.dissipated + heat,
+            dissipated: self.dissipated + heat(before, after),
             contact_share: area * (stick + slip) / window,
             mean_gap: surfaces.mean_gap,
             patches: surfaces.patches,
