@@ -139,16 +139,14 @@ pub(crate) fn extended(grid: Grid, values: &mut [f64], known: &[bool], rings: us
     }
 }
 
-/// Interpolates a pressure on finer cells. The square of the pressure falls linearly towards the
-/// edge of a smooth contact; it is extrapolated beyond the edge and interpolated, so that the edge
-/// keeps its position.
-pub(crate) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<f64> {
+/// Interpolates a pressure on finer cells without pressure. The square of the pressure falls linearly
+/// towards the edge of a smooth contact; it is extrapolated beyond the edge and interpolated, so that
+/// the edge keeps its position.
+pub(crate) fn refine_pressure(coarse: Grid, pressure: &[f64], fine: Grid, finer: &mut [f64]) {
     let squares = continued(coarse, pressure);
     let (squares, passage) =
         (Bilinear { grid: coarse, values: &squares }, Passage::new(coarse, fine));
-    // Zeroed memory is allocated where it is written.
-    let mut between = vec![0.0; fine.cells()];
-    for (row, cells) in passage.rows.iter().zip(between.chunks_exact_mut(fine.nx())) {
+    for (row, cells) in passage.rows.iter().zip(finer.chunks_exact_mut(fine.nx())) {
         for (column, pressure) in passage.columns.iter().zip(cells) {
             let square = squares.at(*column, *row);
             if square > 0.0 {
@@ -156,7 +154,6 @@ pub(crate) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<
             }
         }
     }
-    between
 }
 
 /// The squares of a pressure; outside the contact the mean of their linear extrapolations.
@@ -232,7 +229,8 @@ mod tests {
             let both = fine.centres().zip(pressure);
             both.filter(|(at, p)| (**p > 0.0) != (round(*at) > 0.0)).count()
         };
-        let got = finer_pressure(coarse, &pressure, fine);
+        let mut got = vec![0.0; fine.cells()];
+        refine_pressure(coarse, &pressure, fine, &mut got);
         let passage = Passage::new(coarse, fine);
         let plain: Vec<f64> = (0..fine.cells()).map(|cell| passage.at(&pressure, cell)).collect();
         assert!(5 * wrong(&got) < wrong(&plain), "{} {}", wrong(&got), wrong(&plain));

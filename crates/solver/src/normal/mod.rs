@@ -174,11 +174,14 @@ impl NormalGrids {
         for i in (to + 1..=coarsest).rev() {
             let change = if i == coarsest { 0.1 * COARSE_CHANGE } else { COARSE_CHANGE };
             let limits = Limits { tolerance, change, iterations };
+            // Zeroed memory is allocated where it is written; ahead of what is given back, so that it leaves no hole.
+            let mut start = vec![0.0; levels[i - 1].grid.cells()];
             let (_, coarse) = levels[i].solve(operator, driven, limits, &mut ())?;
             spent = spent.plus(coarse.products.times(levels[i].grid.cells() as f64 / cells as f64));
             let (finer, coarser) = levels.split_at_mut(i);
             let (fine, coarse) = (&mut finer[i - 1], &coarser[0]);
-            fine.pressure = nested::finer_pressure(coarse.grid, &coarse.pressure, fine.grid);
+            nested::refine_pressure(coarse.grid, &coarse.pressure, fine.grid, &mut start);
+            fine.pressure = start;
             coarser[0].release();
             if !fine.pressure.iter().any(|pressure| *pressure > 0.0) {
                 fine.guess(driven);
