@@ -30,6 +30,14 @@ enum Course {
     Positions(Vec<(f64, Vector3<f64>)>),
 }
 
+/// The velocity up to a row of a table, from the row before it on.
+fn velocity_before(places: &[(f64, Vector3<f64>)], next: usize) -> Vector3<f64> {
+    match (next.checked_sub(1).map(|last| places[last]), places.get(next)) {
+        (Some((from, place)), Some((to, end))) => (end - place) / (to - from),
+        _ => Vector3::zeros(),
+    }
+}
+
 /// A step in which a ball that touches without moving stays where it is within round-off, s.
 const TOUCHING: f64 = 1e-9;
 /// Steps to a meeting; each is at least half of the way that the greatest acceleration allows.
@@ -102,11 +110,7 @@ impl WallMotion {
                 amplitude * (omega * libm::cos(omega * time + phase))
             }
             Course::Positions(places) => {
-                let next = places.partition_point(|(at, _)| *at <= time);
-                match (next.checked_sub(1).map(|last| places[last]), places.get(next)) {
-                    (Some((from, place)), Some((to, end))) => (end - place) / (to - from),
-                    _ => Vector3::zeros(),
-                }
+                velocity_before(places, places.partition_point(|(at, _)| *at <= time))
             }
         }
     }
@@ -155,28 +159,24 @@ impl WallMotion {
                 self.stepped(start, flight, gap, normal, [from, end, most])
             }
             Course::Positions(places) => {
-                // Times at which the velocity of the wall changes, from `start` on.
-                let changes =
-                    places.iter().map(|(at, _)| at - start).filter(|at| *at > 0.0 && *at < end);
-                let mut from = 0.0;
-                for to in changes.chain([end]) {
+                // Piece by piece of the table: a time after the start has lost some of the digits of a time of the table.
+                let (mut from, mut place) = (0.0, self.displacement(start));
+                let origin = flight.position - place;
+                for next in places.partition_point(|(at, _)| *at <= start)..=places.len() {
+                    let to = places.get(next).map_or(end, |(at, _)| end.min(at - start));
                     let relative = Flight {
                         position: flight.position_after(from),
-                        velocity: flight.velocity_after(from) - self.velocity(start + from),
+                        velocity: flight.velocity_after(from) - velocity_before(places, next),
                         gravity: flight.gravity,
                     };
-                    let moved = relative.position
-                        - self.displacement(start + from)
-                        - (flight.position - self.displacement(start));
-                    let now = gap + moved.dot(normal);
+                    let now = gap + (relative.position - place - origin).dot(normal);
                     // Round-off of a gap that is about to open.
                     let now = if from > 0.0 { now.max(0.0) } else { now };
-                    if let Some(time) =
-                        relative.closing(now, normal).filter(|time| from + time <= to)
-                    {
-                        return Ok(Some(from + time));
+                    let closing = relative.closing(now, normal).filter(|time| from + time <= to);
+                    if closing.is_some() || to >= end {
+                        return Ok(closing.map(|time| from + time));
                     }
-                    from = to;
+                    (from, place) = (to, places[next].1);
                 }
                 Ok(None)
             }

@@ -551,6 +551,23 @@ fn a_ball_that_lies_on_a_moving_wall_is_carried() {
     }
 }
 
+/// Whenever a ball leaves the floor, it meets a ceiling that begins to move while it flies.
+#[test]
+fn a_wall_of_a_table_is_met_after_a_bounce_at_any_time() {
+    let rows = [[0.0; 4], [1.8, 0.0, 0.0, 0.0], [2.8, 0.0, 0.0, -1.5]];
+    let ceiling = Wall::new([0.0, 0.0, 3.0], [0.0, 0.0, -1.0], Material::RIGID, friction(0.3));
+    let ceiling = ceiling.unwrap().with_motion(WallMotion::positions(&rows).unwrap()).unwrap();
+    let scene = Scene::new([0.0; 3]).unwrap().with(floor(0.0)).with(ceiling);
+    for height in (0..300).map(|i| 0.5 + f64::from(i) / 600.0) {
+        let ball = ball([0.0, 0.0, R + height], [0.0, 0.0, -1.0], [0.0; 3]);
+        let path = scene.run(&ball, Limits::new(2.75, 2).unwrap()).unwrap();
+        let [first, second] = path.bounces() else { panic!("{height}: {:?}", path.bounces()) };
+        let speed = first.after.velocity.z;
+        let met = (3.0 - 2.0 * R + speed * height + 1.5 * 1.8) / (speed + 1.5);
+        near(second.time, met, 1e-12);
+    }
+}
+
 /// A slow ball meets an oscillating wall within its reach, however many oscillations that takes.
 #[test]
 fn a_slow_ball_meets_an_oscillating_wall() {
