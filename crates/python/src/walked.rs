@@ -118,8 +118,8 @@ impl Constants {
         if self.is_of_rings() {
             return Ok(Some(0.0));
         }
-        let friction = self.static_friction.unwrap_or(self.friction);
-        let friction = Friction::new(friction).map_err(Fault::from)?;
+        // It grows as friction falls.
+        let friction = Friction::new(self.friction).map_err(Fault::from)?;
         Ok(Some(coupling_bound(hertz.0.materials().gamma(), friction)))
     }
 

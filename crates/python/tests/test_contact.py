@@ -404,6 +404,8 @@ def test_laws_tell_what_they_neglect():
     bound = (gamma / 0.092) ** 2 / (4 + (gamma / 0.092) ** 2) + gamma**2
     assert carom.Contact(hertz, 0.092).coupling_bound == pytest.approx(bound)
     assert carom.Contacts(2, hertz, 0.092).coupling_bound == pytest.approx(bound)
+    # Once it slides, kinetic friction counts.
+    assert carom.Contact(hertz, 0.092, static_friction=0.3).coupling_bound == pytest.approx(bound)
     assert carom.Contact(hertz, 0.092, law="rings").coupling_bound == 0
     assert carom.Contact(carom.hertz_of_spheres(1.0, 1.0, SODA), 0.1).coupling_bound == 0
     assert carom.Contact((1.0, 1.0, 1.2), 0.1).coupling_bound is None

@@ -57,7 +57,7 @@ impl Step {
         let largest = [self.semi_axis_a.max(self.semi_axis_b), self.shift.zeta, pressure];
         let materials = case.hertz.materials();
         Validity::of_contact(largest, materials.yield_stress(), case.smallest_radius)
-            .without_coupling(&materials, case.friction.threshold())
+            .without_coupling(&materials, case.friction.kinetic())
     }
 
     /// Adds what the contact exceeds.
