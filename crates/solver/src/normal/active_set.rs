@@ -399,7 +399,7 @@ impl ActiveSet {
             *one = f64::from(u8::from(*active));
         }
         self.invert(state);
-        self.ones.copy_from_slice(&self.preconditioned);
+        std::mem::swap(&mut self.ones, &mut self.preconditioned);
     }
 
     /// K g on the active set.
@@ -416,7 +416,7 @@ impl ActiveSet {
     /// Applies K to `preconditioned`, restricted to the active set.
     fn invert(&mut self, state: &mut IterationState) {
         if let Some(inverse) = &self.inverse {
-            self.image.copy_from_slice(&self.preconditioned);
+            std::mem::swap(&mut self.image, &mut self.preconditioned);
             inverse.pressure(&self.image, &mut self.preconditioned, &mut self.workspace);
             state.products.preconditioner += 1.0;
         }
