@@ -2,8 +2,8 @@
 
 use crate::Field;
 
-/// Normal displacements of the cells of a grid, computed row by row from transforms that are kept, so that a large grid
-/// needs no field of them: of [`SurfaceOperator::pressed`](super::SurfaceOperator::pressed).
+/// Normal displacements of the cells of a grid, read row by row where their transforms were, so that a large grid needs no
+/// field of them: of [`SurfaceOperator::pressed`](super::SurfaceOperator::pressed).
 ///
 /// They may be read several times, some of them or all.
 pub trait NormalRows {

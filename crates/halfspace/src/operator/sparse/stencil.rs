@@ -1,7 +1,7 @@
 //! The part of the influence of near cells that interpolation from a grid with twice the spacing misses.
 //!
 //! The influence between two points far apart is smooth in both. It is taken from the influence between the nodes of a
-//! grid of twice the spacing, by cubic interpolation along both axes at both points; an even place is a node itself. For
+//! grid of twice the spacing, by quintic interpolation along both axes at both points; an even place is a node itself. For
 //! points at most [`REACH`] apart the difference to the exact influence is added. It depends on the offset and on
 //! whether the places of the receiver are odd.
 
