@@ -68,7 +68,8 @@ pub(super) type Stencil = [[f32; ROW]; 2 * REACH + 1];
 const FARTHER: usize = 2 * NODES;
 const FARTHEST: usize = REACH + FARTHER;
 
-/// The stencils of the four kinds of receivers, see [`kind`](super::level::Frame::kind), from a kernel that is even along both axes.
+/// The stencils of the four kinds of receivers, see [`kind`](super::level::Frame::kind), from a kernel that is even along
+/// both axes.
 pub(super) fn stencils(kernel: &impl Fn(i32, i32) -> f64) -> [Stencil; 4] {
     let mut known = [[0.0; FARTHEST + 1]; FARTHEST + 1];
     for (y, row) in known.iter_mut().enumerate() {
