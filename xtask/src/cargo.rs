@@ -2,9 +2,10 @@
 
 use crate::root::root;
 use anyhow::{Context as _, bail};
+use serde_json::Value;
 use std::ffi::OsString;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// All packages but the benches, whose framework only those who measure need to compile. Tasks select these packages
@@ -61,6 +62,34 @@ pub(crate) fn compiling(arguments: &[&str]) -> Command {
     command
 }
 
+/// What a command prints; an exit code other than 0 is an error.
+pub(crate) fn printed(command: &mut Command) -> anyhow::Result<String> {
+    let output = command.output();
+    let output = output.with_context(|| format!("cannot start {command:?}"))?;
+    if !output.status.success() {
+        bail!("{command:?} failed: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// What git prints at the root of the workspace.
+pub(crate) fn git(arguments: &[&str]) -> anyhow::Result<String> {
+    printed(Command::new("git").args(arguments).current_dir(root()))
+}
+
+/// The packages that `cargo metadata` knows.
+pub(crate) fn packages(arguments: &[&str]) -> anyhow::Result<Vec<Value>> {
+    let asked = &["metadata", "--format-version", "1"];
+    let metadata: Value =
+        serde_json::from_str(&printed(&mut command(&[asked, arguments].concat()))?)?;
+    Ok(metadata["packages"].as_array().context("no packages")?.clone())
+}
+
+/// Whether a program is there and tells its version.
+pub(crate) fn answers(program: &str) -> bool {
+    printed(Command::new(program).arg("--version")).is_ok()
+}
+
 /// Runs cargo; an exit code other than 0 is an error.
 pub(crate) fn run(arguments: &[&str]) -> anyhow::Result<()> {
     finish(&mut command(arguments), arguments)
@@ -110,9 +139,5 @@ pub(crate) fn verify(arguments: impl IntoIterator<Item = OsString>) -> anyhow::R
 
 /// Whether `cargo <tool>` is installed.
 pub(crate) fn has(tool: &str) -> bool {
-    command(&[tool, "--version"])
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()
-        .is_ok_and(|status| status.success())
+    printed(&mut command(&[tool, "--version"])).is_ok()
 }

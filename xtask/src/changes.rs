@@ -1,11 +1,11 @@
 //! The changes since the last published commit, and the crates that depend on them.
 
-use crate::cargo;
+use crate::cargo::{self, git};
+use crate::root::root;
 use anyhow::{Context as _, bail};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::Command;
 
 /// Environment variable with the base commit of the changes, instead of the default.
 const BASE: &str = "CAROM_BASE";
@@ -58,15 +58,6 @@ fn paths_since(base: &str) -> anyhow::Result<Vec<String>> {
     Ok(changed.lines().chain(new.lines()).map(str::to_owned).collect())
 }
 
-fn git(arguments: &[&str]) -> anyhow::Result<String> {
-    let output = Command::new("git").args(arguments).current_dir(crate::root::root()).output();
-    let output = output.context("cannot start git")?;
-    if !output.status.success() {
-        bail!("`git {}` failed: {}", arguments.join(" "), String::from_utf8_lossy(&output.stderr));
-    }
-    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
-}
-
 /// A package of the workspace.
 struct Package {
     name: String,
@@ -77,12 +68,9 @@ struct Package {
 
 impl Package {
     fn all() -> anyhow::Result<Vec<Self>> {
-        let arguments = ["metadata", "--no-deps", "--format-version", "1", "--offline"];
-        let output = cargo::command(&arguments).output().context("cannot start cargo")?;
-        let metadata: Value = serde_json::from_slice(&output.stdout)?;
-        let root = metadata["workspace_root"].as_str().context("no root of the workspace")?;
-        let packages = metadata["packages"].as_array().context("no packages")?;
-        packages.iter().map(|package| Self::read(package, Path::new(root))).collect()
+        let (packages, root) =
+            (cargo::packages(&["--no-deps", "--offline"])?, root().canonicalize()?);
+        packages.iter().map(|package| Self::read(package, &root)).collect()
     }
 
     fn read(package: &Value, root: &Path) -> anyhow::Result<Self> {

@@ -8,7 +8,6 @@ use crate::{
     python, release, sanitize, sdist, taplo, test, tidy,
 };
 use anyhow::Context as _;
-use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -260,13 +259,9 @@ fn passed(result: anyhow::Result<()>) -> anyhow::Result<Outcome> {
 /// machine.
 fn print_new_regressions() {
     let root = crate::root::root();
-    let git = |arguments: &[&str]| {
-        let output = Command::new("git").args(arguments).current_dir(&root).output();
-        output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
-    };
     let pattern = "*/proptest-regressions/*.txt";
     let all = ["ls-files", "--modified", "--others", "--exclude-standard", "--", pattern];
-    for path in git(&all).unwrap_or_default().lines() {
+    for path in cargo::git(&all).unwrap_or_default().lines() {
         if let Ok(text) = std::fs::read_to_string(root.join(path)) {
             println!("== commit these seeds as {path}:\n{text}");
         }
@@ -307,7 +302,7 @@ fn report() -> anyhow::Result<Outcome> {
 
 /// Searches for a path whose error exceeds the estimate of the law, with a seed from this commit.
 fn adversary() -> anyhow::Result<Outcome> {
-    let seed = mutants::seed_of_commit(&crate::root::root()).to_string();
+    let seed = mutants::seed_of_commit().to_string();
     let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];
     let options = ["--", "--seconds", ADVERSARY, "--seed", &seed];
     passed(cargo::run(&[&example[..], &options[..]].concat()))

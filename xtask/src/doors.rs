@@ -37,7 +37,7 @@ pub(crate) fn chosen(name: Option<&str>) -> anyhow::Result<Outcome> {
 /// Tests the JavaScript module, its package, and that its table is that of the library; skipped without Node or npm.
 pub(crate) fn rebound() -> anyhow::Result<Outcome> {
     for tool in ["node", "npm"] {
-        if !answers(tool) {
+        if !cargo::answers(tool) {
             return Ok(Outcome::skipped(Part::Node, format!("{tool} is not installed")));
         }
     }
@@ -115,8 +115,4 @@ fn installs(venv: &Path, lock: &Path) -> anyhow::Result<bool> {
         Err(error) if reaches_registry(venv) => bail!("{}: {error:#}", lock.display()),
         Err(_) => Ok(false),
     }
-}
-
-fn answers(tool: &str) -> bool {
-    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
 }

@@ -3,7 +3,6 @@
 use anyhow::{Context as _, ensure};
 use std::fmt::Write as _;
 use std::process::{Command, Stdio};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::cargo;
 use crate::flags;
@@ -42,7 +41,8 @@ pub(crate) fn run(options: &flags::Endurance) -> anyhow::Result<()> {
         println!("== {name}, {count} from seed {seed}");
         let found = found(name, count, seed)?;
         print!("{found}");
-        append(&record(name, [count, seed], &head, &found))?;
+        let today = cargo::printed(Command::new("date").args(["-u", "+%F"]))?;
+        append(&record(name, [count, seed], [&head, today.trim()], &found))?;
     }
     Ok(())
 }
@@ -58,17 +58,13 @@ fn found(name: &str, count: u64, seed: u64) -> anyhow::Result<String> {
 
 /// The commit, and whether files differ from it.
 fn head() -> anyhow::Result<String> {
-    let mut git = Command::new("git");
-    git.args(["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"]).current_dir(root());
-    let output = git.output().context("cannot start git")?;
-    Ok(String::from_utf8(output.stdout)?.trim().to_owned())
+    let told = cargo::git(&["describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"])?;
+    Ok(told.trim().to_owned())
 }
 
-fn record(name: &str, [count, seed]: [u64; 2], head: &str, found: &str) -> String {
-    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+fn record(name: &str, [count, seed]: [u64; 2], [head, date]: [&str; 2], found: &str) -> String {
     let mut text = String::from("\n[[run]]\n");
-    let [year, month, day] = date(seconds / 86_400);
-    let _ = writeln!(text, "job = \"{name}\"\ndate = {year:04}-{month:02}-{day:02}");
+    let _ = writeln!(text, "job = \"{name}\"\ndate = {date}");
     let _ = writeln!(text, "head = \"{head}\"\ncount = {count}\nseed = {seed}");
     text + found
 }
@@ -79,34 +75,9 @@ fn append(run: &str) -> anyhow::Result<()> {
     std::fs::write(&path, before + run).with_context(|| format!("cannot write {RECORD}"))
 }
 
-/// Year, month and day of a number of days since 1970: years begin in March, so that leap days end them.
-fn date(days: u64) -> [u64; 3] {
-    let days = days + 719_468;
-    let (era, day) = (days / 146_097, days % 146_097);
-    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
-    let of_year = day - (365 * year + year / 4 - year / 100);
-    let month = (5 * of_year + 2) / 153;
-    let of_month = of_year - (153 * month + 2) / 5 + 1;
-    let month = if month < 10 { month + 3 } else { month - 9 };
-    [400 * era + year + u64::from(month <= 2), month, of_month]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn days_have_dates() {
-        for (days, date_of) in [
-            (0, [1970, 1, 1]),
-            (59, [1970, 3, 1]),
-            (11_016, [2000, 2, 29]),
-            (19_722, [2023, 12, 31]),
-            (20_000, [2024, 10, 4]),
-        ] {
-            assert_eq!(date(days), date_of, "{days}");
-        }
-    }
 
     #[test]
     fn the_record_is_toml_with_known_jobs() {
@@ -117,7 +88,7 @@ mod tests {
             assert!(JOBS.iter().any(|(name, _)| *name == job), "{job}");
             assert!(run.get("count").and_then(|count| count.as_integer()).unwrap() > 0);
         }
-        let run = record("line", [7, 1], "abc", "seconds = 0\nmerges = 0.000e0\n");
+        let run = record("line", [7, 1], ["abc", "2024-10-04"], "seconds = 0\nmerges = 0.000e0\n");
         assert!(run.parse::<toml::Table>().is_ok(), "{run}");
     }
 }

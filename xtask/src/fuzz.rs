@@ -10,10 +10,10 @@ use std::process::Command;
 
 use crate::cargo;
 use crate::doors::{NO_CRATES, fetches};
+use crate::files::files;
 use crate::outcome::{Outcome, Part};
 use crate::python::call;
 use crate::root::root;
-use crate::taplo::files;
 use crate::tools::CARGO_FUZZ;
 
 /// How long each target runs by default, in seconds.

@@ -33,8 +33,7 @@ impl Host {
     /// The environment below target/; `None` if the Python package registry cannot be reached.
     pub(crate) fn place() -> anyhow::Result<Option<Self>> {
         let python = interpreter().context(python::NONE)?;
-        let compiles = Command::new("g++").arg("--version").output();
-        ensure!(compiles.is_ok_and(|out| out.status.success()), "g++ is not installed");
+        ensure!(cargo::answers("g++"), "g++ is not installed");
         let folder = crate::root::root().canonicalize()?.join("target/lammps");
         let venv = folder.join("venv");
         if !venv.join("bin/python").exists() {

@@ -15,6 +15,7 @@ mod ci;
 mod deny;
 mod doors;
 mod endurance;
+mod files;
 mod flags;
 mod fuzz;
 mod generate;

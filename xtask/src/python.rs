@@ -1,6 +1,7 @@
 //! The Python module: builds its wheel, installs it into a fresh environment and tests it there.
 
 use crate::cargo::Lints;
+use crate::files::files;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use anyhow::{Context as _, bail};
@@ -152,10 +153,10 @@ pub(crate) fn build(place: &Place) -> anyhow::Result<PathBuf> {
     }
     let mut maturin = Command::new(place.folder.join("venv/bin/maturin"));
     maturin.current_dir(project()).args(["build", "--release", "--quiet", "--out"]).arg(&wheels);
-    maturin.arg("--target-dir").arg(target(&root()));
+    maturin.arg("--target-dir").arg(crate::release::target());
     Lints::set(&mut maturin);
     call(&mut maturin)?;
-    wheel(&wheels)
+    only(&wheels, "whl")
 }
 
 /// The folder of the Python module.
@@ -172,17 +173,10 @@ pub(crate) fn interpreter() -> Option<&'static str> {
     ["python3", "python"].into_iter().find(works)
 }
 
-/// The build folder, shared so that nothing is built twice.
-fn target(root: &Path) -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
-}
-
-/// The wheel in a folder, which must be the only one.
-fn wheel(folder: &Path) -> anyhow::Result<PathBuf> {
-    let entries = std::fs::read_dir(folder).context("no wheel was built")?;
-    let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
-    let mut wheels = paths.filter(|path| path.extension().is_some_and(|end| end == "whl"));
-    wheels.next().context("no wheel was built")
+/// The file with this ending in a folder.
+pub(crate) fn only(folder: &Path, ending: &str) -> anyhow::Result<PathBuf> {
+    let found = files(folder, ending)?.pop();
+    found.with_context(|| format!("no file .{ending} in {}", folder.display()))
 }
 
 pub(crate) fn call(command: &mut Command) -> anyhow::Result<()> {

@@ -3,7 +3,7 @@
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, NONE, call};
 use anyhow::Context as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 /// What a user does first.
@@ -29,24 +29,16 @@ fn built(place: &python::Place, outside: &Path) -> anyhow::Result<()> {
     call(pack.current_dir(python::project()).args(["sdist", "--out"]).arg(outside))?;
     let mut path = vec![programs.to_owned()];
     path.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()));
-    let packed = only(outside, "gz")?;
+    let packed = python::only(outside, "gz")?;
     let mut build = Command::new(&venv);
     build.args(["-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps"]);
     // The workspace's settings of cargo must not count.
     build.env_remove("CAROM_WORKSPACE").env_remove("CARGO_TARGET_DIR");
     build.env("PATH", std::env::join_paths(path)?).current_dir(outside);
     call(build.args(["--no-build-isolation", "--wheel-dir", "wheel"]).arg(packed))?;
-    let wheel = only(&outside.join("wheel"), "whl")?;
+    let wheel = python::only(&outside.join("wheel"), "whl")?;
     let mut install = Command::new(&venv);
     install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
     call(install.args(["--no-index", "--force-reinstall", "--no-deps"]).arg(wheel))?;
     call(Command::new(&venv).args(["-c", FIRST]).current_dir(outside))
-}
-
-/// The file with this ending in a folder.
-fn only(folder: &Path, ending: &str) -> anyhow::Result<PathBuf> {
-    let entries = std::fs::read_dir(folder).with_context(|| folder.display().to_string())?;
-    let mut paths = entries.filter_map(|entry| Some(entry.ok()?.path()));
-    let found = paths.find(|path| path.extension().is_some_and(|own| own == ending));
-    found.with_context(|| format!("no file .{ending} in {}", folder.display()))
 }

@@ -4,6 +4,7 @@ use anyhow::{Context as _, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use crate::files::files;
 use crate::lammps::{UNREACHED, pip, reaches_registry};
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, call, interpreter};
@@ -99,16 +100,6 @@ fn kind_of<'a>(example: &Path, kinds: &'a [String]) -> &'a str {
     let name = example.file_stem().and_then(|name| name.to_str()).unwrap_or_default();
     let word = name.split('_').next().unwrap_or_default();
     kinds.iter().find(|kind| *kind == word).map_or(IMPACT, String::as_str)
-}
-
-/// The files of a folder with this ending, in order.
-pub(crate) fn files(folder: &Path, ending: &str) -> anyhow::Result<Vec<PathBuf>> {
-    let entries = std::fs::read_dir(folder).with_context(|| folder.display().to_string())?;
-    let paths = entries.map(|entry| Ok(entry?.path())).collect::<std::io::Result<Vec<_>>>()?;
-    let has = |path: &PathBuf| path.extension().is_some_and(|end| end == ending);
-    let mut paths: Vec<_> = paths.into_iter().filter(has).collect();
-    paths.sort();
-    Ok(paths)
 }
 
 #[cfg(test)]

@@ -3,12 +3,13 @@
 //! They are built with optimisation, so that tests, figures and the command share one build of the
 //! dependencies.
 
+use crate::files::files;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use crate::{cargo, changes, flags};
 use anyhow::{Context as _, bail, ensure};
 use std::io::{BufRead as _, BufReader};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::time::Instant;
 
 /// Build profile and selection of the tests.
@@ -95,13 +96,8 @@ fn run() -> anyhow::Result<()> {
 
 /// The tools without which tests of the C interface leave out programs.
 fn lacking() -> Outcome {
-    let answers = |tool: &&str| {
-        let mut command = Command::new(tool);
-        command.arg("--version").stdout(Stdio::null()).stderr(Stdio::null());
-        command.status().is_ok_and(|status| status.success())
-    };
     let tools = ["cc", "c++", "gfortran", "valgrind"];
-    let missing: Vec<&str> = tools.into_iter().filter(|tool| !answers(tool)).collect();
+    let missing: Vec<&str> = tools.into_iter().filter(|tool| !cargo::answers(tool)).collect();
     match missing.as_slice() {
         [] => Outcome::Passed,
         missing => {
@@ -184,19 +180,11 @@ fn examples() -> anyhow::Result<()> {
 
 /// Runs the example programs, one for each layer; each checks its results.
 fn programs() -> anyhow::Result<()> {
-    let folder = root().join("crates/carom/examples");
-    let mut names = Vec::new();
-    for entry in std::fs::read_dir(folder).context("cannot list the example programs")? {
-        let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "rs") {
-            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-        }
-    }
-    names.sort();
-    for name in &names {
+    let programs = files(&root().join("crates/carom/examples"), "rs")?;
+    for name in programs.iter().filter_map(|path| path.file_stem()?.to_str()) {
         cargo::run_built("--example", name, &[])?;
     }
-    println!("example programs: {} passed", names.len());
+    println!("example programs: {} passed", programs.len());
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::cargo;
 use anyhow::Context as _;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 /// A tool that `cargo install` installs.
 pub(crate) struct Tool {
@@ -59,9 +59,7 @@ impl Tool {
     }
 
     fn answers(&self) -> bool {
-        let mut command = Command::new(self.name);
-        command.arg("--version").stdout(Stdio::null()).stderr(Stdio::null());
-        command.status().is_ok_and(|status| status.success())
+        cargo::answers(self.name)
     }
 
     fn install(&self) -> anyhow::Result<()> {

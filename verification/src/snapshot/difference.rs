@@ -1,6 +1,8 @@
 //! Differences between a snapshot and a figure: rows are matched, then compared cell by cell.
 
 use super::lines::{Line, SnapshotCell};
+use similar::DiffTag;
+use similar::algorithms::{Capture, Replace, lcs};
 
 /// Largest number of changes that are stored; the largest changes are.
 const MAX_CHANGES: usize = 200;
@@ -98,41 +100,11 @@ type Range = std::ops::Range<usize>;
 
 /// The ranges of both that a longest common subsequence does not match.
 fn gaps(stored: &[&str], now: &[Line]) -> Vec<(Range, Range)> {
-    let same = |i: usize, j: usize| now[j].agrees(stored[i]);
-    let (n, m) = (stored.len(), now.len());
-    let most = n.min(m);
-    let start = (0..most).find(|k| !same(*k, *k)).unwrap_or(most);
-    let end = (0..most - start).find(|k| !same(n - 1 - k, m - 1 - k)).unwrap_or(most - start);
-    let (rows, columns) = (n - end - start, m - end - start);
-    // lengths[i][j]: the longest common subsequence of the lines from i and from j on.
-    let mut lengths = vec![vec![0_u32; columns + 1]; rows + 1];
-    for i in (0..rows).rev() {
-        for j in (0..columns).rev() {
-            lengths[i][j] = if same(start + i, start + j) {
-                lengths[i + 1][j + 1] + 1
-            } else {
-                lengths[i + 1][j].max(lengths[i][j + 1])
-            };
-        }
-    }
-    let mut gaps = Vec::new();
-    let (mut i, mut j) = (0, 0);
-    let mut from = (0, 0);
-    while i < rows || j < columns {
-        if i < rows && j < columns && same(start + i, start + j) {
-            gaps.push((from.0..i, from.1..j));
-            (i, j) = (i + 1, j + 1);
-            from = (i, j);
-        } else if j == columns || (i < rows && lengths[i + 1][j] >= lengths[i][j + 1]) {
-            i += 1;
-        } else {
-            j += 1;
-        }
-    }
-    gaps.push((from.0..rows, from.1..columns));
-    gaps.retain(|(old, new)| !(old.is_empty() && new.is_empty()));
-    let shift = |range: Range| range.start + start..range.end + start;
-    gaps.into_iter().map(|(old, new)| (shift(old), shift(new))).collect()
+    let mut found = Replace::new(Capture::new());
+    let Ok(()) = lcs::diff(&mut found, stored, 0..stored.len(), now, 0..now.len());
+    let all = found.into_inner().into_ops();
+    let gaps = all.iter().filter(|part| part.tag() != DiffTag::Equal);
+    gaps.map(|gap| (gap.old_range(), gap.new_range())).collect()
 }
 
 #[cfg(test)]

@@ -141,8 +141,10 @@ impl Line {
             }
         }
     }
+}
 
-    pub(super) fn agrees(&self, stored: &str) -> bool {
+impl PartialEq<&str> for Line {
+    fn eq(&self, stored: &&str) -> bool {
         match self {
             Self::Head(words) => stored == words,
             Self::Row(cells) => {

@@ -6,11 +6,12 @@ mod mirror;
 
 use crate::browse;
 use crate::cargo;
+use crate::files::files_below;
 use crate::generate::Mode;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use crate::tools::MDBOOK;
-use anyhow::{Context as _, ensure};
+use anyhow::ensure;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -43,7 +44,8 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     println!("the book, with search: open {}", place.display());
     let sources = root().join(SOURCES).canonicalize()?;
     let mut pages = Vec::new();
-    for chapter in markdown(&sources)?.iter().filter(|path| !path.ends_with("SUMMARY.md")) {
+    for chapter in files_below(&sources, "md")?.iter().filter(|path| !path.ends_with("SUMMARY.md"))
+    {
         let page = chapter.strip_prefix(&sources)?.with_extension("html");
         pages.push(page.to_string_lossy().into_owned());
     }
@@ -92,7 +94,7 @@ pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
 
 /// The chapters, including the table of contents.
 pub(crate) fn chapters(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    markdown(&root.join(SOURCES))
+    files_below(&root.join(SOURCES), "md")
 }
 
 /// Writes the copies of sources on all pages, or compares them.
@@ -117,7 +119,7 @@ fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
         let path = entry?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if path.is_dir() && !name.starts_with('.') && name != "target" {
-            pages.extend(markdown(&path)?);
+            pages.extend(files_below(&path, "md")?);
         } else if path.extension().is_some_and(|end| end == "md") {
             pages.push(path);
         }
@@ -128,22 +130,6 @@ fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     pages.retain(is_page);
     pages.sort();
     Ok(pages)
-}
-
-/// All Markdown files below a folder, but for what was built there.
-fn markdown(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).with_context(|| folder.display().to_string())? {
-        let path = entry?.path();
-        let is_built = ["target", "node_modules"].iter().any(|name| path.ends_with(name));
-        if path.is_dir() && !is_built {
-            found.extend(markdown(&path)?);
-        } else if path.extension().is_some_and(|end| end == "md") {
-            found.push(path);
-        }
-    }
-    found.sort();
-    Ok(found)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Installs the C library below target/ and builds its examples from there, as a user does.
 
+use crate::cargo;
 use crate::outcome::{Outcome, Part};
 use crate::python::call;
 use crate::release;
@@ -30,7 +31,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
 }
 
 fn by_pkg_config(examples: &Path, prefix: &Path, folder: &Path) -> anyhow::Result<Outcome> {
-    if !is_there("pkg-config") {
+    if !cargo::answers("pkg-config") {
         return Ok(Outcome::skipped(Part::CInstalled, "pkg-config is not installed"));
     }
     let shared = asked(prefix, &[])?;
@@ -42,7 +43,7 @@ fn by_pkg_config(examples: &Path, prefix: &Path, folder: &Path) -> anyhow::Resul
     }
     let mut outcome = Outcome::Passed;
     for (compiler, options, example) in EXAMPLES {
-        if !is_there(compiler) {
+        if !cargo::answers(compiler) {
             let reason = format!("{compiler} is not installed");
             outcome = outcome.and(Outcome::skipped(Part::CInstalled, reason));
             continue;
@@ -74,7 +75,7 @@ fn asked(prefix: &Path, how: &[&str]) -> anyhow::Result<Vec<String>> {
 }
 
 fn by_cmake(examples: &Path, prefix: &Path, folder: &Path) -> anyhow::Result<Outcome> {
-    if !is_there("cmake") {
+    if !cargo::answers("cmake") {
         return Ok(Outcome::skipped(Part::CInstalled, "cmake is not installed"));
     }
     let build = folder.join("cmake");
@@ -84,8 +85,4 @@ fn by_cmake(examples: &Path, prefix: &Path, folder: &Path) -> anyhow::Result<Out
     call(Command::new("cmake").arg("--build").arg(&build))?;
     call(Command::new("ctest").current_dir(&build).arg("--output-on-failure"))?;
     Ok(Outcome::Passed)
-}
-
-fn is_there(tool: &str) -> bool {
-    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
 }

@@ -4,11 +4,13 @@
 mod record;
 
 use crate::bench;
+use crate::cargo;
 use crate::flags;
 use crate::outcome::{Outcome, Part};
 use crate::root::root;
 use anyhow::{Context as _, bail, ensure};
 use record::{Change, Conditions, Counts, Record};
+use std::ffi::OsStr;
 use std::path::Path;
 use std::process::Command;
 
@@ -114,12 +116,8 @@ fn total(text: &str) -> Option<u64> {
     of("totals:").or_else(|| of("summary:")).filter(|count| *count > 0)
 }
 
-fn said(program: impl AsRef<Path>, arguments: &[&str]) -> anyhow::Result<String> {
-    let program = program.as_ref();
-    let output = Command::new(program).args(arguments).output();
-    let output = output.with_context(|| format!("cannot start {}", program.display()))?;
-    ensure!(output.status.success(), "{} failed ({})", program.display(), output.status);
-    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+fn said(program: impl AsRef<OsStr>, arguments: &[&str]) -> anyhow::Result<String> {
+    Ok(cargo::printed(Command::new(program).args(arguments))?.trim().to_owned())
 }
 
 /// The features by which the Fourier transforms and the C library choose their code, as far as valgrind passes

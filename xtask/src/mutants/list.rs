@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Largest number of mutants in the list.
-const MAX_MUTANTS: usize = 200;
+const MAX_MUTANTS: usize = 80;
 
 /// A deliberate fault in the physics.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -67,7 +67,7 @@ fn run_woven(
     options: &flags::Mutants,
     killers: &mut Killers,
 ) -> anyhow::Result<()> {
-    let chosen = chosen(mutants, options, root)?;
+    let chosen = chosen(mutants, options)?;
     let place = Place::new(root);
     weave::weave(root, &place.tree, mutants)?;
     let verdicts = if options.quick {
@@ -135,12 +135,12 @@ pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
 }
 
 /// The numbers, from 1, of the mutants selected by the options.
-fn chosen(mutants: &[Mutant], options: &flags::Mutants, root: &Path) -> anyhow::Result<Vec<usize>> {
+fn chosen(mutants: &[Mutant], options: &flags::Mutants) -> anyhow::Result<Vec<usize>> {
     let is_chosen = |number: &usize| is_chosen(&mutants[number - 1].key(), options);
     let mut chosen: Vec<usize> = (1..=mutants.len()).filter(is_chosen).collect();
     ensure!(!chosen.is_empty(), "no mutant of the list has that name");
     if let Some(count) = options.sample {
-        let seed = options.seed.unwrap_or_else(|| seed_of_commit(root));
+        let seed = options.seed.unwrap_or_else(seed_of_commit);
         println!("a sample of {count} of {} mutants, --seed {seed}", chosen.len());
         chosen = sample::draw(chosen, count, seed);
     }

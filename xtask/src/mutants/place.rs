@@ -1,6 +1,7 @@
 //! Finds the place of a mutant by its function and expression, so that code may move between files.
 
 use super::list::Mutant;
+use crate::files::files_below;
 use anyhow::{Context as _, bail, ensure};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -38,23 +39,11 @@ pub(super) struct Place {
 pub(super) fn sources(root: &Path, folder: &str) -> anyhow::Result<Vec<Source>> {
     let name = format!("carom_{}", folder.rsplit('/').next().unwrap_or(folder));
     let start = PathBuf::from(folder).join("src");
-    let mut files = Vec::new();
-    rust_files(root, &start, &mut files)?;
-    files.sort();
-    files.into_iter().map(|path| source(root, &start, path, &name)).collect()
-}
-
-fn rust_files(root: &Path, folder: &Path, files: &mut Vec<PathBuf>) -> anyhow::Result<()> {
-    for entry in std::fs::read_dir(root.join(folder))? {
-        let entry = entry?;
-        let path = folder.join(entry.file_name());
-        if entry.file_type()?.is_dir() {
-            rust_files(root, &path, files)?;
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            files.push(path);
-        }
-    }
-    Ok(())
+    let files = files_below(&root.join(&start), "rs")?;
+    files
+        .iter()
+        .map(|path| source(root, &start, path.strip_prefix(root)?.to_owned(), &name))
+        .collect()
 }
 
 fn source(root: &Path, start: &Path, path: PathBuf, name: &str) -> anyhow::Result<Source> {

@@ -1,7 +1,6 @@
 //! A sample of the list, the same for the same seed.
 
-use std::path::Path;
-use std::process::Command;
+use crate::cargo;
 
 /// Draws `count` of the numbers, keeping their order.
 pub(super) fn draw(mut numbers: Vec<usize>, count: usize, seed: u64) -> Vec<usize> {
@@ -22,9 +21,8 @@ fn mixed(state: u64) -> u64 {
 }
 
 /// A seed that changes with the commit; 0 without a history.
-pub(crate) fn seed_of_commit(root: &Path) -> u64 {
-    let output = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output();
-    let commit = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
+pub(crate) fn seed_of_commit() -> u64 {
+    let commit = cargo::git(&["rev-parse", "HEAD"]);
     commit.ok().and_then(|commit| u64::from_str_radix(commit.get(..8)?, 16).ok()).unwrap_or(0)
 }
 

@@ -12,11 +12,7 @@ use std::process::Command;
 pub(super) fn faults() -> anyhow::Result<Vec<String>> {
     let host = host()?;
     // Dependencies for other platforms need not be present.
-    let metadata = ["metadata", "--format-version", "1", "--locked", "--filter-platform", &host];
-    let output = cargo::command(&metadata).output().context("cannot start cargo")?;
-    ensure!(output.status.success(), "`cargo metadata` failed");
-    let metadata: Value = serde_json::from_slice(&output.stdout)?;
-    newer(&metadata["packages"], &ours()?)
+    newer(&cargo::packages(&["--locked", "--filter-platform", &host])?, &ours()?)
 }
 
 /// The version stated by the workspace.
@@ -27,16 +23,15 @@ fn ours() -> anyhow::Result<String> {
 }
 
 fn host() -> anyhow::Result<String> {
-    let output = Command::new("rustc").arg("-vV").output().context("cannot start rustc")?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let text = cargo::printed(Command::new("rustc").arg("-vV"))?;
     let host = text.lines().find_map(|line| line.strip_prefix("host: "));
     Ok(host.context("rustc does not name its host")?.to_owned())
 }
 
-fn newer(packages: &Value, ours: &str) -> anyhow::Result<Vec<String>> {
+fn newer(packages: &[Value], ours: &str) -> anyhow::Result<Vec<String>> {
     let oldest = parts(ours)?;
     let mut faults = Vec::new();
-    for package in packages.as_array().context("no packages")? {
+    for package in packages {
         let Some(asks) = package["rust_version"].as_str() else { continue };
         if parts(asks)? > oldest {
             let [name, version] = ["name", "version"].map(|field| package[field].as_str());
@@ -81,11 +76,11 @@ mod tests {
 
     #[test]
     fn who_asks_for_more_is_named() {
-        let packages = json!([
-            { "name": "old", "version": "1.0.0", "rust_version": "1.9" },
-            { "name": "new", "version": "2.0.0", "rust_version": "1.89.1" },
-            { "name": "silent", "version": "3.0.0", "rust_version": null },
-        ]);
+        let packages = [
+            json!({ "name": "old", "version": "1.0.0", "rust_version": "1.9" }),
+            json!({ "name": "new", "version": "2.0.0", "rust_version": "1.89.1" }),
+            json!({ "name": "silent", "version": "3.0.0", "rust_version": null }),
+        ];
         let faults = newer(&packages, "1.89").unwrap();
         assert_eq!(faults, ["new 2.0.0 asks for Rust 1.89.1, the workspace for 1.89"]);
         assert_eq!(newer(&packages, "1.90").unwrap(), Vec::<String>::new());

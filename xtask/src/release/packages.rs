@@ -2,7 +2,7 @@
 //! descriptions.
 
 use crate::cargo;
-use anyhow::{Context as _, bail, ensure};
+use anyhow::{bail, ensure};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -49,17 +49,7 @@ pub(crate) struct Packages {
 impl Packages {
     /// Runs `cargo metadata`.
     pub(crate) fn read() -> anyhow::Result<Self> {
-        let output = cargo::command(&["metadata", "--no-deps", "--format-version", "1"])
-            .output()
-            .context("cannot start cargo")?;
-        ensure!(output.status.success(), "`cargo metadata` failed");
-        Self::parse(&String::from_utf8_lossy(&output.stdout))
-    }
-
-    fn parse(text: &str) -> anyhow::Result<Self> {
-        let metadata: Value = serde_json::from_str(text)?;
-        let all = metadata["packages"].as_array().context("no packages")?.clone();
-        Ok(Self { all })
+        Ok(Self { all: cargo::packages(&["--no-deps"])? })
     }
 
     /// The published crates, each after those it needs.
@@ -184,8 +174,8 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn packages(all: Value) -> Packages {
-        Packages::parse(&json!({ "packages": all }).to_string()).unwrap()
+    fn packages(all: &Value) -> Packages {
+        Packages { all: all.as_array().unwrap().clone() }
     }
 
     fn named(name: &str, needs: &[&str]) -> Value {
@@ -198,7 +188,7 @@ mod tests {
         let mut stays = named("tasks", &["top"]);
         stays["publish"] = json!([]);
         let all = json!([named("top", &["a", "b"]), named("b", &["a"]), named("a", &[]), stays]);
-        let all = packages(all);
+        let all = packages(&all);
         let names: Vec<_> =
             all.in_order().unwrap().into_iter().map(|package| package.name).collect();
         assert_eq!(names, ["a", "b", "top"]);
@@ -207,9 +197,9 @@ mod tests {
 
     #[test]
     fn circles_and_what_stays_here_stand_in_the_way() {
-        let circle = packages(json!([named("a", &["b"]), named("b", &["a"])]));
+        let circle = packages(&json!([named("a", &["b"]), named("b", &["a"])]));
         assert!(circle.in_order().unwrap_err().to_string().contains("a, b depend on each other"));
-        assert!(packages(json!([named("a", &["hidden"])])).in_order().is_err());
+        assert!(packages(&json!([named("a", &["hidden"])])).in_order().is_err());
     }
 
     #[test]
@@ -219,7 +209,7 @@ mod tests {
         assert!(lacks(&tested).contains(&"no version of hidden".to_owned()));
         tested["dependencies"][0]["kind"] = json!("dev");
         assert!(!lacks(&tested).contains(&"no version of hidden".to_owned()));
-        assert_eq!(packages(json!([tested])).in_order().unwrap()[0].needs, [""; 0]);
+        assert_eq!(packages(&json!([tested])).in_order().unwrap()[0].needs, [""; 0]);
     }
 
     #[test]

@@ -4,11 +4,11 @@
 //! `Type::name`, and everything that this method calls. A function of the same name on another type
 //! also counts. The search therefore finds items that nothing calls, but not all of them.
 
-use super::read;
+use super::{read, rust_files};
 use crate::book;
 use proc_macro2::{TokenStream, TokenTree};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
@@ -90,7 +90,7 @@ impl Reached {
     pub(super) fn read(root: &Path) -> anyhow::Result<Self> {
         let mut tests = Uses::default();
         let mut functions = Vec::new();
-        for path in super::sources(root)? {
+        for path in rust_files(root, &["src"])? {
             let text = read(&root.join(&path))?;
             let is_page = path.starts_with("verification/src/figures");
             let mut finder = Finder { is_page, ..Finder::new(&text) };
@@ -99,8 +99,8 @@ impl Reached {
             functions.extend(finder.functions);
             examples(&text, &["///", "//!"], &mut tests);
         }
-        for path in test_files(root)? {
-            tests.add(tokens(&read(&path)?), None);
+        for path in rust_files(root, &["tests", "examples"])? {
+            tests.add(tokens(&read(&root.join(path))?), None);
         }
         for path in book::chapters(root)? {
             examples(&read(&path)?, &[""], &mut tests);
@@ -171,28 +171,6 @@ fn examples(text: &str, marks: &[&str], uses: &mut Uses) {
             (None, None) => {}
         }
     }
-}
-
-/// Tests, examples and benchmarks outside the sources.
-fn test_files(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let mut folders = vec![root.join("verification/tests")];
-    for entry in std::fs::read_dir(root.join("crates"))? {
-        let folder = entry?.path();
-        folders.extend([folder.join("tests"), folder.join("examples")]);
-    }
-    let mut files = Vec::new();
-    while let Some(folder) = folders.pop() {
-        let Ok(entries) = std::fs::read_dir(&folder) else { continue };
-        for entry in entries {
-            let path = entry?.path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                files.push(path);
-            }
-        }
-    }
-    Ok(files)
 }
 
 /// Collects functions, and the names used by the tests among them.

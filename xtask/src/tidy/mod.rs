@@ -13,6 +13,7 @@ mod locks;
 mod names;
 mod quoted;
 
+use crate::files::files_below;
 use crate::root::root;
 use crate::{book, mutants, release};
 use anyhow::{Context as _, bail};
@@ -53,7 +54,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
     faults.extend(names::faults(&root)?);
     let figures = figures(&root)?;
     faults.extend(index.figure_gaps(&figures));
-    for path in sources(&root)? {
+    for path in rust_files(&root, &["src"])? {
         let folder = path.with_extension("");
         if root.join(&folder).is_dir() {
             let (path, folder) = (path.display(), folder.display());
@@ -97,32 +98,24 @@ fn read(path: &Path) -> anyhow::Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The sources of all crates and of the verification, below `root`.
-fn sources(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
-    let mut folders = vec![PathBuf::from("verification/src")];
+/// The Rust files in these folders of all crates and of the verification, below `root`.
+fn rust_files(root: &Path, folders: &[&str]) -> anyhow::Result<Vec<PathBuf>> {
+    let (mut packages, mut files) = (vec![root.join("verification")], Vec::new());
     for entry in std::fs::read_dir(root.join("crates"))? {
-        folders.push(Path::new("crates").join(entry?.file_name()).join("src"));
+        packages.push(entry?.path());
     }
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(root.join(&folder))? {
-            let entry = entry?;
-            let path = folder.join(entry.file_name());
-            if entry.file_type()?.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                files.push(path);
-            }
+    for package in packages {
+        for folder in folders.iter().map(|name| package.join(name)).filter(|path| path.is_dir()) {
+            files.extend(files_below(&folder, "rs")?);
         }
     }
-    files.sort();
-    Ok(files)
+    files.iter().map(|path| Ok(path.strip_prefix(root)?.to_owned())).collect()
 }
 
 /// The figures in the catalogue.
 fn figures(root: &Path) -> anyhow::Result<BTreeSet<Number>> {
     let mut figures = BTreeSet::new();
-    for path in sources(root)? {
+    for path in rust_files(root, &["src"])? {
         if !path.starts_with("verification/src/figures") {
             continue;
         }

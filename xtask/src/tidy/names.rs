@@ -1,7 +1,7 @@
 //! The name of a law, a friction or a loss stands as a text in one file of each crate: in its enum, or in the table of a
 //! reader. A second place is a second list, which a new member would have to be added to.
 
-use super::{read, sources};
+use super::{read, rust_files};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,7 @@ const NAMES: [&str; 9] = [
 /// The crates in which a name stands in several files.
 pub(super) fn faults(root: &Path) -> anyhow::Result<Vec<String>> {
     let mut places: BTreeMap<(PathBuf, &str), Vec<String>> = BTreeMap::new();
-    for path in sources(root)? {
+    for path in rust_files(root, &["src"])? {
         let mut parts = path.components();
         let crate_of: PathBuf = parts.by_ref().take(2).collect();
         if !crate_of.starts_with("crates")

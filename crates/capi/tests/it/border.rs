@@ -6,8 +6,7 @@ use std::ptr::{null, null_mut};
 use carom_capi::*;
 use proptest::prelude::*;
 
-const GLASS: CaromMaterial =
-    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
+use crate::particles::{GLASS, collided, told, words};
 
 fn error() -> CaromError {
     // SAFETY: plain numbers.
@@ -15,34 +14,23 @@ fn error() -> CaromError {
 }
 
 fn field(error: &CaromError) -> String {
-    let bytes = error.field.iter().take_while(|byte| **byte != 0);
-    bytes.map(|byte| char::from(*byte as u8)).collect()
-}
-
-fn text(error: &CaromError) -> String {
-    let bytes = error.text.iter().take_while(|byte| **byte != 0);
-    bytes.map(|byte| char::from(*byte as u8)).collect()
+    words(&error.field)
 }
 
 fn state() -> CaromState {
     CaromState { numbers: [0.0; CAROM_STATE_NUMBERS] }
 }
 
-fn contact() -> CaromContact {
+pub(crate) fn contact() -> CaromContact {
     CaromContact { mark: 0, words: [MaybeUninit::new(0); CAROM_CONTACT_WORDS] }
 }
 
-fn pair(friction: f64, law: u32) -> CaromPair {
-    let mut error = error();
-    // SAFETY: all zero is a pair that nothing accepts.
-    let mut pair = unsafe { zeroed() };
-    // SAFETY: all pointers are references.
-    let status = unsafe {
-        let (glass, pair, error) = (&GLASS, &raw mut pair, &raw mut error);
-        carom_pair_of_spheres(glass, glass, 1e-3, 2e-3, friction, law, 0.0, pair, error)
-    };
-    assert_eq!(status, CaromStatus::Ok, "{}", text(&error));
-    pair
+pub(crate) fn pair(friction: f64, law: u32) -> CaromPair {
+    // SAFETY: all zero is a pair that nothing accepts; all pointers are references.
+    let made = told(unsafe { zeroed() }, |pair, error| unsafe {
+        carom_pair_of_spheres(&GLASS, &GLASS, 1e-3, 2e-3, friction, law, 0.0, pair, error)
+    });
+    made.unwrap()
 }
 
 /// A random walk of zeta, xi, eta in 0.1 micrometres.
@@ -159,7 +147,11 @@ fn wrong_calls_are_told_and_do_no_harm() {
         let nan = CaromShift { eta: f64::NAN, ..shift };
         let status = carom_contact_advance(&good, first, nan, &mut load, &mut error);
         assert_eq!((status, field(&error)), (CaromStatus::OutOfRange, "eta".into()));
-        assert!(error.value.is_nan() && error.index == -1 && text(&error).contains("out of range"));
+        assert!(
+            error.value.is_nan()
+                && error.index == -1
+                && words(&error.text).contains("out of range")
+        );
 
         let unmade: CaromPair = zeroed();
         let status = carom_contact_advance(&unmade, first, shift, &mut load, &mut error);
@@ -261,26 +253,20 @@ fn bodies_of_any_shape_collide() {
     // SAFETY: as above.
     let mut plane: CaromBody = unsafe { zeroed() };
     (plane.shape, plane.material) = (CAROM_SHAPE_PLANE, GLASS);
-    let (mut rebound, mut error) = (CaromRebound::default(), error());
-    // SAFETY: all pointers are null or references.
-    unsafe {
-        let status = carom_collide(&egg, &plane, 0.5, null(), null(), &mut rebound, &mut error);
-        assert_eq!(status, CaromStatus::Ok, "{}", text(&error));
-        assert_eq!(rebound.collides, 1);
-        assert!((rebound.body_1_velocity[2] - 2.0).abs() < 1e-12);
-        assert!(
-            rebound.maximal_semi_axis_a < rebound.maximal_semi_axis_b
-                && rebound.body_1_spin != [0.0; 3]
-        );
-        egg.velocity[2] = 1.0;
-        let status = carom_collide(&egg, &plane, 0.5, null(), null(), &mut rebound, &mut error);
-        assert_eq!((status, rebound.collides), (CaromStatus::Ok, 0));
-        egg.centre[2] = 1.0;
-        let status = carom_collide(&egg, &plane, 0.5, null(), null(), &mut rebound, &mut error);
-        assert_eq!(status, CaromStatus::NoContact, "{}", text(&error));
-        egg.shape = 99;
-        let status = carom_collide(&egg, &plane, 0.5, null(), null(), &mut rebound, &mut error);
-        assert_eq!((status, field(&error)), (CaromStatus::OutOfRange, "shape".into()));
-        assert_eq!(error.index, 0);
-    }
+    let rebound = collided([&egg, &plane], 0.5, None, None).unwrap();
+    assert_eq!(rebound.collides, 1);
+    assert!((rebound.body_1_velocity[2] - 2.0).abs() < 1e-12);
+    assert!(
+        rebound.maximal_semi_axis_a < rebound.maximal_semi_axis_b
+            && rebound.body_1_spin != [0.0; 3]
+    );
+    egg.velocity[2] = 1.0;
+    assert_eq!(collided([&egg, &plane], 0.5, None, None).unwrap().collides, 0);
+    egg.centre[2] = 1.0;
+    let told = collided([&egg, &plane], 0.5, None, None).unwrap_err();
+    assert_eq!(told.status, CaromStatus::NoContact, "{}", told.text);
+    egg.shape = 99;
+    let told = collided([&egg, &plane], 0.5, None, None).unwrap_err();
+    assert_eq!((told.status, told.field.as_str()), (CaromStatus::OutOfRange, "shape"));
+    assert_eq!(told.index, 0);
 }

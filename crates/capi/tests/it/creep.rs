@@ -5,6 +5,8 @@ use std::ptr::null_mut;
 
 use carom_capi::*;
 
+use crate::particles::words;
+
 const NOTHING: CaromCreep = CaromCreep { c11: 7.0, c22: 7.0, c23: 7.0, c33: 7.0 };
 
 fn creep(axis_ratio: f64, poisson: f64) -> (CaromStatus, CaromCreep, CaromError) {
@@ -73,7 +75,7 @@ fn bad_numbers_and_pointers_are_named() {
     ] {
         let (status, told, error) = creep(ratio, poisson);
         assert_eq!((status, told), (CaromStatus::OutOfRange, NOTHING), "{ratio} {poisson}");
-        assert_eq!(field(&error), name);
+        assert_eq!(words(&error.field), name);
         let value = if name == "poisson" { poisson } else { ratio };
         assert!(error.value == value || error.value.is_nan() && value.is_nan());
     }
@@ -81,10 +83,9 @@ fn bad_numbers_and_pointers_are_named() {
     unsafe {
         let mut error: CaromError = zeroed();
         let status = carom_creep_coefficients(1.0, 0.3, null_mut(), &mut error);
-        assert_eq!((status, field(&error).as_str()), (CaromStatus::NullPointer, "coefficients"));
+        assert_eq!(
+            (status, words(&error.field).as_str()),
+            (CaromStatus::NullPointer, "coefficients")
+        );
     }
-}
-
-fn field(error: &CaromError) -> String {
-    error.field.iter().take_while(|c| **c != 0).map(|c| *c as u8 as char).collect()
 }

@@ -7,6 +7,8 @@ use carom_capi::*;
 use carom_impact::restitution::{DissimilarGroups, DissimilarTable};
 use carom_laws::friction::Friction;
 
+use crate::particles::words;
+
 /// kappa, gamma, f, lambda, D_xx/D_zz.
 fn of_dissimilar(numbers: [f64; 5]) -> (CaromStatus, [f64; 2], u32, CaromError) {
     let [kappa, gamma, f, lambda, ratio] = numbers;
@@ -77,7 +79,6 @@ fn bad_numbers_of_dissimilar_spheres_are_named() {
     ] {
         let (status, told, method, error) = of_dissimilar(numbers);
         assert_eq!((status, told, method), (CaromStatus::OutOfRange, [7.0; 2], 7), "{numbers:?}");
-        let field: Vec<u8> = error.field.iter().map(|c| *c as u8).take_while(|c| *c != 0).collect();
-        assert_eq!(field, name.as_bytes());
+        assert_eq!(words(&error.field), name);
     }
 }

@@ -1,12 +1,11 @@
 //! Bytes that were changed while the mark is intact, one word at a time: each call ends with a status.
 
-use std::mem::{MaybeUninit, zeroed};
+use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 use carom_capi::*;
 
-const GLASS: CaromMaterial =
-    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
+use crate::border;
 
 /// What a word is changed to: letters, all bits, one tag beyond the last, a number that is none, a large one.
 const WORDS: [u64; 8] = [
@@ -20,30 +19,9 @@ const WORDS: [u64; 8] = [
     0,
 ];
 
-fn pair(law: u32, friction: f64) -> CaromPair {
-    // SAFETY: all zero is a pair that nothing accepts; all pointers are references or null.
-    unsafe {
-        let mut pair = zeroed();
-        let place = &raw mut pair;
-        let status = carom_pair_of_spheres(
-            &GLASS,
-            &GLASS,
-            1e-3,
-            2e-3,
-            friction,
-            law,
-            0.0,
-            place,
-            null_mut(),
-        );
-        assert_eq!(status, CaromStatus::Ok);
-        pair
-    }
-}
-
 /// A contact that has turned, with vertices.
 fn contact(pair: &CaromPair) -> CaromContact {
-    let mut made = CaromContact { mark: 0, words: [MaybeUninit::new(0); CAROM_CONTACT_WORDS] };
+    let mut made = border::contact();
     for i in 0..9 {
         let (sin, cos) = f64::from(i).sin_cos();
         let zeta = 1e-7 * (1.0 + 0.2 * cos);
@@ -84,7 +62,7 @@ fn ask_all(pair: &CaromPair, garbled: &CaromContact) -> usize {
 fn a_vertex_at_another_depth_is_a_status_and_no_panic() {
     let mut refused = 0;
     for (law, friction) in [(0, 0.4), (1, 0.4), (0, f64::INFINITY)] {
-        let pair = pair(law, friction);
+        let pair = border::pair(friction, law);
         let whole = contact(&pair);
         for at in 0..CAROM_CONTACT_WORDS {
             for depth in [9.5e-8_f64, -1e-7, 1.0, f64::NAN] {
@@ -107,7 +85,7 @@ fn a_vertex_at_another_depth_is_a_status_and_no_panic() {
 #[test]
 fn a_separated_contact_that_claims_to_touch_is_a_status_and_no_panic() {
     for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
-        let pair = pair(law, 0.4);
+        let pair = border::pair(0.4, law);
         let mut whole = contact(&pair);
         let apart = CaromShift { zeta: -1e-8, xi: 0.0, eta: 0.0 };
         // SAFETY: all pointers are references or null.
@@ -136,7 +114,7 @@ fn a_separated_contact_that_claims_to_touch_is_a_status_and_no_panic() {
 fn a_changed_tag_of_a_contact_is_a_status_and_no_jump() {
     let mut refused = 0;
     for (law, friction) in [(0, 0.4), (1, 0.4), (0, 0.0), (0, f64::INFINITY)] {
-        let pair = pair(law, friction);
+        let pair = border::pair(friction, law);
         let whole = contact(&pair);
         let packs = if friction.is_finite() { 6 } else { 4 };
         assert!(ask_all(&pair, &whole) >= packs);
@@ -154,7 +132,7 @@ fn a_changed_tag_of_a_contact_is_a_status_and_no_jump() {
 /// A contact that another compiler or version wrote is told apart by its mark, whatever its size.
 #[test]
 fn marks_of_contacts_know_the_build() {
-    let pair = pair(0, 0.4);
+    let pair = border::pair(0.4, 0);
     let whole = contact(&pair);
     let old = 0x6361_726f_6d00_0002 + ((8 * CAROM_CONTACT_WORDS as u64) << 8);
     assert!(whole.mark != old && whole.mark & 1 == 1);

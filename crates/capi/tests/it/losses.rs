@@ -8,13 +8,16 @@ use carom_halfspace::Material;
 use carom_impact::{Body, Collision, LossCause, Motion, NormalRestitution, Outcome, Rebound};
 use carom_laws::friction::Friction;
 
+use crate::particles::{collided, words};
+
 const RUBBER: CaromMaterial =
     CaromMaterial { young_modulus: 20e6, poisson: 0.5, yield_stress: 0.0 };
 const VELOCITY: [f64; 3] = [1.5, -0.4, -2.0];
 const SPIN: [f64; 3] = [3.0, 40.0, -5.0];
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
+pub(crate) const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-fn bodies() -> [CaromBody; 2] {
+/// A ball of rubber that falls on a floor of rubber, turning.
+pub(crate) fn bodies() -> [CaromBody; 2] {
     // SAFETY: zeros are a solid sphere at rest.
     let [mut ball, mut floor]: [CaromBody; 2] = unsafe { zeroed() };
     (ball.shape, ball.sizes[0], ball.mass, ball.material) =
@@ -140,37 +143,25 @@ fn what_is_lost_is_what_is_missing() {
 #[test]
 fn an_elastic_call_is_the_plain_one() {
     let [ball, floor] = bodies();
-    let mut plain = CaromRebound::default();
-    let (up, place) = (UP.as_ptr(), &raw mut plain);
-    // SAFETY: all pointers are null or references.
-    let status =
-        unsafe { carom_collide(&ball, &floor, 0.3, up, null(), place, std::ptr::null_mut()) };
-    let mut told = CaromRebound::default();
-    let elastic = CaromCollideOptions { size: size_of::<CaromCollideOptions>(), ..usual() };
-    let (nothing, place) = (std::ptr::null_mut(), &raw mut told);
-    // SAFETY: all pointers are null or references.
-    let again = unsafe { carom_collide(&ball, &floor, 0.3, up, &elastic, place, nothing) };
-    assert_eq!((status, again, plain), (CaromStatus::Ok, CaromStatus::Ok, told));
+    let [plain, told] =
+        [None, Some(usual())].map(|its| collided([&ball, &floor], 0.3, Some(&UP), its).unwrap());
+    assert_eq!(plain, told);
     assert_eq!(plain.energy_lost, 0.0);
 }
 
 #[test]
 fn wrong_losses_are_named_and_nothing_is_written() {
-    let field = |error: &CaromError| {
-        let bytes = error.field.iter().take_while(|byte| **byte != 0);
-        bytes.map(|byte| char::from(*byte as u8)).collect::<String>()
-    };
     for e in [-1e-300, 1.0 + f64::EPSILON, f64::NAN, f64::INFINITY] {
         let (status, rebound, error) = collide(CAROM_LOSS_GIVEN, e);
         assert_eq!(
-            (status, field(&error).as_str()),
+            (status, words(&error.field).as_str()),
             (CaromStatus::OutOfRange, "normal_restitution")
         );
         assert_eq!(error.value.to_bits(), e.to_bits());
         assert_eq!(rebound.duration, 7.0);
     }
     let (status, _, error) = collide(8, 0.5);
-    assert_eq!((status, field(&error).as_str()), (CaromStatus::OutOfRange, "loss"));
+    assert_eq!((status, words(&error.field).as_str()), (CaromStatus::OutOfRange, "loss"));
     let [ball, _] = bodies();
     // SAFETY: all pointers are null or references.
     let status = unsafe {
@@ -212,28 +203,19 @@ fn options_choose_law_tolerance_and_torsion() {
         CaromMaterial { young_modulus: 380e9, poisson: 0.23, yield_stress: 0.0 },
         CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 },
     );
-    let solved = |options: CaromCollideOptions| {
-        let (mut told, size) = (CaromRebound::default(), size_of::<CaromCollideOptions>());
-        let options = CaromCollideOptions { size, ..options };
-        // SAFETY: all pointers are null or references.
-        let status = unsafe {
-            let error = std::ptr::null_mut();
-            carom_collide(&ball, &floor, 0.09, UP.as_ptr(), &options, &mut told, error)
-        };
-        (status, told)
-    };
+    let by = |its| collided([&ball, &floor], 0.09, Some(&UP), Some(its));
+    let solved = |its| by(its).unwrap();
     let usual = usual();
-    let (_, rings) = solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, ..usual });
-    assert_eq!(solved(usual).1, rings);
-    let (_, fine) =
-        solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, tolerance: 1e-4, ..usual });
+    let rings = solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, ..usual });
+    assert_eq!(solved(usual), rings);
+    let fine = solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, tolerance: 1e-4, ..usual });
     assert!(fine.error_estimate < rings.error_estimate && (fine.R_x - rings.R_x).abs() < 0.01);
     // Rings change the spin about the normal, the others where they are asked to.
     assert_eq!((rings.has_torsion, rings.torque_impulse < 0.0), (1, SPIN[2] > 0.0));
-    let (_, alone) = solved(CaromCollideOptions { law: CAROM_IMPACT_COULOMB, ..usual });
+    let alone = solved(CaromCollideOptions { law: CAROM_IMPACT_COULOMB, ..usual });
     assert!(alone.has_torsion == 0 && (alone.R_x - rings.R_x).abs() > 1e-3);
     let twisted = CaromCollideOptions { law: CAROM_IMPACT_FIXED_DIRECTION, torsion: 1, ..usual };
-    let (_, twisted) = solved(twisted);
+    let twisted = solved(twisted);
     assert_eq!((twisted.has_torsion, twisted.R_x), (1, alone.R_x));
     // A contact that slides along resists a twist less.
     assert!(twisted.torque_impulse > rings.torque_impulse && rings.torque_impulse > 0.0);
@@ -242,5 +224,6 @@ fn options_choose_law_tolerance_and_torsion() {
         CaromCollideOptions { torsion: 3, ..usual },
         CaromCollideOptions { tolerance: -1.0, ..usual },
     ];
-    assert!(wrong.into_iter().all(|options| solved(options).0 == CaromStatus::OutOfRange));
+    let is_refused = |its| by(its).is_err_and(|told| told.status == CaromStatus::OutOfRange);
+    assert!(wrong.into_iter().all(is_refused));
 }

@@ -1,17 +1,10 @@
 //! Every number of an impact and of a pair, compared with mechanics and Hertz's closed forms.
 
 use std::mem::zeroed;
-use std::ptr::{null, null_mut};
+use std::ptr::null_mut;
 
-use crate::particles::{cross, dot, plus};
+use crate::particles::{GLASS, STEEL, Vector, collided, cross, dot, plus, told};
 use carom_capi::*;
-
-type Vector = [f64; 3];
-
-const STEEL: CaromMaterial =
-    CaromMaterial { young_modulus: 208e9, poisson: 0.3, yield_stress: 0.0 };
-const GLASS: CaromMaterial =
-    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
 
 fn close(a: Vector, b: Vector, size: f64) {
     let off = plus(a, b, -1.0);
@@ -37,22 +30,26 @@ fn sphere(radius: f64, mass: f64, material: CaromMaterial) -> CaromBody {
     }
 }
 
-fn collide(one: &CaromBody, two: &CaromBody, friction: f64, normal: *const f64) -> CaromRebound {
-    collide_by(null(), [one, two], friction, normal)
+fn collide(one: &CaromBody, two: &CaromBody, friction: f64) -> CaromRebound {
+    collided([one, two], friction, None, None).unwrap()
 }
 
-fn collide_by(
-    options: *const CaromCollideOptions,
-    [one, two]: [&CaromBody; 2],
-    friction: f64,
-    normal: *const f64,
-) -> CaromRebound {
-    let mut rebound = CaromRebound::default();
-    // SAFETY: all pointers are references, or null, or three numbers.
-    let status =
-        unsafe { carom_collide(one, two, friction, normal, options, &mut rebound, null_mut()) };
-    assert_eq!(status, CaromStatus::Ok);
-    rebound
+/// Two spheres that meet anywhere, turning, and the direction of their centres.
+fn pair(material: CaromMaterial) -> ([CaromBody; 2], Vector) {
+    let one = CaromBody {
+        centre: [0.3, -0.1, 0.2],
+        velocity: [0.2, 0.9, -2.0],
+        spin: [40.0, -15.0, 20.0],
+        ..sphere(0.01, 0.03, STEEL)
+    };
+    let direction = [0.36, 0.48, 0.8];
+    let two = CaromBody {
+        centre: plus(one.centre, direction, -0.03),
+        velocity: [-0.4, 0.1, 0.7],
+        spin: [-10.0, 25.0, 5.0],
+        ..sphere(0.02, 0.08, material)
+    };
+    ([one, two], direction)
 }
 
 /// The angular momentum of a body about its centre, by its moments about axes turned by a quaternion.
@@ -121,26 +118,10 @@ fn obeys(bodies: [&CaromBody; 2], moments: [Vector; 2], rebound: &CaromRebound) 
 
 #[test]
 fn two_spheres_obey_mechanics_and_hertz() {
-    let one = CaromBody {
-        centre: [0.3, -0.1, 0.2],
-        velocity: [0.2, 0.9, -2.0],
-        spin: [40.0, -15.0, 20.0],
-        ..sphere(0.01, 0.03, STEEL)
-    };
-    let direction = [0.36, 0.48, 0.8];
-    let two = CaromBody {
-        centre: plus(one.centre, direction, -0.03),
-        velocity: [-0.4, 0.1, 0.7],
-        spin: [-10.0, 25.0, 5.0],
-        ..sphere(0.02, 0.08, STEEL)
-    };
+    let ([one, two], direction) = pair(STEEL);
     let moments = [[0.4 * 0.03 * 1e-4; 3], [0.4 * 0.08 * 4e-4; 3]];
-    let exact = CaromCollideOptions {
-        size: size_of::<CaromCollideOptions>(),
-        law: CAROM_IMPACT_COULOMB,
-        ..CaromCollideOptions::default()
-    };
-    let rebound = collide_by(&exact, [&one, &two], 0.2, null());
+    let exact = CaromCollideOptions { law: CAROM_IMPACT_COULOMB, ..CaromCollideOptions::default() };
+    let rebound = collided([&one, &two], 0.2, None, Some(exact)).unwrap();
     assert_eq!((rebound.collides, rebound.compressions), (1, 1));
     close(rebound.normal, direction, 1.0);
     close(rebound.point, plus(one.centre, direction, -0.01), 1.0);
@@ -166,7 +147,7 @@ fn two_spheres_obey_mechanics_and_hertz() {
     assert_eq!(rebound.warnings & CAROM_WARNING_COUPLING, 0);
     assert_eq!(rebound.warnings & CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_SPIN_LEFT_ALONE);
     // The exchanged bodies do the same to each other, seen the other way.
-    let other = collide_by(&exact, [&two, &one], 0.2, null());
+    let other = collided([&two, &one], 0.2, None, Some(exact)).unwrap();
     for k in 0..2 {
         close(motions(&other)[k].0, motions(&rebound)[1 - k].0, 1.0);
         close(motions(&other)[k].1, motions(&rebound)[1 - k].1, 100.0);
@@ -177,21 +158,9 @@ fn two_spheres_obey_mechanics_and_hertz() {
 
 #[test]
 fn dissimilar_spheres_obey_mechanics_with_coupling_and_spin() {
-    let one = CaromBody {
-        centre: [0.3, -0.1, 0.2],
-        velocity: [0.2, 0.9, -2.0],
-        spin: [40.0, -15.0, 20.0],
-        ..sphere(0.01, 0.03, STEEL)
-    };
-    let direction = [0.36, 0.48, 0.8];
-    let two = CaromBody {
-        centre: plus(one.centre, direction, -0.03),
-        velocity: [-0.4, 0.1, 0.7],
-        spin: [-10.0, 25.0, 5.0],
-        ..sphere(0.02, 0.08, GLASS)
-    };
+    let ([one, two], direction) = pair(GLASS);
     let moments = [[0.4 * 0.03 * 1e-4; 3], [0.4 * 0.08 * 4e-4; 3]];
-    let rebound = collide(&one, &two, 0.2, null());
+    let rebound = collide(&one, &two, 0.2);
     obeys([&one, &two], moments, &rebound);
     assert_eq!(rebound.warnings & (CAROM_WARNING_COUPLING | CAROM_WARNING_SPIN_LEFT_ALONE), 0);
     assert!(rebound.error_estimate > 0.0 && rebound.error_estimate < 1e-2, "{rebound:?}");
@@ -205,7 +174,7 @@ fn dissimilar_spheres_obey_mechanics_with_coupling_and_spin() {
         let velocity = plus([0.1, 0.0, 0.0], direction, -2.0);
         let one = CaromBody { velocity, spin: [0.0; 3], ..one };
         let two = CaromBody { velocity: [0.0; 3], spin: [0.0; 3], material, ..two };
-        collide(&one, &two, 0.1, null()).R_x
+        collide(&one, &two, 0.1).R_x
     };
     assert!(near(GLASS) > near(STEEL) + 0.1, "{} {}", near(GLASS), near(STEEL));
 }
@@ -236,7 +205,7 @@ fn bodies_of_three_axes_obey_mechanics() {
         let two = CaromBody { hollow, ..two };
         let one = CaromBody { moments: given, ..one };
         let moments = if given == [0.0; 3] { own } else { given };
-        let rebound = collide(&one, &two, 0.25, normal.as_ptr());
+        let rebound = collided([&one, &two], 0.25, Some(&normal), None).unwrap();
         close(rebound.normal, normal, 1.0);
         // Body 1 was put on body 2: its centre is that of its support along the normal.
         let axes = [0, 1, 2].map(|k| {
@@ -262,15 +231,12 @@ fn bodies_of_three_axes_obey_mechanics() {
 /// Of equal bodies: `c_z = 2 E* sqrt(R)`, `c_x = c_z/kappa`, `a^2 = R zeta`.
 #[test]
 fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
-    // SAFETY: all zero is a pair that nothing accepts.
-    let mut pair: CaromPair = unsafe { zeroed() };
-    // SAFETY: all pointers are references.
-    let status = unsafe {
+    // SAFETY: all zero is a pair that nothing accepts; all pointers are references.
+    let made = told(unsafe { zeroed() }, |pair, error| unsafe {
         let law = CAROM_LAW_FIXED_DIRECTION;
-        let (pair, error) = (&raw mut pair, null_mut());
         carom_pair_of_spheres(&GLASS, &GLASS, 0.01, 0.03, 0.35, law, 1e-3, pair, error)
-    };
-    assert_eq!(status, CaromStatus::Ok);
+    });
+    let pair: CaromPair = made.unwrap();
     let (nu, radius) = (0.22, 0.0075_f64);
     let modulus = 70e9 / (2.0 * (1.0 - nu * nu));
     near(pair.c_z, 2.0 * modulus * radius.sqrt());
@@ -285,14 +251,11 @@ fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
 #[test]
 fn the_axes_of_an_elliptic_pair_are_not_exchanged() {
     let of = |a: f64, b: f64| {
-        // SAFETY: all zero is a pair that nothing accepts.
-        let mut pair: CaromPair = unsafe { zeroed() };
-        // SAFETY: all pointers are references.
-        let status = unsafe {
-            let (law, pair, error) = (CAROM_LAW_COULOMB, &raw mut pair, null_mut());
-            carom_pair_of_curvatures(&GLASS, &STEEL, a, b, 0.3, law, 0.0, pair, error)
-        };
-        assert_eq!(status, CaromStatus::Ok);
+        // SAFETY: all zero is a pair that nothing accepts; all pointers are references.
+        let made = told(unsafe { zeroed() }, |pair, error| unsafe {
+            carom_pair_of_curvatures(&GLASS, &STEEL, a, b, 0.3, CAROM_LAW_COULOMB, 0.0, pair, error)
+        });
+        let pair: CaromPair = made.unwrap();
         pair
     };
     let (round, slender) = (of(50.0, 50.0), of(50.0, 5.0));

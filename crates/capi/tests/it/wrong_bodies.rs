@@ -6,6 +6,8 @@ use std::ptr::null;
 
 use carom_capi::*;
 
+use crate::particles::words;
+
 const STRANGE: [f64; 12] = [
     f64::NAN,
     f64::INFINITY,
@@ -49,10 +51,7 @@ fn is_finite(rebound: &CaromRebound) -> bool {
 }
 
 fn told(status: CaromStatus, error: &CaromError) -> String {
-    let text = |bytes: &[std::ffi::c_char]| -> String {
-        bytes.iter().take_while(|b| **b != 0).map(|b| char::from(*b as u8)).collect()
-    };
-    let (field, text) = (text(&error.field), text(&error.text));
+    let (field, text) = (words(&error.field), words(&error.text));
     assert!(!text.is_empty(), "{status:?} without words");
     assert!(status != CaromStatus::OutOfRange || !field.is_empty(), "no field: {text}");
     format!("{status:?} {field}: {text}")

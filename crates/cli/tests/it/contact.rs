@@ -1,6 +1,6 @@
 //! `carom hertz` and `carom history` as a user meets them.
 
-use crate::common::{carom, case, close, fresh, json, stdout};
+use crate::common::{carom, case, close, fresh, json, refusal, stdout};
 
 const SPHERE: &str = "\
 [body_1]
@@ -30,13 +30,6 @@ fn hertz_gives_the_circle_of_a_sphere() {
         let peak = 1.5 * force / (std::f64::consts::PI * a * a);
         assert!((number("peak_pressure") / peak - 1.0).abs() < 1e-13);
     }
-}
-
-/// What a command that fails for its input says.
-fn failed(arguments: &[&str]) -> String {
-    let output = carom(arguments);
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    String::from_utf8(output.stderr).unwrap()
 }
 
 fn history(name: &str, friction: &str, steps: &str) -> String {
@@ -102,15 +95,15 @@ fn static_friction_excludes_a_twist_and_a_smaller_coefficient() {
     let friction = "0.2\nstatic_friction = 0.3";
     let inline = history("twisted.toml", friction, twisted);
     let message = "`history.steps` = 0.001 is out of range: must be 0 as `omega` of all steps with `contact.static_friction`";
-    assert!(failed(&["history", &inline]).contains(message));
+    assert!(refusal(&["history", &inline]).contains(message));
     case("twisted.csv", "zeta,xi,eta,omega\n1e-6,0,0,0\n1e-6,0,0,1e-3\n");
     let file = history("twisted_file.toml", friction, "file = \"twisted.csv\"");
     for command in ["history", "check"] {
-        let told = failed(&[command, &file]);
+        let told = refusal(&[command, &file]);
         assert!(told.contains("twisted.csv: omega = 0.001 is out of range: must be 0"), "{told}");
     }
     let smaller = history("smaller.toml", "0.2\nstatic_friction = 0.1", twisted);
-    let told = failed(&["history", &smaller]);
+    let told = refusal(&["history", &smaller]);
     assert!(told.contains("`contact.static_friction` = 0.1 is out of range"), "{told}");
 }
 
@@ -170,11 +163,9 @@ fn bad_contacts_end_with_code_2() {
     ] {
         let case = case("bad-contact.toml", &text);
         let plot = fresh("bad-contact.svg");
-        let output = carom(&[command, &case, "--plot", plot.to_str().unwrap()]);
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        let stderr = refusal(&[command, &case, "--plot", plot.to_str().unwrap()]);
         assert!(stderr.contains(expected), "{stderr}");
-        assert!(output.stdout.is_empty() && !plot.exists());
+        assert!(!plot.exists());
     }
 }
 

@@ -1,14 +1,10 @@
 //! Further inputs of the program CONTACT: FASTSIM, friction that falls, and thirty files of its testbank one by one.
 
+use crate::common::number;
 use crate::contact_program::{data, half_unit, refused, solved};
-use serde_json::Value;
 use std::fmt::Write as _;
 
 const FILES: &str = include_str!("../data/contact/files.txt");
-
-fn number(row: &Value, name: &str) -> f64 {
-    row[name].as_f64().unwrap_or_else(|| panic!("{name} of {row}"))
-}
 
 /// Each of the files is solved, with the numbers that it states, or refused by digit and name.
 #[test]

@@ -1,6 +1,6 @@
 //! `carom contact` beside what the program CONTACT prints.
 
-use crate::common::{carom, example, folder, json};
+use crate::common::{carom, example, folder, json, refusal};
 use crate::contact_files::{spinning, veldep};
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -31,10 +31,7 @@ pub(crate) fn refused(text: &str) -> String {
     let folder = folder();
     let path = folder.join("wrong.inp");
     std::fs::write(&path, text).unwrap();
-    let output = carom(&["contact", path.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(2), "{text}");
-    assert!(output.stdout.is_empty());
-    String::from_utf8(output.stderr).unwrap()
+    refusal(&["contact", path.to_str().unwrap()])
 }
 
 /// Half a unit of the last digit of a printed number.

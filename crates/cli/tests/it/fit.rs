@@ -1,6 +1,6 @@
 //! `carom fit`: what it prints, draws and refuses.
 
-use crate::common::{carom, close, example, fresh, json, stdout, stdout_at};
+use crate::common::{carom, close, example, fresh, json, refusal, stdout, stdout_at};
 
 fn alumina<'a>(more: &[&'a str], files: &'a [String; 2]) -> Vec<&'a str> {
     [&["fit", &files[0], &files[1], "--sd", "0.014"], more].concat()
@@ -80,9 +80,7 @@ fn wrong_inputs_are_told_with_their_file() {
     let [case, data] = files();
     let glass = example("fit/glass.csv");
     let refused = |arguments: &[&str], told: &str| {
-        let output = carom(arguments);
-        let stderr = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {stderr}");
+        let stderr = refusal(arguments);
         assert!(stderr.contains(told), "{arguments:?}: {stderr}");
     };
     refused(&["fit", &case, &glass], "glass.csv: column `body_1.velocity.x` of the data");

@@ -1,20 +1,18 @@
 //! `carom history --tractions`: integrated over the contact they give the loads.
 
-use crate::common::{case, json};
+use crate::common::{case, json, number};
 use serde_json::Value;
 use std::f64::consts::PI;
-
-fn at(row: &Value, name: &str) -> f64 {
-    row[name].as_f64().unwrap_or_else(|| panic!("{name} of {row}"))
-}
 
 /// The integral over the ellipse of what depends on the elliptical radius alone: 2 pi a b int t r dr.
 fn over_contact(step: &Value, name: &str) -> f64 {
     let rows = step["tractions"].as_array().unwrap();
-    let points: Vec<[f64; 2]> =
-        rows.iter().map(|row| [at(row, "radius"), at(row, "radius") * at(row, name)]).collect();
+    let points: Vec<[f64; 2]> = rows
+        .iter()
+        .map(|row| [number(row, "radius"), number(row, "radius") * number(row, name)])
+        .collect();
     let sum: f64 = points.windows(2).map(|p| 0.5 * (p[1][0] - p[0][0]) * (p[0][1] + p[1][1])).sum();
-    2.0 * PI * at(step, "semi_axis_a") * at(step, "semi_axis_b") * sum
+    2.0 * PI * number(step, "semi_axis_a") * number(step, "semi_axis_b") * sum
 }
 
 #[test]
@@ -41,21 +39,22 @@ steps = [
     let file = case("history_tractions.toml", text);
     let steps = json(&["history", &file, "--tractions", "2001"]);
     for step in steps.as_array().unwrap() {
-        let limit = 0.4 * at(step, "F_z");
-        for (name, force) in [("t_x", at(step, "F_x")), ("t_y", at(step, "F_y")), ("limit", limit)]
+        let limit = 0.4 * number(step, "F_z");
+        for (name, force) in
+            [("t_x", number(step, "F_x")), ("t_y", number(step, "F_y")), ("limit", limit)]
         {
             let sum = over_contact(step, name);
             assert!((sum - force).abs() < 2e-3 * limit, "{name}: {sum} {force}");
         }
         // Seen along x and y the contact shrinks alike: the stick ellipse has the same axis ratio.
-        let [a, b] = ["semi_axis_a", "semi_axis_b"].map(|axis| at(step, axis));
+        let [a, b] = ["semi_axis_a", "semi_axis_b"].map(|axis| number(step, axis));
         let [stick_a, stick_b] =
-            ["stick_semi_axis_a", "stick_semi_axis_b"].map(|axis| at(step, axis));
+            ["stick_semi_axis_a", "stick_semi_axis_b"].map(|axis| number(step, axis));
         assert!((stick_a * b - stick_b * a).abs() < 1e-12 * a * b && stick_b <= b);
     }
     let last = &steps[4];
     // Between the axes of an ellipse the law is within 1e-3 of friction.
-    let share = at(last, "F_x").hypot(at(last, "F_y")) / (0.4 * at(last, "F_z"));
+    let share = number(last, "F_x").hypot(number(last, "F_y")) / (0.4 * number(last, "F_z"));
     assert!((share - 1.0).abs() < 1e-3, "{share}");
-    assert_eq!(at(last, "stick_semi_axis_b"), 0.0);
+    assert_eq!(number(last, "stick_semi_axis_b"), 0.0);
 }

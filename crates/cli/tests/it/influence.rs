@@ -1,6 +1,6 @@
 //! Influence numbers from a file instead of half-spaces, in `carom solve` and `carom roll`.
 
-use crate::common::{carom, case, close, example, json};
+use crate::common::{case, close, example, json, refusal};
 use carom_halfspace::operator::{HalfSpaceOperator, SurfaceOperator};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use serde_json::Value;
@@ -148,9 +148,7 @@ fn half_spaces_from_a_file_are_half_spaces() {
 fn refused(bodies: &str, more: &str, name: &str, content: &[u8]) -> String {
     let path = case(&format!("refused_{name}.toml"), &text(bodies, more));
     std::fs::write(Path::new(&path).with_file_name(name), content).unwrap();
-    let output = carom(&["solve", &path]);
-    assert_eq!(output.status.code(), Some(2), "{output:?}");
-    String::from_utf8_lossy(&output.stderr).into_owned()
+    refusal(&["solve", &path])
 }
 
 #[test]
@@ -196,9 +194,7 @@ fn numbers_that_are_not_those_of_elastic_bodies_are_refused_by_name() {
 fn influence_numbers_exclude_what_has_none() {
     let told = |bodies: &str, from: &str, to: &str| {
         let path = case("excluded.toml", &text(bodies, SOLVE).replacen(from, to, 1));
-        let output = carom(&["solve", &path]);
-        assert_eq!(output.status.code(), Some(2));
-        String::from_utf8_lossy(&output.stderr).into_owned()
+        refusal(&["solve", &path])
     };
     let named = influence("table.csv", "");
     let grid = "cells = [20, 16]\nsize = [2e-3, 2e-3]";

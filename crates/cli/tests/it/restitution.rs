@@ -1,6 +1,6 @@
 //! `carom restitution` as a user meets it.
 
-use crate::common::{carom, case, close, fresh, json, stdout};
+use crate::common::{case, close, fresh, json, refusal, stdout};
 
 #[test]
 fn restitution_gives_an_array_of_objects() {
@@ -59,9 +59,7 @@ fn a_loss_along_the_normal_counts() {
         (&["1.5"][..], "--normal-restitution = 1.5 is out of range: must be from 0 to 1"),
         (&["0.5", "--gamma", "0.1", "--friction", "0.3"], "cannot be used with"),
     ] {
-        let output = carom(&[&lossy[..], last].concat());
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        let stderr = refusal(&[&lossy[..], last].concat());
         assert!(stderr.contains(expected), "{stderr}");
     }
 }
@@ -77,11 +75,9 @@ fn bad_options_name_the_option_and_what_is_allowed() {
     ] {
         let plot = fresh("bad-option.svg");
         let arguments = [&["restitution", "--plot", plot.to_str().unwrap()][..], &arguments];
-        let output = carom(&arguments.concat());
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        let stderr = refusal(&arguments.concat());
         assert!(stderr.contains(expected), "{stderr}");
-        assert!(output.stdout.is_empty() && !plot.exists());
+        assert!(!plot.exists());
     }
 }
 
@@ -149,12 +145,10 @@ fn maps_need_ranges_and_tangents_a_velocity() {
         ),
     ] {
         let map = fresh("bad-map.svg");
-        let output =
-            carom(&[&["restitution", "--map", map.to_str().unwrap()][..], arguments].concat());
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        let stderr =
+            refusal(&[&["restitution", "--map", map.to_str().unwrap()][..], arguments].concat());
         assert!(stderr.contains(expected), "{stderr}");
-        assert!(output.stdout.is_empty() && !map.exists());
+        assert!(!map.exists());
     }
 }
 
@@ -267,11 +261,8 @@ fn bad_numbers_of_dissimilar_spheres_name_their_option() {
         (&["--gamma", "0.1", "--friction", "0.1", "--tensor", "secant"], "cannot be used with"),
     ] {
         let spheres = ["restitution", "--kappa", "1.2", "--lambda", "1"];
-        let output = carom(&[&spheres[..], arguments].concat());
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        let stderr = refusal(&[&spheres[..], arguments].concat());
         assert!(stderr.contains(expected), "{stderr}");
-        assert!(output.stdout.is_empty());
     }
 }
 

@@ -1,11 +1,9 @@
 //! `carom scene` as a user meets it.
 
-use crate::common::{carom, case, example, fresh};
+use crate::common::{carom, case, example, fresh, json, refusal};
 
 fn report(case: &str, more: &[&str]) -> serde_json::Value {
-    let output = carom(&[&["scene", case, "--format", "json"], more].concat());
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+    json(&[&["scene", case], more].concat())
 }
 
 #[test]
@@ -133,11 +131,9 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         std::fs::write(&case, book.replacen(old, new, 1)).unwrap();
         let plot = fresh("bad-scene.svg");
         let (case, drawn) = (case.to_str().unwrap(), plot.to_str().unwrap());
-        let output = carom(&["scene", case, "--plot", drawn]);
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{old}: {stderr}");
+        let stderr = refusal(&["scene", case, "--plot", drawn]);
         assert!(stderr.contains(expected), "{stderr}");
-        assert!(output.stdout.is_empty() && !plot.exists());
+        assert!(!plot.exists());
     }
 }
 

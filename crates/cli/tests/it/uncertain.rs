@@ -1,6 +1,6 @@
 //! `carom impact` with uncertain inputs, as a user meets it.
 
-use crate::common::{carom, fresh};
+use crate::common::{carom, case, fresh, refusal};
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -138,17 +138,14 @@ fn bad_uncertainty_ends_with_code_2_and_writes_nothing() {
     ] {
         assert!(text.contains(old), "{old}");
         let plot = fresh("bad-uncertainty.svg");
-        let changed = text.replacen(old, new, 1);
-        let output = run("bad.toml", &changed, &["--plot", plot.to_str().unwrap()]);
-        let stderr = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{old}: {stderr}");
+        let changed = case("bad.toml", &text.replacen(old, new, 1));
+        let stderr = refusal(&["impact", &changed, "--plot", plot.to_str().unwrap()]);
         assert!(stderr.contains(expected), "{stderr}");
-        assert!(output.stdout.is_empty() && !plot.exists());
+        assert!(!plot.exists());
     }
     let certain = text.replace("[uncertainty]", "[uncertanty]");
-    assert_eq!(run("typo.toml", &certain, &[]).status.code(), Some(2));
-    let history = run("history.toml", &text, &["--history", "5"]);
-    assert_eq!(history.status.code(), Some(2));
+    refusal(&["impact", &case("typo.toml", &certain)]);
+    refusal(&["impact", &case("history.toml", &text), "--history", "5"]);
 }
 
 /// A ball of an uncertain radius that is placed where most of the drawn ones do not touch.
@@ -158,8 +155,6 @@ fn a_study_whose_bodies_do_not_touch_is_bad_input() {
         .replace("radius = 0.01", "radius = { uniform = { low = 0.0099, high = 0.0101 } }")
         .replace("mass = 0.03", "mass = 0.03\nposition = [0, 0, 0.01]")
         .replace("friction = { uniform = { low = 0.05, high = 0.15 } }", "friction = 0.1");
-    let output = run("apart.toml", &text, &[]);
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{told}");
+    let told = refusal(&["impact", &case("apart.toml", &text)]);
     assert!(told.contains("sample") && told.contains("touch"), "{told}");
 }

@@ -6,28 +6,11 @@ use carom_geometry::{
 };
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, CollisionError, Lever, Mobility, Motion};
-use carom_laws::curvature::{CurvatureError, PrincipalRadii, RelativeCurvature};
+use carom_laws::curvature::{CurvatureError, PrincipalRadii};
 use carom_laws::friction::Friction;
-use carom_laws::hertz::Hertz;
 use nalgebra::{Matrix3, Vector3};
-use serde_json::Value;
 
-fn reference() -> Value {
-    serde_json::from_str(include_str!("../data/impact.json")).unwrap()
-}
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
-}
-
-fn vector(value: &Value) -> Vector3<f64> {
-    Vector3::from_row_slice(&numbers(value))
-}
-
-fn matrix(value: &Value) -> Matrix3<f64> {
-    let rows: Vec<f64> = value.as_array().unwrap().iter().flat_map(numbers).collect();
-    Matrix3::from_row_slice(&rows)
-}
+use crate::data::{matrix, numbers, public, rows, vector};
 
 fn steel() -> Material {
     Material::from_shear(80e9, 0.3).unwrap()
@@ -39,7 +22,7 @@ fn friction(f: f64) -> Friction {
 
 #[test]
 fn ellipsoid_frames() {
-    for row in reference()["public"]["ellipsoid_frames"].as_array().unwrap() {
+    for row in rows("ellipsoid_frames") {
         let number = |key: &str| row[key].as_f64().unwrap();
         let axes: [f64; 3] = numbers(&row["semiaxes"]).try_into().unwrap();
         let point = Vector3::new(number("a"), number("b"), number("c"));
@@ -93,7 +76,7 @@ fn ellipsoid_frames() {
 
 #[test]
 fn mobility_matrices() {
-    for row in reference()["public"]["D_matrices"].as_array().unwrap() {
+    for row in rows("D_matrices") {
         let lever = |i: usize| {
             let key = |name: &str| format!("{name}{i}");
             let mass = row[key("m")].as_f64();
@@ -120,102 +103,6 @@ fn mobility_matrices() {
 }
 
 #[test]
-fn contact_constants() {
-    for row in reference()["public"]["contact_constants_(5.25)"].as_array().unwrap() {
-        let number = |key: &str| row[key].as_f64().unwrap();
-        let material = |i: u8| {
-            let nu = number(&format!("nu{i}"));
-            Material::from_shear(number(&format!("G{i}")), nu).unwrap()
-        };
-        let pair = carom_halfspace::MaterialPair::new(material(1), material(2)).unwrap();
-        let gap = RelativeCurvature::from_coefficients(number("A"), number("B")).unwrap();
-        let stiffness = Hertz::new(gap, pair).unwrap().stiffness();
-        for (own, key) in [(stiffness.c_x, "cx"), (stiffness.c_y, "cy"), (stiffness.c_z, "cz")] {
-            assert!((own / number(key) - 1.0).abs() < 1e-12, "{key}");
-        }
-    }
-}
-
-#[test]
-fn the_reference_ellipsoids_as_bodies() {
-    let data = reference();
-    let solutions = data["public"]["coupled_spring_solutions"].as_object().unwrap();
-    for name in ["ellipsoid_planar_coupled", "ellipsoid_upright_2d_stick"] {
-        let case = &solutions[name];
-        let info = &case["info"];
-        let axes: [f64; 3] = numbers(&info["semiaxes"]).try_into().unwrap();
-        let egg = Surface::ellipsoid(axes).unwrap();
-        let inertia = egg.solid(info["mass"].as_f64().unwrap()).unwrap();
-        let point = vector(&info["contact_point_body"]);
-        let pi = matrix(&info["Pi"]);
-        let velocity = vector(&case["v0"]);
-        // Space along the contact axes of the case; body 2 at rest: v = -v_1.
-        let body = Body::new(egg, steel(), inertia)
-            .turned(Attitude::from_matrix(pi).unwrap())
-            .moving(Motion::new((-velocity).into(), [0.0; 3]).unwrap());
-        let lifted = body.clone().at((-(pi.tr_mul(&point))).into()).unwrap();
-        let plane = Body::plane(steel());
-        let f = friction(case["f"].as_f64().unwrap());
-        let given = Collision::at_own_points(body, plane.clone(), [point.into(), [0.0; 3]], f);
-        let there = Collision::at(lifted.clone(), plane.clone(), [0.0; 3], f);
-        let found = Collision::touching(lifted, plane, f);
-        for encounter in [given.unwrap(), there.unwrap(), found.unwrap()] {
-            assert!(encounter.point().norm() < 1e-12);
-            let own = encounter.frame().axes()
-                * encounter.mobility().matrix()
-                * encounter.frame().axes().transpose();
-            let expected = matrix(&case["D"]);
-            assert!((own - expected).amax() < 1e-13 * expected.amax(), "{own}");
-            let c = numbers(&case["c"]);
-            let stiffness = encounter.hertz().stiffness();
-            for (own, c) in [stiffness.c_x, stiffness.c_y, stiffness.c_z].iter().zip(&c) {
-                assert!((own / c - 1.0).abs() < 1e-11);
-            }
-            let outcome = encounter.solve().unwrap();
-            let rebound = outcome.rebound().unwrap();
-            let reference = vector(&case["results"]["coulomb"]["v_end"]);
-            let error = (rebound.contact_velocity_after - reference).norm();
-            assert!(error < 1e-5 * velocity.norm(), "{name} {error:e}");
-            assert!(rebound.energy.dissipated > 0.0);
-            let lost = rebound.energy.before - rebound.energy.after;
-            assert!((lost - rebound.energy.dissipated).abs() < 1e-13 * rebound.energy.before);
-            assert!(rebound.log.len() > 1, "{:?}", rebound.log);
-        }
-    }
-}
-
-#[test]
-fn spheres_agree_with_the_exact_collision() {
-    use carom_impact::{Body, Collision};
-    let motion = Motion::new([0.7, 0.2, -2.0], [3.0, 50.0, 8.0]).unwrap();
-    let exact = Collision::new(
-        Body::sphere(0.01, steel(), 0.03).unwrap().moving(motion),
-        Body::sphere(0.02, steel(), 0.2).unwrap(),
-        friction(0.2),
-    );
-    let exact = exact.unwrap().solve().unwrap();
-    let ball = |radius: f64, mass: f64, z: f64| {
-        let surface = Surface::sphere(radius).unwrap();
-        let inertia = surface.solid(mass).unwrap();
-        Body::new(surface, steel(), inertia).at([0.0, 0.0, z]).unwrap()
-    };
-    let pair = (ball(0.01, 0.03, 0.03).moving(motion), ball(0.02, 0.2, 0.0));
-    let outcome = Collision::touching(pair.0, pair.1, friction(0.2)).unwrap().solve().unwrap();
-    let (own, exact) = (outcome.rebound().unwrap(), exact.rebound().unwrap());
-    for i in 0..2 {
-        assert!((own.motions[i].velocity - exact.motions[i].velocity).norm() < 1e-14);
-        assert!((own.motions[i].spin - exact.motions[i].spin).norm() < 1e-12);
-    }
-    assert!(
-        (own.maximal_contact.semi_axis_b() / exact.maximal_contact.semi_axis_b() - 1.0).abs()
-            < 1e-13
-    );
-    assert!((own.duration / exact.duration - 1.0).abs() < 1e-14);
-    assert!((own.r_x.unwrap() - exact.r_x.unwrap()).abs() < 1e-14);
-    assert_eq!(own.log.len(), exact.log.len());
-}
-
-#[test]
 fn crossed_cylinders_touch_like_a_sphere_on_a_plane() {
     let cylinder = || Surface::cylinder(0.01, 0.06).unwrap();
     let inertia = cylinder().solid(0.14796901398407927).unwrap();
@@ -229,7 +116,7 @@ fn crossed_cylinders_touch_like_a_sphere_on_a_plane() {
     let encounter = Collision::touching(upper, body(along_y, 0.0), friction(0.25)).unwrap();
     let gap = encounter.frame().relative_curvature();
     assert!((gap.a() - 50.0).abs() < 1e-10 && (gap.b() - 50.0).abs() < 1e-10);
-    let case = &reference()["public"]["coupled_spring_solutions"]["crossed_cylinders"];
+    let case = &public("coupled_spring_solutions")["crossed_cylinders"];
     assert!((encounter.mobility().matrix() - matrix(&case["D"])).amax() < 1e-12);
     let outcome = encounter.solve().unwrap();
     let after = outcome.rebound().unwrap().contact_velocity_after;

@@ -14,18 +14,8 @@ use carom_laws::hertz::Hertz;
 use carom_special::hypergeometric::UnitArgument;
 use carom_special::quadrature::GaussLegendre;
 use nalgebra::{Matrix3, Vector3};
-use serde_json::Value;
 
-fn rows(start: &str) -> Vec<Value> {
-    let data: Value = serde_json::from_str(include_str!("../data/impact.json")).unwrap();
-    let public = data["public"].as_object().unwrap();
-    let (_, rows) = public.iter().find(|(key, _)| key.starts_with(start)).unwrap();
-    rows.as_array().unwrap().clone()
-}
-
-fn number(row: &Value, key: &str) -> f64 {
-    row[key].as_str().unwrap().parse().unwrap()
-}
+use crate::data::{number, rows};
 
 #[test]
 fn time_of_s() {

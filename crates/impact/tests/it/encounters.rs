@@ -368,44 +368,13 @@ fn upright() {
     run(25, upright_pair(), check_upright);
 }
 
-// Together 1e5 pairs.
-mod at_length {
-    use super::*;
-
-    #[test]
-    #[ignore = "minutes: run with --release -- --ignored"]
-    fn each_alone() {
-        run(40_000, pair(), check_alone);
-    }
-
-    #[test]
-    #[ignore = "minutes: run with --release -- --ignored"]
-    fn under_the_friction_limit() {
-        run(20_000, pair(), check_friction);
-    }
-
-    #[test]
-    #[ignore = "minutes: run with --release -- --ignored"]
-    fn in_the_other_order() {
-        run(10_000, pair(), check_exchange);
-    }
-
-    #[test]
-    #[ignore = "minutes: run with --release -- --ignored"]
-    fn at_another_speed() {
-        run(10_000, pair(), check_speed);
-    }
-
-    #[test]
-    #[ignore = "minutes: run with --release -- --ignored"]
-    fn in_a_mirror() {
-        run(10_000, pair(), check_mirror);
-    }
-
-    #[test]
-    #[ignore = "minutes: run with --release -- --ignored"]
-    fn turned_round() {
-        run(10_000, pair(), check_turn);
+#[test]
+#[ignore = "minutes: run with --release -- --ignored"]
+fn at_length() {
+    run(40_000, pair(), check_alone);
+    run(20_000, pair(), check_friction);
+    for check in [check_exchange, check_speed, check_mirror, check_turn] {
+        run(10_000, pair(), check);
     }
 }
 

@@ -8,6 +8,7 @@ mod columns;
 mod continuity;
 mod coupled;
 mod coupled_extremes;
+mod data;
 mod derivatives;
 mod encounters;
 mod exchange;

@@ -12,32 +12,9 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_special::gamma::gamma;
 use carom_special::hypergeometric::{UnitArgument, gauss, three_f_two};
-use nalgebra::{Matrix3, Vector3};
-use serde_json::Value;
+use nalgebra::Vector3;
 
-fn public(key: &str) -> Value {
-    let data: Value = serde_json::from_str(include_str!("../data/impact.json")).unwrap();
-    data["public"][key].clone()
-}
-
-fn rows(key: &str) -> Vec<Value> {
-    public(key).as_array().unwrap().clone()
-}
-
-fn number(row: &Value, key: &str) -> f64 {
-    row[key].as_f64().unwrap_or_else(|| match row[key].as_str().unwrap().split_once('/') {
-        Some((p, q)) => p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap(),
-        None => row[key].as_str().unwrap().parse().unwrap(),
-    })
-}
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
-}
-
-fn vector(value: &Value) -> Vector3<f64> {
-    Vector3::from_row_slice(&numbers(value))
-}
+use crate::data::{matrix, number, numbers, public, rows, vector};
 
 #[test]
 fn duration_of_the_normal_impact() {
@@ -140,11 +117,9 @@ fn events_of_the_oblique_impact() {
 
 #[test]
 fn times_of_the_phases_in_the_tables() {
-    let data: Value = serde_json::from_str(include_str!("../data/impact.json")).unwrap();
-    let public = data["public"].as_object().unwrap();
     let (mut compared, mut worst) = (0, 0.0_f64);
-    for (_, rows) in public.iter().filter(|(key, _)| key.starts_with("Rx_table_")) {
-        for row in rows.as_array().unwrap().iter().filter(|row| row.get("t_events").is_some()) {
+    for table in ["Rx_table_spheres", "Rx_table_generic"] {
+        for row in rows(table).iter().filter(|row| row.get("t_events").is_some()) {
             let groups = Groups::new(number(row, "chi"), number(row, "psi1")).unwrap();
             let impact = ObliqueImpact::new(groups).unwrap();
             let names =
@@ -204,6 +179,10 @@ fn ellipses_of_the_contact_constants() {
         let pair = MaterialPair::new(material(1), material(2)).unwrap();
         let gap = RelativeCurvature::from_coefficients(number("A"), number("B")).unwrap();
         let hertz = Hertz::new(gap, pair).unwrap();
+        let stiffness = hertz.stiffness();
+        for (own, key) in [(stiffness.c_x, "cx"), (stiffness.c_y, "cy"), (stiffness.c_z, "cz")] {
+            assert_relative_eq!(own, number(key), max_relative = 1e-12);
+        }
         let ratio = hertz.axis_ratio().get();
         assert_relative_eq!(1.0 / ratio, number("b_over_a"), max_relative = 1e-12);
         assert!((1.0 - ratio * ratio - number("k").powi(2)).abs() < 1e-12);
@@ -245,17 +224,40 @@ fn energies_and_impulses_of_the_reference_ellipsoids() {
         for (own, theta) in inertia.moments().iter().zip(numbers(&info["theta"])) {
             assert_relative_eq!(*own, theta, max_relative = 1e-14);
         }
-        let rows: Vec<f64> = info["Pi"].as_array().unwrap().iter().flat_map(numbers).collect();
-        let attitude = Attitude::from_matrix(Matrix3::from_row_slice(&rows)).unwrap();
+        // Space along the contact axes of the case; body 2 at rest: v = -v_1.
+        let pi = matrix(&info["Pi"]);
+        let attitude = Attitude::from_matrix(pi).unwrap();
         let velocity = vector(&case["v0"]);
         let steel = Material::from_shear(80e9, 0.3).unwrap();
         let body = Body::new(egg, steel, inertia)
             .turned(attitude)
             .moving(Motion::new((-velocity).into(), [0.0; 3]).unwrap());
-        let point: [f64; 3] = numbers(&info["contact_point_body"]).try_into().unwrap();
+        let point = vector(&info["contact_point_body"]);
+        let lifted = body.clone().at((-pi.tr_mul(&point)).into()).unwrap();
         let plane = Body::plane(steel);
         let friction = Friction::new(number(case, "f")).unwrap();
-        let encounter = Collision::at_own_points(body, plane, [point, [0.0; 3]], friction).unwrap();
+        let points = [point.into(), [0.0; 3]];
+        let reference = &case["results"]["coulomb"];
+        let encounter = Collision::at_own_points(body, plane.clone(), points, friction).unwrap();
+        let there = Collision::at(lifted.clone(), plane.clone(), [0.0; 3], friction).unwrap();
+        let found = Collision::touching(lifted, plane, friction).unwrap();
+        for encounter in [&encounter, &there, &found] {
+            assert!(encounter.point().norm() < 1e-12);
+            let axes = encounter.frame().axes();
+            let own = axes * encounter.mobility().matrix() * axes.transpose();
+            let expected = matrix(&case["D"]);
+            assert!((own - expected).amax() < 1e-13 * expected.amax(), "{own}");
+            let stiffness = encounter.hertz().stiffness();
+            let own = [stiffness.c_x, stiffness.c_y, stiffness.c_z];
+            for (own, c) in own.iter().zip(numbers(&case["c"])) {
+                assert_relative_eq!(*own, c, max_relative = 1e-11);
+            }
+            let outcome = encounter.solve().unwrap();
+            let rebound = outcome.rebound().unwrap();
+            let error = rebound.contact_velocity_after - vector(&reference["v_end"]);
+            assert!(error.norm() < 1e-5 * velocity.norm(), "{name} {error}");
+            assert!(rebound.log.len() > 1, "{:?}", rebound.log);
+        }
         let stiffness = encounter.hertz().stiffness();
         for (own, key) in [(stiffness.c_x, "cx"), (stiffness.c_y, "cy"), (stiffness.c_z, "cz")] {
             assert_relative_eq!(own, number(info, key), max_relative = 1e-12);
@@ -268,7 +270,6 @@ fn energies_and_impulses_of_the_reference_ellipsoids() {
         }
         let outcome = encounter.solve().unwrap();
         let rebound = outcome.rebound().unwrap();
-        let reference = &case["results"]["coulomb"];
         let before = encounter.mobility().energy(&velocity);
         assert_relative_eq!(before, number(reference, "E0"), max_relative = 1e-13);
         let after = before - rebound.energy.dissipated;

@@ -133,15 +133,17 @@ fn a_standard_solid_has_a_least_restitution() {
 #[test]
 fn little_loss_is_nearly_elastic() {
     let solid = Rheology::StandardSolid { relaxed: 0.1 };
-    for rheology in [Rheology::Maxwell, Rheology::ConstantLossTangent, solid] {
-        for e in [0.9999, 0.999_999, 1.0 - 1e-12, 1.0 - f64::EPSILON] {
+    let all = [Rheology::KelvinVoigt, Rheology::Maxwell, Rheology::ConstantLossTangent, solid];
+    for rheology in all {
+        let slope = if rheology == Rheology::KelvinVoigt { 6.0 } else { 3.0 };
+        for e in [0.999, 0.9999, 0.999_999, 1.0 - 1e-12, 1.0 - f64::EPSILON] {
             let loss = ViscousLoss::of_restitution_in(rheology, e).unwrap();
-            for lambda in [0.5, 2.0, 4.0] {
-                let groups = Groups::of_spheres(1.2, lambda).unwrap();
+            for (kappa, lambda) in [(1.0, 0.2), (1.2, 0.5), (1.2, 1.0), (1.2, 2.0), (1.5, 4.0)] {
+                let groups = Groups::of_spheres(kappa, lambda).unwrap();
                 let elastic = ObliqueImpact::new(groups).unwrap().restitution();
-                let [found, estimate] = rebound(loss, 1.2, lambda, 1e-4);
+                let [found, estimate] = rebound(loss, kappa, lambda, 1e-4);
                 let off = (found - elastic).abs();
-                assert!(off < estimate + 3.0 * (1.0 - e), "{rheology:?} {e} {lambda}: {off}");
+                assert!(off < estimate + slope * (1.0 - e), "{rheology:?} {e} {lambda}: {off}");
             }
         }
     }
@@ -169,5 +171,11 @@ fn a_restitution_that_they_cannot_have_is_refused() {
     for bad in [-0.1, 0.05, 1.1, f64::NAN] {
         let error = ViscousLoss::of_restitution_in(Rheology::Maxwell, bad).unwrap_err();
         assert_eq!(error.field, "normal_restitution");
+    }
+    for e in [-0.1, 1.0001, f64::NAN] {
+        assert_eq!(ViscousLoss::of_restitution(e).unwrap_err().field, "normal_restitution");
+    }
+    for time in [-1.0, 25.1, f64::NAN] {
+        assert_eq!(ViscousLoss::of_relaxation(time).unwrap_err().field, "relaxation");
     }
 }

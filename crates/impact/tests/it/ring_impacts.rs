@@ -118,6 +118,7 @@ fn a_vanishing_tangential_velocity_has_the_limit_of_small_ones() {
 #[test]
 fn spin_about_the_normal_is_taken_down_and_pushes_sideways() {
     let v = 1.0_f64;
+    let mut pushed = Vec::new();
     for (pair, spin) in
         [([STEEL, STEEL], 400.0), ([ALUMINA, GLASS], 400.0), ([ALUMINA, GLASS], -400.0)]
     {
@@ -145,36 +146,10 @@ fn spin_about_the_normal_is_taken_down_and_pushes_sideways() {
             true => assert!(sideways.abs() < 1e-9 * v, "{sideways}"),
             false => assert!(sideways.abs() > 1e-5 * v, "{sideways}"),
         }
+        pushed.push(sideways);
     }
-}
-
-#[test]
-fn spins_of_opposite_sense_push_to_opposite_sides() {
-    let sideways = |spin: f64| {
-        let collision = collision([ALUMINA, GLASS], 0.1, 8.0, spin);
-        let outcome = RingImpact::new(&collision).solve().unwrap();
-        outcome.rebound().unwrap().contact_velocity_after.y
-    };
-    let [one, two] = [sideways(400.0), sideways(-400.0)];
-    assert!((one + two).abs() < 1e-9 && one.abs() > 1e-5, "{one} {two}");
-}
-
-#[test]
-fn pure_spin_is_the_torsional_impact() {
-    // Without tangential velocity, alike bodies: the torsional impact of its own.
-    let body = Material::from_shear(1e6, 0.5).unwrap();
-    for spin in [20.0, 100.0, 400.0] {
-        let ball = Body::sphere(0.02, body, 0.0369).unwrap();
-        let ball = ball.moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, spin]).unwrap());
-        let floor = Body::plane(body);
-        let collision = Collision::new(ball, floor, Friction::new(0.5).unwrap()).unwrap();
-        let outcome = RingImpact::new(&collision).solve().unwrap();
-        let got = outcome.rebound().unwrap().torsion.unwrap().spin_ratio;
-        let alone = collision.with_torsion().solve().unwrap();
-        let want = alone.rebound().unwrap().torsion.unwrap().spin_ratio;
-        let off = (got - want) / (1.0 - want);
-        assert!(off.abs() < 0.01, "{spin}: {got} {want}");
-    }
+    // Spins of opposite sense push to opposite sides.
+    assert!((pushed[1] + pushed[2]).abs() < 1e-9, "{pushed:?}");
 }
 
 #[test]

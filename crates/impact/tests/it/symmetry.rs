@@ -1,7 +1,7 @@
 //! Couplings that vanish by symmetry stay exactly zero: normal incidence, extreme ratios of size and mass,
 //! positions far from the origin, all entry points.
 
-use crate::spheres::{chi_of_sphere, collided, conserves, friction, met, same};
+use crate::spheres::{chi_of_sphere, collided, conserves, friction, same};
 use carom_geometry::{Attitude, Inertia, Surface};
 use carom_halfspace::Material;
 use carom_impact::closed_form::restitution_without_slip;
@@ -45,7 +45,7 @@ fn alumina_rebounds(motion: Motion, f: f64) -> [Rebound; 2] {
     let plane = Body::plane(Material::RIGID);
     let collision = Collision::new(body, plane, friction(f)).unwrap();
     let floor = Body::plane(Material::RIGID);
-    [collided(&collision), met(&Collision::touching(placed, floor, friction(f)).unwrap())]
+    [collided(&collision), collided(&Collision::touching(placed, floor, friction(f)).unwrap())]
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn what_grazes_stays_within_friction() {
         for (tilt, f) in [(0.0, 0.02), (0.0, 0.5), (0.4, 0.02), (0.4, 0.3)] {
             let approach = libm::pow(10.0, -f64::from(exponent));
             let encounter = ellipsoid([0.03, 0.02, 0.015], tilt, [1.0, 0.3, -approach], f);
-            let impulse = encounter.frame().to_contact(&met(&encounter).impulse);
+            let impulse = encounter.frame().to_contact(&collided(&encounter).impulse);
             let share = impulse.xy().norm() / (f * impulse.z);
             assert!((0.9..=1.0 + 1e-15).contains(&share), "{approach:e} {tilt} {f}: {share}");
         }
@@ -155,7 +155,7 @@ fn what_grazes_stays_within_friction() {
 
 #[test]
 fn a_limit_that_depends_on_the_direction_is_none() {
-    let restitution = |encounter: &Collision| met(encounter).r_x;
+    let restitution = |encounter: &Collision| collided(encounter).r_x;
     let thin = [0.03, 0.02, 0.015];
     assert_eq!(restitution(&ellipsoid(thin, 0.0, DOWN, 0.3)), None);
     assert_eq!(restitution(&ellipsoid(thin, 0.0, DOWN, 0.0)), Some(-1.0));
@@ -175,7 +175,7 @@ fn the_direction_of_the_slip_counts_however_small_it_is() {
     for velocity in [[1.0, 0.0], [0.0, 1.0]] {
         let left = |size: f64| {
             let [x, y] = velocity.map(|v| v * size);
-            let rebound = met(&ellipsoid([0.03, 0.02, 0.015], 0.0, [x, y, -1.0], 0.3));
+            let rebound = collided(&ellipsoid([0.03, 0.02, 0.015], 0.0, [x, y, -1.0], 0.3));
             (rebound.contact_velocity_after.xy() / size, rebound.r_x)
         };
         let (expected, restitution) = left(1e-12);
@@ -242,7 +242,7 @@ fn a_small_ball_on_a_curved_wall_is_uncoupled() {
         let encounter = Collision::meeting(one, wall, friction(0.3)).unwrap();
         let d = encounter.mobility().matrix();
         assert_eq!((d.m12, d.m13, d.m23, d.m11), (0.0, 0.0, 0.0, d.m22));
-        let rebound = met(&encounter);
+        let rebound = collided(&encounter);
         assert!(rebound.energy.after <= rebound.energy.before * (1.0 + 1e-15));
         assert!(rebound.r_x.unwrap().abs() <= 1.0);
     }
@@ -285,7 +285,7 @@ fn a_sphere_that_turns_unevenly_leaves_its_plane() {
     let turned = |moments: [f64; 3]| {
         let uneven = ball.clone().with_inertia(Inertia::new(0.03, moments).unwrap());
         let collision = Collision::new(uneven, plane.clone(), friction(0.3)).unwrap();
-        let rebound = met(&collision);
+        let rebound = collided(&collision);
         conserves(&collision, &rebound).unwrap();
         rebound
     };
@@ -315,7 +315,7 @@ fn bodies_far_from_the_origin_meet() {
                 .moving(Motion::new([v, 0.0, 0.0], [0.0; 3]).unwrap())
         };
         let encounter = Collision::meeting(ball(-1.0, 3.0), ball(0.5, 0.0), friction(0.2)).unwrap();
-        let [one, two] = met(&encounter).motions;
+        let [one, two] = collided(&encounter).motions;
         assert!(one.velocity.norm() < 1e-7 && (two.velocity.x - 3.0).abs() < 1e-7);
         let gap = (encounter.bodies()[0].placed().centre()
             - encounter.bodies()[1].placed().centre())

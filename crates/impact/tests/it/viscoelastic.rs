@@ -161,21 +161,6 @@ fn sliding_and_bodies_without_rebound_are_closed_forms() {
     }
 }
 
-#[test]
-fn a_vanishing_loss_leads_to_the_elastic_impact_without_a_jump() {
-    for (kappa, lambda) in [(1.0, 0.2), (1.2, 2.0), (1.5, 4.0), (1.2, 1.0)] {
-        let elastic =
-            ObliqueImpact::new(Groups::of_spheres(kappa, lambda).unwrap()).unwrap().restitution();
-        for (e, within) in [(0.999, 5e-3), (0.9999, 6e-4), (1.0 - 1e-6, 1e-4)] {
-            let (r_x, estimate) = rebound(kappa, lambda, e, 1e-4);
-            assert!(
-                (r_x - elastic).abs() < within + estimate,
-                "{kappa} {lambda} {e}: {r_x} {elastic}"
-            );
-        }
-    }
-}
-
 /// Heats in units f^2 m v^2 at kappa 1.2, lambda 2, from a row of springs of equal widths with equal steps of time, which
 /// converges to them with the first order only (extrapolated).
 #[test]
@@ -342,16 +327,6 @@ fn a_loss_by_yield_is_its_own_rule() {
     let expected = 0.75 * (1.0 + elastic.r_x.unwrap()) - 1.0;
     assert!((rebound.r_x.unwrap() - expected).abs() < 1e-12);
     assert_eq!(rebound.duration.to_bits(), elastic.duration.to_bits());
-}
-
-#[test]
-fn losses_out_of_range_name_their_field() {
-    for e in [-0.1, 1.0001, f64::NAN] {
-        assert_eq!(ViscousLoss::of_restitution(e).unwrap_err().field, "normal_restitution");
-    }
-    for time in [-1.0, 25.1, f64::NAN] {
-        assert_eq!(ViscousLoss::of_relaxation(time).unwrap_err().field, "relaxation");
-    }
 }
 
 /// What another cause of the loss may change covers Maxwell's material and a constant loss tangent, and is told where it is

@@ -23,9 +23,7 @@ mod potentials;
 
 pub use circle::{CircularStress, circular_stress};
 pub use interior::{EllipsoidalLoad, partial_slip_stress};
-pub use memory::{
-    elliptic_memory_displacement, memory_displacement, memory_displacement_2d, memory_stress,
-};
+pub use memory::{elliptic_memory_displacement, memory_displacement, memory_stress};
 
 /// The normal displacement w_1 + w_2 of the two surfaces under Hertz's pressure, inside and outside
 /// the contact ellipse; inside it is `zeta - A x^2 - B y^2`.

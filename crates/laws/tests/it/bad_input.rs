@@ -240,6 +240,7 @@ fn twists_refuse_what_is_not_finite() {
         assert_eq!(history, before);
         assert_eq!(TwistHistory::with_ring_width(bad).unwrap_err().field, "width");
     }
+    assert_eq!([f64::NAN, -1.0].map(|radius| history.dissipation(radius, 0.0)), [0.0; 2]);
     assert_eq!(history.advance(0.0, 3.0).unwrap(), 0.0);
 
     let mut torsion = EllipseTorsion::new(1.0, 2.0).unwrap();

@@ -14,12 +14,12 @@ use carom_laws::turning_law::TurningLaw;
 
 type Contact = GrainContact<ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>>;
 
-const WALL: Wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
-const FRICTION: f64 = 0.3;
+pub(crate) const WALL: Wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+pub(crate) const FRICTION: f64 = 0.3;
 /// So large that the arms of friction do not change in an impact.
-const RADIUS: f64 = 1e4;
+pub(crate) const RADIUS: f64 = 1e4;
 /// The duration of an elastic impact with m = K = v = 1.
-const DURATION: f64 = 2.943_275;
+pub(crate) const DURATION: f64 = 2.943_275;
 
 /// A contact with K = 1, and c_z/c_x = kappa.
 fn contact(kappa: f64, relaxation: f64) -> Contact {
@@ -33,26 +33,36 @@ fn restituting(kappa: f64, e: f64) -> Contact {
 }
 
 /// A solid sphere of unit mass at touch, with the speed 1 towards the wall, part of a step before.
-fn thrown(lambda: f64, before: f64) -> Grain {
+pub(crate) fn thrown(lambda: f64, before: f64) -> Grain {
     let velocity = [lambda * FRICTION, 0.0, -1.0];
     let place = [0.0, 0.0, RADIUS + before];
     Grain { place, velocity, spin: [0.0; 3], radius: RADIUS, mass: 1.0 }
 }
 
 /// Half a step of the velocities under a load.
-fn kick(ball: &mut Grain, load: &GrainLoad, dt: f64) {
-    let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
+fn kick(ball: &mut Grain, load: &GrainLoad, inertia: f64, dt: f64) {
     for k in 0..3 {
         ball.velocity[k] += 0.5 * dt * load.force[k] / ball.mass;
         ball.spin[k] += 0.5 * dt * load.torques[0][k] / inertia;
     }
 }
 
+/// The rebound of a solid sphere.
+fn rebound(ball: &mut Grain, dt: f64, step: impl FnMut(&Meeting) -> GrainLoad) {
+    let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
+    rebound_of(ball, inertia, dt, step);
+}
+
 /// Velocity Verlet until the ball has left the wall; `step` makes a step of the contact.
-fn rebound(ball: &mut Grain, dt: f64, mut step: impl FnMut(&Meeting) -> GrainLoad) {
+pub(crate) fn rebound_of(
+    ball: &mut Grain,
+    inertia: f64,
+    dt: f64,
+    mut step: impl FnMut(&Meeting) -> GrainLoad,
+) {
     let mut load = GrainLoad::default();
     loop {
-        kick(ball, &load, dt);
+        kick(ball, &load, inertia, dt);
         for k in 0..3 {
             ball.place[k] += dt * ball.velocity[k];
         }
@@ -61,13 +71,23 @@ fn rebound(ball: &mut Grain, dt: f64, mut step: impl FnMut(&Meeting) -> GrainLoa
             return;
         }
         load = if meeting.is_apart() { GrainLoad::default() } else { step(&meeting) };
-        kick(ball, &load, dt);
+        kick(ball, &load, inertia, dt);
     }
 }
 
 /// R_x and e of an impact in steps of which an elastic one takes so many, of which the touch is at this part. In every step
 /// friction is within the limit of the whole normal force.
-fn impact(mut contact: Contact, lambda: f64, steps: f64, part: f64) -> [f64; 2] {
+fn impact(contact: Contact, lambda: f64, steps: f64, part: f64) -> [f64; 2] {
+    impact_within(1e-14, contact, lambda, (steps, part))
+}
+
+/// The same, beyond the limit of friction by at most so much of it.
+pub(crate) fn impact_within<L: GrainLaw>(
+    beyond: f64,
+    mut contact: GrainContact<L>,
+    lambda: f64,
+    (steps, part): (f64, f64),
+) -> [f64; 2] {
     let dt = DURATION / steps;
     let mut ball = thrown(lambda, part * dt);
     let slip = |ball: &Grain| ball.velocity[0] - ball.spin[1] * ball.radius;
@@ -75,7 +95,7 @@ fn impact(mut contact: Contact, lambda: f64, steps: f64, part: f64) -> [f64; 2] 
     rebound(&mut ball, dt, |meeting| {
         let load = contact.advance(meeting, dt).unwrap();
         let [x, y, z] = load.force;
-        assert!(x.hypot(y) <= (1.0 + 1e-14) * FRICTION * z, "{load:?}");
+        assert!(x.hypot(y) <= (1.0 + beyond) * FRICTION * z, "{load:?}");
         load
     });
     [-slip(&ball) / before, ball.velocity[2]]
@@ -83,7 +103,7 @@ fn impact(mut contact: Contact, lambda: f64, steps: f64, part: f64) -> [f64; 2] 
 
 /// R_x of Kelvin-Voigt spheres of this kappa and e at lambda = .2, 1, 2, 3, 4, 6: springs, error below 1e-6; and the
 /// relaxation time in units of m, K and v.
-const EXACT: [(f64, f64, f64, [f64; 6]); 12] = [
+pub(crate) const EXACT: [(f64, f64, f64, [f64; 6]); 12] = [
     (1.0, 0.9, 0.062982, [-0.18280, -0.14679, 0.12558, 0.29236, 0.31725, 0.10833]),
     (1.0, 0.7, 0.231300, [0.03774, 0.03999, 0.10504, 0.20510, 0.22940, -0.00833]),
     (1.0, 0.5, 0.502513, [0.11148, 0.11132, 0.10348, 0.13864, 0.15438, -0.12500]),
@@ -97,7 +117,7 @@ const EXACT: [(f64, f64, f64, [f64; 6]); 12] = [
     (1.5, 0.7, 0.231300, [0.21386, 0.26897, 0.33582, 0.37712, 0.33811, -0.00833]),
     (1.5, 0.5, 0.502513, [0.19781, 0.21699, 0.23567, 0.25262, 0.22823, -0.12500]),
 ];
-const LAMBDAS: [f64; 6] = [0.2, 1.0, 2.0, 3.0, 4.0, 6.0];
+pub(crate) const LAMBDAS: [f64; 6] = [0.2, 1.0, 2.0, 3.0, 4.0, 6.0];
 
 /// The law departs from the exact theory by so much at most, converged; 50 steps in an impact add at most .007, wherever
 /// in a step the touch is, and e is met.

@@ -11,6 +11,8 @@ use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Dissipative as _, Shift};
 use carom_laws::rings::{RingLaw, Tolerance};
 
+use crate::grains::{cross, plus};
+
 type V = [f64; 3];
 
 const FRICTION: f64 = 0.3;
@@ -33,14 +35,6 @@ fn hertz(pair: MaterialPair) -> Hertz {
 
 fn rings(pair: MaterialPair) -> RingLaw {
     RingLaw::new(&hertz(pair), friction(), Tolerance::PARTICLES).unwrap()
-}
-
-fn plus(a: V, b: V, by: f64) -> V {
-    [0, 1, 2].map(|k| a[k] + by * b[k])
-}
-
-fn cross(a: V, b: V) -> V {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The law is told the shifts by hand, of a grain that spins about the normal on a wall that moves along: the wall is

@@ -19,15 +19,15 @@ fn fresh(relaxation: f64) -> Contact {
     GrainContact::new(ShiftLaw::new(stiffness, Friction::new(0.4).unwrap()), relaxation).unwrap()
 }
 
-fn plus(a: V, b: V, by: f64) -> V {
+pub(crate) fn plus(a: V, b: V, by: f64) -> V {
     [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]]
 }
 
-fn dot(a: V, b: V) -> f64 {
+pub(crate) fn dot(a: V, b: V) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: V, b: V) -> V {
+pub(crate) fn cross(a: V, b: V) -> V {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

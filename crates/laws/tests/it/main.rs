@@ -42,7 +42,6 @@ mod shift;
 mod sliders;
 mod sliders_known;
 mod slip_lines;
-mod static_friction;
 mod static_slip;
 mod torsion;
 mod torsion_after_sliding;

@@ -142,13 +142,3 @@ fn collinear_paths_in_two_directions_are_those_in_one() {
         }
     }
 }
-
-#[test]
-fn failed_step_leaves_the_state() {
-    let mut memory: Memory<f64> = Memory::new();
-    memory.advance(1.0, 0.3).unwrap();
-    let before = memory.clone();
-    assert_eq!(memory.advance(f64::NAN, 0.1).unwrap_err().field, "zeta");
-    assert_eq!(memory.advance(1.0, f64::INFINITY).unwrap_err().field, "shift");
-    assert_eq!(memory, before);
-}

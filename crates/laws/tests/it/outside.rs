@@ -6,8 +6,10 @@ use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Dissipative, Shift};
 use carom_laws::memory::{Fixed, Growing, Lateral, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
+use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::law::{TorsionConstants, TorsionLaw};
+use carom_laws::turning_law::TurningLaw;
 
 const STIFFNESS: ContactStiffness = ContactStiffness { c_x: 3e9, c_y: 2.6e9, c_z: 4e9 };
 
@@ -113,6 +115,12 @@ const NUMBERS: usize = packed_numbers(12);
 
 fn laws(f: f64) -> [Law; 2] {
     [Law::with_fixed_direction(STIFFNESS, friction(f)), Law::new(STIFFNESS, friction(f))]
+}
+
+/// The same with static friction above kinetic friction.
+fn gripping(f: f64) -> [Law; 2] {
+    let both = StaticFriction::new(friction(f), friction(0.6 * f)).unwrap();
+    TurningLaw::ALL.map(|law| Law::with_static_friction(law, STIFFNESS, both, Tolerance::PARTICLES))
 }
 
 /// A state that has turned, as numbers.
@@ -261,7 +269,7 @@ fn no_garbled_state_exerts_what_it_cannot(cases: u64) {
     let (mut taken, mut refused) = (0, 0);
     garble(cases, |random| {
         let f = 0.4;
-        for mut law in laws(f) {
+        for mut law in laws(f).into_iter().chain(gripping(f)) {
             for shift in path(random, 12, 0.0) {
                 law.advance(shift).unwrap();
             }

@@ -2,6 +2,8 @@
 
 use carom_laws::grains::{Grain, GrainRoll, Heats, Meeting, Rolling, RollingResistance, Surface};
 
+use crate::grains::{cross, dot};
+
 const RADII: [f64; 2] = [0.02, 0.03];
 const RELATIVE: f64 = 1.0 / (1.0 / RADII[0] + 1.0 / RADII[1]);
 const STIFFNESS: f64 = 3e4;
@@ -14,14 +16,6 @@ type V = [f64; 3];
 
 fn resistance(damping: f64) -> RollingResistance {
     RollingResistance::new(STIFFNESS, damping, FRICTION).unwrap()
-}
-
-fn dot([a, b, c]: V, [x, y, z]: V) -> f64 {
-    a * x + b * y + c * z
-}
-
-fn cross([a, b, c]: V, [x, y, z]: V) -> V {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
 /// Two grains along a normal, so deep in each other and spinning.

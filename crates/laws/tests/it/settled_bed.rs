@@ -10,6 +10,8 @@ use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 
+use crate::grains::{cross, dot};
+
 type V = [f64; 3];
 
 const SIDE: usize = 4;
@@ -27,14 +29,6 @@ fn times(a: V, by: f64) -> V {
 
 fn minus(a: V, b: V) -> V {
     plus(a, times(b, -1.0))
-}
-
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: V, b: V) -> V {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn unit(a: V) -> V {

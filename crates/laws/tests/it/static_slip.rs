@@ -33,6 +33,12 @@ fn law(law: TurningLaw, (f_s, f_k): (f64, f64), c_y: f64) -> Law {
     ShiftLaw::with_static_friction(law, stiffness(c_y), friction(f_s, f_k), tolerance)
 }
 
+/// The law of shifts along a line.
+fn on_a_line(turning: TurningLaw, (f_s, f_k): (f64, f64)) -> ShiftLaw<f64> {
+    let friction = friction(f_s, f_k);
+    ShiftLaw::with_static_friction(turning, stiffness(C_X), friction, Tolerance::default())
+}
+
 fn at(zeta: f64, xi: f64, eta: f64) -> Shift {
     Shift { zeta, xi, eta, ..Shift::default() }
 }
@@ -241,13 +247,7 @@ fn along_a_line_it_is_the_law_of_a_line() {
             for seed in 0..30 {
                 let (sin, cos) = (0.3 * seed as f64).sin_cos();
                 let mut turns = Accounted::new(law(turning, (f_s, f_k), C_X));
-                let line = ShiftLaw::<f64>::with_static_friction(
-                    turning,
-                    stiffness(C_X),
-                    friction(f_s, f_k),
-                    Tolerance::default(),
-                );
-                let mut line = Accounted::new(line);
+                let mut line = Accounted::new(on_a_line(turning, (f_s, f_k)));
                 for Shift { zeta, xi, .. } in path(seed, 60, 3.2 * f_s) {
                     let to = at(zeta, cos * xi, sin * xi);
                     assert_eq!(turns.jumps(to), line.jumps(at(zeta, xi, 0.0)), "{seed} {to:?}");
@@ -276,6 +276,25 @@ fn along_a_line_it_is_the_law_of_a_line() {
             println!("{turning} {f_s} {f_k}: {worst:e}");
             assert!(worst < 1e-11, "{turning} {f_s} {f_k}: {worst:e}");
         }
+    }
+}
+
+#[test]
+fn one_step_along_a_line_is_a_thousand() {
+    for seed in 0..20 {
+        let [mut whole, mut parts] =
+            [(); 2].map(|()| Accounted::new(on_a_line(FixedDirection, (F_S, F_K))));
+        for to in path(seed, 40, 1.6) {
+            let (from, to) = (whole.shift(), Shift { eta: 0.0, ..to });
+            let one = whole.advance(to).unwrap();
+            for i in 1..=1000 {
+                parts.advance(between(from, to, f64::from(i) / 1000.0)).unwrap();
+            }
+            assert!(off(one, parts.load()) < 1e-11, "{seed} {to:?}: {one:?} {:?}", parts.load());
+            let heats = [whole.dissipated(), parts.dissipated()];
+            assert_relative_eq!(heats[0], heats[1], max_relative = 1e-8, epsilon = 1e-10);
+        }
+        assert!(whole.dissipated() > 0.0);
     }
 }
 
@@ -451,41 +470,6 @@ fn packed_numbers_go_on() {
 }
 
 #[test]
-fn garbled_numbers_are_refused_or_work() {
-    type Stored = ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>;
-    for turning in [Coulomb, FixedDirection] {
-        let fresh = Stored::with_static_friction(
-            turning,
-            stiffness(0.7),
-            friction(F_S, F_K),
-            Tolerance::PARTICLES,
-        );
-        let mut dice = Congruential(3);
-        let (mut one, mut refused) = (fresh, 0);
-        for to in path(2, 2000, 1.4) {
-            one.advance(to).unwrap();
-            let mut numbers = [0.0; packed_numbers(12)];
-            one.pack(&mut numbers).unwrap();
-            let which = dice.below(20);
-            numbers[which] *= 4.0 * dice.part() - 2.0;
-            let mut two = fresh;
-            if two.unpack(&numbers).is_err() {
-                refused += 1;
-                continue;
-            }
-            for next in path(dice.part().to_bits(), 5, 1.4) {
-                let load = two.advance(next).unwrap();
-                assert!(
-                    load.f_x.hypot(load.f_y) <= (F_S + 1e-3) * load.f_z.max(0.0) + 1e-9,
-                    "{load:?}"
-                );
-            }
-        }
-        assert!(refused > 100, "{refused}");
-    }
-}
-
-#[test]
 fn a_failed_step_leaves_the_state() {
     let mut law = law(Coulomb, (F_S, F_K), C_X);
     law.advance(at(1.0, 0.1, 0.2)).unwrap();
@@ -494,6 +478,11 @@ fn a_failed_step_leaves_the_state() {
     assert_eq!(law.advance(at(1.0, 0.1, f64::INFINITY)).unwrap_err().field, "eta");
     assert!(!law.jumps(at(1.0, f64::NAN, 0.0)) && law == before);
     assert_eq!(law.dissipation(at(1.0, f64::NAN, 0.0)), 0.0);
+    let mut line = on_a_line(FixedDirection, (F_S, F_K));
+    line.advance(at(1.0, 0.1, 0.0)).unwrap();
+    let (before, across) = (line.clone(), at(1.0, 0.1, 0.1));
+    assert_eq!(line.advance(across).unwrap_err().field, "eta");
+    assert!(!line.jumps(across) && line == before);
 }
 
 /// Shifts and approaches of any size give numbers.

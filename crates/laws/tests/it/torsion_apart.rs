@@ -156,29 +156,6 @@ fn work_is_stored_or_dissipated() {
     }
 }
 
-#[test]
-fn heat_is_the_same_in_any_steps() {
-    let heat = |steps: u32| {
-        let mut history = TwistHistory::new();
-        let mut heat = 0.0;
-        for (radius, twist) in [(1.0, 1.6), (1.0, -0.2), (1.0, 3.0), (0.4, 3.1)] {
-            let (from, turn) = (history.radius(), history.twist());
-            for i in 1..=steps {
-                let t = f64::from(i) / f64::from(steps);
-                let (al, bh) = (from + t * (radius - from), turn + t * (twist - turn));
-                heat += history.dissipation(al, bh);
-                history.advance(al, bh).unwrap();
-            }
-        }
-        heat
-    };
-    let one = heat(1);
-    assert!((heat(7) - one).abs() < 1e-11 * one, "{:e}", heat(7) - one);
-    let history = TwistHistory::new();
-    assert_eq!(history.dissipation(f64::NAN, 0.0), 0.0);
-    assert_eq!(history.dissipation(-1.0, 0.0), 0.0);
-}
-
 /// No part of a contact sticks that is none, however the bodies were pressed and twisted before.
 #[test]
 fn separated_bodies_have_no_stick_radius() {

@@ -5,9 +5,8 @@ use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, SteadyContact, SteadyRolling, Way};
 use carom_solver::{CellState, ContactProblem, Driven, Gap};
 
-use super::super::printed::{SOURCE, all_digits, off_cell};
-use super::printed::{counts, highest, number, own_counts, rows};
-use crate::{Absolute, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table};
+use super::printed::{Numbers, all_agree, beside, counts, highest, number, own_counts, rows};
+use crate::{Cell, Failure, Figure, FigureResult, Marker, Panel, Series};
 
 /// Shear modulus and Poisson's ratio of bodies 1 and 2.
 const BODIES: [[f64; 2]; 2] = [[23_000.0, 0.31], [82_000.0, 0.28]];
@@ -28,12 +27,8 @@ const TITLES: [&str; 5] = [
 ];
 
 struct Row {
-    /// Creepage, in the signs of the example, and highest pressure: printed and computed.
-    printed: [f64; 2],
-    own: [f64; 2],
-    /// Cells that stick and slip.
-    printed_cells: [f64; 2],
-    own_cells: [f64; 2],
+    /// Creepage, in the signs of the example, and highest pressure.
+    numbers: Numbers,
     friction: f64,
     rolled: SteadyRolling,
 }
@@ -56,45 +51,16 @@ fn compute() -> Result<Vec<Row>, Failure> {
     let printed = rows("bentall")?;
     let compute = |(row, friction): (&serde_json::Value, f64)| -> Result<Row, Failure> {
         let rolled = roll(friction, number(row, "F_x")?)?;
-        Ok(Row {
+        let numbers = Numbers {
             printed: [number(row, "creepage")?, number(row, "p_max")?],
             // Here creepages are of body 2 against body 1.
             own: [-rolled.creepage.along, highest(&rolled)],
             printed_cells: counts(row)?,
             own_cells: own_counts(&rolled),
-            friction,
-            rolled,
-        })
+        };
+        Ok(Row { numbers, friction, rolled })
     };
     printed.iter().zip(FRICTIONS).map(compute).collect()
-}
-
-fn table(rows: &[Row]) -> Table {
-    let heads = [
-        "",
-        "ξ of CONTACT",
-        "of carom",
-        "off, units of the 4th digit",
-        "p_max of CONTACT, N/mm²",
-        "of carom",
-        "off",
-        "cells that stick: CONTACT",
-        "carom",
-        "that slip: CONTACT",
-        "carom",
-    ];
-    let mut table = Table::new("Number beside number", heads);
-    for (row, title) in rows.iter().zip(TITLES) {
-        let mut cells = vec![Cell::from(title)];
-        for (printed, own) in row.printed.into_iter().zip(row.own) {
-            cells.extend([printed.into(), own.into(), off_cell(own, printed)]);
-        }
-        for (printed, own) in row.printed_cells.into_iter().zip(row.own_cells) {
-            cells.extend([printed.into(), own.into()]);
-        }
-        table.row(cells);
-    }
-    table
 }
 
 /// The points of a value in the cells that stick and in those that slip.
@@ -110,7 +76,7 @@ fn points(row: &Row, value: impl Fn(usize) -> f64) -> [Vec<(f64, f64)>; 2] {
 fn panel(row: &Row, title: &str) -> Panel {
     let state = &row.rolled.state;
     let (pressure, traction) = (state.pressure.values(), state.traction_x.values());
-    let highest = row.own[1];
+    let highest = row.numbers.own[1];
     let mut panel = Panel::new("x in mm", "t_x/(f p_max)").titled(title);
     for (label, sign) in [("± f p", 1.0), ("", -1.0)] {
         let mut limit = points(row, |cell| sign * pressure[cell] / highest).concat();
@@ -135,14 +101,9 @@ pub(super) fn draw() -> FigureResult {
     for (row, title) in rows.iter().zip(TITLES) {
         figure.panel(panel(row, title));
     }
-    figure.table(table(&rows));
-    for (which, name) in ["ξ", "p_max"].into_iter().enumerate() {
-        let pairs = rows.iter().map(|row| (row.own[which], row.printed[which]));
-        all_digits(&mut figure, name, pairs).source(SOURCE);
-    }
-    for (which, name) in ["cells that stick", "cells that slip"].into_iter().enumerate() {
-        let pairs = rows.iter().map(|row| (row.own_cells[which], row.printed_cells[which]));
-        figure.all_close(name, pairs, Absolute(0.0)).source(SOURCE);
-    }
+    let numbers: Vec<_> = rows.iter().map(|row| &row.numbers).collect();
+    let heads = ["", "ξ of CONTACT", "p_max of CONTACT, N/mm²"];
+    figure.table(beside(heads, TITLES.map(Cell::from).into_iter().zip(numbers.iter().copied())));
+    all_agree(&mut figure, ["ξ", "p_max"], &numbers);
     Ok(figure)
 }

@@ -14,6 +14,7 @@ use carom_solver::{
 };
 
 use super::super::printed::{Compared, SOURCE, all_digits, beside, off_cell};
+use super::printed::places;
 use crate::reference::rows;
 use crate::{Absolute, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table};
 
@@ -133,19 +134,6 @@ fn rolled(
     Ok(steps)
 }
 
-/// Where cells stick and where they slip.
-fn places(state: &ContactState, title: &str) -> Panel {
-    let cells = state.cells.values();
-    let mut panel = Panel::new("x in mm", "y in mm").titled(title).equal_aspect();
-    let states = [("slips", CellState::Slip, 1), ("sticks", CellState::Stick, 0)];
-    for (label, wanted, colour) in states {
-        let found = state.pressure.grid().centres().zip(cells).filter(|(_, cell)| **cell == wanted);
-        let points: Vec<(f64, f64)> = found.map(|(place, _)| place).collect();
-        panel.add(Series::markers(label, Marker::Dot, points).sized(0.6).coloured(colour));
-    }
-    panel
-}
-
 /// The creepage over the way that the ball has rolled.
 fn curve(steps: &[Step], printed: &[[f64; 5]], steady: &SteadyRolling) -> Panel {
     let way = |k: usize| (k + 1) as f64 * WIDTH;
@@ -204,9 +192,14 @@ pub(super) fn draw() -> FigureResult {
     let steady = SteadyContact::new(&problem, Way::new(WIDTH)?)?.roll(&drive(), &mut ())?;
     let last = steps.last().ok_or("no step")?;
     figure.panel(curve(&steps, &printed, &steady));
-    figure.panel(places(&start, "shifted"));
-    figure.panel(places(&steps[12].state, "rolled by 3.25 mm"));
-    figure.panel(places(&last.state, "rolled by 14 mm"));
+    for (state, title) in [
+        (&start, "shifted"),
+        (&steps[12].state, "rolled by 3.25 mm"),
+        (&last.state, "rolled by 14 mm"),
+    ] {
+        let panel = Panel::new("x in mm", "y in mm").titled(title).equal_aspect();
+        figure.panel(places(state, panel));
+    }
 
     let highest = start.pressure.values().iter().copied().fold(0.0, f64::max);
     let at_first = [

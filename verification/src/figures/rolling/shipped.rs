@@ -4,11 +4,11 @@ use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_rolling::{Creepage, RollingDrive, RollingFriction, SteadyContact, SteadyRolling, Way};
-use carom_solver::{CellState, ContactProblem, Driven, Gap};
+use carom_solver::{ContactProblem, Driven, Gap};
 
 use super::super::printed::{Compared, SOURCE, all_digits, beside};
-use super::printed::{counts, highest, number, own_counts, rows};
-use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
+use super::printed::{counts, highest, number, own_counts, places, rows};
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Series};
 
 const FRICTION: f64 = 0.3;
 
@@ -55,19 +55,6 @@ fn falling() -> Result<SteadyRolling, Failure> {
     let mut contact = contact.with_friction_by_slip(RollingFriction::new(law, 45_000.0)?);
     let creepage = Creepage { along: 0.000_999_9, ..Creepage::default() };
     Ok(contact.roll(&RollingDrive::by_creepage(Driven::Load(622_216.0), creepage), &mut ())?)
-}
-
-/// The cells of the wheel that stick and that slip.
-fn places(rolled: &SteadyRolling) -> Panel {
-    let (grid, cells) = (rolled.state.pressure.grid(), rolled.state.cells.values());
-    let mut panel = Panel::new("x in mm", "y in mm").titled("the wheel");
-    let states = [("slips", CellState::Slip, 1), ("sticks", CellState::Stick, 0)];
-    for (label, state, colour) in states {
-        let of_state = grid.centres().zip(cells).filter(|(_, cell)| **cell == state);
-        let points: Vec<(f64, f64)> = of_state.map(|(place, _)| place).collect();
-        panel.add(Series::markers(label, Marker::Dot, points).sized(0.6).coloured(colour));
-    }
-    panel
 }
 
 /// Traction and friction limit at rest, over the highest limit, of a contact about a middle.
@@ -117,7 +104,8 @@ pub(super) fn draw() -> FigureResult {
             own,
         });
     }
-    figure.panel(places(&wheel));
+    let panel = Panel::new("x in mm", "y in mm").titled("the wheel");
+    figure.panel(places(&wheel.state, panel));
     for row in rows("visc_cylindr")? {
         let modulus = number(&row, "G")?;
         let rolled = cylinders(modulus)?;

@@ -5,11 +5,8 @@ use carom_laws::friction::Friction;
 use carom_rolling::{Creepage, RollingDrive, SteadyContact, SteadyRolling, Way};
 use carom_solver::{ContactProblem, Driven, Gap};
 
-use super::super::printed::{SOURCE, all_digits, off_cell};
-use super::printed::{counts, number, own_counts, rows};
-use crate::{
-    Absolute, Axis, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table, linspace,
-};
+use super::printed::{Numbers, all_agree, beside, counts, number, own_counts, rows};
+use crate::{Axis, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 /// Semi-axes and curvatures of Hertz's ellipse of the example, which prints four digits of them.
 const SEMI_AXES: [f64; 2] = [6.303_597_245_518, 12.607_194_491_036];
@@ -21,12 +18,8 @@ const FRICTION: f64 = 0.33;
 /// One creepage, in the signs of the example.
 struct Row {
     xi: f64,
-    /// F_x, F_x/(f F_z): printed and computed.
-    printed: [f64; 2],
-    own: [f64; 2],
-    /// Cells that stick and slip.
-    printed_cells: [f64; 2],
-    own_cells: [f64; 2],
+    /// F_x, F_x/(f F_z).
+    numbers: Numbers,
 }
 
 fn contact() -> Result<SteadyContact, Failure> {
@@ -53,43 +46,15 @@ fn compute() -> Result<Vec<Row>, Failure> {
         let xi = number(&row, "xi")?;
         let rolled = roll(&mut contact, xi)?;
         let f_x = rolled.state.load().f_x;
-        computed.push(Row {
-            xi,
+        let numbers = Numbers {
             printed: [number(&row, "F_x")?, number(&row, "Fx_over_f_Fz")?],
             own: [f_x, f_x / (FRICTION * FORCE)],
             printed_cells: counts(&row)?,
             own_cells: own_counts(&rolled),
-        });
+        };
+        computed.push(Row { xi, numbers });
     }
     Ok(computed)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let heads = [
-        "ξ",
-        "F_x of CONTACT, N",
-        "of carom",
-        "off, units of the 4th digit",
-        "F_x/(f F_z) of CONTACT",
-        "of carom",
-        "off",
-        "cells that stick: CONTACT",
-        "carom",
-        "that slip: CONTACT",
-        "carom",
-    ];
-    let mut table = Table::new("Number beside number", heads);
-    for row in rows {
-        let mut cells = vec![Cell::from(row.xi)];
-        for (printed, own) in row.printed.into_iter().zip(row.own) {
-            cells.extend([printed.into(), own.into(), off_cell(own, printed)]);
-        }
-        for (printed, own) in row.printed_cells.into_iter().zip(row.own_cells) {
-            cells.extend([printed.into(), own.into()]);
-        }
-        table.row(cells);
-    }
-    table
 }
 
 /// The creepage up to which the curve is drawn in detail.
@@ -113,13 +78,14 @@ fn panels(rows: &[Row]) -> Result<[Panel; 3], Failure> {
     };
     let near = |points: Vec<(f64, f64)>| points.into_iter().filter(|point| point.0 < DETAIL);
     let (force, stick) = ("−F_x/(f F_z)", "cells that stick");
-    let (printed, cells) = (points(|row| -row.printed[1]), points(|row| row.printed_cells[0]));
+    let (printed, cells) =
+        (points(|row| -row.numbers.printed[1]), points(|row| row.numbers.printed_cells[0]));
     let [own_force, own_stick] = detail()?;
     let mut one = Panel::new("ξ", force).titled("Traction up to sliding");
     one.add(Series::line("carom", own_force));
     one.add(Series::markers("CONTACT", Marker::Circle, near(printed.clone())));
     let mut two = Panel::new(Axis::log("ξ"), force).titled("All creepages");
-    two.add(Series::line("carom", points(|row| -row.own[1])));
+    two.add(Series::line("carom", points(|row| -row.numbers.own[1])));
     two.add(Series::markers("CONTACT", Marker::Circle, printed));
     let mut three = Panel::new("ξ", stick).titled("Adhesion");
     three.add(Series::line("carom", own_stick));
@@ -138,14 +104,9 @@ pub(super) fn draw() -> FigureResult {
     for panel in panels(&rows)? {
         figure.panel(panel);
     }
-    figure.table(table(&rows));
-    for (which, name) in ["F_x", "F_x/(f F_z)"].into_iter().enumerate() {
-        let pairs = rows.iter().map(|row| (row.own[which], row.printed[which]));
-        all_digits(&mut figure, name, pairs).source(SOURCE);
-    }
-    for (which, name) in ["cells that stick", "cells that slip"].into_iter().enumerate() {
-        let pairs = rows.iter().map(|row| (row.own_cells[which], row.printed_cells[which]));
-        figure.all_close(name, pairs, Absolute(0.0)).source(SOURCE);
-    }
+    let heads = ["ξ", "F_x of CONTACT, N", "F_x/(f F_z) of CONTACT"];
+    figure.table(beside(heads, rows.iter().map(|row| (row.xi.into(), &row.numbers))));
+    let numbers: Vec<_> = rows.iter().map(|row| &row.numbers).collect();
+    all_agree(&mut figure, ["F_x", "F_x/(f F_z)"], &numbers);
     Ok(figure)
 }

@@ -31,8 +31,7 @@ pub(crate) struct World {
     pub(crate) called: BTreeSet<&'static str>,
 }
 
-pub(crate) const GLASS: CaromMaterial =
-    CaromMaterial { young_modulus: 70e9, poisson: 0.22, yield_stress: 0.0 };
+pub(crate) use crate::particles::GLASS;
 
 /// Number of laws, and of touches: the first of each law, then the second.
 pub(crate) const LAWS: usize = 8;

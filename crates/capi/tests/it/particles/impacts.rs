@@ -117,11 +117,8 @@ impl<'a> Impact<'a> {
             let (sizes, mass, material) = ([radius, 0.0, 0.0], mass(radius), pair[i]);
             CaromBody { sizes, mass, material, centre: place, velocity, spin, ..usual }
         };
-        // SAFETY: all pointers are references or null.
-        let rebound = told(CaromRebound::default(), |to, error| unsafe {
-            carom_collide(&body(0), &body(1), self.friction, NORMAL.as_ptr(), null(), to, error)
-        });
-        let rebound = rebound.unwrap();
+        let bodies = [&body(0), &body(1)];
+        let rebound = collided(bodies, self.friction, Some(&NORMAL), None).unwrap();
         let [one, two] = self.bodies;
         let one =
             CaromGrain { velocity: rebound.body_1_velocity, spin: rebound.body_1_spin, ..one };

@@ -305,19 +305,13 @@ fn wrong_numbers_are_named() {
 /// A rubber ball that falls on a rigid floor.
 fn fall(velocity: f64) -> CaromRebound {
     let rubber = CaromMaterial { young_modulus: 1e6, poisson: 0.5, yield_stress: 0.0 };
-    // SAFETY: zeros are a solid sphere at rest; all pointers are references or null.
-    unsafe {
-        let [mut ball, mut floor]: [CaromBody; 2] = zeroed();
-        (ball.shape, ball.sizes[0], ball.mass, ball.material) =
-            (CAROM_SHAPE_SPHERE, 0.02, 0.03, rubber);
-        ball.velocity[2] = -velocity;
-        (floor.shape, floor.material.young_modulus) = (CAROM_SHAPE_PLANE, f64::INFINITY);
-        let (mut rebound, mut error, up) = (CaromRebound::default(), zeroed(), [0.0, 0.0, 1.0]);
-        let to = &raw mut rebound;
-        let status = carom_collide(&ball, &floor, 0.3, up.as_ptr(), null(), to, &raw mut error);
-        assert_eq!(status, CaromStatus::Ok);
-        rebound
-    }
+    // SAFETY: zeros are a solid sphere at rest.
+    let [mut ball, mut floor]: [CaromBody; 2] = unsafe { zeroed() };
+    (ball.shape, ball.sizes[0], ball.mass, ball.material) =
+        (CAROM_SHAPE_SPHERE, 0.02, 0.03, rubber);
+    ball.velocity[2] = -velocity;
+    (floor.shape, floor.material.young_modulus) = (CAROM_SHAPE_PLANE, f64::INFINITY);
+    collided([&ball, &floor], 0.3, Some(&[0.0, 0.0, 1.0]), None).unwrap()
 }
 
 #[test]

@@ -37,7 +37,8 @@ pub(super) struct Told {
     pub(super) index: i64,
 }
 
-fn words(bytes: &[c_char]) -> String {
+/// A text of an error.
+pub(super) fn words(bytes: &[c_char]) -> String {
     // SAFETY: ends with a zero.
     unsafe { CStr::from_ptr(bytes.as_ptr()) }.to_string_lossy().into_owned()
 }
@@ -49,6 +50,7 @@ pub(super) fn told<T>(
 ) -> Result<T, Told> {
     // SAFETY: plain numbers.
     let (mut made, mut error): (T, CaromError) = (made, unsafe { zeroed() });
+    error.index = -7;
     match call(&mut made, &raw mut error) {
         CaromStatus::Ok => Ok(made),
         status => {
@@ -56,6 +58,23 @@ pub(super) fn told<T>(
             Err(Told { status, field, text, index: error.index })
         }
     }
+}
+
+/// An impact of two bodies, or what was told.
+pub(super) fn collided(
+    [one, two]: [&CaromBody; 2],
+    friction: f64,
+    normal: Option<&Vector>,
+    options: Option<CaromCollideOptions>,
+) -> Result<CaromRebound, Told> {
+    let normal = normal.map_or(null(), |normal| normal.as_ptr());
+    let size = size_of::<CaromCollideOptions>();
+    let options = options.map(|options| CaromCollideOptions { size, ..options });
+    let options = options.as_ref().map_or(null(), std::ptr::from_ref);
+    // SAFETY: all pointers are references or null.
+    told(CaromRebound::default(), |to, error| unsafe {
+        carom_collide(one, two, friction, normal, options, to, error)
+    })
 }
 
 pub(super) fn options(law: u32) -> CaromLawOptions {

@@ -26,6 +26,15 @@ pub(crate) fn stdout(arguments: &[&str]) -> String {
     successful(arguments, carom(arguments))
 }
 
+/// What the command says of what it refuses; it must end with code 2 and give nothing else.
+pub(crate) fn refusal(arguments: &[&str]) -> String {
+    let output = carom(arguments);
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {stderr}");
+    assert!(output.stdout.is_empty(), "{arguments:?}: {stderr}");
+    stderr
+}
+
 /// The results where lines have this width.
 pub(crate) fn stdout_at(width: usize, arguments: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
@@ -129,6 +138,11 @@ pub(crate) fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
 pub(crate) fn close(value: &serde_json::Value, expected: f64, tolerance: f64) {
     let value = value.as_f64().unwrap();
     assert!((value - expected).abs() <= tolerance, "{value} is not {expected}");
+}
+
+/// The number of this name in a row.
+pub(crate) fn number(row: &serde_json::Value, name: &str) -> f64 {
+    row[name].as_f64().unwrap_or_else(|| panic!("{name} of {row}"))
 }
 
 /// Names and texts of the examples of a kind.

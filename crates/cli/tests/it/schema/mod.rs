@@ -4,7 +4,7 @@
 mod draft_4;
 
 use crate::book::{agrees, root};
-use crate::common::{folder, stdout};
+use crate::common::{self, folder, stdout};
 use carom_cases::case::{CaseKind, Form, Need, entries};
 use serde_json::Value;
 use std::process::Command;
@@ -34,12 +34,8 @@ fn json(source: &str) -> Value {
 }
 
 fn examples() -> Vec<(String, String)> {
-    let folders = ["examples", "examples/fit"].map(|name| root().join(name));
-    let entries = folders.map(|folder| std::fs::read_dir(folder).unwrap());
-    let paths = entries.into_iter().flatten().map(|entry| entry.unwrap().path());
-    let cases = paths.filter(|path| path.extension().is_some_and(|end| end == "toml"));
-    let name = |path: &std::path::Path| path.file_name().unwrap().to_str().unwrap().to_owned();
-    cases.map(|path| (name(&path), std::fs::read_to_string(&path).unwrap())).collect()
+    let of = |kind| [common::examples(kind), common::examples_in("fit", kind)].concat();
+    CaseKind::ALL.into_iter().flat_map(of).collect()
 }
 
 #[test]

@@ -14,10 +14,6 @@ pub(crate) fn collided(collision: &Collision) -> Rebound {
     collision.solve().unwrap().rebound().unwrap().clone()
 }
 
-pub(crate) fn met(encounter: &Collision) -> Rebound {
-    encounter.solve().unwrap().rebound().unwrap().clone()
-}
-
 /// chi of a solid sphere: 7/(2 kappa), kappa = (2 - nu)/(2 (1 - nu)).
 pub(crate) fn chi_of_sphere(poisson: f64) -> f64 {
     7.0 * (1.0 - poisson) / (2.0 - poisson)
@@ -57,7 +53,7 @@ pub(crate) fn same(
     along: impl Fn([f64; 3]) -> Collision,
 ) -> Result<(), TestCaseError> {
     // Matrices know of no centres that turn.
-    let own = met(&encounter.clone().keeping_axes());
+    let own = collided(&encounter.clone().keeping_axes());
     let other = collided(&along(encounter.frame().z().into()).keeping_axes());
     // Told nothing of the shapes.
     let (mobility, stiffness) = (*encounter.mobility(), encounter.hertz().stiffness());
