@@ -318,9 +318,12 @@ impl Plan {
                 self.row_inverse((0, part, row), parts, tiles, lane);
                 let some = lane.row[..self.sizes.nx].chunks(2 * f64::BLOCK);
                 for (slot, values) in parts.slots_mut((part, 0, row), tiles).zip(some) {
-                    for (place, pair) in slot.iter_mut().zip(values.chunks(2)) {
-                        let next = pair.get(1).copied().unwrap_or_default();
-                        *place = Complex::new(pair[0] * unit, next * unit);
+                    let (pairs, last) = values.as_chunks();
+                    for (place, [one, other]) in slot.iter_mut().zip(pairs) {
+                        *place = Complex::new(one * unit, other * unit);
+                    }
+                    if let [last] = last {
+                        slot[pairs.len()].re = last * unit;
                     }
                 }
             }
@@ -340,8 +343,12 @@ impl NormalRows for Transformed<'_> {
             for row in parts.rows(part).filter(|row| wanted(*row)) {
                 let some = lane.row[..nx].chunks_mut(2 * f64::BLOCK);
                 for (values, slot) in some.zip(parts.slots((part, 0, row), tiles)) {
-                    for (pair, stored) in values.chunks_mut(2).zip(slot) {
-                        pair.copy_from_slice(&[stored.re, stored.im][..pair.len()]);
+                    let (pairs, last) = values.as_chunks_mut();
+                    for (pair, stored) in pairs.iter_mut().zip(slot) {
+                        *pair = [stored.re, stored.im];
+                    }
+                    if let [last] = last {
+                        *last = slot[pairs.len()].re;
                     }
                 }
                 take(row, &lane.row[..nx]);

@@ -13,12 +13,14 @@ fn grid() -> Grid {
     Grid::new(60, 46, 1.0, 0.5).unwrap()
 }
 
-fn operators(threads: Threads, blocks: Blocks) -> [Box<dyn SurfaceOperator>; 3] {
+fn operators(threads: Threads, blocks: Blocks) -> [Box<dyn SurfaceOperator>; 4] {
     let [one, two] = [0.1, 0.45].map(|nu| Material::from_shear(1.0, nu).unwrap());
     let pair = MaterialPair::new(one, two).unwrap();
     let plate = Plate::new(60.0, 23.0, 1.0).unwrap();
     let under = MaterialPair::new(Material::RIGID, one).unwrap();
+    let odd = Grid::new(61, 47, 1.0, 0.5).unwrap();
     [
+        Box::new(HalfSpaceOperator::with_blocks(pair, odd, blocks, threads).unwrap()),
         Box::new(HalfSpaceOperator::with_blocks(pair, grid(), blocks, threads).unwrap()),
         Box::new(PeriodicOperator::with_blocks(pair, grid(), blocks, threads).unwrap()),
         Box::new(PlateOperator::new(under, plate, grid(), PlateSymbol::Layer, threads).unwrap()),
@@ -26,7 +28,7 @@ fn operators(threads: Threads, blocks: Blocks) -> [Box<dyn SurfaceOperator>; 3] 
 }
 
 fn by_fields(operator: &dyn SurfaceOperator, pressure: &[f64]) -> Result<Vec<f64>, OperatorError> {
-    let mut w = vec![0.0; grid().cells()];
+    let mut w = vec![0.0; operator.grid().cells()];
     let displacements = DisplacementField::normal(&mut w);
     operator.apply(TractionField::normal(pressure), displacements, &mut operator.workspace())?;
     Ok(w)
@@ -38,12 +40,12 @@ fn by_rows(
     pressure: &[f64],
     wanted: &(dyn Fn(usize) -> bool + Sync),
 ) -> Result<Vec<f64>, OperatorError> {
-    let (nx, mut workspace) = (grid().nx(), operator.workspace());
+    let (nx, mut workspace) = (operator.grid().nx(), operator.workspace());
     let mut rows = operator.pressed(pressure, &mut workspace)?;
     let mut last = Vec::new();
     // They may be read again.
     for _ in 0..2 {
-        let found = Mutex::new(vec![f64::NAN; grid().cells()]);
+        let found = Mutex::new(vec![f64::NAN; operator.grid().cells()]);
         rows.each(wanted, &|row, displacements| {
             let own = &mut found.lock().unwrap()[row * nx..][..nx];
             assert!(own[0].is_nan());
@@ -57,17 +59,18 @@ fn by_rows(
 #[test]
 fn rows_are_those_of_the_field_to_the_bit() {
     let mut draw = Xorshift(5);
-    let all: Vec<f64> = (0..grid().cells()).map(|_| draw.signed()).collect();
-    let few: Vec<f64> =
-        (0..grid().cells()).map(|cell| if cell / 60 == 9 { all[cell] } else { 0.0 }).collect();
     for threads in [Threads::One, Threads::Pool] {
         for operator in operators(threads, Blocks::Normal) {
-            for pressure in [&all, &few, &vec![0.0; grid().cells()]] {
+            let (nx, cells) = (operator.grid().nx(), operator.grid().cells());
+            let all: Vec<f64> = (0..cells).map(|_| draw.signed()).collect();
+            let one_row = |cell: usize| if cell / nx == 9 { all[cell] } else { 0.0 };
+            let few: Vec<f64> = (0..cells).map(one_row).collect();
+            for pressure in [&all, &few, &vec![0.0; cells]] {
                 let field = by_fields(&*operator, pressure).unwrap();
                 assert_eq!(by_rows(&*operator, pressure, &|_| true).unwrap(), field);
                 let third = by_rows(&*operator, pressure, &|row| row % 3 == 1).unwrap();
                 for (cell, value) in third.iter().enumerate() {
-                    let is_wanted = cell / 60 % 3 == 1;
+                    let is_wanted = cell / nx % 3 == 1;
                     assert!(if is_wanted { *value == field[cell] } else { value.is_nan() });
                 }
             }
