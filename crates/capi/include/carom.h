@@ -92,7 +92,7 @@ const char *carom_status_text(int32_t status);
 #define CAROM_ABI_VERSION 13
 
 /* The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read. */
-#define CAROM_STATE_VERSION 2
+#define CAROM_STATE_VERSION 3
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);
@@ -317,7 +317,7 @@ typedef struct carom_report {
  * The constants are those of the step in which contact began. To change them, set the touch to zero. */
 typedef struct carom_touch carom_touch;
 
-/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3208 of CAROM_LAW_RINGS; 744 more with torsion,
+/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3240 of CAROM_LAW_RINGS; 744 more with torsion,
  * 72 more with a resistance to rolling. 0 for null. */
 size_t carom_touch_size(const struct carom_law *law);
 
@@ -403,7 +403,7 @@ carom_status carom_touch_report(const struct carom_law *law,
                                 struct carom_report *report,
                                 struct carom_error *error);
 
-/* The number of numbers into which a touch of this law packs: 82 of a law of shifts, 314 of CAROM_LAW_RINGS; 83 more
+/* The number of numbers into which a touch of this law packs: 82 of a law of shifts, 316 of CAROM_LAW_RINGS; 83 more
  * with torsion, 9 with a resistance to rolling, 1 with friction by the slip speed. 0 for null. */
 size_t carom_touch_pack_size(const struct carom_law *law);
 

@@ -25,10 +25,10 @@ pub const fn grain_numbers(vertices: usize) -> usize {
     packed_numbers(vertices) + BESIDE
 }
 
-/// Number of values of a stored contact with this many rings and angles: 314 for 6 x 8.
+/// Number of values of a stored contact with this many rings and angles: 316 for 6 x 8.
 ///
 /// ```
-/// assert_eq!(carom_laws::grains::ring_grain_numbers(6, 8), 314);
+/// assert_eq!(carom_laws::grains::ring_grain_numbers(6, 8), 316);
 /// ```
 #[must_use]
 pub const fn ring_grain_numbers(rings: usize, angles: usize) -> usize {

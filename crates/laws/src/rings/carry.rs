@@ -74,28 +74,40 @@ impl<const N: usize> Nodes<N> {
         Stencil { first, weights }
     }
 
+    /// The stencil of a radius, inside or outside.
+    #[inline]
+    fn stencil_or_rim(&self, x: f64, near: usize) -> Stencil {
+        if x < 1.0 {
+            return self.stencil(x.max(self.at[0]), near);
+        }
+        let mut weights = [0.0; NEAR];
+        weights[NEAR - 1] = 1.0;
+        Stencil { first: Self::last(), weights }
+    }
+
     /// The field on rings whose radii have changed by a factor, interpolated from the old field and its
-    /// values at the old rim. Rings outside the old contact take the values at the rim.
+    /// values at the old rim; at each angle from `outwards` further outside, if given. Rings outside the old contact take
+    /// the values at the rim.
     #[inline]
     pub(super) fn carried<const H: usize, S: Symmetry<H>>(
         &self,
         field: &Field<N, H>,
         rim: &[[f64; 2]; H],
         factor: f64,
+        outwards: Option<&[f64; H]>,
     ) -> Field<N, H> {
-        let mut at_rim = [0.0; NEAR];
-        at_rim[NEAR - 1] = 1.0;
-        let stencils: [Stencil; N] = std::array::from_fn(|i| {
-            let x = self.at[BEYOND + i] * factor;
-            if x >= 1.0 {
-                return Stencil { first: Self::last(), weights: at_rim };
-            }
-            self.stencil(x, i)
-        });
+        let stencils_at = |further: f64| -> [Stencil; N] {
+            let at = |i: usize| self.at[BEYOND + i] * factor + further;
+            std::array::from_fn(|i| self.stencil_or_rim(at(i), i))
+        };
+        let mut stencils = stencils_at(outwards.map_or(0.0, |outwards| outwards[0]));
         let mut out = [[[0.0; N]; 2]; H];
         let mut line = [0.0; NODES];
         for (j, parts) in out.iter_mut().enumerate() {
             let (opposite, signs) = S::opposite(j);
+            if let Some(outwards) = outwards {
+                stencils = stencils_at(outwards[j]);
+            }
             for (c, part) in parts.iter_mut().enumerate() {
                 // Beyond the centre both directions of the polar frame are reversed.
                 let across = &field[opposite][c];
@@ -141,7 +153,7 @@ mod tests {
         };
         let rim: [[f64; 2]; 8] = std::array::from_fn(|j| at(1.0, turns[j]));
         for factor in [1.0, 1.01, 0.97, 0.5, 0.02, 1e-9, 1.6] {
-            let got = nodes.carried::<8, Whole>(&field_at(1.0), &rim, factor);
+            let got = nodes.carried::<8, Whole>(&field_at(1.0), &rim, factor, None);
             let want = field_at(factor);
             for j in 0..8 {
                 for i in 0..6 {

@@ -5,6 +5,7 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock};
 
+use super::centre::Centre;
 use super::dense::{Rows, inverse};
 use super::kernel::{at_radius, between_rings};
 use super::layout::Layout;
@@ -41,6 +42,8 @@ pub(super) struct Influence<const N: usize> {
     pub(super) rings: Vec<Harmonic>,
     /// As `rings`, for displacements at the rim; `normal_inverse` and `lift` are those of the rings.
     pub(super) rim: Vec<Harmonic>,
+    /// The centre of a contact that slips.
+    pub(super) centre: Centre,
 }
 
 impl<const N: usize> Influence<N> {
@@ -71,7 +74,8 @@ impl<const N: usize> Influence<N> {
         };
         let (rings, mut rim) = (harmonics(false), harmonics(true));
         rim[0].own[1] = vec![at_radius([1, 1], twist_radius, &layout.edges)];
-        Self { layout, rim_radius, rings, rim }
+        let centre = Centre::new(&rings[1].normal_inverse, &layout);
+        Self { layout, rim_radius, rings, rim, centre }
     }
 
     /// The coefficients for this many angles, computed once per process.

@@ -51,6 +51,14 @@ impl<const N: usize> Layout<N> {
     }
 }
 
+impl<const N: usize> Layout<N> {
+    /// Mean of the cubed radius of a ring.
+    pub(super) fn mean_cube(&self, ring: usize) -> f64 {
+        let [low, high] = [self.edges[ring], self.edges[ring + 1]];
+        0.4 * (high.powi(5) - low.powi(5)) / ((high - low) * (high + low))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -13,15 +13,17 @@
 //! K, L, K0 and G are surface displacements by tractions and pressures (Cerruti, Boussinesq), by harmonics
 //! about the normal; g is the radial displacement by Hertz's pressure (15.2), outwards for gamma > 0. A point
 //! sticks where |q| < p and slips along q where |q| = p. The terms quadratic in gamma are the pressure that
-//! tractions add, since the bodies cannot overlap. The law neglects that the contact area then differs from
-//! that of Hertz: the normal force errs in the third order of gamma f, as energies do by a change of the area (against
-//! a grid .0006 at gamma f = .1), the friction force of a contact that sticks in part by some .06 gamma^2 f F_z.
+//! tractions add, since the bodies cannot overlap. Tractions along x also move the centre of the contact, by some
+//! gamma f a/3 in sliding, and the rings move with it (`centre`). The law neglects that the contact area is no circle: against a
+//! grid of 72 cells the normal force was .0003 off at gamma f = .2, and the friction force .001 f F_z while approach and
+//! shift grew in proportion (.02 about a fixed centre).
 //!
 //! A place that enters the contact at the rim has the slip of the rim. Slip inside is transported by
 //! interpolation. The history outside a receding rim is dropped. Each step is one convex problem, which is
 //! solved to the tolerance of [`RingLaw`]. The step is of second order: slip that continues is extrapolated.
 
 mod carry;
+mod centre;
 mod constants;
 mod contact;
 mod dense;

@@ -2,6 +2,7 @@
 
 use carom_special::RangeError;
 
+use super::centre;
 use super::contact::{Contact, Sums};
 use super::matrices::Rings;
 use super::memory::RingMemory;
@@ -11,8 +12,8 @@ use super::transform::Field;
 use crate::bounds::LEAST_APPROACH;
 use crate::law::Shift;
 
-/// Number of values before the fields: shift, length of the last step, normal force.
-const HEAD: usize = 6;
+/// Number of values before the fields: shift, length of the last step, normal force, centre.
+const HEAD: usize = 8;
 /// Number of stored fields: slip, tractions, slip of the last step.
 const FIELDS: usize = 3;
 /// Allowed deviation of stored tractions from those of the stored slip, and of tractions beyond their limits,
@@ -27,7 +28,7 @@ const STUCK_OFF: f64 = OFF * FINEST;
 /// Slip and tractions of shifts within their limits are smaller.
 const LARGEST_IN_FIELD: f64 = 1e250;
 
-/// Number of values of a stored state with this many rings and angles: 294 for 6 x 8.
+/// Number of values of a stored state with this many rings and angles: 296 for 6 x 8.
 #[must_use]
 pub const fn packed_numbers(rings: usize, angles: usize) -> usize {
     HEAD + FIELDS * 2 * rings * angles
@@ -43,7 +44,8 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         check_room::<N, M>(numbers.len())?;
         numbers.fill(0.0);
         let Shift { zeta, xi, eta, omega } = self.shift;
-        let head = [zeta, xi, eta, omega, self.contact.length, self.sums.normal];
+        let [x, y] = self.contact.centre;
+        let head = [zeta, xi, eta, omega, self.contact.length, self.sums.normal, x, y];
         numbers[..HEAD].copy_from_slice(&head);
         let Contact { slip, tractions, .. } = &self.contact;
         for (field, part) in
@@ -64,7 +66,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         numbers: &[f64],
     ) -> Result<(), RangeError> {
         check_room::<N, M>(numbers.len())?;
-        let [zeta, xi, eta, omega, length, normal] = std::array::from_fn(|i| numbers[i]);
+        let [zeta, xi, eta, omega, length, normal, x, y] = std::array::from_fn(|i| numbers[i]);
         let shift = Shift { zeta, xi, eta, omega };
         shift.check_finite()?;
         RangeError::non_negative("length", length)?;
@@ -83,9 +85,13 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         let mut sums = Sums::default();
         match rings.pair {
             Some(pair) if zeta > LEAST_APPROACH => {
-                (contact.radius, contact.length) = (zeta.sqrt(), length);
+                let fits = centre::fits([x, y], zeta);
+                RangeError::check("centre", x.hypot(y), fits, "at most half of the radius off")?;
+                let square = centre::square([x, y], zeta);
+                (contact.radius, contact.centre) = (square.sqrt(), [x, y]);
+                contact.length = length;
                 pair.follow(&mut contact.tractions);
-                contact.rim = contact.at_rim(pair, zeta);
+                contact.rim = contact.at_rim(pair, square);
                 let u = displacements(pair, &contact);
                 let stuck = pair.sticking_to(&u);
                 let room = room(rings.tolerance).max(beyond_scale(pair, &stuck));
@@ -191,7 +197,7 @@ fn room(tolerance: f64) -> f64 {
 
 fn check_room<const N: usize, const M: usize>(room: usize) -> Result<(), RangeError> {
     let holds = room >= packed_numbers(N, M);
-    RangeError::check("numbers", room as f64, holds, "6 and 6 for each place of a ring").map(|_| ())
+    RangeError::check("numbers", room as f64, holds, "8 and 6 for each place of a ring").map(|_| ())
 }
 
 fn parts<const N: usize, const M: usize>(numbers: &mut [f64]) -> impl Iterator<Item = &mut [f64]> {

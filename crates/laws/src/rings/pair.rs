@@ -37,6 +37,8 @@ pub(super) const PEAK: f64 = 4.0 / std::f64::consts::PI;
 pub(super) const HERTZ: f64 = 8.0 / 3.0;
 /// Above this friction the scale of tractions is set by the pressure, not by the friction limit.
 const MOST_CARRIED: f64 = 3.0;
+/// The largest gamma f at which the centre moves: beyond it the bodies part on one side, which no circle shows.
+const MOST_LIFT: f64 = 1.0;
 
 /// The matrices of a pair of materials.
 #[derive(Debug)]
@@ -57,6 +59,11 @@ pub(super) struct Matrices<const N: usize, const H: usize, S: Symmetry<H>> {
     pub(super) rim: Vec<RimBlock<N>>,
     /// Pressures by tractions over gamma f; block b gives the harmonic of its first component, real if even.
     pub(super) press: Vec<PressBlock<N>>,
+    /// The way of the centre over the radius and gamma f, along x by tractions of the even block of the harmonic 1 and
+    /// along y by those of the odd one: `[component in][ring in]`.
+    pub(super) way: [[[f64; N]; 2]; 2],
+    /// Derivatives by the angle, of radial and of circumferential components: `[component][angle][angle in]`.
+    pub(super) slopes: [[[f64; H]; H]; 2],
 }
 
 /// The matrices of two materials with a coefficient of friction.
@@ -95,7 +102,8 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         let (spread, lift) =
             if slips { (gamma / friction, gamma * friction) } else { (gamma, gamma) };
         let scale = PEAK * (MOST_CARRIED / friction).min(1.0);
-        let matrices = Matrices::shared(kappa, gamma);
+        let moves = slips && lift > 0.0 && lift <= MOST_LIFT;
+        let matrices = Matrices::shared(kappa, gamma, moves);
         let mut pair = Self { matrices, spread, lift, scale, slips, normal_without_slip: HERTZ };
         if !slips && lift != 0.0 {
             pair.normal_without_slip = pair.pressed_without_slip();
@@ -105,13 +113,17 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
 }
 
 impl<const N: usize, const H: usize, S: Symmetry<H>> Matrices<N, H, S> {
-    fn new(kappa: f64, gamma: f64) -> Self {
+    fn new(kappa: f64, gamma: f64, moves: bool) -> Self {
         let influence = Influence::<N>::shared(S::ANGLES);
+        let [rings, rim] = [&influence.rings, &influence.rim].map(|of| match moves {
+            true => influence.centre.of_moving(of),
+            false => of.clone(),
+        });
         let blocks = |of: &[Harmonic]| -> Vec<Blocks> {
             (0..S::blocks()).map(|block| kept::<H, S>(of, kappa, gamma, block)).collect()
         };
-        let whole = blocks(&influence.rings);
-        let sigma = own(&influence.rings, S::ANGLES, [kappa, gamma]);
+        let whole = blocks(&rings);
+        let sigma = own(&rings, S::ANGLES, [kappa, gamma]);
         Self {
             nodes: Nodes::new(&influence.layout.radius),
             layout: influence.layout.clone(),
@@ -121,15 +133,22 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Matrices<N, H, S> {
             inverse: whole.iter().map(|block| inverted(block, &sigma)).collect(),
             sticking: whole.iter().map(|block| inverted(block, &[0.0; N])).collect(),
             sigma,
-            rim: blocks(&influence.rim).iter().map(rim_block).collect(),
-            press: (0..S::blocks()).map(|b| press_block::<N, H, S>(&influence.rings, b)).collect(),
+            rim: blocks(&rim).iter().map(rim_block).collect(),
+            press: (0..S::blocks()).map(|b| press_block::<N, H, S>(&rings, b)).collect(),
+            way: [0, 1].map(|odd| match moves {
+                true => way_block::<N, H, S>(&influence, odd),
+                false => [[0.0; N]; 2],
+            }),
+            slopes: slopes::<H, S>(),
         }
     }
 
-    /// The matrices of a pair; the most recent ones are cached.
-    fn shared(kappa: f64, gamma: f64) -> Arc<Self> {
-        let key = [kappa, gamma.abs()].map(f64::to_bits);
-        recent::shared(key, || Self::new(kappa, gamma))
+    /// The matrices of a pair, about a centre that moves or stays; the most recent ones are cached.
+    fn shared(kappa: f64, gamma: f64, moves: bool) -> Arc<Self> {
+        // The sign of gamma is free.
+        let sign = if moves { 1.0 } else { -1.0 };
+        let key = [kappa, sign * gamma.abs()].map(f64::to_bits);
+        recent::shared(key, || Self::new(kappa, gamma, moves))
     }
 }
 
@@ -239,6 +258,59 @@ fn rim_block<const N: usize>(block: &Blocks) -> RimBlock<N> {
     })
 }
 
+/// The block of the harmonic 1 that is even (0) or odd (1) under reflection.
+pub(super) const fn block_of_way<const H: usize, S: Symmetry<H>>(odd: usize) -> usize {
+    if S::MIRRORED { 1 } else { 2 + odd }
+}
+
+/// The way of the centre by the tractions of a block; with symmetry there is none across.
+fn way_block<const N: usize, const H: usize, S: Symmetry<H>>(
+    of: &Influence<N>,
+    odd: usize,
+) -> [[f64; N]; 2] {
+    if S::OPPOSITE || (S::MIRRORED && odd == 1) {
+        return [[0.0; N]; 2];
+    }
+    let (way, [up, down]) = (&of.centre.way, &of.rings[1].lift);
+    let by = |lift: &Rows, factor: f64| -> [f64; N] {
+        std::array::from_fn(|j| {
+            factor * way.iter().zip(lift).map(|(w, row)| w * row[j]).sum::<f64>()
+        })
+    };
+    // The pressure is 2 P cos(theta), or -2 P sin(theta) of the odd block.
+    match (S::MIRRORED, odd) {
+        (true, _) => {
+            let [up, down] = [by(up, 1.0), by(down, 1.0)];
+            [1.0, -1.0].map(|sign| std::array::from_fn(|i| up[i] - sign * down[i]))
+        }
+        (false, 0) => [by(up, 1.0), by(down, -1.0)],
+        (false, _) => [by(up, -1.0), by(down, -1.0)],
+    }
+}
+
+/// Derivatives by the angle of a field with its shortest wave left out, as those of trigonometric interpolation.
+fn slopes<const H: usize, S: Symmetry<H>>() -> [[[f64; H]; H]; 2] {
+    let turn = S::ANGLES;
+    let of = |at: usize, from: usize| {
+        let between = (at + turn - from) % turn;
+        let [cosine, sine] = direction(between, 2 * turn);
+        match between {
+            0 => 0.0,
+            _ if between.is_multiple_of(2) => 0.5 * cosine / sine,
+            _ => -0.5 * cosine / sine,
+        }
+    };
+    let has_image = |from: usize| S::MIRRORED && from != 0 && from != H - 1;
+    [1.0, -1.0].map(|sign| {
+        std::array::from_fn(|at| {
+            std::array::from_fn(|from| {
+                let image = if has_image(from) { sign * of(at, turn - from) } else { 0.0 };
+                of(at, from) + image
+            })
+        })
+    })
+}
+
 fn press_block<const N: usize, const H: usize, S: Symmetry<H>>(
     of: &[Harmonic],
     block: usize,
@@ -298,7 +370,8 @@ mod tests {
     #[test]
     fn blocks_are_symmetric_by_area_and_positive() {
         for (kappa, gamma) in [(1.0, 0.5), (1.5, 0.0), (1.125, -0.25), (0.8, 0.3)] {
-            let pair = Pair::<6, 8>::new(kappa, gamma, 0.3);
+            // About a fixed centre: displacements about one that moves are not at the same places.
+            let pair = Pair::<6, 8>::new(kappa, gamma, f64::INFINITY);
             for (block, inverse) in pair.inverse.iter().enumerate() {
                 for i in 0..12 {
                     assert!(inverse[i / 6][i % 6][i / 6][i % 6] > 0.0, "{block} {i}");

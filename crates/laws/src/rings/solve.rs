@@ -3,7 +3,8 @@
 //! Minimises `q M q/2 - q c` over discs by operator splitting: the quadratic form and the discs in turn, with
 //! one inverse computed beforehand. The multiplier of a disc is the slip.
 
-use super::pair::{Block, Pair, PressBlock, RimBlock};
+use super::centre;
+use super::pair::{Block, Pair, PressBlock, RimBlock, block_of_way};
 use super::symmetry::Symmetry;
 use super::transform::Field;
 
@@ -23,6 +24,9 @@ const FAR: f64 = 20.0;
 /// After this number of iterations the extrapolated slip is reduced, since some points could oscillate
 /// otherwise.
 const PATIENCE: usize = 16;
+/// The number of iterations more at gamma/f above 1, where slip turns: with fine tolerances steps would be of first order
+/// otherwise.
+const MORE_PATIENCE: f64 = 24.0;
 
 /// The unknowns: tractions z over the contact radius, and y, the slip over sigma a^2.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +37,8 @@ pub(super) struct Tractions<const N: usize, const H: usize> {
     pub(super) limit: [[f64; N]; H],
     /// The radial and circumferential displacement of the rim over a^2.
     pub(super) rim: [[f64; 2]; H],
+    /// The way of the centre over the radius.
+    pub(super) way: [f64; 2],
 }
 
 /// The fraction of the rim's slip that each ring takes when it enters the contact.
@@ -218,6 +224,27 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         out.map(|parts| parts.map(|[u]| u))
     }
 
+    /// The way of the centre over the radius by tractions with this spectrum.
+    fn way(&self, hat: &Field<N, H>) -> [f64; 2] {
+        if self.lift == 0.0 || S::OPPOSITE {
+            return [0.0; 2];
+        }
+        let along = |odd: usize| -> f64 {
+            if S::MIRRORED && odd == 1 {
+                return 0.0;
+            }
+            let of = block_of::<N, H, S>(hat, block_of_way::<H, S>(odd));
+            let parts = self.way[odd].as_flattened().iter().zip(of.as_flattened());
+            self.lift * parts.map(|(way, q)| way * q).sum::<f64>()
+        };
+        centre::bounded([along(0), along(1)])
+    }
+
+    /// Computes what the spectrum of the tractions gives: the displacement of the rim and the way of the centre.
+    fn see(&self, now: &mut Tractions<N, H>, hat: &Field<N, H>) {
+        (now.rim, now.way) = (self.at_rim(hat), self.way(hat));
+    }
+
     /// If nothing slipped before: the tractions in full adhesion, if they are within their limits.
     fn stuck(&self, c: &Field<N, H>, share: Option<&Share<N>>, now: &mut Tractions<N, H>) -> bool {
         let slipped = now.y.iter().flatten().flatten().any(|&y| y != 0.0);
@@ -235,7 +262,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
             return false;
         }
         (now.z, now.limit) = (q, limit);
-        now.rim = self.at_rim(&self.spectrum(&now.z));
+        self.see(now, &self.spectrum(&now.z));
         true
     }
 
@@ -256,6 +283,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         let entering = share.map(|share| Entering::new::<S>(&self.inverse, &self.rim, share));
         let close = tolerance * self.scale;
         let couples = self.lift != 0.0;
+        let patience = PATIENCE + (MORE_PATIENCE * self.spread.min(1.0)) as usize;
         if !couples {
             now.limit = [self.layout.pressure; H];
         }
@@ -275,7 +303,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
             if couples && iteration % PRESS_EACH == 0 {
                 now.limit = self.limits(&hat);
             }
-            if iteration >= PATIENCE {
+            if iteration >= patience {
                 part *= 0.75;
             }
             if cut(&q, ahead, part, now) < close * close {
@@ -283,7 +311,7 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
                 break;
             }
         }
-        now.rim = self.at_rim(&self.spectrum(&now.z));
+        self.see(now, &self.spectrum(&now.z));
         count
     }
 
@@ -314,10 +342,11 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         hat
     }
 
-    /// Computes what follows from stored tractions: the displacement of the rim and the limits.
+    /// Computes what follows from stored tractions: the displacement of the rim, the way of the centre and the limits.
     pub(super) fn follow(&self, now: &mut Tractions<N, H>) {
         let hat = self.spectrum(&now.z);
-        (now.rim, now.limit) = (self.at_rim(&hat), self.limits_now(&hat));
+        now.limit = self.limits_now(&hat);
+        self.see(now, &hat);
     }
 
     /// The tractions that give these displacements.
@@ -388,6 +417,6 @@ fn within_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
 impl<const N: usize, const H: usize> Default for Tractions<N, H> {
     fn default() -> Self {
         let none = [[[0.0; N]; 2]; H];
-        Self { z: none, y: none, limit: [[0.0; N]; H], rim: [[0.0; 2]; H] }
+        Self { z: none, y: none, limit: [[0.0; N]; H], rim: [[0.0; 2]; H], way: [0.0; 2] }
     }
 }

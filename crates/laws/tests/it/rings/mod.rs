@@ -4,6 +4,7 @@ mod common;
 
 mod adhesion;
 mod balance;
+mod centre;
 mod coupling;
 mod invariance;
 mod kept_angles;

@@ -65,9 +65,12 @@ fn a_stored_state_without_slip_is_checked() {
     let mut numbers = [0.0; ROOM];
     law.pack(&mut numbers).unwrap();
     let load = law.load();
-    for (at, value, field) in
-        [(5, f64::NAN, "normal force"), (6, 1e249, "traction"), (6 + 96, 9.0, "traction")]
-    {
+    for (at, value, field) in [
+        (5, f64::NAN, "normal force"),
+        (6, 9.0, "centre"),
+        (8, 1e249, "traction"),
+        (8 + 96, 9.0, "traction"),
+    ] {
         let mut bad = numbers;
         bad[at] = value;
         assert_eq!(law.unpack(&bad).map_err(|e| e.field), Err(field), "{at} {value}");
@@ -121,9 +124,11 @@ fn numbers_that_are_no_state_are_refused() {
     refuse(4, -1.0, "length");
     refuse(5, 0.0, "normal force");
     refuse(5, 1e9, "normal force");
-    refuse(6, 30.0, "traction");
-    refuse(6, f64::NAN, "slip or traction");
-    refuse(6 + 96, 40.0, "traction");
+    refuse(6, 30.0, "centre");
+    refuse(7, f64::NAN, "centre");
+    refuse(8, 30.0, "traction");
+    refuse(8, f64::NAN, "slip or traction");
+    refuse(8 + 96, 40.0, "traction");
 }
 
 /// Slip and tractions may be kept in single precision: what is lost, over f F_z, is
