@@ -52,10 +52,10 @@ const EVEN: f64 = 1e-12;
 /// | the same, as fine as it goes | .0009 | .0059 | 125 | 1.4 |
 /// | 153 with spin, half of them unlike | .0015 | .0060 | 150 | 1.1 |
 ///
-/// Of the finest errors the largest are those of the law itself at |gamma| f above .2, which takes a circle about a centre that
-/// moves for the area; below .1 they are at most .0043. The grid itself is off by some .0004. Of 410 others with spin, among them two balls and hollow ones, 12 differ from
-/// finer rings by more than their estimate, one by twice as much. With the default tolerance the finest rings are left out,
-/// which take 40 ms and more.
+/// Of the finest errors the largest are those of the law itself at |gamma| f above .2, which takes a circle about a centre
+/// that moves for the area; below .1 they are at most .0043. The grid itself is off by some .0004. Of 410 others with spin,
+/// among them two balls and hollow ones, 12 differ from finer rings by more than their estimate, one by twice as much. With
+/// the default tolerance the finest rings are left out, which take 40 ms and more.
 ///
 /// ```
 /// use carom_halfspace::Material;
