@@ -39,9 +39,9 @@ def scene(tmp_path):
 #: A call of each far outside the theory.
 OUTSIDE = {
     "Contact.advance": lambda _: carom.Contact(SPHERES, 0.3).advance(5e-3),
-    "Contact.follow": lambda _: carom.Contact(SPHERES, 0.3).follow([1e-3, 5e-3]),
+    "Contact.follow": lambda _: carom.Contact(SPHERES, 0.3).follow([1e-3, 5e-3, 1e-9]),
     "Contacts.advance": lambda _: carom.Contacts(3, SPHERES, 0.3).advance([1e-9, 4e-3, 5e-3]),
-    "Contacts.follow": lambda _: carom.Contacts(3, SPHERES, 0.3).follow(np.array([1e-3, 5e-3])),
+    "Contacts.follow": lambda _: carom.Contacts(3, SPHERES, 0.3).follow(np.array([1e-3, 5e-3, 1e-9])),
     "GrainContacts.step": lambda _: carom.GrainContacts(2, (0.01, 0.01), RUBBER, 0.3).step(1e-6, [0.0, 0.0, 0.015]),
     "ShiftTwist.advance": lambda _: carom.ShiftTwist(SPHERES, 0.3).advance(5e-3),
     "Twist.advance": lambda _: carom.Twist(SPHERES, 0.3).advance(5e-3),

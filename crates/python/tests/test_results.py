@@ -115,7 +115,8 @@ def test_objects_show_what_makes_them_anew():
     turned = carom.Body("box", [0.1, 0.2, 0.3], STEEL, 2.0, attitude=(0.6, 0.8, 0, 0), centre=(0, 0, 1), spin=(1, 2, 3))
     shell = carom.sphere(0.03, carom.Material(shear_modulus=1 / 3, poisson=0.5), 0.1, hollow=True)
     plate = carom.Plate(0.4, 0.3, 0.004, "sum")
-    for thing in (STEEL, carom.RIGID, carom.MaterialPair(STEEL, carom.RIGID), HERTZ, BALL, PLATE, turned, shell, plate):
+    long = carom.Material(shear_modulus=80e9 / 3, poisson=0.3)
+    for thing in (STEEL, long, carom.RIGID, carom.MaterialPair(STEEL, carom.RIGID), HERTZ, BALL, PLATE, turned, shell, plate):
         assert eval(repr(thing), {**vars(carom), "inf": float("inf")}) == thing, repr(thing)
         assert "<table>" in thing._repr_html_()
     assert repr(STEEL) == "Material(young_modulus=208000000000.0, poisson=0.3)"

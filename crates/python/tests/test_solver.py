@@ -78,6 +78,11 @@ def test_bad_input_is_named():
     with pytest.raises(carom.RangeError) as error:
         carom.Solver(gap, SIZE, PAIR, -1.0)
     assert error.value.field == "friction"
+    friction = np.full((8, 8), 0.3)
+    friction[2, 5] = -1.0
+    with pytest.raises(carom.RangeError) as error:
+        carom.Solver(gap, SIZE, PAIR, friction)
+    assert (error.value.field, error.value.index) == ("friction", 21)
     with pytest.raises(carom.RangeError) as error:
         carom.Solver(gap, SIZE, PAIR, 0.3, tolerance=1.0)
     assert error.value.field == "tolerance"

@@ -149,6 +149,14 @@ def test_a_motion_is_no_number():
         carom.collide_many(BALL, FLOOR, 0.5, body_1_velocity=-1.0)
 
 
+@pytest.mark.parametrize("field", ["velocity", "spin"])
+def test_a_motion_out_of_range_is_refused_where_it_is_given(field):
+    for make in (BALL.moving, lambda **given: carom.Body("sphere", [0.02], RUBBER, 0.037, **given)):
+        with pytest.raises(carom.RangeError) as told:
+            make(**{field: (0.0, 1e300, 0.0)})
+        assert (told.value.field, told.value.value) == (field, 1e300)
+
+
 def test_a_path_is_as_long_as_it_is():
     with pytest.raises(ValueError, match="xi has 0 entries"):
         carom.Contact(HERTZ, 0.3).follow([1e-6], [])

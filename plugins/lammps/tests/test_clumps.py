@@ -80,6 +80,8 @@ molecule pair pair.mol
 region above block -0.02 0.02 -0.02 0.02 0.012 0.08 units box
 lattice sc 0.018
 create_atoms 0 region above mol pair 4711
+variable heavy atom "2500*(1 + mol%3)"
+set group all density v_heavy
 mass 1 1 # of no use beside those of the grains, and required
 write_data made.data
 """

@@ -60,19 +60,39 @@ def test_two_grains_come_to_one_temperature_exponentially(tmp_path, newton, rank
     assert found[1] - found[0] == pytest.approx(stepped, rel=1e-10)
 
 
-def test_a_wall_of_constant_temperature_warms_a_grain(tmp_path):
-    """Grain 1 also lies 20 um deep on a plane: the wall says how much heat it gave."""
+@pytest.mark.parametrize(
+    "floor, curvature",
+    [
+        ("plane 0 0 -0.00998 0 0 1", 0),
+        ("cylinder -0.00999 0 -0.02998 0 1 0 0.02 outside", 1 / 0.02),
+        ("cylinder -0.00999 0 0.04002 0 1 0 0.05 inside", -1 / 0.05),
+    ],
+)
+def test_a_wall_of_constant_temperature_warms_a_grain(tmp_path, floor, curvature):
+    """Grain 1 also lies 20 um deep on a floor: the wall says how much heat it gave. a^2 is the overlap over the mean
+    relative curvature."""
     wall = (
-        "fix floor all wall/carom plane 0 0 -0.00998 0 0 1 rigid friction 0.1 conductivity 20 temperature 500\n"
+        f"fix floor all wall/carom {floor} rigid friction 0.1 conductivity 20 temperature 500\n"
         "thermo_style custom step f_floor[12]\nthermo_modify format float %.17g"
     )
     printed = lmp(TWO.format(newton="off", conductivity=0, dt=1e-3, steps=2000, wall=wall), tmp_path)
     given = thermo(printed)["f_floor[12]"][-1]
     found = dump(tmp_path / "end.dump")[:, 1]
-    rate = 2 * 20 * np.sqrt(0.01 * 2e-5) / (500 * MASS[0])
+    rate = 2 * 20 * np.sqrt(2e-5 / (1 / 0.01 + 0.5 * curvature)) / (500 * MASS[0])
     assert 500 - found[0] == pytest.approx(200 * (1 - rate * 1e-3) ** 2000, rel=1e-10)
     assert found[1] == 400
     assert given == pytest.approx(500 * MASS[0] * (found[0] - 300), rel=1e-9)
+
+
+def test_unlike_grains_conduct_by_the_coefficient_of_their_pair(tmp_path):
+    one = TWO.format(newton="off", conductivity=7, dt=1e-3, steps=1000, wall="")
+    lmp(one, tmp_path)
+    wanted = dump(tmp_path / "end.dump")
+    pairs = "conductivity 5\npair_coeff 2 2 young 1e7 poisson 0.3 friction 0.5\npair_coeff 1 2 friction 0.5 conductivity 7\n"
+    two = one.replace("create_box 1", "create_box 2").replace("conductivity 7\n", pairs)
+    for place in ("-0.00999", "0.00499"):
+        lmp(two.replace(f"create_atoms 1 single {place}", f"create_atoms 2 single {place}"), tmp_path)
+        assert np.array_equal(dump(tmp_path / "end.dump"), wanted), place
 
 
 BED = """set group all temperature 300

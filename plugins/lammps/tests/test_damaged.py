@@ -99,13 +99,25 @@ def test_a_force_beyond_friction_is_an_error(whole, tmp_path):
         assert "ERROR" in str(failed.value) and "slope of the force" in str(failed.value)
 
 
+def material(data):
+    """The place of the material of the pair: Young's modulus and twelve other numbers; four settings come before it."""
+    return next(at for at, young, poisson in doubles(data) if (young, poisson) == (1e9, 0.3))
+
+
 def test_a_material_that_is_none_is_an_error(whole, tmp_path):
-    """Young's modulus of the pair."""
-    at = next(at for at, young, poisson in doubles(whole) if (young, poisson) == (1e9, 0.3))
-    for number in (-1.0, float("nan")):
-        with pytest.raises(Failed) as failed:
-            go_on(changed(whole, [at], number), tmp_path)
-        assert "the restart file is damaged: the material" in str(failed.value)
+    for k in range(13):
+        for number in (-1.0, float("nan")):
+            with pytest.raises(Failed) as failed:
+                go_on(changed(whole, [material(whole) + 8 * k], number), tmp_path)
+            assert "the restart file is damaged: the material" in str(failed.value), k
+
+
+@pytest.mark.parametrize("back", [32, 28, 16, 12], ids=["law", "torsion", "energy", "space"])
+def test_a_setting_that_is_none_is_an_error(whole, tmp_path, back):
+    at = material(whole) - back
+    with pytest.raises(Failed) as failed:
+        go_on(whole[:at] + struct.pack("<i", -1) + whole[at + 4 :], tmp_path)
+    assert "the restart file is damaged: law, tolerance, torsion, energy or the space" in str(failed.value)
 
 
 def test_slots_without_a_host_under_sanitizers(tmp_path):

@@ -99,8 +99,9 @@ def test_units_without_newtons_law_are_refused(tmp_path):
         assert f"units = {units} is out of range: must be si, cgs, lj, micro or nano" in str(failed.value)
 
 
-def test_what_is_missing_without_being_wrong_is_warned_of(tmp_path):
-    own = f"pair_style carom\npair_coeff 1 1 {GLASS} restitution 0.5\npair_coeff 2 2 {GLASS}\n"
+@pytest.mark.parametrize("loses", [1, 2])
+def test_what_is_missing_without_being_wrong_is_warned_of(tmp_path, loses):
+    own = f"{PAIRS}pair_coeff {loses} {loses} {GLASS} restitution 0.5\n"
     loss = "pair_coeff 1 2 of pair carom: neither restitution nor damping is given"
     spin = "no fix integrates the spin of the grains, as nve/sphere does"
     run = f"{VEL}timestep 1e-7\nfix 1 all FIX\nrun 1\n"

@@ -141,6 +141,18 @@ def test_a_ball_tumbles_over_an_edge_with_one_contact(tmp_path):
     assert np.abs(total - total[0]).max() < 1e-7 * table["c_motion"][0]
 
 
+def test_a_ball_that_grips_is_carried_over_a_corner_from_edge_to_edge(tmp_path):
+    """The work that carries it is stored or heat."""
+    write(tmp_path / "cube.stl", box((-1, -1, -2), (1, 1, 0)))
+    velocity, dt = np.array([-1, 1, 0]), 1e-5
+    script = one_ball(RADIUS, YOUNG, (1.005, 0.998, RADIUS - 1.2e-4), velocity, (0, 0, 0), [f"stl cube.stl edges {EDGES}"], dt, friction=100)
+    table = thermo(lmp(script.replace("nve/sphere", "nve/noforce") + "thermo 1\nrun 1000\n", tmp_path))
+    power = of(table, FORCE) @ velocity
+    work, taken = dt * np.cumsum(power[1:] + power[:-1]) / 2, table["c_where[1]"] + table["c_where[2]"]
+    assert table["v_x"][-1] < 1 < table["v_y"][-1], "past the corner"
+    assert taken[1:] - taken[0] == pytest.approx(work, abs=1e-6 * work[-1])
+
+
 def test_a_sharp_edge_without_a_radius_is_an_error_that_says_where(tmp_path):
     write(tmp_path / "cube.stl", box((-1, -1, -2), (1, 1, 0)))
     for place, words in (((1.3, 0.3, 0.3), "the edge from (1, -1, 0) to (1, 1, 0)"), ((1.2, 1.2, 0.2), "the corner at (1, 1, 0)")):

@@ -40,6 +40,7 @@ def test_what_does_not_fit_is_named(tmp_path, wall, more, words):
     [
         ("change_box all x final -4 4.5", ["length of the box along x = 8.5 is out of range: must be 8 as in the run before"]),
         ("change_box all x final -4 4.5\nrun 1 pre no", ["the box has changed where it is periodic: must stay as it was when the run began"]),
+        ("change_box all triclinic boundary p p f\nrun 1\nchange_box all xy final 0.1\nrun 1 pre no", ["the box has changed where it is periodic"]),
         ("change_box all y final -4 4.5", []),
         ("change_box all boundary f f f", []),
         ("change_box all x delta 1 1 boundary p p f", []),

@@ -208,13 +208,13 @@ FLAT = {
 }
 
 
-def impact(tmp_path, wall, turn=np.eye(3), spin=(0.3, 0.5, 0)):
-    """Velocity and spin after an oblique impact, by the axes of the wall."""
+def impact(tmp_path, wall, turn=np.eye(3), spin=(0.3, 0.5, 0), drift=(0, 0, 0)):
+    """Velocity and spin after an oblique impact, by the axes of the wall and in a frame that drifts."""
     vector = lambda values: turn @ np.array(values, dtype=float)
-    script = one_ball(0.5, 1e7, vector((0, 0, 0.5001)), vector((0.3, 0.1, -1)), vector(spin), [wall], 1e-4, friction=0.3)
+    script = one_ball(0.5, 1e7, vector((0, 0, 0.5001)), vector((0.3, 0.1, -1)) + drift, vector(spin), [wall], 1e-4, friction=0.3)
     table = thermo(lmp(script + "run 2000\n", tmp_path))
     assert table["c_where[1]"].max() > 0 and table["c_where[1]"][-1] == 0
-    return np.concatenate([of(table, names)[-1] @ turn for names in (VELOCITY, SPIN)])
+    return np.concatenate([(of(table, VELOCITY)[-1] - drift) @ turn, of(table, SPIN)[-1] @ turn])
 
 
 @pytest.mark.parametrize("shape", FLAT)
@@ -224,6 +224,15 @@ def test_a_wall_of_large_radius_is_a_plane(tmp_path, shape):
     print(shape, np.abs(curved - plane).max())
     assert np.abs(curved - plane).max() < 1e-4 * np.abs(plane).max()
     assert np.abs(impact(tmp_path, FLAT[shape].replace(str(FAR), "3")) - plane).max() > 1e-3
+
+
+@pytest.mark.parametrize("shape", ["plane 0 0 0 0 0 1", "cylinder 0 0 3 1 2 0 3 inside", "sphere 0 0 -3 3 outside"])
+def test_a_wall_that_moves_and_turns_is_that_of_galileo(tmp_path, shape):
+    turning = shape + " omega 0.3 -0.2 1 center 0.3 -0.2 0"
+    still = impact(tmp_path, turning)
+    moved = impact(tmp_path, turning + " velocity 2 -1 0.5", drift=np.array([2, -1, 0.5]))
+    assert np.abs(still - impact(tmp_path, shape)).max() > 0.01
+    assert np.abs(moved - still).max() < 1e-9
 
 
 @pytest.mark.parametrize("side", ["inside", "outside"])
@@ -345,6 +354,25 @@ def test_a_ball_on_a_rim_keeps_its_energy(tmp_path):
     assert table["c_where[1]"].max() > 0.01 * table["c_motion"][0], "it touched"
     assert np.abs(total - total[0]).max() < 1e-4 * table["c_motion"][0]
     assert table["v_vx"][-1] > 0.05, "pushed outwards, since it came from outside of the rim"
+
+
+@pytest.mark.parametrize(
+    "wall, away",
+    [("cylinder 0 0 0 0 0 1 1 inside", 1.4), ("cylinder 0 0 0 0 0 1 1 outside", 0.6), ("cone 0 0 0 0 0 1 45 inside", 1)],
+)
+def test_a_ball_behind_a_wall_that_ends_does_not_feel_it(tmp_path, wall, away):
+    script = one_ball(0.3, 1e7, (away, 0, 0.5), (0, 0, 0), (0, 0, 0), [wall + " between 0 1"], 1e-4)
+    assert not of(thermo(lmp(script + "run 10\n", tmp_path)), FORCE).any()
+
+
+def test_what_a_contact_stored_becomes_heat_where_its_ball_is_taken_through_the_wall(tmp_path):
+    wall = "cylinder 0 0 0 0 0 1 1 inside between 0 1"
+    script = one_ball(0.3, 1e7, (0.95, 0, 0.5), (1, 0, 0), (0, 0, 0), [wall], 1e-4, friction=0)
+    table = thermo(lmp(script.replace("nve/sphere", "nve/noforce") + "thermo 1\nrun 600\n", tmp_path))
+    stored, heat = table["c_where[1]"], table["c_where[2]"]
+    last = np.flatnonzero(stored)[-1]
+    assert table["v_x"][last] < 1 < table["v_x"][last + 2] and not heat[: last + 1].any()
+    assert heat[last + 1 :] == pytest.approx(stored[last], rel=1e-9)
 
 
 @pytest.mark.parametrize(

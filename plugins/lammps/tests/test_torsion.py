@@ -10,7 +10,7 @@ RADII, OVERLAP = (0.5, 0.3), 1e-5
 NORMAL = np.array([0.36, 0.48, 0.8])
 
 
-def spin(host, rates, dt, steps, torsion="yes"):
+def spin(host, rates, dt, steps, torsion="yes", tags=(1, 2)):
     """The torques on both, and what compute carom/energy tells, after each run of so many steps at a rate."""
     apart = (sum(RADII) - OVERLAP) * NORMAL
     host.commands_list(
@@ -25,7 +25,7 @@ def spin(host, rates, dt, steps, torsion="yes"):
         ]
     )
     places = np.array([np.full(3, 2.0) + apart, np.full(3, 2.0)])
-    host.create_atoms(2, [1, 2], [1, 1], places.ravel().tolist(), [0.0] * 6)
+    host.create_atoms(2, list(tags), [1, 1], places.ravel().tolist(), [0.0] * 6)
     host.commands_list(
         [f"group g{k} id {k}" for k in (1, 2)]
         + [f"set group g{k} diameter {2 * radius}" for k, radius in zip((1, 2), RADII)]
@@ -85,3 +85,24 @@ def test_work_of_a_twist_to_and_fro_is_stored_or_heat(host):
 def test_no_torque_without_torsion(host):
     told = spin(host, [1.0], 0.01, 10, torsion="no")
     assert np.abs(told[0][2]).max() < 1e-8 * SLIDING
+
+
+@pytest.mark.parametrize("tags", [(1, 2), (2, 1)])
+def test_the_values_of_a_contact_are_those_of_its_grains(host, tags):
+    """In either order of their tags, as compute pair/local names the first one."""
+    spin(host, [], 0.01, 0, tags=tags)
+    host.commands_list(
+        [
+            "velocity g2 set 1e-6 -2e-6 3e-6",
+            "compute each all pair/local p1 p2 p3 p4 p5 p6 p7 p10 cutoff radius",
+            "compute tags all property/local patom1 patom2 cutoff radius",
+            "run 10",
+        ]
+    )
+    (values,), ((first, second),) = (host.numpy.extract_compute(name, 2, 2) for name in ("each", "tags"))
+    of = dict(zip(host.numpy.extract_atom("id")[:2], zip(*(host.numpy.extract_atom(name) for name in ("x", "f")))))
+    force, normal = of[first][1], (of[first][0] - of[second][0]) / (sum(RADII) - OVERLAP)
+    across = force - FORCE * normal
+    size, energy = np.linalg.norm(across), host.numpy.extract_compute("where", 0, 1)[0]
+    assert 0.01 * FORCE < size < FRICTION * FORCE
+    assert values == pytest.approx([*across, FORCE, size, OVERLAP, RADIUS, energy], rel=1e-8)

@@ -51,6 +51,27 @@ def test_a_restart_within_a_contact_keeps_the_work_of_the_wall(tmp_path):
     assert rest["v_v"][-1] == whole["v_v"][-1]
 
 
+def test_a_new_grain_does_not_take_over_the_contact_of_one_that_left(tmp_path):
+    lies = BALL.replace("0.51", "0.499") + FLOOR.replace("fix move all nve/sphere", "velocity all set 0.1 0 0")
+    lies += "thermo_style custom step f_floor[1] f_floor[3]\nrun 10\n"
+    assert abs(thermo(lmp(lies, tmp_path))["f_floor[1]"][-1]) > 1
+    anew = "delete_atoms group all\ncreate_atoms 1 single 0 0 0.499\nset group all diameter 1 density 1000\nrun 1\n"
+    table = thermo(lmp(lies + anew, tmp_path))
+    assert not table["f_floor[1]"].any() and table["f_floor[3]"].all()
+
+
+def test_grains_that_change_their_ranks_take_their_own_contacts_along(tmp_path):
+    """Two balls slide over the border of the ranks in opposite directions."""
+    pair = "create_atoms 1 single -0.01 -1 0.499\ncreate_atoms 1 single 0.01 1 0.499\ngroup second id 2\n"
+    pair += "velocity all set 1 0.2 0\nvelocity second set -1.5 0.1 0\n"
+    slide = BALL.replace("units si\n", "units si\nprocessors * 1 1\n").replace("create_atoms 1 single 0 0 0.51\n", pair)
+    slide += FLOOR.replace("nve/sphere", "nve/noforce").replace(f" velocity 0 0 {SPEED}", "")
+    slide += "thermo_style custom step f_floor[1] f_floor[2] f_floor[5]\nthermo_modify format float %.15g\nthermo 1\nrun 300\n"
+    one, two = (thermo(lmp(slide, tmp_path, ranks=ranks)) for ranks in (1, 2))
+    for column in one:
+        assert two[column] == pytest.approx(one[column], rel=1e-9), column
+
+
 def spinning(tmp_path, keywords):
     """Velocity and spin of a ball that falls with spin on a floor with these keywords, as text."""
     law = "pair_style carom law coulomb tolerance 1e-3 torsion yes"
