@@ -48,26 +48,38 @@ fn johnson_takes_similar_bodies_only_and_names_who_takes_others() {
 #[test]
 fn loads_two_frictions_and_numbers_that_are_none_are_refused_by_all() {
     let one = problem([0.3, 0.3], f(0.3));
-    let two = problem([0.3, 0.3], CellFriction::new(f(0.4), f(0.3)).unwrap());
+    // One cell, the last, has two.
+    let mut cells = Field::uniform(one.grid(), CellFriction::from(f(0.3)));
+    cells.values_mut()[63] = CellFriction::new(f(0.4), f(0.3)).unwrap();
+    let two = problem([0.3, 0.3], SurfaceFriction::ByCell(cells));
     let pressed = Drive::by_shift(Shift { zeta: 1.0, ..Shift::default() });
-    let loaded = Drive { x: Driven::Load(0.1), ..pressed };
+    let load = Driven::Load(0.1);
+    let loaded = [
+        ("F_z", Drive { normal: load, ..pressed }),
+        ("F_x", Drive { x: load, ..pressed }),
+        ("F_y", Drive { y: load, ..pressed }),
+        ("M_z", Drive { twist: load, ..pressed }),
+    ];
     let broken = Drive { x: Driven::Shift(f64::NAN), ..pressed };
     fn all<M: Method<Error = DirectError>>(
         method: &M,
         [one, two]: [&ContactProblem; 2],
-        [pressed, loaded, broken]: [&Drive; 3],
+        [pressed, broken]: [&Drive; 2],
+        loaded: &[(&'static str, Drive); 4],
     ) {
-        assert_eq!(refusal(method, one, loaded), DirectError::GivenLoad { load: "F_x" });
+        for (load, drive) in loaded {
+            assert_eq!(refusal(method, one, drive), DirectError::GivenLoad { load });
+        }
         let error = refusal(method, two, pressed);
         assert_eq!(error, DirectError::TwoFrictions { rest: 0.4, motion: 0.3 });
         assert!(matches!(refusal(method, one, broken), DirectError::Range(e) if e.field == "xi"));
     }
-    let (problems, drives) = ([&one, &two], [&pressed, &loaded, &broken]);
-    all(&GaussSeidel::default(), problems, drives);
-    all(&DiscGaussSeidel::default(), problems, drives);
-    all(&Johnson::default(), problems, drives);
-    all(&Panagiotopoulos::default(), problems, drives);
-    all(&Kombi::default(), problems, drives);
+    let (problems, drives) = ([&one, &two], [&pressed, &broken]);
+    all(&GaussSeidel::default(), problems, drives, &loaded);
+    all(&DiscGaussSeidel::default(), problems, drives, &loaded);
+    all(&Johnson::default(), problems, drives, &loaded);
+    all(&Panagiotopoulos::default(), problems, drives, &loaded);
+    all(&Kombi::default(), problems, drives, &loaded);
 }
 
 #[test]

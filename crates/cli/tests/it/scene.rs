@@ -169,3 +169,11 @@ time = 1
         assert!(one.contains("(1 of 2 bounces concerned, the worst at bounce 2)"), "{told}");
     }
 }
+
+#[test]
+fn a_place_has_three_columns() {
+    let table = ["--events", "--format", "csv", "--columns", "position"];
+    let output = carom(&[&["scene", &example("scene_superball.toml")][..], &table].concat());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("position_x,position_y,position_z\n"), "{text}");
+}

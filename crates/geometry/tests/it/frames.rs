@@ -191,7 +191,7 @@ fn a_line_meets_a_sphere_at_its_distance_less_its_radius() {
     let (radius, direction) = (0.7, Vector3::new(2.0, -1.0, 2.0) / 3.0);
     let ball = Placed::new(Surface::sphere(radius).unwrap()).at([1.0, 2.0, 3.0]).unwrap();
     let from = |gap: f64| Vector3::new(1.0, 2.0, 3.0) - (radius + gap) * direction;
-    for part in [0.01, 0.3, 0.6, 1.0, 1.5, 1.9] {
+    for part in [-0.9, -0.2, 0.01, 0.3, 0.6, 1.0, 1.5, 1.9] {
         let way = ball.entry(&from(part * radius), &direction).unwrap();
         assert!((way - part * radius).abs() < 1e-14, "{part}: {way}");
     }

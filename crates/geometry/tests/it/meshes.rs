@@ -294,6 +294,49 @@ fn a_surface_that_repeats_itself_is_that_of_nine_copies() {
     assert!(across > 200, "{across}");
 }
 
+/// Corners off a plane by less than its tolerance, 2e-7 of its size, lie in it, and the largest triangle says where it is.
+#[test]
+fn a_plane_within_the_tolerance_is_that_of_its_largest_triangle() {
+    let mut numbers = Splitmix(31);
+    for (off, is_one) in [(1e-7, true), (8e-7, false)] {
+        let mesh = made(&sheet(&[0.0, 0.9, 0.95, 1.0], |i, _| if i == 2 { off } else { 0.0 }));
+        let mut is_plane = |_| {
+            let center = Vector3::new(numbers.part(), numbers.part(), 0.05);
+            places(&mesh, center, 0.2).iter().all(|place| place.normal == Vector3::z())
+        };
+        assert_eq!((0..300).all(&mut is_plane), is_one, "{off}");
+    }
+}
+
+/// Sides that meet where a surface repeats itself are one within the tolerance.
+#[test]
+fn a_seam_is_closed_within_the_tolerance() {
+    let knots: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
+    let mut own = sheet(&knots, |_, _| 0.0);
+    for [x, y, _] in own.iter_mut().flatten().filter(|corner| corner[0] == 0.0) {
+        *x = 5e-8 * (std::f64::consts::PI * *y).sin();
+    }
+    let (mesh, mut numbers) =
+        (TriangleMesh::new(&own, SMOOTH, [1.0, 1.0, 0.0]).unwrap(), Splitmix(37));
+    for _ in 0..300 {
+        let center = Vector3::new(numbers.between(-0.05, 0.05), numbers.part(), 0.1);
+        let [place] = places(&mesh, center, 0.2)[..] else { panic!("not one place") };
+        assert_eq!((place.part, place.is_sharp), (Part::Face, false));
+    }
+}
+
+/// A ridge is sharp up to a seam and blunt beyond: their common corner is sharp.
+#[test]
+fn a_corner_at_a_seam_is_sharp_if_an_edge_of_either_side_is() {
+    let knots: Vec<f64> = (0..=8).map(|k| f64::from(k) / 8.0).collect();
+    let ridge = |i, k| if (i, k) == (7, 4) { -0.0125 } else { -0.1 * (knots[k] - 0.5).abs() };
+    let mesh = TriangleMesh::new(&sheet(&knots, ridge), SMOOTH, [1.0, 0.0, 0.0]).unwrap();
+    for x in [-0.01, 0.99] {
+        let [place] = places(&mesh, Vector3::new(x, 0.5, 0.2), 0.21)[..] else { panic!("{x}") };
+        assert_eq!((place.part, place.is_sharp), (Part::Corner, true), "{x}");
+    }
+}
+
 #[test]
 fn a_ridge_is_sharp_above_the_smooth_angle() {
     for (half, is_sharp) in [(0.45 * SMOOTH, false), (0.55 * SMOOTH, true)] {

@@ -482,3 +482,37 @@ fn a_surface_given_at_a_point_bends_by_its_radii() {
     assert!((below(0.1, 0.0) - 0.01 / 4.0).abs() < 1e-9);
     assert!((below(0.0, 0.1) - 0.01 / 10.0).abs() < 1e-9);
 }
+
+/// A ball inside a cylinder or a box is as deep as the nearest of its faces.
+#[test]
+fn a_ball_inside_a_body_is_as_deep_as_its_nearest_face() {
+    let mut numbers = Splitmix(29);
+    let (radius, half) = (0.05, [1.0, 1.3, 0.8]);
+    let rod = body(Surface::cylinder(1.0, 2.0 * 0.8).unwrap(), [0.0; 3]);
+    let brick = body(Surface::cuboid(half.map(|half| 2.0 * half)).unwrap(), [0.0; 3]);
+    for _ in 0..200 {
+        let at = half.map(|half| half * numbers.between(-0.7, 0.7));
+        let ball = body(Surface::sphere(radius).unwrap(), at);
+        let inner = [0, 1, 2].map(|k| half[k] - at[k].abs());
+        let side = 1.0 - at[0].hypot(at[1]);
+        let nearest = inner.into_iter().fold(f64::INFINITY, f64::min);
+        for (outer, depth) in [(&rod, side.min(inner[2])), (&brick, nearest)] {
+            let found = nearest_points(&ball, outer).unwrap();
+            assert!((found.gap + depth + radius).abs() < 1e-14, "{at:?}: {found:?} {depth}");
+        }
+    }
+}
+
+/// The gap at which bodies count as touching belongs to the length of a slender one, however it is rounded.
+#[test]
+fn slender_bodies_have_the_size_of_their_length() {
+    for slender in [
+        Surface::capsule(1e-3, 2.0),
+        Surface::cylinder(1e-3, 2.0),
+        Surface::ellipsoid([1e-3, 1e-3, 1.0]),
+        Surface::cuboid([1e-3, 1e-3, 2.0]),
+    ] {
+        let size = slender.unwrap().size();
+        assert!((size - 1.0).abs() <= 1e-3, "{size}");
+    }
+}

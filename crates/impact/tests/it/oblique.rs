@@ -2,7 +2,7 @@
 
 use carom_drawn::{Congruential, Draw as _};
 use carom_impact::normal;
-use carom_impact::oblique::{Groups, ObliqueImpact};
+use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use serde_json::Value;
 
 use crate::data::{number, rows};
@@ -257,6 +257,34 @@ fn slip_may_graze_a_stop() {
                 let change = ratio(psi * (1.0 + side)) - middle;
                 assert!(change.abs() < 1e-10 + 10.0 * share, "{chi} {psi}: {side:e} {change:e}");
             }
+        }
+    }
+}
+
+/// Ever less slip has a limit, in which all of the contact sticks.
+#[test]
+fn an_impact_without_slip_is_the_limit_of_little_slip() {
+    let w: Vec<f64> = (0..40).map(|i| 1.0 - f64::from(i) / 20.0).collect();
+    for chi in [1.5, 3.0, 4.2] {
+        let trace = |psi| ObliqueImpact::trace(Groups::new(chi, psi).unwrap(), &w).unwrap();
+        for (none, little) in trace(0.0).iter().zip(trace(1e-9)) {
+            assert!((none.shift - little.shift).abs() < 1e-7, "{chi}: {none:?} {little:?}");
+            assert!((none.force - little.force).abs() < 1e-7, "{chi}: {none:?} {little:?}");
+            assert_eq!((none.regime, none.friction_used), (Regime::Adhesion, 0.0));
+        }
+    }
+}
+
+/// A neutral impact that sticks releases as it loaded.
+#[test]
+fn a_neutral_impact_runs_backwards() {
+    let w: Vec<f64> = (1..40).map(|i| 1.0 - f64::from(i) / 20.0).collect();
+    for (chi, psi) in [(1.0, 0.5), (1.0, 0.0), (8.0, 0.1)] {
+        let points = ObliqueImpact::trace(Groups::new(chi, psi).unwrap(), &w).unwrap();
+        for (one, other) in points.iter().zip(points.iter().rev()) {
+            let off =
+                [one.shift - other.shift, one.force - other.force, one.velocity + other.velocity];
+            assert!(off.iter().all(|off| off.abs() < 1e-12), "{chi} {psi}: {one:?} {other:?}");
         }
     }
 }

@@ -4,7 +4,7 @@ use carom_halfspace::Material;
 use carom_impact::scene::{
     Ball, Ending, Event, EventKind, Limits, Manner, Path, PathPoint, Scene, Wall, WallMotion,
 };
-use carom_impact::{Body, Motion, NormalRestitution};
+use carom_impact::{Body, Motion, NormalRestitution, TorsionMode};
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_laws::static_friction::StaticFriction;
@@ -287,9 +287,11 @@ fn a_ball_that_rolls_across_a_slope_turns_down() {
     }
     assert!((path.last().position - x).norm() < 1e-10);
     assert!((path.last().motion.velocity - v).norm() < 1e-10);
-    // Points between are smooth: those of the path lie on a curve of small steps.
+    // Each leg ends where the next begins.
     let points = path.points(5).unwrap();
-    assert!(points.windows(2).all(|two| (two[1].position - two[0].position).norm() < 0.2));
+    for legs in points.chunks(5).collect::<Vec<_>>().windows(2) {
+        assert!((legs[0][4].position - legs[1][0].position).norm() < 1e-14);
+    }
 }
 
 /// With restitution e the apexes are (h - r) e^(2 k) + r.
@@ -519,6 +521,29 @@ fn a_ball_may_end_its_spin_and_slide() {
     }
 }
 
+/// Such a torque also ends a spin that turns along with the slip. Then the ball slides as a block: it rests after v/(f g).
+#[test]
+fn a_ball_with_backspin_rests_where_a_block_does() {
+    let wall = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, friction(0.1)).unwrap();
+    let wall = wall.with_rolling_resistance(0.3).unwrap();
+    let path = run(wall, &ball([0.0, 0.0, R], [1.0, 0.0, 0.0], [0.0, -20.0, 0.0]), 2.0);
+    assert_eq!(path.ending(), Ending::Rest { wall: 0 });
+    near(path.last().time, 1.0 / (0.1 * G), 1e-12);
+    near(path.last().position.x, 0.5 / (0.1 * G), 1e-12);
+}
+
+/// Infinite friction ends the slip at once; the moment of momentum about the place of contact stays.
+#[test]
+fn a_ball_on_infinite_friction_rolls_with_its_moment_of_momentum() {
+    let wall = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, Friction::INFINITE).unwrap();
+    let ball = ball([0.0, 0.0, R], [1.0, 0.3, 0.0], [-10.0, 25.0, 5.0]);
+    let (before, after) = (ball.body().motion(), run(wall, &ball, 1.0).last().motion);
+    let up = R * Vector3::z();
+    let moment = |Motion { velocity, spin }: Motion| up.cross(&velocity) + 0.4 * R * R * spin;
+    assert!((moment(after) - moment(before)).norm() < 1e-15);
+    assert!((after.velocity - after.spin.cross(&up)).norm() < 1e-14);
+}
+
 /// Rolling with a torque near friction stays rolling: no event but its begin and the rest.
 #[test]
 fn rolling_is_not_interrupted_by_rounding() {
@@ -565,6 +590,46 @@ fn a_wall_of_a_table_is_met_after_a_bounce_at_any_time() {
         let speed = first.after.velocity.z;
         let met = (3.0 - 2.0 * R + speed * height + 1.5 * 1.8) / (speed + 1.5);
         near(second.time, met, 1e-12);
+    }
+}
+
+/// A shaken wall carries a ball only while it falls no faster than the ball would.
+#[test]
+fn a_wall_carries_while_it_does_not_fall_away() {
+    let (a, period) = (1e-3, 0.05);
+    let omega = std::f64::consts::TAU / period;
+    for phase in (0..12).map(|i| f64::from(i) * std::f64::consts::FRAC_PI_6) {
+        let motion = WallMotion::oscillation([0.0, 0.0, a], period, phase).unwrap();
+        let wall = floor(0.0).with_normal_restitution(NormalRestitution::new(0.3).unwrap());
+        let ball = ball([0.0, 0.0, R + 2e-3], [0.0, 0.0, -0.1], [0.0; 3]);
+        let path = run(wall.with_motion(motion).unwrap(), &ball, 5.0);
+        assert_eq!(path.ending(), Ending::Carried { wall: 0 }, "{phase}");
+        let falls = a * omega * omega * (omega * path.last().time + phase).sin();
+        assert!(falls < G, "{phase}: {falls}");
+    }
+}
+
+/// A corner that moves steadily holds a ball as one at rest does.
+#[test]
+fn a_ball_is_wedged_in_a_corner_that_moves_along() {
+    let drift = [0.1, 0.05, 0.02];
+    let [x, y, z] = drift.map(|v| 10.0 * v);
+    let motion = WallMotion::positions(&[[0.0; 4], [10.0, x, y, z]]).unwrap();
+    let walls = corner(0.5, 0.0).map(|wall| wall.with_motion(motion.clone()).unwrap());
+    let ball = ball([0.1 - R, 0.0, R], drift, [0.0; 3]);
+    let path = between(&walls, [1.0, 0.0, -G], &ball, [1.0, 9.0]);
+    assert_eq!(path.ending(), Ending::Wedged { wall: 0, other: 1 });
+}
+
+/// Friction changes the spin about the normal unless that is left out.
+#[test]
+fn a_scene_leaves_the_spin_about_the_normal_if_it_is_told_to() {
+    let ball = ball([0.0, 0.0, 0.1], [0.0, 0.0, -1.0], [0.0, 0.0, 300.0]);
+    for mode in [TorsionMode::Included, TorsionMode::LeftOut] {
+        let scene = Scene::new([0.0; 3]).unwrap().with(floor(0.0)).with_torsion_mode(mode);
+        let path = scene.run(&ball, Limits::new(1.0, 9).unwrap()).unwrap();
+        let is_left = path.last().motion.spin == Vector3::new(0.0, 0.0, 300.0);
+        assert_eq!((path.bounces().len(), is_left), (1, mode == TorsionMode::LeftOut));
     }
 }
 

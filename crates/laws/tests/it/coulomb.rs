@@ -2,7 +2,7 @@
 
 use carom_drawn::{Draw as _, Splitmix};
 use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance};
-use carom_laws::memory::ScalarMemory;
+use carom_laws::memory::{MemoryRegime, ScalarMemory};
 
 use crate::common;
 use crate::common::next;
@@ -146,14 +146,19 @@ fn turned_and_mirrored_paths_have_turned_and_mirrored_forces() {
     paths(30, &[1, 7], |_, path| {
         let [mut base, mut turned, mut mirrored] = [0; 3].map(|_| law(1e-2));
         for &(zeta, x) in path {
+            // Seen in other axes from this step on.
+            let mut seen = base.clone();
+            seen.turn_frame(-1.1);
             let force = base.advance(zeta, x).unwrap();
             assert_eq!(mirrored.advance(zeta, [x[0], -x[1]]).unwrap(), [force[0], -force[1]]);
-            let got = turned.advance(zeta, turn(x)).unwrap();
             let reach = zeta.max(0.05).powf(0.5) * (zeta + x[0].abs() + x[1].abs());
-            let error = off(got, turn(force)) / reach;
-            steps += 1;
-            far += usize::from(error > 1e-14);
-            worst = worst.max(error);
+            for law in [&mut turned, &mut seen] {
+                let got = law.advance(zeta, turn(x)).unwrap();
+                let error = off(got, turn(force)) / reach;
+                steps += 1;
+                far += usize::from(error > 1e-14);
+                worst = worst.max(error);
+            }
         }
     });
     // Steps of no length to round-off have no direction; a few paths are at the threshold of a join.
@@ -254,6 +259,23 @@ fn tangent_is_the_derivative_of_going_on() {
         }
     });
     println!("tangent: {worst:e}");
+}
+
+/// Where a contact recedes as it came all sticks: a small shift meets the stiffness of the whole contact.
+#[test]
+fn a_contact_that_recedes_as_it_came_sticks() {
+    let mut law = law(1e-2);
+    law.advance(2.0, [0.25, 0.5]).unwrap();
+    let force = law.advance(1.0, [0.125, 0.25]).unwrap();
+    assert_eq!(law.regime(), MemoryRegime::Release);
+    for (k, h) in [(0, 1e-6), (1, 1e-6), (0, -1e-6), (1, -1e-6)] {
+        let mut to = law.shift();
+        to[k] += h;
+        let on = law.clone().advance(1.0, to).unwrap();
+        let tangent = law.tangent().by_shift;
+        let column = [0, 1].map(|i| (on[i] - force[i]) / h);
+        assert!(off(column, [tangent[0][k], tangent[1][k]]) < 1e-5, "{column:?} {tangent:?}");
+    }
 }
 
 #[test]

@@ -306,3 +306,13 @@ proptest! {
         }
     }
 }
+
+/// The tolerance is a part of the estimate wherever slip turns, however little of it there is.
+#[test]
+fn an_estimate_is_at_least_the_tolerance_where_slip_turns() {
+    for part in [0.1, 0.01, 1e-3, 1e-4] {
+        let path = [(1.0, [0.0; 2]), (1.0, [part, 0.0]), (1.0, [part, part])];
+        let [_, estimate] = error::<Growing<[f64; 2]>>(&path, 1e-3, [0.0; 2]);
+        assert!(estimate >= 1e-3, "{part}: {estimate:e}");
+    }
+}

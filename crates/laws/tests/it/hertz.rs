@@ -6,6 +6,7 @@ use carom_laws::ellipse::ContactEllipse;
 use carom_laws::hertz::{Hertz, HertzParameters, HertzState};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::AxisRatio;
+use carom_table::Value as Told;
 use serde_json::Value;
 
 use crate::common::{cases, close, num};
@@ -121,6 +122,9 @@ fn from_the_radii() {
             if inp.get("F").is_some() {
                 let hertz = Hertz::new(gap, pair(&inp)).unwrap();
                 check_contact(&hertz, &hertz.at_force(num(&inp["F"])).unwrap(), &out);
+                let column = Hertz::COLUMNS.iter().find(|column| column.name() == "angle").unwrap();
+                let Told::Number(degrees) = column.value(&hertz) else { panic!("a number") };
+                close("degrees", degrees * std::f64::consts::PI / 180.0, gap.angle(), 1e-15);
             }
         }
     }
@@ -160,6 +164,11 @@ fn pressure_carries_the_force_and_the_tangent_is_its_derivative() {
     let slope = (hertz.force(0.01 + h) - hertz.force(0.01 - h)) / (2.0 * h);
     close("tangent", slope, state.normal_stiffness, 1e-8);
     close("surface", hertz.contact_surface(0.01, 0.002, 0.002), 0.005, 1e-15);
+    // A rigid body keeps its surface.
+    for (pair, surface) in [([Material::RIGID, body], 0.002), ([body, Material::RIGID], 0.007)] {
+        let hertz = Hertz::new(gap, MaterialPair::new(pair[0], pair[1]).unwrap()).unwrap();
+        close("rigid surface", hertz.contact_surface(0.01, 0.002, 0.003), surface, 1e-15);
+    }
     assert_eq!(hertz.force(-1.0), 0.0);
     assert_eq!(hertz.at_approach(f64::NAN).unwrap_err().field, "approach");
     assert_eq!(hertz.at_force(-1.0).unwrap_err().field, "force");

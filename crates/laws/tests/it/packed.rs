@@ -60,6 +60,29 @@ proptest! {
     }
 }
 
+/// Numbers whose annuli carry more than friction lets them, or a load without annuli, are no state.
+#[test]
+fn numbers_beyond_friction_are_refused() {
+    let [fixed, mut law] = laws(0.3);
+    let mut state = [0.0; packed_numbers(12)];
+    for [xi, eta] in [[0.0, 0.0], [2.0, 0.3], [2.5, 1.0]] {
+        law.advance(Shift { zeta: 1e-6, xi: 1e-6 * xi, eta: 1e-6 * eta, omega: 0.0 }).unwrap();
+    }
+    law.pack(&mut state).unwrap();
+    let refused = |mut law: Law, numbers: Numbers| law.unpack(&numbers).unwrap_err().field;
+    let mut shorter = state;
+    shorter[5] = 0.0;
+    assert_eq!(refused(law, shorter), "extent");
+    // It slides: a tenth of the approach farther along the force, the force is beyond its limit.
+    let mut farther = state;
+    farther[2..4].iter_mut().for_each(|x| *x += 7e-8);
+    farther[5] += 1e-7;
+    assert_eq!(refused(law, farther), "force");
+    let mut empty = [0.0; packed_numbers(12)];
+    empty[..2].copy_from_slice(&[2e4, 1e-6]);
+    assert_eq!(refused(fixed, empty), "approach");
+}
+
 /// One direction is kept in the same way.
 #[test]
 fn one_direction() {

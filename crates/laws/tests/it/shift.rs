@@ -51,3 +51,14 @@ fn shift_from_force() {
         assert!((state.stick_depth() - num(&out["ratio"])).abs() < tolerance);
     }
 }
+
+#[test]
+fn the_whole_friction_is_the_end_of_the_shift() {
+    let stiffness = ContactStiffness::new(1.0, 0.8, 1.2).unwrap();
+    let law = CattaneoMindlin::new(stiffness, Friction::new(0.25).unwrap());
+    let limit = 0.25 * law.at_shift(0.7, 0.0, 0.0).unwrap().normal_force;
+    let state = law.at_force(0.7, 0.0, limit).unwrap();
+    // f c_z zeta/c_y
+    close("eta", state.shift[1], 0.25 * 1.2 * 0.7 / 0.8, 1e-15);
+    assert!(state.is_sliding());
+}

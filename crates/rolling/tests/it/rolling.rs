@@ -9,7 +9,8 @@ use carom_halfspace::{Coefficients, Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, RollingContact, RollingDrive, RollingError,
-    SteadyContact, Way, creep_coefficients, creep_coefficients_on, roll_steadily,
+    SteadyContact, SteadyMethod, TransientMethod, Way, creep_coefficients, creep_coefficients_on,
+    roll_steadily,
 };
 use carom_solver::{
     CellState, ContactProblem, ContactState, Drive, Driven, Frictionless, Gap, Method as _,
@@ -67,6 +68,22 @@ fn rolling_on_tends_to_steady_rolling() {
                 assert_eq!(steady.slides, state.count(CellState::Stick) == 0);
             }
         }
+    }
+}
+
+#[test]
+fn a_step_as_a_method_is_solved_to_its_tolerance() {
+    let problem = sphere(12, [0.0, 0.5]);
+    let method = SteadyMethod::default().in_steps_of(problem.grid().dx()).unwrap();
+    let method = TransientMethod::new(method.within(1e-12).unwrap());
+    let creepage = Creepage { along: 0.06, across: 0.02, spin: 0.1 };
+    let drive = RollingDrive::by_creepage(Driven::Shift(1.0), creepage).into();
+    let (mut scratch, mut state) =
+        (method.scratch(&problem).unwrap(), ContactState::apart(problem.grid()));
+    for _ in 0..4 {
+        let before = state.clone();
+        let went = method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ());
+        assert!(went.unwrap().residuals.worst() <= 1e-12);
     }
 }
 

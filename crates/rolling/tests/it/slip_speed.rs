@@ -5,9 +5,10 @@ use carom_halfspace::{Coefficients, Field, Grid};
 use carom_laws::friction::Friction;
 use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_rolling::{Creepage, RollingDrive, RollingError, RollingFriction, SteadyContact, Way};
-use carom_solver::{CellState, ContactProblem, Driven, Gap};
+use carom_solver::{CellState, ContactProblem, Driven, Gap, Observer, Progress};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 const POISSON: f64 = 0.25;
@@ -194,4 +195,21 @@ fn a_speed_that_is_none_is_refused() {
     for speed in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(RollingFriction::new(law(1.0), speed).unwrap_err().field, "speed");
     }
+}
+
+/// Counts the iterations it sees.
+struct Counted(usize);
+
+impl Observer for Counted {
+    fn see(&mut self, _: &Progress) -> ControlFlow<()> {
+        self.0 += 1;
+        ControlFlow::Continue(())
+    }
+}
+
+#[test]
+fn all_iterations_of_all_passes_are_told() {
+    let mut seen = Counted(0);
+    let rolled = contact(&cylinders(20), 3.0).roll(&drive(0.2), &mut seen).unwrap();
+    assert_eq!(rolled.convergence.iterations, seen.0);
 }

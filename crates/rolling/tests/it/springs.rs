@@ -81,7 +81,9 @@ fn other_ways_and_wrong_numbers_are_refused() {
     let mut state = pressed(10);
     let springs = Springs::alike(1.0).unwrap();
     let dx = state.pressure.grid().dx();
-    for way in [Way::new(2.0 * dx), Way::new(dx).unwrap().towards(1.0)] {
+    // One is a cell along x, and some along y too.
+    let slant = Way::new(dx * 2.0_f64.sqrt()).unwrap().towards(0.25 * PI);
+    for way in [Way::new(2.0 * dx), Way::new(dx).unwrap().towards(1.0), slant] {
         let error = springs.roll(&way.unwrap(), Creepage::default(), |_| 0.3, &mut state);
         assert_eq!(error.unwrap_err().field, "rolling distance");
     }
@@ -91,4 +93,16 @@ fn other_ways_and_wrong_numbers_are_refused() {
     assert!(springs.roll(&way, wrong, |_| 0.3, &mut state).is_err());
     assert!(Springs::new([1.0, 0.0, 1.0]).is_err());
     assert!(Springs::of_ellipse([1.0, -1.0], 1.0, &coefficients()).is_err());
+}
+
+/// What the forces do by large creepages becomes heat; the springs keep little of it.
+#[test]
+fn heat_is_the_work_of_creepage_where_all_slips() {
+    let mut state = pressed(50);
+    for [along, across] in [[9.0, 0.0], [0.0, 9.0], [6.0, -8.0]] {
+        let heat = roll(&mut state, 0.0, Creepage { along, across, spin: 0.0 });
+        let load = state.load();
+        let work = load.f_x * along + load.f_y * across;
+        assert!((heat - work).abs() < 0.02 * work, "{heat} {work}");
+    }
 }

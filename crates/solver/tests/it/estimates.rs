@@ -107,6 +107,17 @@ fn a_contact_at_the_border_or_of_few_cells_is_in_doubt() {
     assert!(matches!(pressed(10, [0.0, 0.0])[..], [GridWarning::FewCells { across: 8 }]));
 }
 
+/// On a single row of cells a contact is as wide as it is long.
+#[test]
+fn a_contact_on_one_row_of_cells_is_not_of_few_cells() {
+    for [nx, ny] in [[64, 1], [1, 64]] {
+        let mut state = ContactState::apart(Grid::new(nx, ny, 1.0, 30.0).unwrap());
+        state.pressure.values_mut()[20..44].fill(1.0);
+        let is_narrow = |warning: &GridWarning| matches!(warning, GridWarning::FewCells { .. });
+        assert!(!state.warnings().iter().any(is_narrow));
+    }
+}
+
 /// On whichever of the three grids: the history stays as it is.
 #[test]
 fn a_state_of_another_grid_is_not_restored() {

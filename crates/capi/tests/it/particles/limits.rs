@@ -224,6 +224,8 @@ fn many_contacts_are_as_bad_as_the_worst_in_each_ratio() {
     assert!((told.semi_axis_over_radius / one.semi_axis_over_radius - 1.0).abs() < 1e-9);
     assert!((told.pressure_over_yield / two.pressure_over_yield - 1.0).abs() < 1e-9);
     assert_eq!(told.coupling, two.coupling);
+    let back = [2, 1, 0].map(|i| all[i]);
+    assert_eq!(worst(&back).unwrap(), told);
     assert_eq!(worst(&all[2..]).unwrap(), CaromValidity::default());
     assert_eq!(worst(&[]).unwrap(), CaromValidity::default());
     let wrong = [all[0], CaromEncounter { law: null(), ..all[0] }];

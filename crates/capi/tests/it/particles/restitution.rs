@@ -93,10 +93,12 @@ fn masses_are_asked_where_a_restitution_needs_them() {
                 let told = same.tried(&law, (&one, &Second::Grain(wrong)), 1e-9, None).unwrap_err();
                 assert!(told.text.contains(part), "{}", told.text);
                 assert_eq!(same, touch);
+                let told = touch.load(&law, &one, &Second::Grain(wrong)).unwrap_err();
+                assert!(told.text.contains(part), "{}", told.text);
             }
-            let mut bodies = [meeting(); 4];
+            let mut bodies = [meeting(); 8];
             bodies[2] = [one, wrong];
-            let told = together(&[&law], &mut vec![pressed.clone(); 4], &bodies, 1e-6, None).0;
+            let told = together(&[&law], &mut vec![pressed.clone(); 8], &bodies, 1e-6, None).0;
             assert_eq!(told.unwrap_err().index, 2);
         }
     }
