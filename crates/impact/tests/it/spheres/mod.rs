@@ -20,8 +20,8 @@ pub(crate) fn chi_of_sphere(poisson: f64) -> f64 {
 }
 
 /// What rounding leaves open of R_x. The slip is a difference of velocities, known to a rounding of
-/// these; R_x changes with the logarithm of psi by about the lesser of psi and 1/psi, and the solution
-/// itself is good to twice its tolerance of 5e-12, wherever such a slip puts it.
+/// these; R_x changes with the logarithm of psi by about the lesser of psi and 1/psi, and each of two
+/// solutions is good to twice its tolerance of 5e-12, wherever such a slip puts it.
 pub(crate) fn unknown(encounter: &Collision, rebound: &Rebound) -> f64 {
     let frame = encounter.frame();
     let before = frame.to_contact(&rebound.contact_velocity_before);
@@ -43,8 +43,7 @@ pub(crate) fn unknown(encounter: &Collision, rebound: &Rebound) -> f64 {
         // It may be anything below: one frame has it zero, another not.
         return 1e-11 + 4.0 * psi.min(1.0);
     }
-    let share = rounding / slip;
-    if share < 1e-13 { 0.0 } else { 1e-11 + 4.0 * share * psi.min(1.0 / psi) }
+    2e-11 + 4.0 * rounding / slip * psi.min(1.0 / psi)
 }
 
 /// Bodies in their places against the same put along the normal, and against their matrices.
