@@ -36,7 +36,7 @@ pub use groups::DissimilarGroups;
 /// let groups = DissimilarGroups::of_spheres(1.0, 0.5, Friction::new(0.2)?, 2.0)?;
 /// let found = table.restitution(&groups)?;
 /// assert_eq!(found.method, DissimilarMethod::Table);
-/// assert!((found.r_x - 0.185).abs() < found.error_estimate);
+/// assert!((found.r_x - 0.196).abs() < found.error_estimate);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
