@@ -139,7 +139,7 @@ def test_the_yield_stress_goes_on_after_a_restart(tmp_path):
 def test_a_restart_file_of_another_version_is_refused(tmp_path):
     lmp(BALL + "run 0\nwrite_restart fallen\n", tmp_path, more="")
     data = (tmp_path / "fallen").read_bytes()
-    version = struct.pack("<I", 7002)
+    version = struct.pack("<I", 7003)
     assert data.count(version) == 1
     (tmp_path / "fallen").write_bytes(data.replace(version, struct.pack("<I", 1)))
     with pytest.raises(Failed, match="written by another version of carom"):
