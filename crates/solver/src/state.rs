@@ -117,11 +117,7 @@ impl ContactState {
 
     /// Whether there are no tangential tractions.
     pub(crate) fn has_pressure_alone(&self) -> bool {
-        // Without an exit within a part it is compiled to vectors.
-        let all_zero = |part: &[f64]| part.iter().fold(true, |all, value| all & (*value == 0.0));
-        [&self.traction_x, &self.traction_y]
-            .into_iter()
-            .all(|field| field.values().chunks(4096).all(all_zero))
+        self.traction_x.is_zero() && self.traction_y.is_zero()
     }
 
     /// The number of cells in this state.

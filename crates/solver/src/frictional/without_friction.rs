@@ -1,6 +1,7 @@
 //! A step of bodies whose surfaces have no friction and whose materials are not coupled: pressures
 //! alone, without memory for tractions.
 
+use carom_halfspace::Field;
 use carom_laws::law::Shift;
 
 use super::error::converged;
@@ -19,7 +20,7 @@ impl Frictional {
             [&from.traction_x, &from.traction_y, &from.displacement_x, &from.displacement_y];
         problem.friction().is_none()
             && !problem.operator().is_coupled()
-            && fields.into_iter().all(|field| field.values().iter().all(|value| *value == 0.0))
+            && fields.into_iter().all(Field::is_zero)
     }
 
     /// Solves such a step on all cells.

@@ -13,20 +13,23 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use carom_halfspace::operator::{
-    DisplacementField, OperatorError, Preconditioner, SurfaceOperator, Threads, TractionField,
-    Workspace,
+    DisplacementField, OperatorError, Preconditioner, ROUGHNESS, SurfaceOperator, Threads,
+    TractionField, Workspace,
 };
 
 use super::iteration_state::IterationState;
-use super::task::{Limits, NormalTask, finish};
+use super::signs::{Seen, lower};
+use super::task::{LARGE, Limits, NormalTask, finish};
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
 use crate::lanes::{self, product, product_where};
 use crate::parts::{each, fold, sum};
-use crate::rough::inverse_of;
+use crate::rough::{inverse_of, takes_rough};
 
 /// A relative error of the force above this means that the force was lost to rounding.
 const LARGEST_FORCE_ERROR: f64 = 1e-9;
+/// The gap is computed again when the errors of rough products may exceed this part of the violation.
+const ROUGH: f64 = 0.2;
 
 /// One grid of the normal problem, with its working memory.
 #[derive(Clone)]
@@ -34,6 +37,8 @@ pub(super) struct ActiveSet {
     pub(super) threads: Threads,
     pub(super) inverse: Option<Arc<dyn Preconditioner>>,
     pub(super) workspace: Workspace,
+    /// Whether corrections take rough products.
+    rough: bool,
     /// The influence of a cell on itself.
     pub(super) own: f64,
     /// The gap g.
@@ -46,8 +51,9 @@ pub(super) struct ActiveSet {
     pub(super) direction: Vec<f64>,
     /// A times the correction.
     pub(super) image: Vec<f64>,
-    /// K 1 on the active set, valid until the set changes.
+    /// K 1 on the active set, valid until the set changes, and its sum.
     pub(super) ones: Vec<f64>,
+    sum_of_ones: f64,
     pub(super) active: Vec<bool>,
 }
 
@@ -60,6 +66,7 @@ impl ActiveSet {
             threads: operator.threads(),
             inverse: inverse_of(operator),
             workspace: operator.workspace(),
+            rough: cells >= LARGE && takes_rough(operator),
             own: operator.normal_influence_of_a_cell(),
             gap: zero(),
             knows_gap: false,
@@ -67,6 +74,7 @@ impl ActiveSet {
             direction: zero(),
             image: zero(),
             ones: zero(),
+            sum_of_ones: 0.0,
             active: vec![false; cells],
         }
     }
@@ -107,12 +115,23 @@ impl ActiveSet {
             return Ok(&self.gap);
         }
         self.make_room(heights.len());
+        self.compute_gap((operator, heights), pressure, approach)?;
+        Ok(&self.gap)
+    }
+
+    /// The gap by a product without the errors of rough ones.
+    fn compute_gap(
+        &mut self,
+        (operator, heights): (&dyn SurfaceOperator, &[f64]),
+        pressure: &[f64],
+        approach: f64,
+    ) -> Result<(), OperatorError> {
         let displacements = DisplacementField::normal(&mut self.gap);
         operator.apply(TractionField::normal(pressure), displacements, &mut self.workspace)?;
         each(self.threads, (&mut self.gap[..], heights), &|(gaps, heights)| {
             gaps.iter_mut().zip(heights).for_each(|(gap, height)| *gap += height - approach);
         });
-        Ok(&self.gap)
+        Ok(())
     }
 
     /// Solves a task whose initial pressure is positive somewhere.
@@ -129,38 +148,42 @@ impl ActiveSet {
         self.knows_gap = true;
         let patient = !task.operator.is_invariant();
         let mut state = IterationState { patient, ..IterationState::default() };
-        self.begin(task, &mut state)?;
-        let normal = self.residual(task);
-        if normal <= limits.tolerance && task.pressure.iter().any(|p| *p > 0.0) {
+        let lift = self.begin(task, &mut state)?;
+        let mut seen = self.check(task, (lift, limits.tolerance), &mut state)?;
+        if seen.normal() <= limits.tolerance && seen.touching > 0 {
             finish(task);
-            let (products, residuals) = (state.products, Residuals { normal, tangential: 0.0 });
-            return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
+            let residuals = Residuals { normal: seen.normal(), tangential: 0.0 };
+            let (products, stop) = (state.products, Stop::Converged);
+            return Ok(Convergence { iterations: 0, products, residuals, stop });
         }
         let mut iteration = 0;
         loop {
             iteration += 1;
-            if iteration == 1 || state.asks_for_change(self.violation(task)) {
-                self.change_set(task, &mut state)?;
+            let lift = if iteration == 1 || state.asks_for_change(seen.violation) {
+                self.change_set(task, seen.violation, &mut state)?
             } else {
                 state.held = false;
-                self.precondition(&mut state);
-                self.gradient_step(task, &mut state)?;
-            }
-            self.deflate(task);
-            let normal = self.residual(task);
+                let inverted = self.precondition(0.0, &mut state);
+                self.gradient_step(task, inverted, &mut state)?
+            };
+            seen = self.check(task, (lift, limits.tolerance), &mut state)?;
+            let normal = seen.normal();
             let residuals = Residuals { normal, tangential: 0.0 };
-            let (cells, touching) = (task.pressure.len(), self.touching(task));
-            let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let lost = !normal.is_finite() || touching == 0 || self.is_force_lost(task);
+            let (cells, touching) = (task.pressure.len(), seen.touching);
+            let wish = observer.see(&Progress { iteration, cells, touching, residuals });
+            let lost = !normal.is_finite() || touching == 0 || is_force_lost(task, seen.sum);
             if lost && !state.rescued {
-                self.rescue(task, &mut state)?;
+                let lift = self.rescue(task, &mut state)?;
+                seen = self.check(task, (lift, limits.tolerance), &mut state)?;
                 continue;
             }
             let stop = if lost {
                 Some(Stop::Stalled)
-            } else if normal <= limits.tolerance || self.is_converged(task, &state, limits.change) {
+            } else if normal <= limits.tolerance
+                || self.is_converged(task, (&seen, &state), limits.change)
+            {
                 Some(Stop::Converged)
-            } else if matches!(seen, ControlFlow::Break(())) {
+            } else if matches!(wish, ControlFlow::Break(())) {
                 Some(Stop::Observer)
             } else {
                 (iteration >= limits.iterations).then_some(Stop::Exhausted)
@@ -179,20 +202,53 @@ impl ActiveSet {
         fold(self.threads, &*task.pressure, &count, &|one, other| one + other)
     }
 
-    /// Sets up active set and gap. The initial pressure is scaled for the best fit.
+    /// Sets up active set and gap. The initial pressure is scaled for the best fit. Returns by how much the approach is to
+    /// be raised.
     fn begin(
         &mut self,
         task: &mut NormalTask<'_>,
         state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
-        for (active, pressure) in self.active.iter_mut().zip(task.pressure.iter_mut()) {
-            *pressure = pressure.max(0.0);
-            *active = *pressure > 0.0;
+    ) -> Result<f64, OperatorError> {
+        let parts = (&mut *task.pressure, &mut self.active[..]);
+        let pressed = sum(self.threads, parts, &|(pressures, actives)| {
+            for (active, pressure) in actives.iter_mut().zip(pressures.iter_mut()) {
+                *pressure = pressure.max(0.0);
+                *active = *pressure > 0.0;
+            }
+            lanes::total(pressures)
+        });
+        let displacements = DisplacementField::normal(&mut self.gap);
+        let tractions = TractionField::normal(task.pressure);
+        task.operator.apply(tractions, displacements, &mut self.workspace)?;
+        self.give_back_exact();
+        state.products.normal += 1.0;
+        let factor = match task.driven {
+            Driven::Load(force) => force / (task.operator.grid().cell_area() * pressed),
+            Driven::Shift(approach) => self.best_factor(task, approach),
+        };
+        if let (Driven::Load(_), Some(cell)) = (task.driven, self.active.iter().position(|is| *is))
+        {
+            // Close to that of the others: heights may be far above the indentation, whose rounding counts.
+            task.approach = factor * self.gap[cell] + task.heights[cell];
         }
-        self.direction.copy_from_slice(task.pressure);
-        self.multiply(task.operator, state)?;
         let approach = task.approach;
-        let parts = (&*task.pressure, &self.image[..], task.heights);
+        let parts = ((&mut *task.pressure, &self.active[..]), &mut self.gap[..], task.heights);
+        let gaps = sum(self.threads, parts, &|((pressures, actives), gaps, heights)| {
+            pressures.iter_mut().for_each(|pressure| *pressure *= factor);
+            for (gap, height) in gaps.iter_mut().zip(heights) {
+                *gap = factor * *gap + height - approach;
+            }
+            product_where(pressures, gaps, actives)
+        });
+        Ok(match task.driven {
+            Driven::Load(_) => gaps / (factor * pressed),
+            Driven::Shift(_) => 0.0,
+        })
+    }
+
+    /// The factor of the pressures whose displacement, in `gap`, comes closest to an approach.
+    fn best_factor(&self, task: &NormalTask<'_>, approach: f64) -> f64 {
+        let parts = (&*task.pressure, &self.gap[..], task.heights);
         let [wanted, got] = fold(
             self.threads,
             parts,
@@ -208,26 +264,21 @@ impl ActiveSet {
             },
             &|one: [f64; 2], other| [one[0] + other[0], one[1] + other[1]],
         );
-        let factor = match task.driven {
-            Driven::Load(force) => {
-                force / (task.operator.grid().cell_area() * total(self.threads, task.pressure))
-            }
-            Driven::Shift(_) if wanted > 0.0 && got > 0.0 => wanted / got,
-            Driven::Shift(_) => 1.0,
-        };
-        let fields = (&mut *task.pressure, &mut self.gap[..]);
-        let parts = (fields, &self.image[..], task.heights);
-        each(self.threads, parts, &|((pressures, gaps), images, heights)| {
-            pressures.iter_mut().for_each(|pressure| *pressure *= factor);
-            for ((gap, image), height) in gaps.iter_mut().zip(images).zip(heights) {
-                *gap = factor * image + height - approach;
-            }
-        });
-        if matches!(task.driven, Driven::Load(_)) {
-            self.precondition_ones(state);
+        if wanted > 0.0 && got > 0.0 { wanted / got } else { 1.0 }
+    }
+
+    /// By how much the approach is to be raised on a new set, so that corrections do not change a prescribed force.
+    fn lift_of_set(&mut self, task: &NormalTask<'_>, state: &mut IterationState) -> f64 {
+        if matches!(task.driven, Driven::Shift(_)) {
+            return 0.0;
         }
-        self.deflate(task);
-        Ok(())
+        let gaps = self.precondition_ones(state);
+        self.lift(gaps)
+    }
+
+    /// The same of the sum of the gaps on the set, each times K 1.
+    fn lift(&self, gaps: f64) -> f64 {
+        if self.sum_of_ones > 0.0 { gaps / self.sum_of_ones } else { 0.0 }
     }
 
     /// Restarts from the lowest cell alone, with cautious changes of the set. This is needed in two
@@ -239,47 +290,49 @@ impl ActiveSet {
         &mut self,
         task: &mut NormalTask<'_>,
         state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
+    ) -> Result<f64, OperatorError> {
         *state = IterationState::rescue(state.products, state.patient);
         task.pressure.fill(0.0);
         let lowest = task.heights.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         if let Some((cell, _)) = lowest {
             task.pressure[cell] = 1.0;
         }
-        if matches!(task.driven, Driven::Load(_)) {
-            task.approach = 0.0;
-        }
         self.begin(task, state)
     }
 
-    /// Removes cells in tension from the set and adds cells that overlap.
+    /// Removes cells in tension from the set and adds cells that overlap, and makes a step. Returns by how much the
+    /// approach is to be raised then.
     fn change_set(
         &mut self,
         task: &mut NormalTask<'_>,
+        violation: f64,
         state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
-        state.changes(self.violation(task));
+    ) -> Result<f64, OperatorError> {
+        state.changes(violation);
         let parts = (&mut self.active[..], &*task.pressure, &self.gap[..]);
-        let dropped = fold(
+        let (drops, dropped) = fold(
             self.threads,
             parts,
             &|(actives, pressures, gaps)| {
-                let mut dropped = false;
+                let (mut drops, mut dropped) = (false, 0.0);
                 for ((active, pressure), gap) in actives.iter_mut().zip(pressures).zip(gaps) {
-                    dropped |= *active && *pressure < 0.0;
+                    drops |= *active && *pressure < 0.0;
                     *active = if *active { *pressure > 0.0 } else { *gap < 0.0 };
+                    dropped += if *active { 0.0 } else { *pressure };
                 }
-                dropped
+                (drops, dropped)
             },
-            &|one, other| one | other,
+            &|one: (bool, f64), other: (bool, f64)| (one.0 | other.0, one.1 + other.1),
         );
-        if matches!(task.driven, Driven::Load(_)) {
-            self.precondition_ones(state);
-        }
-        self.deflate(task);
-        self.precondition(state);
+        let lift = self.lift_of_set(task, state);
+        task.approach += lift;
+        let inverted = self.precondition(lift, state);
         state.power = None;
-        if dropped { self.merged_step(task, state) } else { self.gradient_step(task, state) }
+        if drops {
+            self.merged_step(task, (inverted, dropped), state)
+        } else {
+            self.gradient_step(task, inverted, state)
+        }
     }
 
     /// Drops the pressure of cells that leave and makes a damped step of the others, in one
@@ -287,153 +340,206 @@ impl ActiveSet {
     fn merged_step(
         &mut self,
         task: &mut NormalTask<'_>,
+        (inverted, dropped): (Inverted, f64),
         state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
-        let damping = state.damping();
-        let given = (&self.active[..], &self.preconditioned[..], &*task.pressure);
-        let [step, dropped] = fold(
-            self.threads,
-            (&mut self.direction[..], given),
-            &|(directions, (actives, steps, pressures))| {
-                let (mut step, mut dropped) = (0.0, 0.0);
-                for (i, direction) in directions.iter_mut().enumerate() {
-                    if actives[i] {
-                        *direction = damping * steps[i];
-                        step += *direction;
-                    } else {
-                        *direction = pressures[i];
-                        dropped += *direction;
-                    }
-                }
-                [step, dropped]
-            },
-            &|one: [f64; 2], other| [one[0] + other[0], one[1] + other[1]],
-        );
-        // If the approach is prescribed, dropping pressure may change the force; if the force is,
-        // nothing may.
-        let force = match task.driven {
-            Driven::Load(_) => dropped + step,
-            Driven::Shift(_) => step,
-        };
-        if force != 0.0 {
-            if matches!(task.driven, Driven::Shift(_)) {
-                self.precondition_ones(state);
+    ) -> Result<f64, OperatorError> {
+        let (damping, by_force) = (state.damping(), matches!(task.driven, Driven::Load(_)));
+        let step = damping * inverted.sum;
+        let share = if by_force { self.share_of_ones(step + dropped) } else { 0.0 };
+        let given = ((&self.active[..], &*task.pressure), &self.preconditioned[..], &self.ones[..]);
+        each(self.threads, (&mut self.direction[..], given), &|(
+            directions,
+            ((actives, pressures), steps, ones),
+        )| {
+            for (i, direction) in directions.iter_mut().enumerate() {
+                let step = damping * steps[i] - share * ones[i];
+                *direction = if actives[i] { step } else { pressures[i] };
             }
-            self.take_force(force);
+        });
+        // If the approach is prescribed, dropping pressure may change the force, the damped step may not.
+        if !by_force && step != 0.0 {
+            self.precondition_ones(state);
+            let share = self.share_of_ones(step);
+            each(self.threads, (&mut self.direction[..], &self.ones[..]), &|(steps, ones)| {
+                steps.iter_mut().zip(ones).for_each(|(step, one)| *step -= share * one);
+            });
         }
-        self.multiply(task.operator, state)?;
-        self.correct(task, 1.0, state);
-        keep_active(self.threads, task.pressure, &self.active);
-        Ok(())
+        self.multiply_roughly(task.operator, state)?;
+        Ok(self.correct(task, 1.0, state))
     }
 
-    /// Takes a force out of `direction`, by a uniform displacement.
-    fn take_force(&mut self, force: f64) {
-        let ones = total(self.threads, &self.ones);
-        if ones > 0.0 {
-            subtract(self.threads, force / ones, &self.ones, &mut self.direction);
-        }
+    /// The part of K 1 that has this force.
+    fn share_of_ones(&self, force: f64) -> f64 {
+        if self.sum_of_ones > 0.0 { force / self.sum_of_ones } else { 0.0 }
     }
 
-    /// A step of conjugate gradients along `preconditioned`.
+    /// A step of conjugate gradients along `preconditioned`. Returns by how much the approach is to be raised.
     fn gradient_step(
         &mut self,
         task: &mut NormalTask<'_>,
+        inverted: Inverted,
         state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
-        let power = self.dot(&self.preconditioned, &self.gap);
-        let share = state.power.map_or(0.0, |last| power / last);
-        let parts = (&mut self.direction[..], &self.preconditioned[..], &self.active[..]);
-        each(self.threads, parts, &|(directions, steps, actives)| {
-            for ((direction, step), active) in directions.iter_mut().zip(steps).zip(actives) {
-                *direction = if *active { step + share * *direction } else { 0.0 };
+    ) -> Result<f64, OperatorError> {
+        let share = state.power.map_or(0.0, |last| inverted.power / last);
+        state.power = Some(inverted.power);
+        // The preconditioner is symmetric to single precision only: its steps change the force a little. The last step
+        // did not.
+        let by_force = matches!(task.driven, Driven::Load(_));
+        let of_ones = if by_force { self.share_of_ones(inverted.sum) } else { 0.0 };
+        let given = ((&self.active[..], &self.ones[..]), &self.preconditioned[..]);
+        each(self.threads, (&mut self.direction[..], given), &|(
+            directions,
+            ((actives, ones), steps),
+        )| {
+            for (i, direction) in directions.iter_mut().enumerate() {
+                let step = steps[i] + share * *direction - of_ones * ones[i];
+                *direction = if actives[i] { step } else { 0.0 };
             }
         });
-        state.power = Some(power);
-        if matches!(task.driven, Driven::Load(_)) {
-            // The preconditioner is symmetric to single precision only.
-            let added = total(self.threads, &self.direction);
-            self.take_force(added);
-        }
-        self.multiply(task.operator, state)?;
-        let down = self.dot(&self.direction, &self.gap);
-        let bend = self.dot(&self.direction, &self.image);
+        self.multiply_roughly(task.operator, state)?;
+        let parts = ((&self.direction[..], &self.active[..]), (&self.gap[..], &self.image[..]));
+        let [down, bend] = fold(
+            self.threads,
+            parts,
+            &|((steps, actives), (gaps, images))| {
+                [product_where(steps, gaps, actives), product_where(steps, images, actives)]
+            },
+            &|one: [f64; 2], other: [f64; 2]| [one[0] + other[0], one[1] + other[1]],
+        );
         // Converged to rounding.
         let length = if bend > 0.0 { down / bend } else { 0.0 };
-        self.correct(task, length, state);
-        Ok(())
+        Ok(self.correct(task, length, state))
     }
 
-    fn correct(&mut self, task: &mut NormalTask<'_>, length: f64, state: &mut IterationState) {
-        let parts =
-            ((&mut *task.pressure, &self.direction[..]), (&mut self.gap[..], &self.image[..]));
-        let square = sum(self.threads, parts, &|((pressures, directions), (gaps, images))| {
-            let steps = pressures.iter_mut().zip(directions);
-            steps.for_each(|(pressure, direction)| *pressure -= length * direction);
-            gaps.iter_mut().zip(images).for_each(|(gap, image)| *gap -= length * image);
-            product(directions, directions)
-        });
+    /// Subtracts `length` times `direction` from the pressures. Returns by how much the approach is to be raised.
+    fn correct(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        length: f64,
+        state: &mut IterationState,
+    ) -> f64 {
+        let by_force = matches!(task.driven, Driven::Load(_));
+        let corrected = ((&mut *task.pressure, &mut self.gap[..]), &self.direction[..]);
+        let parts = (corrected, &self.image[..], &self.ones[..], &self.active[..]);
+        let [square, far, raised] = fold(
+            self.threads,
+            parts,
+            &|(((pressures, gaps), directions), images, ones, actives)| {
+                let steps = pressures.iter_mut().zip(directions);
+                steps.for_each(|(pressure, direction)| *pressure -= length * direction);
+                gaps.iter_mut().zip(images).for_each(|(gap, image)| *gap -= length * image);
+                let raised = if by_force { product_where(ones, gaps, actives) } else { 0.0 };
+                [product(directions, directions), farthest(images), raised]
+            },
+            &|one, other| [one[0] + other[0], f64::max(one[1], other[1]), one[2] + other[2]],
+        );
         state.step = length.abs() * square.sqrt();
+        if self.rough {
+            state.roughness += ROUGHNESS * (length.abs() * far + self.own * state.step);
+        }
+        self.lift(raised)
     }
 
-    /// If the force is prescribed, adjusts the approach so that corrections do not change the
-    /// force.
-    fn deflate(&mut self, task: &mut NormalTask<'_>) {
-        if matches!(task.driven, Driven::Shift(_)) {
-            return;
+    /// Raises the approach, and sees how far the solution is from its conditions; where errors of rough products count,
+    /// the gap is computed without them.
+    fn check(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        (lift, tolerance): (f64, f64),
+        state: &mut IterationState,
+    ) -> Result<Seen, OperatorError> {
+        task.approach += lift;
+        let seen = Seen { roughness: state.roughness, ..self.see(task, lift) };
+        if seen.normal() <= tolerance || state.roughness <= ROUGH * seen.greatest {
+            return Ok(seen);
         }
-        let ones = total(self.threads, &self.ones);
-        if ones <= 0.0 {
-            return;
-        }
-        let mean = self.dot(&self.ones, &self.gap) / ones;
-        task.approach += mean;
-        each(self.threads, &mut self.gap[..], &|gaps: &mut [f64]| {
-            gaps.iter_mut().for_each(|gap| *gap -= mean);
-        });
+        self.compute_gap((task.operator, task.heights), task.pressure, task.approach)?;
+        self.give_back_exact();
+        state.products.normal += 1.0;
+        state.roughness = 0.0;
+        let lift = match task.driven {
+            Driven::Load(_) => self.lift(self.dot_ones()),
+            Driven::Shift(_) => 0.0,
+        };
+        task.approach += lift;
+        Ok(self.see(task, lift))
     }
 
-    /// K 1 on the active set.
-    fn precondition_ones(&mut self, state: &mut IterationState) {
+    /// Gives back the memory of exact products, which are rare where corrections take rough ones.
+    fn give_back_exact(&mut self) {
+        if self.rough {
+            self.workspace = Workspace::default();
+        }
+    }
+
+    /// K 1 on the active set. Returns the sum of the gaps there, each times K 1.
+    fn precondition_ones(&mut self, state: &mut IterationState) -> f64 {
         for (one, active) in self.preconditioned.iter_mut().zip(&self.active) {
             *one = f64::from(u8::from(*active));
         }
-        self.invert(state);
+        let inverted = self.invert(state);
+        self.sum_of_ones = inverted.sum;
         std::mem::swap(&mut self.ones, &mut self.preconditioned);
+        inverted.power
     }
 
-    /// K g on the active set.
-    fn precondition(&mut self, state: &mut IterationState) {
-        let parts = (&mut self.preconditioned[..], &self.gap[..], &self.active[..]);
+    /// K g on the active set, where gaps are less by `lift`.
+    fn precondition(&mut self, lift: f64, state: &mut IterationState) -> Inverted {
+        let parts = (&mut self.preconditioned[..], &mut self.gap[..], &self.active[..]);
         each(self.threads, parts, &|(values, gaps, actives)| {
+            lower(gaps, lift);
             for ((value, gap), active) in values.iter_mut().zip(gaps).zip(actives) {
                 *value = if *active { *gap } else { 0.0 };
             }
         });
-        self.invert(state);
+        self.invert(state)
     }
 
     /// Applies K to `preconditioned`, restricted to the active set.
-    fn invert(&mut self, state: &mut IterationState) {
+    fn invert(&mut self, state: &mut IterationState) -> Inverted {
         if let Some(inverse) = &self.inverse {
             std::mem::swap(&mut self.image, &mut self.preconditioned);
             inverse.pressure(&self.image, &mut self.preconditioned, &mut self.workspace);
             state.products.preconditioner += 1.0;
         }
-        keep_active(self.threads, &mut self.preconditioned, &self.active);
+        let parts = (&mut self.preconditioned[..], &self.gap[..], &self.active[..]);
+        fold(
+            self.threads,
+            parts,
+            &|(values, gaps, actives)| {
+                for (value, active) in values.iter_mut().zip(actives) {
+                    *value = if *active { *value } else { 0.0 };
+                }
+                let sum = lanes::total(values);
+                Inverted { sum, power: product_where(values, gaps, actives) }
+            },
+            &|one: Inverted, other: Inverted| Inverted {
+                sum: one.sum + other.sum,
+                power: one.power + other.power,
+            },
+        )
     }
 
-    /// Whether the sum of the pressures differs from the prescribed force by more than rounding.
-    fn is_force_lost(&self, task: &NormalTask<'_>) -> bool {
-        let Driven::Load(force) = task.driven else { return false };
-        let sum = task.operator.grid().cell_area() * total(self.threads, task.pressure);
-        (sum - force).abs() > LARGEST_FORCE_ERROR * force
+    /// The sum of the gaps on the active set, each times K 1.
+    fn dot_ones(&self) -> f64 {
+        let parts = (&self.ones[..], &self.gap[..], &self.active[..]);
+        sum(self.threads, parts, &|(ones, gaps, actives)| product_where(ones, gaps, actives))
     }
 
-    /// The sum of products over the active set.
-    fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
-        let parts = (a, b, &self.active[..]);
-        sum(self.threads, parts, &|(a, b, actives)| product_where(a, b, actives))
+    /// Sets `image` to A times `direction`, roughly if the grid is large.
+    fn multiply_roughly(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        state: &mut IterationState,
+    ) -> Result<(), OperatorError> {
+        if !self.rough {
+            return self.multiply(operator, state);
+        }
+        let tractions = TractionField::normal(&self.direction);
+        let displacements = DisplacementField::normal(&mut self.image);
+        operator.apply_roughly(tractions, displacements, &mut self.workspace)?;
+        state.products.normal += 1.0;
+        Ok(())
     }
 
     /// Sets `image` to A times `direction`.
@@ -450,24 +556,20 @@ impl ActiveSet {
     }
 }
 
-fn total(threads: Threads, values: &[f64]) -> f64 {
-    sum(threads, values, &lanes::total)
+/// The greatest displacement.
+fn farthest(images: &[f64]) -> f64 {
+    images.iter().fold(0.0, |farthest, image| farthest.max(image.abs()))
 }
 
-/// Subtracts `part` times `from` from the values.
-fn subtract(threads: Threads, part: f64, from: &[f64], values: &mut [f64]) {
-    each(threads, (values, from), &|(values, from)| {
-        values.iter_mut().zip(from).for_each(|(value, from)| *value -= part * from);
-    });
+/// Whether the sum of the pressures differs from the prescribed force by more than rounding.
+fn is_force_lost(task: &NormalTask<'_>, sum: f64) -> bool {
+    let Driven::Load(force) = task.driven else { return false };
+    (task.operator.grid().cell_area() * sum - force).abs() > LARGEST_FORCE_ERROR * force
 }
 
-/// Sets the values of inactive cells to zero.
-fn keep_active(threads: Threads, values: &mut [f64], active: &[bool]) {
-    each(threads, (values, active), &|(values, actives)| {
-        for (value, active) in values.iter_mut().zip(actives) {
-            if !active {
-                *value = 0.0;
-            }
-        }
-    });
+/// What K gives on the active set.
+struct Inverted {
+    sum: f64,
+    /// Its product with the gaps.
+    power: f64,
 }

@@ -26,6 +26,8 @@ pub(super) struct IterationState {
     pub(super) power: Option<f64>,
     /// The norm of the last correction.
     pub(super) step: f64,
+    /// A bound on the error of the gap by rough products.
+    pub(super) roughness: f64,
     /// The violation at the last change of the set, and how often it hardly decreased.
     pub(super) last_violation: Option<f64>,
     pub(super) slow_changes: u32,

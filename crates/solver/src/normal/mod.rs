@@ -16,7 +16,7 @@ use crate::drive::Driven;
 use crate::nested;
 use crate::state::{CellState, ContactState};
 use active_set::ActiveSet;
-use task::{Limits, NormalTask};
+use task::{LARGE, Limits, NormalTask};
 
 /// The iteration on coarse grids stops when a correction changes the pressure by less than this
 /// fraction, on the coarsest grid by less than a tenth of it.
@@ -28,9 +28,7 @@ pub(crate) struct NormalGrids {
     levels: Vec<Level>,
 }
 
-/// From this number of cells on a coarse grid gives back its memory before a finer one needs its own.
-const LARGE: usize = 1 << 16;
-/// From this number on it is made anew for the next start.
+/// From this number of cells on a coarse grid is made anew for the next start.
 const LARGEST: usize = 1 << 20;
 
 /// Greatest number of cells along a side of the grid for the pilot solve.

@@ -12,16 +12,14 @@ use carom_halfspace::operator::{
 
 use super::active_set::ActiveSet;
 use super::signs::greater;
-use super::task::{Limits, NormalTask, finish};
+use super::task::{LARGE, Limits, NormalTask, finish};
 use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::drive::Driven;
 use crate::lanes;
 use crate::parts::{each, sum};
 use crate::rows::{Row, of_rows};
 
-/// Grids with fewer cells are solved on all cells.
-const LARGE: usize = 1 << 16;
-/// So is a contact whose cells, with those about it, are more than one in so many.
+/// A contact is solved on all cells if its own, with those about it, are more than one in so many.
 const FEW: usize = 6;
 /// Corrections are given up after this many.
 const CORRECTIONS: usize = 8;

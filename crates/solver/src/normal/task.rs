@@ -4,6 +4,9 @@ use carom_halfspace::operator::SurfaceOperator;
 
 use crate::drive::Driven;
 
+/// Grids with fewer cells are solved on all cells, by exact products, and keep their memory.
+pub(super) const LARGE: usize = 1 << 16;
+
 /// Stopping criteria.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {

@@ -69,3 +69,46 @@ fn rough_products_reach_what_exact_ones_reach() {
         }
     }
 }
+
+/// Pressures on so many cells are found with rough products, by force and by approach, to any tolerance: their errors
+/// count, so that a product without them confirms what is told.
+#[test]
+fn pressures_on_a_large_grid_are_as_exact_as_told() {
+    let (width, modulus) = (2.4 / 256.0, 80_000.0 / 0.72);
+    let grid = Grid::new(256, 257, width, width).unwrap();
+    let body = Material::from_shear(80_000.0, 0.28).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    // Waves that are pressed flat in most places, so that sets change.
+    let gap = Gap::from_function(grid, |x, y| {
+        (x * x + y * y) / 200.0 + 2e-4 * ((9.0 * x).cos() + (11.0 * y + x).sin())
+    });
+    let operator = HalfSpaceOperator::with_blocks(pair, grid, Blocks::All, Threads::One).unwrap();
+    let exact: Arc<dyn SurfaceOperator> = Arc::new(Delegating::exact(operator.clone()));
+    let [rough, exact] = [Arc::new(operator) as Arc<dyn SurfaceOperator>, exact].map(|operator| {
+        ContactProblem::new(gap.clone().unwrap(), operator, Friction::NONE).unwrap()
+    });
+    let apart = ContactState::apart(grid);
+    for (normal, tolerance) in [
+        (Driven::Load(4.0 / 3.0 * modulus / 100.0), 1e-5),
+        (Driven::Load(4.0 / 3.0 * modulus / 100.0), 1e-12),
+        (Driven::Shift(0.01), 1e-8),
+    ] {
+        let method = Frictional::default().within(tolerance).unwrap();
+        let drive = Drive { normal, ..Drive::default() };
+        let solved = |problem: &ContactProblem| {
+            let mut state = apart.clone();
+            let mut scratch = method.scratch(problem).unwrap();
+            let reached =
+                method.step(problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+            (state, reached)
+        };
+        let ((one, reached), (other, needed)) = (solved(&rough), solved(&exact));
+        let left = violations(&exact, &apart, &one).unwrap().normal;
+        assert!(left <= reached.residuals.normal + 1e-14 && left <= tolerance, "{left:e}");
+        assert!(reached.products.normal <= needed.products.normal + 1.5, "{reached:?} {needed:?}");
+        let scale = other.pressure.values().iter().fold(0.0, |most: f64, p| most.max(*p));
+        for (one, other) in one.pressure.values().iter().zip(other.pressure.values()) {
+            assert!((one - other).abs() < 1e3 * tolerance * scale, "{one} {other}");
+        }
+    }
+}
