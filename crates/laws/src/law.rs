@@ -138,8 +138,9 @@ pub trait ContactLaw: Clone {
     }
 
     /// The sum of the magnitudes of the tractions over the limit of friction, from 0 to 1, of a law whose tractions have
-    /// several directions: its load may be below the limit though all slides. None if the load tells it.
-    fn used_friction(&self) -> Option<f64> {
+    /// several directions: its load may be below the limit though all slides. None if the load tells it, and if at these
+    /// rates the bodies turn about a place in the contact: some places near it always stick, now and then.
+    fn used_friction(&self, _rates: Shift) -> Option<f64> {
         None
     }
 

@@ -166,12 +166,8 @@ impl<L: ContactLaw> ViscousLaw<L> {
 
     fn keep_sliding(&self, (to, rates): (Shift, Shift), deeper: f64, by: &mut [f64; 2]) {
         let ContactLoad { f_x, f_y, f_z, .. } = self.law.load();
-        let limit = match self.law.used_friction() {
-            Some(used) if rates.omega == 0.0 => libm::hypot(f_x, f_y) / used,
-            // With a twist only friction that is f times the normal force counts, as between grains: near the pole of the
-            // slip there are always rings that stick, now and then.
-            _ => self.friction * f_z,
-        };
+        let used = self.law.used_friction(rates);
+        let limit = used.map_or(self.friction * f_z, |used| libm::hypot(f_x, f_y) / used);
         if let Some(slides) = Slides::of([f_x, f_y], limit, || self.slides_by) {
             let truly = [to.xi - self.shift.xi, to.eta - self.shift.eta];
             *by = slides.on(truly, [to.zeta - self.shift.zeta, deeper], *by);

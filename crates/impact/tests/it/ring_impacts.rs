@@ -313,3 +313,30 @@ fn a_spinning_ball_that_loses_energy_slides_on() {
         assert!(off < estimate + elastic && off < 0.02, "{relaxation}: {off} {estimate}");
     }
 }
+
+/// Where unlike bodies lose energy, a spin too slow to matter leaves the rebound as it is without spin. By a grid R_x is
+/// .107 where the ball keeps 3 tenths of its normal speed, .210 where it keeps half.
+#[test]
+fn a_slow_spin_does_not_make_a_lossy_contact_stick() {
+    let (soft, hard) = (material([70e9, 0.3]), material([200e9, 0.3]));
+    for (restitution, grid) in [(0.3, 0.107), (0.5, 0.210)] {
+        let rebound = |spin: f64| {
+            let motion = Motion::new([0.7705, 0.0, -1.0], [0.0, 0.0, spin]).unwrap();
+            let ball = Body::sphere(0.01, soft, 0.01).unwrap().moving(motion);
+            let friction = Friction::new(0.23).unwrap();
+            let collision = Collision::new(ball, Body::plane(hard), friction).unwrap();
+            let lossy = NormalRestitution::new(restitution).unwrap();
+            by_rings(&collision.with_normal_restitution(lossy), 1e-2)
+        };
+        let [without, _] = rebound(0.0);
+        assert!((without - grid).abs() < 0.015, "{restitution}: {without} {grid}");
+        for spin in [1e-17, 1e-3, 3.0, 30.0] {
+            let [with, error] = rebound(spin);
+            eprintln!("{restitution} {spin}: {with} {without} {error}");
+            assert!(
+                (with - without).abs() < 0.002 + 3e-4 * spin,
+                "{restitution} {spin}: {with} {without}"
+            );
+        }
+    }
+}

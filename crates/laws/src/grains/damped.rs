@@ -147,7 +147,9 @@ impl<L: GrainLaw> GrainContact<L> {
             self.frame.dashpots.effective(motion, self.law.pressed_stiffness(), mobility);
         let part = part_in_contact(before.zeta, step.zeta);
         let [lead, by] = before.led(step.velocity, theta, part, dt);
-        let by = self.slid_on(step.velocity.map(|v| v * dt), [step.zeta, approach], by);
+        let omega = if L::Twist::COUNTS { turning(meeting) } else { 0.0 };
+        let rates = Shift { xi: step.velocity[0], eta: step.velocity[1], omega, zeta: step.speed };
+        let by = self.slid_on((rates, dt), [step.zeta, approach], by);
         let [xi, eta] = [0, 1].map(|k| before.shift[k] + by[k]);
         let (twist_lead, omega) = self.twisted_on(meeting, touches, [theta, part], dt);
         let to = Shift { zeta: approach, xi, eta, omega };
@@ -180,12 +182,13 @@ impl<L: GrainLaw> GrainContact<L> {
     #[inline(always)]
     pub(super) fn slid_on(
         &self,
-        truly: [f64; 2],
+        (rates, dt): (Shift, f64),
         [zeta, approach]: [f64; 2],
         by: [f64; 2],
     ) -> [f64; 2] {
         let (its, frame) = (self.law.shift().zeta, &self.frame);
-        match Slides::of(frame.friction, self.law.sliding_force(), || self.law.sliding_shift()) {
+        let (force, truly) = (self.law.sliding_force(rates), [rates.xi * dt, rates.eta * dt]);
+        match Slides::of(frame.friction, force, || self.law.sliding_shift()) {
             Some(slides) => slides.on(truly, [zeta - frame.approach, approach - its], by),
             None => by,
         }

@@ -27,8 +27,8 @@ pub trait GrainLaw: ContactLaw<Error = RangeError> + Checked + Dissipative {
     /// The normal force at the end of the last step, of bodies whose approach is this, N.
     fn bears(&self, approach: f64) -> f64;
 
-    /// The friction of a contact that slides as a whole at the present approach, N.
-    fn sliding_force(&self) -> f64;
+    /// The friction of a contact that slides as a whole at the present approach and at these rates, N.
+    fn sliding_force(&self, rates: Shift) -> f64;
 
     /// The shift over the approach of a contact of which all has slid, along x and y.
     fn sliding_shift(&self) -> [f64; 2];
@@ -71,7 +71,7 @@ impl<S: VertexStack<[f64; 2]>> GrainLaw for ShiftLaw<[f64; 2], S> {
     }
 
     #[inline(always)]
-    fn sliding_force(&self) -> f64 {
+    fn sliding_force(&self, _rates: Shift) -> f64 {
         Self::sliding_force(self)
     }
 
@@ -109,8 +109,10 @@ impl<const N: usize, const M: usize> GrainLaw for RingLaw<N, M> {
         self.load().f_z
     }
 
-    fn sliding_force(&self) -> f64 {
-        self.constants().friction().get() * self.load().f_z
+    fn sliding_force(&self, rates: Shift) -> f64 {
+        let (load, friction) = (self.load(), self.constants().friction().get());
+        let used = self.used_friction(rates);
+        used.map_or(friction * load.f_z, |used| libm::hypot(load.f_x, load.f_y) / used)
     }
 
     fn sliding_shift(&self) -> [f64; 2] {

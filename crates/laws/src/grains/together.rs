@@ -261,11 +261,12 @@ fn slid_on<S: VertexStack<[f64; 2]>>(
     [approach, dt]: [Lanes; 2],
     by: [Lanes; 2],
 ) -> [Lanes; 2] {
-    let truly = step.velocity.map(|v| v * dt);
     let all: [[f64; 2]; TOGETHER] = from_fn(|i| {
         let at = |lane: Lanes| lane.to_array()[i];
         let contact = &*pairs[i].contact;
-        contact.slid_on(truly.map(at), [at(step.zeta), at(approach)], by.map(at))
+        let [xi, eta] = step.velocity.map(at);
+        let rates = Shift { xi, eta, zeta: at(step.speed), omega: 0.0 };
+        contact.slid_on((rates, at(dt)), [at(step.zeta), at(approach)], by.map(at))
     });
     from_fn(|k| lanes(|i| all[i][k]))
 }

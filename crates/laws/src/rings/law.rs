@@ -265,9 +265,12 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> ContactLaw for RingLaw<N, M
         self.memory.load(&self.rings())
     }
 
-    fn used_friction(&self) -> Option<f64> {
-        let pair = self.rings().pair?;
-        Some(self.memory.contact.used_friction(pair))
+    fn used_friction(&self, rates: Shift) -> Option<f64> {
+        let (pair, contact) = (self.rings().pair?, &self.memory.contact);
+        let Units { shift, twist, .. } = self.units;
+        let rim = (twist * rates.omega).abs() * contact.radius;
+        let turns = rim > 0.0 && rim >= shift * libm::hypot(rates.xi, rates.eta);
+        (!turns).then(|| contact.used_friction(pair))
     }
 }
 

@@ -256,9 +256,15 @@ impl ContactLaw for NumericalLaw {
         self.load
     }
 
-    fn used_friction(&self) -> Option<f64> {
+    fn used_friction(&self, rates: Shift) -> Option<f64> {
         let limit = self.shared.friction.get() * self.load.f_z;
         let state = &self.touching.as_ref()?.state;
+        let touching = state.cells.values().len() - state.count(CellState::Exterior);
+        let area = touching as f64 * state.pressure.grid().cell_area();
+        let rim = rates.omega.abs() * (area / std::f64::consts::PI).sqrt();
+        if rim > 0.0 && rim >= libm::hypot(rates.xi, rates.eta) {
+            return None;
+        }
         let tractions = state.traction_x.values().iter().zip(state.traction_y.values());
         let sum: f64 = tractions.map(|(x, y)| libm::hypot(*x, *y)).sum();
         Some(sum * state.pressure.grid().cell_area() / limit)

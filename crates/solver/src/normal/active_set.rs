@@ -38,7 +38,7 @@ pub(super) struct ActiveSet {
     pub(super) inverse: Option<Arc<dyn Preconditioner>>,
     pub(super) workspace: Workspace,
     /// Whether corrections take rough products.
-    rough: bool,
+    pub(super) rough: bool,
     /// The influence of a cell on itself.
     pub(super) own: f64,
     /// The gap g.
@@ -119,21 +119,6 @@ impl ActiveSet {
         Ok(&self.gap)
     }
 
-    /// The gap by a product without the errors of rough ones.
-    fn compute_gap(
-        &mut self,
-        (operator, heights): (&dyn SurfaceOperator, &[f64]),
-        pressure: &[f64],
-        approach: f64,
-    ) -> Result<(), OperatorError> {
-        let displacements = DisplacementField::normal(&mut self.gap);
-        operator.apply(TractionField::normal(pressure), displacements, &mut self.workspace)?;
-        each(self.threads, (&mut self.gap[..], heights), &|(gaps, heights)| {
-            gaps.iter_mut().zip(heights).for_each(|(gap, height)| *gap += height - approach);
-        });
-        Ok(())
-    }
-
     /// Solves a task whose initial pressure is positive somewhere.
     ///
     /// # Errors
@@ -148,7 +133,7 @@ impl ActiveSet {
         self.knows_gap = true;
         let patient = !task.operator.is_invariant();
         let mut state = IterationState { patient, ..IterationState::default() };
-        let lift = self.begin(task, &mut state)?;
+        let lift = self.begin(task, limits, &mut state)?;
         let mut seen = self.check(task, (lift, limits.tolerance), &mut state)?;
         if seen.normal() <= limits.tolerance && seen.touching > 0 {
             finish(task);
@@ -173,7 +158,7 @@ impl ActiveSet {
             let wish = observer.see(&Progress { iteration, cells, touching, residuals });
             let lost = !normal.is_finite() || touching == 0 || is_force_lost(task, seen.sum);
             if lost && !state.rescued {
-                let lift = self.rescue(task, &mut state)?;
+                let lift = self.rescue(task, limits, &mut state)?;
                 seen = self.check(task, (lift, limits.tolerance), &mut state)?;
                 continue;
             }
@@ -202,71 +187,6 @@ impl ActiveSet {
         fold(self.threads, &*task.pressure, &count, &|one, other| one + other)
     }
 
-    /// Sets up active set and gap. The initial pressure is scaled for the best fit. Returns by how much the approach is to
-    /// be raised.
-    fn begin(
-        &mut self,
-        task: &mut NormalTask<'_>,
-        state: &mut IterationState,
-    ) -> Result<f64, OperatorError> {
-        let parts = (&mut *task.pressure, &mut self.active[..]);
-        let pressed = sum(self.threads, parts, &|(pressures, actives)| {
-            for (active, pressure) in actives.iter_mut().zip(pressures.iter_mut()) {
-                *pressure = pressure.max(0.0);
-                *active = *pressure > 0.0;
-            }
-            lanes::total(pressures)
-        });
-        let displacements = DisplacementField::normal(&mut self.gap);
-        let tractions = TractionField::normal(task.pressure);
-        task.operator.apply(tractions, displacements, &mut self.workspace)?;
-        self.give_back_exact();
-        state.products.normal += 1.0;
-        let factor = match task.driven {
-            Driven::Load(force) => force / (task.operator.grid().cell_area() * pressed),
-            Driven::Shift(approach) => self.best_factor(task, approach),
-        };
-        if let (Driven::Load(_), Some(cell)) = (task.driven, self.active.iter().position(|is| *is))
-        {
-            // Close to that of the others: heights may be far above the indentation, whose rounding counts.
-            task.approach = factor * self.gap[cell] + task.heights[cell];
-        }
-        let approach = task.approach;
-        let parts = ((&mut *task.pressure, &self.active[..]), &mut self.gap[..], task.heights);
-        let gaps = sum(self.threads, parts, &|((pressures, actives), gaps, heights)| {
-            pressures.iter_mut().for_each(|pressure| *pressure *= factor);
-            for (gap, height) in gaps.iter_mut().zip(heights) {
-                *gap = factor * *gap + height - approach;
-            }
-            product_where(pressures, gaps, actives)
-        });
-        Ok(match task.driven {
-            Driven::Load(_) => gaps / (factor * pressed),
-            Driven::Shift(_) => 0.0,
-        })
-    }
-
-    /// The factor of the pressures whose displacement, in `gap`, comes closest to an approach.
-    fn best_factor(&self, task: &NormalTask<'_>, approach: f64) -> f64 {
-        let parts = (&*task.pressure, &self.gap[..], task.heights);
-        let [wanted, got] = fold(
-            self.threads,
-            parts,
-            &|(pressures, images, heights)| {
-                let (mut wanted, mut got) = (0.0, 0.0);
-                for ((pressure, image), height) in pressures.iter().zip(images).zip(heights) {
-                    if *pressure > 0.0 {
-                        wanted += pressure * (approach - height);
-                        got += pressure * image;
-                    }
-                }
-                [wanted, got]
-            },
-            &|one: [f64; 2], other| [one[0] + other[0], one[1] + other[1]],
-        );
-        if wanted > 0.0 && got > 0.0 { wanted / got } else { 1.0 }
-    }
-
     /// By how much the approach is to be raised on a new set, so that corrections do not change a prescribed force.
     fn lift_of_set(&mut self, task: &NormalTask<'_>, state: &mut IterationState) -> f64 {
         if matches!(task.driven, Driven::Shift(_)) {
@@ -279,25 +199,6 @@ impl ActiveSet {
     /// The same of the sum of the gaps on the set, each times K 1.
     fn lift(&self, gaps: f64) -> f64 {
         if self.sum_of_ones > 0.0 { gaps / self.sum_of_ones } else { 0.0 }
-    }
-
-    /// Restarts from the lowest cell alone, with cautious changes of the set. This is needed in two
-    /// cases. If the heights are far above the indentation, the tension dropped is far above the
-    /// force, and rounding loses the force. If the cells of a periodic surface are slender, a
-    /// damped step may overshoot: each row of close cells responds to a uniform displacement like a
-    /// spot far from all others.
-    fn rescue(
-        &mut self,
-        task: &mut NormalTask<'_>,
-        state: &mut IterationState,
-    ) -> Result<f64, OperatorError> {
-        *state = IterationState::rescue(state.products, state.patient);
-        task.pressure.fill(0.0);
-        let lowest = task.heights.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-        if let Some((cell, _)) = lowest {
-            task.pressure[cell] = 1.0;
-        }
-        self.begin(task, state)
     }
 
     /// Removes cells in tension from the set and adds cells that overlap, and makes a step. Returns by how much the
@@ -364,7 +265,7 @@ impl ActiveSet {
                 steps.iter_mut().zip(ones).for_each(|(step, one)| *step -= share * one);
             });
         }
-        self.multiply_roughly(task.operator, state)?;
+        self.multiply(task.operator, state)?;
         Ok(self.correct(task, 1.0, state))
     }
 
@@ -396,7 +297,7 @@ impl ActiveSet {
                 *direction = if actives[i] { step } else { 0.0 };
             }
         });
-        self.multiply_roughly(task.operator, state)?;
+        self.multiply(task.operator, state)?;
         let parts = ((&self.direction[..], &self.active[..]), (&self.gap[..], &self.image[..]));
         let [down, bend] = fold(
             self.threads,
@@ -466,7 +367,7 @@ impl ActiveSet {
     }
 
     /// Gives back the memory of exact products, which are rare where corrections take rough ones.
-    fn give_back_exact(&mut self) {
+    pub(super) fn give_back_exact(&mut self) {
         if self.rough {
             self.workspace = Workspace::default();
         }
@@ -527,22 +428,6 @@ impl ActiveSet {
     }
 
     /// Sets `image` to A times `direction`, roughly if the grid is large.
-    fn multiply_roughly(
-        &mut self,
-        operator: &dyn SurfaceOperator,
-        state: &mut IterationState,
-    ) -> Result<(), OperatorError> {
-        if !self.rough {
-            return self.multiply(operator, state);
-        }
-        let tractions = TractionField::normal(&self.direction);
-        let displacements = DisplacementField::normal(&mut self.image);
-        operator.apply_roughly(tractions, displacements, &mut self.workspace)?;
-        state.products.normal += 1.0;
-        Ok(())
-    }
-
-    /// Sets `image` to A times `direction`.
     fn multiply(
         &mut self,
         operator: &dyn SurfaceOperator,
@@ -550,14 +435,18 @@ impl ActiveSet {
     ) -> Result<(), OperatorError> {
         let tractions = TractionField::normal(&self.direction);
         let displacements = DisplacementField::normal(&mut self.image);
-        operator.apply(tractions, displacements, &mut self.workspace)?;
+        if self.rough {
+            operator.apply_roughly(tractions, displacements, &mut self.workspace)?;
+        } else {
+            operator.apply(tractions, displacements, &mut self.workspace)?;
+        }
         state.products.normal += 1.0;
         Ok(())
     }
 }
 
 /// The greatest displacement.
-fn farthest(images: &[f64]) -> f64 {
+pub(super) fn farthest(images: &[f64]) -> f64 {
     images.iter().fold(0.0, |farthest, image| farthest.max(image.abs()))
 }
 

@@ -1,6 +1,7 @@
 //! The normal problem: pressures without tension, gaps without overlap.
 
 mod active_set;
+mod begin;
 mod iteration_state;
 mod signs;
 mod sparse;
