@@ -21,6 +21,8 @@ pub(super) struct Level {
     tolerance: f64,
     /// The error estimate over the change from the coarser level.
     pub(super) left: f64,
+    /// What finer levels would change of the tangential velocity, over that change; it is added.
+    pub(super) beyond: f64,
     pub(super) floor: Floor,
     /// Whether impacts with the default tolerance may take it; others take 40 ms and more.
     pub(super) is_usual: bool,
@@ -51,6 +53,7 @@ macro_rules! level {
             steps: $steps,
             tolerance: $tolerance,
             left: $left,
+            beyond: 0.0,
             floor: Floor::new($floor, $spin),
             is_usual: true,
         }
@@ -64,6 +67,14 @@ pub(super) const LEVELS: [Level; 4] = [
     level!(8, 8, 5, 3; 64, 2e-3, 0.3, [1e-3, 1.1e-2, 1.5e-2, 4e-3], 1.3e-3),
     level!(12, 16, 9, 5; 128, 1e-3, 0.6, [2e-4, 4.4e-3, 8.6e-3, 1.2e-3], 8e-4),
     level!(24, 16, 9, 5; 256, 1e-4, 0.3, [1e-4, 3.5e-3, 3e-3, 8e-4], 3e-4).fine(),
+];
+
+/// The same for unlike bodies. Their slip turns, so that more rings matter, and their errors fall in proportion to each other.
+pub(super) const UNLIKE: [Level; 4] = [
+    LEVELS[0],
+    LEVELS[1],
+    level!(16, 16, 9, 5; 128, 2e-3, 0.5, [2e-4, 4.4e-3, 8.6e-3, 1.2e-3], 8e-4).extrapolated(0.3),
+    LEVELS[3].extrapolated(0.6),
 ];
 
 /// The same with a spin about the normal (`tests/it/rings.rs` of `carom-numerical`).
@@ -90,6 +101,11 @@ impl Level {
     /// For tolerances finer than the default only.
     const fn fine(self) -> Self {
         Self { is_usual: false, ..self }
+    }
+
+    /// With what finer levels would change of the tangential velocity, over the change from the coarser level.
+    const fn extrapolated(self, beyond: f64) -> Self {
+        Self { beyond, ..self }
     }
 
     pub(super) fn passage(&self, problem: &Problem) -> Result<Passage, RingImpactError> {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::levels::{Floor, LEVELS, Level, SPINNING};
+use super::levels::{Floor, LEVELS, Level, SPINNING, UNLIKE};
 use super::motion::{Passage, Rates};
 use super::problem::{Exact, Problem};
 use super::sliding::Slide;
@@ -28,7 +28,13 @@ const BY_DIRECTION: f64 = 4e-3;
 /// Friction above which hardly anything slips.
 const STRONGEST: f64 = 5.0;
 /// gamma/f at which half of the error for similar bodies is subtracted.
-const HALF: f64 = 2.0;
+const HALF: f64 = 1.0;
+/// gamma f (gamma for f > 1) at which half of it is subtracted.
+const HALF_STRENGTH: f64 = 0.2;
+/// The part of the tolerance that unlike bodies may use up before they take more rings: about half of them then do.
+const USED: f64 = 0.67;
+/// The usual error of the law of rings over the bound [`LEFT_OUT`].
+const USUAL: f64 = 0.25;
 
 /// Rates after the impact and their estimated error, over f v_z.
 pub(super) struct Found {
@@ -50,7 +56,10 @@ impl Problem {
     pub(super) fn found(&self, allowed: [f64; 2]) -> Result<Found, RingImpactError> {
         match (self.slide()?, self.motion.before[3] == 0.0) {
             (Some(slide), _) => Ok(self.slid(slide)),
-            (None, true) => self.refined(&LEVELS, allowed, Compared::default()),
+            (None, true) if self.constants.gamma == 0.0 => {
+                self.refined(&LEVELS, allowed, Compared::default())
+            }
+            (None, true) => self.refined(&UNLIKE, allowed, Compared::default()),
             (None, false) => self.refined(&SPINNING, allowed, Extrapolated::default()),
         }
     }
@@ -90,14 +99,14 @@ impl Problem {
         let (exact, left_out) = (self.exact()?, self.left_out());
         let mut best = None;
         let takes_finest = allowed < RingImpact::TOLERANCE;
+        let enough = self.enough(allowed);
         for level in levels.iter().filter(|level| level.is_usual || takes_finest) {
             let mut samples = Vec::new();
             let passage = level.observed(self, &mut |sample| samples.push(sample))?;
             let Some(run) = correction.of(self, level, passage, &exact)? else { continue };
             let [tangential, along, spin] = run.left;
             let estimate = tangential + self.floor(level);
-            // Finer rings do not reduce the errors of the laws themselves.
-            let enough = estimate <= allowed.max(left_out) && along <= normal;
+            let is_enough = estimate <= enough && along <= normal;
             best = Some(Found {
                 passage: run.passage,
                 estimate: estimate + left_out + self.of_straight_friction() + run.by_law,
@@ -106,7 +115,7 @@ impl Problem {
                 level: *level,
                 samples,
             });
-            if enough {
+            if is_enough {
                 break;
             }
         }
@@ -152,11 +161,20 @@ impl Problem {
         Ok((limit.clamp(-1.0, 1.0), found))
     }
 
+    /// The estimate at which no finer rings are taken: they do not reduce the errors of the laws themselves.
+    fn enough(&self, allowed: f64) -> f64 {
+        let left_out = self.left_out();
+        let is_unlike = self.constants.gamma != 0.0 && self.motion.before[3] == 0.0;
+        if is_unlike { (USED * allowed).max(USUAL * left_out) } else { allowed.max(left_out) }
+    }
+
     /// The fraction of the error for similar bodies that is subtracted: all of it where slip is due to the
-    /// shift, less where it is due to coupling.
+    /// shift, less where it is due to coupling or where tractions lift the surface,
+    /// `1/(1 + (gamma/f)^2)/(1 + (5 gamma f)^2)`.
     pub(super) fn taken_off(&self) -> f64 {
         let ratio = self.spread() / HALF;
-        if ratio.is_finite() { 1.0 / (1.0 + ratio * ratio) } else { 0.0 }
+        let lift = self.constants.gamma * self.scale() / HALF_STRENGTH;
+        if ratio.is_finite() { 1.0 / (1.0 + ratio * ratio) / (1.0 + lift * lift) } else { 0.0 }
     }
 
     /// The smallest error of a level, in the tangential velocity over f v_z, whatever the change from the
@@ -247,10 +265,12 @@ pub(super) trait Correction {
     ) -> Result<Option<Corrected>, RingImpactError>;
 }
 
-/// Without spin: by the same run of similar bodies, whose solution is known. What finer levels change is left.
+/// Without spin: by the same run of similar bodies, whose solution is known, and for unlike ones by what finer levels would
+/// change. What they change is left.
 #[derive(Default)]
 struct Compared {
-    last: Option<Rates>,
+    /// Rates and friction heat of the coarser level.
+    last: Option<(Rates, f64)>,
 }
 
 impl Correction for Compared {
@@ -266,12 +286,18 @@ impl Correction for Compared {
             passage.after[i] += part * (exact.rates[i] - alike.after[i]);
         }
         passage.friction_heat += part * (exact.friction_heat - alike.friction_heat);
-        let Some(last) = self.last.replace(passage.after) else { return Ok(None) };
-        let change: Rates =
-            std::array::from_fn(|i| level.left * (passage.after[i] - last[i]).abs());
+        let now = (passage.after, passage.friction_heat);
+        let Some((last, heat)) = self.last.replace(now) else { return Ok(None) };
+        let change: Rates = std::array::from_fn(|i| passage.after[i] - last[i]);
+        if level.beyond > 0.0 {
+            let beyond = [0.0, level.beyond * change[1], level.beyond * change[2], 0.0];
+            passage.after = problem.possible(&passage.after, &beyond);
+            passage.friction_heat += level.beyond * (passage.friction_heat - heat);
+        }
+        let left = change.map(|change| level.left * change.abs());
         let speed = problem.motion.before[0];
-        let tangential = change[1].hypot(change[2]) / (problem.scale() * speed);
+        let tangential = left[1].hypot(left[2]) / (problem.scale() * speed);
         let by_law = problem.taken_from_viscous_law(&alike, exact);
-        Ok(Some(Corrected { passage, left: [tangential, change[0] / speed, 0.0], by_law }))
+        Ok(Some(Corrected { passage, left: [tangential, left[0] / speed, 0.0], by_law }))
     }
 }

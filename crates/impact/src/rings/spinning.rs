@@ -93,7 +93,7 @@ impl Problem {
     }
 
     /// Rates after the impact with what more rings would change, as far as friction and energy allow.
-    fn possible(&self, after: &Rates, beyond: &Rates) -> Rates {
+    pub(super) fn possible(&self, after: &Rates, beyond: &Rates) -> Rates {
         let before = self.motion.before;
         let mut rates: Rates = std::array::from_fn(|i| after[i] + beyond[i]);
         let [along, across, _] = self.motion.mobility;

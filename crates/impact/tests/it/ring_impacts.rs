@@ -59,7 +59,7 @@ fn everyday_pairs_come_back_as_on_a_fine_grid() {
             let name = format!("{pair:?} {angle}: {coarse}, {fine}, {grid}");
             // What the exact impact of alike bodies misses is far more.
             assert!(angle > 10.0 || (exact(&collision) - grid).abs() > 0.009, "{name}");
-            assert!((coarse - grid).abs() < 0.008, "{name}");
+            assert!((coarse - grid).abs() < 0.009, "{name}");
             assert!((fine - grid).abs() < 0.004, "{name}");
         }
     }
@@ -80,6 +80,21 @@ fn a_contact_whose_centre_moves_throws_the_ball_as_a_grid_does() {
         let [restitution, _] = by_rings(&collision, tolerance);
         assert!((restitution + 0.072).abs() < 4e-3, "{tolerance}: {restitution}");
     }
+}
+
+/// With gamma f = .29 the error of the law is no reason to stay with few rings.
+#[test]
+fn a_strong_coupling_takes_fine_rings_as_a_weak_one_does() {
+    let [hard, soft] =
+        [(1e9, 0.3322), (2.68e7, 0.048)].map(|(g, nu)| Material::from_shear(g, nu).unwrap());
+    let (friction, lambda) = (0.6333, 0.7088);
+    let motion = Motion::new([friction * lambda, 0.0, -1.0], [0.0; 3]).unwrap();
+    let ball = Body::sphere(RADIUS, hard, 1e-4).unwrap().moving(motion);
+    let friction = Friction::new(friction).unwrap();
+    let collision = Collision::new(ball, Body::plane(soft), friction).unwrap();
+    // -.2174, -.2184 and -.2188 on grids of 48, 64 and 80 cells; -.227 with 8 rings.
+    let [restitution, estimate] = by_rings(&collision, RingImpact::TOLERANCE);
+    assert!((restitution + 0.22).abs() < 3e-3 && estimate > 3e-3, "{restitution} {estimate}");
 }
 
 #[test]
