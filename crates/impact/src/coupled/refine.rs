@@ -185,7 +185,7 @@ impl Problem {
     ) -> Result<Run, Failure<L::Error>> {
         let mut law = make(level);
         let mut peaks = Peaks::default();
-        let mut friction = FrictionWork::default();
+        let mut friction = FrictionWork::new(self.stiffness.c_z);
         let mut rings = law.rings();
         let mut work: usize = 0;
         let trajectory = Trajectory {

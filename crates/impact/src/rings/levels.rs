@@ -123,11 +123,11 @@ impl Level {
     /// The normal velocity after the same impact without friction: what steps alone miss.
     pub(super) fn normal(&self, problem: &Problem) -> Result<f64, RingImpactError> {
         let law = ShiftLaw::<f64>::with_fixed_direction(problem.stiffness(), Friction::new(0.0)?);
-        let motion = problem.motion.straight();
+        let (motion, c_z) = (problem.motion.straight(), problem.constants.c_z);
         let passage = ended(match problem.viscosity()? {
-            None => motion.follow(law, self.steps, |_, _| ())?,
+            None => motion.follow((law, c_z), self.steps, |_, _| ())?,
             Some(viscosity) => {
-                motion.follow(problem.viscous_law(law, viscosity), self.steps, |_, _| ())?
+                motion.follow((problem.viscous_law(law, viscosity), c_z), self.steps, |_, _| ())?
             }
         })?;
         Ok(passage.after[0])
@@ -194,11 +194,12 @@ fn followed<const N: usize, const H: usize, S: Symmetry<H>>(
     steps: usize,
     observe: &mut dyn FnMut(Sample),
 ) -> Result<Passage, RingImpactError> {
+    let c_z = problem.constants.c_z;
     ended(match problem.viscosity()? {
-        None => motion.follow(law, steps, |at, law| observe(sample(at, law)))?,
+        None => motion.follow((law, c_z), steps, |at, law| observe(sample(at, law)))?,
         Some(viscosity) => {
             let law = problem.viscous_law(law, viscosity);
-            motion.follow(law, steps, |at, law| observe(sample(at, law.elastic())))?
+            motion.follow((law, c_z), steps, |at, law| observe(sample(at, law.elastic())))?
         }
     })
 }

@@ -215,6 +215,7 @@ impl<'a> RingImpact<'a> {
         };
         let friction = collision.friction();
         let loss = collision.viscous_loss(velocity.z)?;
-        Ok(Some(Problem { motion, constants: RingConstants::of(hertz)?, friction, loss }))
+        let problem = Problem { motion, constants: RingConstants::of(hertz)?, friction, loss };
+        Ok(Some(problem.without_negligible_spin()))
     }
 }

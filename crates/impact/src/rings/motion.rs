@@ -110,11 +110,11 @@ impl Motion {
         Self { before: [self.before[0], 0.0, 0.0, 0.0], ..*self }
     }
 
-    /// Integrates from first contact to separation; `observe` is called at first contact, after each step and
+    /// Integrates with a law from first contact to separation; `observe` is called at first contact, after each step and
     /// at separation. None if the bodies do not separate.
     pub(super) fn follow<L: ContactLaw>(
         &self,
-        mut law: L,
+        (mut law, c_z): (L, f64),
         steps: usize,
         mut observe: impl FnMut(Instant, &L),
     ) -> Result<Option<Passage>, L::Error> {
@@ -123,7 +123,7 @@ impl Motion {
         let mut load = ContactLoad::default();
         let mut passage = Passage { compressions: 1, ..Passage::default() };
         observe(Instant { time: 0.0, shift: at, rates, load }, &law);
-        let mut friction = FrictionWork::default();
+        let mut friction = FrictionWork::new(c_z);
         for step in 0..PATIENCE * steps {
             // Rates at the middle of the step.
             let middle = self.pushed(&rates, &load, 0.5 * h);
@@ -194,7 +194,7 @@ mod tests {
                 before: [1.0, 0.3, -0.2, 0.1],
                 duration: told * DURATION,
             };
-            let passage = motion.follow(law.clone(), 128, |_, _| ()).unwrap().unwrap();
+            let passage = motion.follow((law.clone(), 4.0), 128, |_, _| ()).unwrap().unwrap();
             assert!((passage.duration / DURATION - 1.0).abs() < 2e-4, "{told}: {passage:?}");
             assert!((passage.after[0] + 1.0).abs() < 1e-4, "{told}: {passage:?}");
             assert_eq!(passage.after[1..], motion.before[1..]);

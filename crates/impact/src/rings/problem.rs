@@ -33,6 +33,10 @@ pub(super) struct Exact {
     pub(super) friction_heat: f64,
 }
 
+/// A spin whose speed at the distance of the radius of the bodies is a smaller part of f times the normal velocity is none:
+/// what rounding leaves of one along the surface.
+const NEGLIGIBLE_SPIN: f64 = 1e-9;
+
 /// Tolerance of R_x of similar bodies with a loss.
 const ALIKE: f64 = 1e-4;
 
@@ -60,6 +64,17 @@ impl Problem {
         alike.constants.gamma = 0.0;
         alike.motion.before[3] = 0.0;
         alike
+    }
+
+    /// The same without a spin that is too slow to matter.
+    pub(super) fn without_negligible_spin(mut self) -> Self {
+        // The radius of the contact is the root of that of the bodies times the approach.
+        let radius = self.constants.radius * self.constants.radius;
+        let [speed, .., spin] = self.motion.before;
+        if spin.abs() * radius < NEGLIGIBLE_SPIN * self.scale() * speed {
+            self.motion.before[3] = 0.0;
+        }
+        self
     }
 
     /// Scale of the tangential velocities: f, or 1 where f is too large to be one.
