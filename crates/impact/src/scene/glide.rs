@@ -226,6 +226,18 @@ impl Ground {
         }
     }
 
+    /// What friction must bear over the mass where the ball rolls.
+    fn needed(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
+        let towards = if velocity.norm() > 0.0 { velocity } else { &self.along };
+        let resistance = self.rolling * self.pressing * direction(towards);
+        (self.inertia * self.along + resistance) / (1.0 + self.inertia)
+    }
+
+    /// Whether friction bears it.
+    pub(super) fn bears(&self, velocity: &Vector3<f64>) -> Result<bool, RangeError> {
+        Ok(self.needed(velocity).norm() <= self.sticking()?)
+    }
+
     /// Acceleration of a rolling ball.
     fn rolls(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
         let resistance = self.rolling * self.pressing;
@@ -263,10 +275,8 @@ impl Ground {
         if stands && self.along.norm() <= resistance.min(self.sticking()?) {
             return Ok(Course::Rests);
         }
-        let towards = direction(if stands { &self.along } else { &now.velocity });
-        let force = (self.inertia * self.along + resistance * towards) / (1.0 + self.inertia);
-        if force.norm() > self.sticking()? {
-            return self.slide(now, direction(&force), 0.0);
+        if !self.bears(&now.velocity)? {
+            return self.slide(now, direction(&self.needed(&now.velocity)), 0.0);
         }
         let acceleration = self.rolls(&now.velocity);
         if resistance > 0.0 && !parallel(&now.velocity, &self.along) {

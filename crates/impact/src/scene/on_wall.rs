@@ -114,6 +114,9 @@ impl<S: CollisionSolver> Legs<'_, S> {
     ) -> Result<Leg, SceneError<S::Error>> {
         let begin = self.now;
         let mut turned = Turned::new(ground, manner, begin.position, gliding, left)?;
+        if manner == Manner::Rolls {
+            turned = turned.gripping(ground)?;
+        }
         let mut met = None;
         if self.passed(wall, (begin.time + turned.end(), &turned.position(turned.end()))).is_some()
         {

@@ -1,5 +1,6 @@
 //! The steps of a motion on a wall whose accelerations turn.
 
+use carom_special::RangeError;
 use carom_special::ode::{DenseStep, OdeError, Stepper, Tolerance};
 use nalgebra::Vector3;
 
@@ -10,6 +11,8 @@ use super::path::{Manner, TimedFlight};
 /// The longest step of an integration, over the time in which the slip or the velocity would vanish.
 const SHARE: f64 = 0.2;
 const TOLERANCE: f64 = 1e-13;
+/// The end of rolling is found within this part of its last step.
+const CROSSING: f64 = 1e-12;
 
 /// A step of a motion whose accelerations turn.
 #[derive(Debug)]
@@ -74,6 +77,20 @@ impl Turned {
     /// Its time.
     pub(super) const fn end(&self) -> f64 {
         self.end
+    }
+
+    /// A step of rolling, ended where it needs more than friction.
+    pub(super) fn gripping(mut self, ground: &Ground) -> Result<Self, RangeError> {
+        let bears = |time| ground.bears(&part(&self.dense.at(time), 1));
+        let mut holds = if bears(self.end)? { self.end } else { 0.0 };
+        while self.end - holds > CROSSING * self.end {
+            let middle = 0.5 * (holds + self.end);
+            match bears(middle)? {
+                true => holds = middle,
+                false => self.end = middle,
+            }
+        }
+        Ok(self)
     }
 
     /// The same, ended at this time.

@@ -37,7 +37,7 @@ pub(crate) fn run(wall: Wall, ball: &Ball, time: f64) -> Path {
     scene.run(ball, Limits::new(time, 1000).unwrap()).unwrap()
 }
 
-fn begins(path: &Path, manner: Manner) -> PathPoint {
+pub(crate) fn begins(path: &Path, manner: Manner) -> PathPoint {
     let is = |event: &&Event| event.kind == EventKind::Moves { wall: 0, manner };
     path.events().iter().find(is).unwrap_or_else(|| panic!("{:?}", path.events())).at
 }

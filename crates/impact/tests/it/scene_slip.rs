@@ -2,12 +2,12 @@
 
 use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::Material;
-use carom_impact::scene::{Ball, Ending, EventKind, Limits, Path, PathPoint, Scene, Wall};
+use carom_impact::scene::{Ball, Ending, EventKind, Limits, Manner, Path, PathPoint, Scene, Wall};
 use carom_impact::{Body, ImpactFriction, Motion, NormalRestitution};
 use carom_laws::slip_speed::SlipSpeedFriction;
 use nalgebra::{Rotation3, Vector3};
 
-use crate::scene_on_wall::{G, R, ball, friction, integrated, run};
+use crate::scene_on_wall::{G, R, ball, begins, friction, integrated, run};
 
 /// Above 3.5 times the friction of these tests.
 const STEEP: f64 = 0.47;
@@ -31,12 +31,16 @@ fn rolling(down: f64, across: f64) -> Ball {
     ball((R * n).into(), velocity.into(), (n.cross(&velocity) / R).into())
 }
 
-/// The same ball after an integration that begins with a slip of 1e-12 m/s straight down.
+/// With a slip of 1e-12 m/s straight down, whose direction friction soon corrects.
+fn slipping(mut at: PathPoint) -> PathPoint {
+    at.motion.velocity += 1e-12 * slope().0;
+    at
+}
+
+/// The same ball after an integration that begins with such a slip.
 fn wanted(wall: &Wall, law: impl Fn(f64) -> f64, ball: &Ball, time: f64) -> PathPoint {
-    let (fall, _) = slope();
-    let mut motion = ball.body().motion();
-    motion.velocity += 1e-12 * fall;
-    let start = PathPoint { time: 0.0, position: ball.position(), motion };
+    let motion = ball.body().motion();
+    let start = slipping(PathPoint { time: 0.0, position: ball.position(), motion });
     integrated(wall, law, start, time, 20_000)
 }
 
@@ -60,6 +64,34 @@ fn a_slip_that_begins_from_rolling_and_turns_is_that_of_an_integration() {
         let path = run(wall.clone(), &ball, 1.5);
         assert_eq!(path.ending(), Ending::Time);
         same(&path.last(), &wanted(&wall, |_| 0.1, &ball, 1.5), 1e-9);
+    }
+}
+
+/// Rolling ends where friction no longer bears it, as the ball turns down: the slip begins there.
+#[test]
+fn a_slip_begins_where_friction_no_longer_bears_rolling() {
+    for (f, mu, down, across) in [(0.16, 0.05, 0.0, 1.0), (0.17, 0.08, -1.0, 1.0)] {
+        let (wall, ball) = (steep(friction(f), mu), rolling(down, across));
+        let path = run(wall.clone(), &ball, 1.5);
+        let (fall, n) = slope();
+        let pull = G * STEEP.sin() * fall;
+        let resistance = |v: &Vector3<f64>| mu * G * STEEP.cos() * v.normalize();
+        let needed = |v: &Vector3<f64>| (0.4 * pull + resistance(v)).norm() / 1.4;
+        let begin = begins(&path, Manner::Slides);
+        let velocity = begin.motion.velocity;
+        assert!((needed(&velocity) / (f * G * STEEP.cos()) - 1.0).abs() < 1e-9);
+        // Small steps of rolling, then of sliding.
+        let (mut v, mut x) = (ball.body().motion().velocity, R * n);
+        let h = begin.time / 20_000.0;
+        for _ in 0..20_000 {
+            let middle = v + 0.5 * h * (pull - resistance(&v)) / 1.4;
+            let rate = (pull - resistance(&middle)) / 1.4;
+            x += h * v + 0.5 * h * h * rate;
+            v += h * rate;
+        }
+        assert!((velocity - v).norm() < 1e-8 && (begin.position - x).norm() < 1e-8);
+        let last = integrated(&wall, |_| f, slipping(begin), 1.5 - begin.time, 20_000);
+        same(&path.last(), &last, 1e-5);
     }
 }
 
@@ -127,11 +159,11 @@ impl Thrown {
         scene.run(&Ball::new(body.moving(motion)).unwrap(), self.limits).unwrap()
     }
 
-    /// The path has the same events however all is turned.
-    fn turns(&self) -> Path {
+    /// The path, which has the same events however all is turned.
+    fn turns(&self, count: usize) -> Path {
         let path = self.turned(&Rotation3::identity());
         let mut draw = Splitmix(11);
-        for _ in 0..20 {
+        for _ in 0..count {
             let axis = Vector3::from_fn(|_, _| draw.between(-3.0, 3.0));
             let by = Rotation3::new(axis);
             let turned = self.turned(&by);
@@ -153,7 +185,7 @@ fn along(n: &Vector3<f64>, vector: Vector3<f64>) -> Vector3<f64> {
 /// spin about the normal.
 #[test]
 fn a_ball_whose_spin_along_the_wall_has_ended_slides_on() {
-    for (f, e, height) in [(0.02, 0.5, 0.0), (0.02, 1.0, 0.1), (0.0, 1.0, 0.1)] {
+    for (f, e, height, count) in [(0.02, 0.5, 0.0, 20), (0.02, 1.0, 0.1, 4), (0.0, 1.0, 0.1, 4)] {
         let normal = [0.4, -0.2, 1.0];
         let wall = Wall::new([0.0; 3], normal, Material::RIGID, friction(f)).unwrap();
         let thrown = Thrown {
@@ -166,7 +198,7 @@ fn a_ball_whose_spin_along_the_wall_has_ended_slides_on() {
             motion: Motion { velocity: Vector3::zeros(), spin: Vector3::new(0.0, 0.0, 50.0) },
             limits: Limits::new(1.5, 200).unwrap().at_rest_below(height).unwrap(),
         };
-        let path = thrown.turns();
+        let path = thrown.turns(count);
         assert_eq!(path.ending(), Ending::Time);
         let (n, last) = (thrown.wall.normal(), path.last().motion);
         assert!(R * along(&n, last.spin).norm() < 1e-12, "{}", last.spin);
@@ -184,7 +216,7 @@ fn a_ball_whose_spin_along_the_wall_has_ended_slides_on() {
 /// A bounce that ends slip leaves of it what rounding leaves: on a steep slope it begins anew along the force.
 #[test]
 fn a_slip_that_a_bounce_has_ended_begins_along_the_force() {
-    for spin in [[0.0; 3], [3.0, -2.0, 40.0]] {
+    for (spin, count) in [([0.0; 3], 20), ([3.0, -2.0, 40.0], 4)] {
         let normal = [-0.137, -0.407, 1.0];
         let wall = Wall::new([0.0; 3], normal, Material::RIGID, friction(0.1)).unwrap();
         let thrown = Thrown {
@@ -197,7 +229,7 @@ fn a_slip_that_a_bounce_has_ended_begins_along_the_force() {
             motion: Motion { velocity: Vector3::new(-0.14, 0.3, 0.14), spin: spin.into() },
             limits: Limits::new(1.5, 200).unwrap(),
         };
-        let path = thrown.turns();
+        let path = thrown.turns(count);
         let slides = path.events().iter().any(|event| {
             matches!(event.kind, EventKind::Moves { .. }) && event.kind.name() == "slides"
         });
