@@ -10,23 +10,22 @@
 //! most the friction limit at rest. The spin about the normal stays as it is: a contact point has no torque about it.
 
 use carom_special::RangeError;
-use carom_special::ode::{DenseStep, OdeError, Stepper, Tolerance};
 use nalgebra::Vector3;
 
-use super::flight::Flight;
-use super::path::{Manner, TimedFlight};
+use super::path::Manner;
 use super::wall::Wall;
 use crate::impact_friction::ImpactFriction;
 
 /// Vectors are parallel if their cross product is below this part of the product of their sizes.
 const PARALLEL: f64 = 1e-13;
-/// A velocity below this part of those that make it up is round-off.
+/// Gravity along a wall below this part of the whole is round-off.
 const ROUNDING: f64 = 1e-13;
-/// A slip, or a velocity of rolling, below this part of that at the start of a step is over.
+/// A slip, a spin or a velocity below this part of the velocities of the motion is over.
 const OVER: f64 = 1e-12;
-/// The longest step of an integration, over the time in which the slip or the velocity would vanish.
-const SHARE: f64 = 0.2;
-const TOLERANCE: f64 = 1e-13;
+/// In this part of the time in which the velocity changes, accelerations that turn are constant within the square of it.
+const BEGINNING: f64 = 1e-7;
+/// The same, at most, where a slip hardly grows.
+const LONG_BEGINNING: f64 = 1e-3;
 
 /// What a ball of a wall moves under.
 #[derive(Debug, Clone, Copy)]
@@ -39,10 +38,12 @@ pub(super) struct Ground {
     pressing: f64,
     friction: ImpactFriction,
     /// mu_r.
-    rolling: f64,
+    pub(super) rolling: f64,
     /// k.
     inertia: f64,
     radius: f64,
+    /// A velocity of its size: sqrt(N R), or that of the surface by the spin about the normal if greater.
+    pub(super) unit: f64,
 }
 
 /// Velocity of the centre along the wall, and of the contact point by the spin.
@@ -76,6 +77,8 @@ pub(super) struct Steady {
 /// What ends a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stop {
+    /// The contact point slips enough for its slip to have a direction.
+    Begin,
     /// The contact point no longer slips.
     Slip,
     /// The spin along the wall is zero.
@@ -85,16 +88,15 @@ pub(super) enum Stop {
 }
 
 impl Gliding {
-    /// The slip of the contact point; zero within round-off.
+    /// The slip of the contact point.
     pub(super) fn slip(&self) -> Vector3<f64> {
-        let slip = self.velocity + self.spinning;
-        let size = self.velocity.norm().max(self.spinning.norm());
-        if slip.norm() <= ROUNDING * size { Vector3::zeros() } else { slip }
+        self.velocity + self.spinning
     }
 
     /// The same after a stop.
     pub(super) fn stopped(self, stop: Stop) -> Self {
         match stop {
+            Stop::Begin => self,
             Stop::Slip => Self { spinning: -self.velocity, ..self },
             Stop::Spin => Self { spinning: Vector3::zeros(), ..self },
             Stop::Motion => Self { velocity: Vector3::zeros(), spinning: Vector3::zeros() },
@@ -119,12 +121,13 @@ fn vanishes(vector: &Vector3<f64>, rate: &Vector3<f64>) -> Option<f64> {
 }
 
 impl Ground {
-    /// The ground of a wall for a ball of this k, under gravity.
+    /// The ground of a wall for a ball of this k, with this spin about the normal, under gravity.
     pub(super) fn new(
         wall: &Wall,
         normal: Vector3<f64>,
         gravity: &Vector3<f64>,
         (inertia, radius): (f64, f64),
+        spin: f64,
     ) -> Self {
         let pressing = -gravity.dot(&normal);
         let along = gravity + pressing * normal;
@@ -132,7 +135,8 @@ impl Ground {
         let along =
             if along.norm() <= ROUNDING * gravity.norm() { Vector3::zeros() } else { along };
         let (friction, rolling) = (wall.friction(), wall.rolling_resistance());
-        Self { normal, along, pressing, friction, rolling, inertia, radius }
+        let unit = (pressing * radius).sqrt().max(radius * spin.abs());
+        Self { normal, along, pressing, friction, rolling, inertia, radius, unit }
     }
 
     /// The motion after infinite friction has ended any slip: the moment of momentum about the contact point stays.
@@ -149,9 +153,21 @@ impl Ground {
         spinning.cross(&self.normal) / self.radius
     }
 
-    /// A velocity of its size: sqrt(N R).
-    fn unit(&self) -> f64 {
-        (self.pressing * self.radius).sqrt()
+    /// What is round-off in the velocities of a motion, at most.
+    fn least(&self, now: &Gliding) -> f64 {
+        OVER * now.velocity.norm().max(now.spinning.norm()).max(self.unit)
+    }
+
+    /// The same motion with zero for round-off, which would have a direction of its own.
+    pub(super) fn rounded(&self, now: Gliding) -> Gliding {
+        let least = self.least(&now);
+        let turns = now.spinning.norm() > least;
+        let now = if turns { now } else { now.stopped(Stop::Spin) };
+        if now.slip().norm() > least {
+            return now;
+        }
+        let moves = now.velocity.norm() > OVER * self.unit;
+        now.stopped(if moves { Stop::Slip } else { Stop::Motion })
     }
 
     /// The acceleration of the centre at the beginning of a course.
@@ -163,35 +179,28 @@ impl Ground {
         }
     }
 
-    /// The slip of the contact point; zero within round-off.
-    fn slip(&self, now: &Gliding) -> Vector3<f64> {
-        let slip = now.slip();
-        if slip.norm() <= OVER * self.unit() { Vector3::zeros() } else { slip }
-    }
-
     /// What is over in a motion that turns.
     pub(super) fn is_over(&self, manner: Manner, now: &Gliding) -> Option<Stop> {
-        let unit = self.unit();
         match manner {
             Manner::Slides => {
-                let size = now.velocity.norm().max(now.spinning.norm()).max(unit);
+                let least = self.least(now);
                 // Where the torque that resists exceeds that of friction the ball ends without spin.
-                let still = self.rolling > 0.0 && now.spinning.norm() <= OVER * size;
+                let still = self.rolling > 0.0 && now.spinning.norm() <= least;
                 let stops = still && now.spinning.norm() > 0.0;
-                match now.slip().norm() <= OVER * size {
+                match now.slip().norm() <= least {
                     true => Some(Stop::Slip),
                     false => stops.then_some(Stop::Spin),
                 }
             }
-            Manner::Rolls => (now.velocity.norm() <= OVER * unit).then_some(Stop::Motion),
+            Manner::Rolls => (now.velocity.norm() <= OVER * self.unit).then_some(Stop::Motion),
         }
     }
 
     /// The rates of velocity and spin in a motion that turns.
-    fn rates(&self, manner: Manner, now: &Gliding) -> [Vector3<f64>; 2] {
+    pub(super) fn rates(&self, manner: Manner, now: &Gliding) -> [Vector3<f64>; 2] {
         match manner {
             Manner::Slides => {
-                let slip = now.velocity + now.spinning;
+                let slip = now.slip();
                 let rates = self.slides(&direction(&slip), &now.spinning, slip.norm());
                 // The integration reports what is not finite.
                 rates.unwrap_or([Vector3::repeat(f64::NAN); 2])
@@ -215,6 +224,18 @@ impl Ground {
             Some(friction) => Ok(friction.threshold().get() * self.pressing),
             None => self.sliding(0.0),
         }
+    }
+
+    /// What friction must bear over the mass where the ball rolls.
+    fn needed(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
+        let towards = if velocity.norm() > 0.0 { velocity } else { &self.along };
+        let resistance = self.rolling * self.pressing * direction(towards);
+        (self.inertia * self.along + resistance) / (1.0 + self.inertia)
+    }
+
+    /// Whether friction bears it.
+    pub(super) fn bears(&self, velocity: &Vector3<f64>) -> Result<bool, RangeError> {
+        Ok(self.needed(velocity).norm() <= self.sticking()?)
     }
 
     /// Acceleration of a rolling ball.
@@ -243,25 +264,19 @@ impl Ground {
         Ok([self.along - friction * slip, -turned / self.inertia])
     }
 
-    /// How the ball goes on from a motion.
+    /// How the ball goes on from a motion without round-off.
     pub(super) fn course(&self, now: &Gliding) -> Result<Course, RangeError> {
-        let slip = self.slip(now);
+        let slip = now.slip();
         if slip.norm() > 0.0 {
             return self.slide(now, direction(&slip), slip.norm());
         }
         let resistance = self.rolling * self.pressing;
-        let stands = now.velocity.norm() <= OVER * self.unit();
+        let stands = now.velocity.norm() == 0.0;
         if stands && self.along.norm() <= resistance.min(self.sticking()?) {
             return Ok(Course::Rests);
         }
-        let towards = if now.velocity.norm() > 0.0 {
-            direction(&now.velocity)
-        } else {
-            direction(&self.along)
-        };
-        let force = (self.inertia * self.along + resistance * towards) / (1.0 + self.inertia);
-        if force.norm() > self.sticking()? {
-            return self.slide(now, direction(&force), 0.0);
+        if !self.bears(&now.velocity)? {
+            return self.slide(now, direction(&self.needed(&now.velocity)), 0.0);
         }
         let acceleration = self.rolls(&now.velocity);
         if resistance > 0.0 && !parallel(&now.velocity, &self.along) {
@@ -280,10 +295,16 @@ impl Ground {
     fn slide(&self, now: &Gliding, slip: Vector3<f64>, speed: f64) -> Result<Course, RangeError> {
         let straight =
             parallel(&slip, &self.along) && (self.rolling == 0.0 || parallel(&slip, &now.spinning));
-        if !straight || matches!(self.friction, ImpactFriction::SlipSpeed(_)) {
+        let turns = !straight || matches!(self.friction, ImpactFriction::SlipSpeed(_));
+        if turns && speed > 0.0 {
             return Ok(Course::Turning(Manner::Slides));
         }
         let [acceleration, spinning] = self.slides(&slip, &now.spinning, speed)?;
+        if turns {
+            let end = Some((self.beginning(now, &acceleration, &spinning), Stop::Begin));
+            let manner = Manner::Slides;
+            return Ok(Course::Constant(Steady { manner, acceleration, spinning, end }));
+        }
         let ends = [
             vanishes(&(speed * slip), &(acceleration + spinning)).map(|time| (time, Stop::Slip)),
             (self.rolling > 0.0)
@@ -294,100 +315,13 @@ impl Ground {
         let end = ends.into_iter().flatten().min_by(|one, other| one.0.total_cmp(&other.0));
         Ok(Course::Constant(Steady { manner: Manner::Slides, acceleration, spinning, end }))
     }
-}
 
-/// A step of a motion whose accelerations turn.
-#[derive(Debug)]
-pub(super) struct Turned {
-    dense: DenseStep<9>,
-    end: f64,
-}
-
-/// Place, velocity and spin in one line.
-fn line(place: Vector3<f64>, now: &Gliding) -> [f64; 9] {
-    let mut line = [0.0; 9];
-    for (i, vector) in [place, now.velocity, now.spinning].iter().enumerate() {
-        line[3 * i..3 * i + 3].copy_from_slice(vector.as_slice());
-    }
-    line
-}
-
-fn part(line: &[f64; 9], i: usize) -> Vector3<f64> {
-    Vector3::from_column_slice(&line[3 * i..3 * i + 3])
-}
-
-fn gliding(line: &[f64; 9]) -> Gliding {
-    Gliding { velocity: part(line, 1), spinning: part(line, 2) }
-}
-
-impl Turned {
-    /// A step from a place and a motion, of at most this time.
-    pub(super) fn new(
-        ground: &Ground,
-        manner: Manner,
-        place: Vector3<f64>,
-        now: &Gliding,
-        most: f64,
-    ) -> Result<Self, OdeError> {
-        let moving = match manner {
-            Manner::Slides => now.velocity + now.spinning,
-            Manner::Rolls => now.velocity,
-        };
-        let [rate, turning] = ground.rates(manner, now);
-        let over = |moving: &Vector3<f64>, rate: &Vector3<f64>| match rate.norm() > 0.0 {
-            true => SHARE * moving.norm() / rate.norm(),
-            false => most,
-        };
-        let slides = manner == Manner::Slides;
-        let moves = over(&moving, &if slides { rate + turning } else { rate });
-        // The direction of the torque that resists changes at once where the spin vanishes.
-        let turns = slides && ground.rolling > 0.0 && now.spinning.norm() > 0.0;
-        let lasts = if turns { moves.min(over(&now.spinning, &turning)) } else { moves };
-        let end = most.min(lasts);
-        let slope = |_: f64, y: &[f64; 9]| {
-            let now = gliding(y);
-            let [rate, turning] = ground.rates(manner, &now);
-            line(now.velocity, &Gliding { velocity: rate, spinning: turning })
-        };
-        let tolerance = Tolerance { absolute: TOLERANCE * ground.unit(), relative: TOLERANCE };
-        let mut stepper = Stepper::new(0.0, line(place, now), end, tolerance, slope)?;
-        stepper.step(end)?;
-        let end = stepper.x();
-        Ok(Self { dense: stepper.dense(), end })
-    }
-
-    /// Its time.
-    pub(super) const fn end(&self) -> f64 {
-        self.end
-    }
-
-    /// The same, ended at this time.
-    pub(super) const fn cut(&mut self, end: f64) {
-        self.end = end;
-    }
-
-    /// The centre after a time.
-    pub(super) fn position(&self, time: f64) -> Vector3<f64> {
-        part(&self.dense.at(time), 0)
-    }
-
-    /// The motion at the end.
-    pub(super) fn gliding(&self) -> Gliding {
-        gliding(&self.dense.at(self.end))
-    }
-
-    /// The flight with this start and end, of third degree in time.
-    pub(super) fn flight(&self, start: f64, spin: Vector3<f64>, ground: &Ground) -> TimedFlight {
-        let (from, to, time) = (self.dense.at(0.0), self.dense.at(self.end), self.end);
-        let (place, velocity) = (part(&from, 0), part(&from, 1));
-        let way = (part(&to, 0) - place - time * velocity) / (time * time);
-        let change = (part(&to, 1) - velocity) / time;
-        // way = a/2 + b t/6 and change = a + b t/2.
-        let flight = Flight { position: place, velocity, gravity: 6.0 * way - 2.0 * change };
-        TimedFlight {
-            bend: 6.0 * (change - 2.0 * way) / time,
-            turning: ground.spin(&(part(&to, 2) - part(&from, 2))) / time,
-            ..TimedFlight::free(start, time, flight, spin)
-        }
+    /// How long a slip that begins with these rates, and then turns, goes straight: until it is more than round-off.
+    fn beginning(&self, now: &Gliding, rate: &Vector3<f64>, turning: &Vector3<f64>) -> f64 {
+        let (speed, rates) = (now.velocity.norm(), rate.norm() + turning.norm());
+        let longest = LONG_BEGINNING * speed.max(self.unit) / rates;
+        let grown = 2.0 * self.least(now) / (rate + turning).norm();
+        let speed = if speed > 0.0 { speed } else { self.unit };
+        (BEGINNING * speed / rates).max(grown.min(longest))
     }
 }

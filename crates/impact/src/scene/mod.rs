@@ -14,6 +14,7 @@ mod on_wall;
 mod path;
 mod roots;
 mod run;
+mod turned;
 mod wall;
 mod wall_motion;
 

@@ -4,9 +4,10 @@ use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::flight::Flight;
-use super::glide::{Course, Gliding, Ground, Steady, Stop, Turned};
+use super::glide::{Course, Gliding, Ground, Steady, Stop};
 use super::path::{Ending, Leg, Manner, TimedFlight};
 use super::run::Legs;
+use super::turned::Turned;
 use super::wall::{Meeting, Wall};
 use crate::collision::CollisionSolver;
 use crate::scene::SceneError;
@@ -34,7 +35,7 @@ impl<S: CollisionSolver> Legs<'_, S> {
             return Ok(Leg::ending_with(Ending::Time));
         }
         let ground = self.ground(wall, normal);
-        let gliding = ground.gripped(self.gliding(&normal));
+        let gliding = ground.rounded(ground.gripped(self.gliding(&normal)));
         self.set(&ground, gliding);
         let course = ground.course(&gliding)?;
         if let Some(other) = self.pressed_on(wall, &ground.acceleration(&course, &gliding)) {
@@ -54,7 +55,8 @@ impl<S: CollisionSolver> Legs<'_, S> {
         let [theta, ..] = self.body.inertia().moments();
         let inertia = theta / (self.body.inertia().mass() * self.radius * self.radius);
         let wall = &self.scene.walls()[wall];
-        Ground::new(wall, normal, &self.scene.gravity(), (inertia, self.radius))
+        let spin = self.now.motion.spin.dot(&normal);
+        Ground::new(wall, normal, &self.scene.gravity(), (inertia, self.radius), spin)
     }
 
     fn gliding(&self, normal: &Vector3<f64>) -> Gliding {
@@ -66,8 +68,9 @@ impl<S: CollisionSolver> Legs<'_, S> {
     }
 
     fn set(&mut self, ground: &Ground, gliding: Gliding) {
-        let spin = self.now.motion.spin;
-        self.now.motion.velocity = gliding.velocity;
+        let (spin, n) = (self.now.motion.spin, &ground.normal);
+        // What integration leaves along the normal would be a flight where the ball turns back.
+        self.now.motion.velocity = gliding.velocity - gliding.velocity.dot(n) * n;
         self.now.motion.spin =
             ground.spin(&gliding.spinning) + spin.dot(&ground.normal) * ground.normal;
     }
@@ -111,6 +114,9 @@ impl<S: CollisionSolver> Legs<'_, S> {
     ) -> Result<Leg, SceneError<S::Error>> {
         let begin = self.now;
         let mut turned = Turned::new(ground, manner, begin.position, gliding, left)?;
+        if manner == Manner::Rolls {
+            turned = turned.gripping(ground)?;
+        }
         let mut met = None;
         if self.passed(wall, (begin.time + turned.end(), &turned.position(turned.end()))).is_some()
         {

@@ -16,7 +16,7 @@ use crate::outcome::{Outcome, TorsionMode};
 /// The walls and the gravity of a scene.
 ///
 /// Each impact is computed with [`AnalyticOrRings`], which accounts for the coupling of dissimilar materials.
-/// A bounce of similar bodies takes some microseconds, by rings a millisecond or more.
+/// A bounce of similar bodies takes some microseconds, by rings or with a viscous loss a millisecond or more.
 ///
 /// If the ball touches two walls at the same instant, as in a corner, it bounces off the one added first,
 /// then off the other.

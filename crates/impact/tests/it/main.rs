@@ -32,6 +32,7 @@ mod ring_impacts;
 mod ring_impacts_known;
 mod scene;
 mod scene_on_wall;
+mod scene_slip;
 mod sensitivity;
 mod slip_speed;
 mod small_spin;

@@ -10,18 +10,18 @@ use carom_laws::slip_speed::SlipSpeedFriction;
 use carom_laws::static_friction::StaticFriction;
 use nalgebra::Vector3;
 
-const R: f64 = 0.02;
-const G: f64 = 9.81;
+pub(crate) const R: f64 = 0.02;
+pub(crate) const G: f64 = 9.81;
 
 fn rubber() -> Material {
     Material::from_young(20e6, 0.5).unwrap()
 }
 
-fn friction(f: f64) -> Friction {
+pub(crate) fn friction(f: f64) -> Friction {
     Friction::new(f).unwrap()
 }
 
-fn ball(position: [f64; 3], velocity: [f64; 3], spin: [f64; 3]) -> Ball {
+pub(crate) fn ball(position: [f64; 3], velocity: [f64; 3], spin: [f64; 3]) -> Ball {
     let body = Body::sphere(R, rubber(), 0.03).unwrap().at(position).unwrap();
     Ball::new(body.moving(Motion::new(velocity, spin).unwrap())).unwrap()
 }
@@ -32,12 +32,12 @@ fn floor(slope: f64) -> Wall {
     Wall::new([0.0; 3], normal, Material::RIGID, friction(0.3)).unwrap()
 }
 
-fn run(wall: Wall, ball: &Ball, time: f64) -> Path {
+pub(crate) fn run(wall: Wall, ball: &Ball, time: f64) -> Path {
     let scene = Scene::new([0.0, 0.0, -G]).unwrap().with(wall);
     scene.run(ball, Limits::new(time, 1000).unwrap()).unwrap()
 }
 
-fn begins(path: &Path, manner: Manner) -> PathPoint {
+pub(crate) fn begins(path: &Path, manner: Manner) -> PathPoint {
     let is = |event: &&Event| event.kind == EventKind::Moves { wall: 0, manner };
     path.events().iter().find(is).unwrap_or_else(|| panic!("{:?}", path.events())).at
 }
@@ -184,8 +184,8 @@ fn static_friction_keeps_a_ball_rolling() {
     near(path.last().motion.velocity.norm(), 0.5 * G * slope.sin() / 1.4, 1e-12);
 }
 
-/// The motion on a wall by small steps of the whole equations: forces and torques of the contact point.
-fn integrated(
+/// The motion on a wall by steps of the whole equations, the first ones tiny: forces and torques of the contact point.
+pub(crate) fn integrated(
     wall: &Wall,
     law: impl Fn(f64) -> f64,
     start: PathPoint,
@@ -211,9 +211,10 @@ fn integrated(
         let torque = arm.cross(&force) + resistance;
         (gravity + pressing * n + force, torque / (0.4 * R * R))
     };
-    let h = time / steps as f64;
+    let at = |i: usize| time * (i as f64 / steps as f64).powi(3);
     let PathPoint { mut position, motion: Motion { mut velocity, mut spin }, .. } = start;
-    for _ in 0..steps {
+    for i in 0..steps {
+        let h = at(i + 1) - at(i);
         let (a1, w1) = rate(velocity, spin);
         let (a2, w2) = rate(velocity + 0.5 * h * a1, spin + 0.5 * h * w1);
         let (a3, w3) = rate(velocity + 0.5 * h * a2, spin + 0.5 * h * w2);

@@ -18,7 +18,8 @@ use carom_table::{row, short};
 ///
 /// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
 /// examples/scene_*.toml. The coupling of dissimilar materials and the spin about the normal are included
-/// where they matter; a bounce then takes about a millisecond, otherwise some microseconds. After the last bounce
+/// where they matter; a bounce then takes some milliseconds (the first up to a tenth of a second), with a viscous loss
+/// (`normal_restitution` below 1) some milliseconds too, otherwise some microseconds. After the last bounce
 /// the ball slides and rolls on its wall until it rests, comes to an edge or meets another wall. The picture shows
 /// walls, path and bounces.
 #[derive(Debug, clap::Args)]
