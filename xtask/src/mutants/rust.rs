@@ -9,17 +9,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-/// The packages whose tests count.
-const PACKAGES: &[&str] = &[
-    "--workspace",
-    "--exclude",
-    "carom-benches",
-    "--exclude",
-    "carom-python",
-    "--exclude",
-    "xtask",
-];
-
 const SWITCH: &str = include_str!("switch.rs");
 
 /// The seed of the property tests, so that a detection is reproducible.
@@ -56,8 +45,10 @@ impl<'a> Bench<'a> {
     /// Runs the tests that the arguments choose.
     fn nextest(&self, mutant: Option<&Mutant>, chosen: &[&str]) -> anyhow::Result<Output> {
         let run = ["nextest", "run", "--cargo-profile", "release", "--cargo-quiet", "--fail-fast"];
+        let targets = ["--lib", "--bins", "--tests"];
         let shown = ["--status-level", "fail", "--final-status-level", "none", "--color", "never"];
-        let mut command = cargo::command(&[&run[..], &shown, PACKAGES, chosen].concat());
+        let mut command =
+            cargo::command(&[&run[..], &targets, &shown, cargo::OF_LIBRARIES, chosen].concat());
         command.args(["--failure-output", "never", "--no-tests", "pass"]).current_dir(&self.tree);
         let number = self.mutants.iter().position(|one| Some(*one) == mutant).map_or(0, |i| i + 1);
         command.env("CAROM_MUTANT", number.to_string());
