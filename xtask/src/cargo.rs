@@ -13,6 +13,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// once more.
 pub(crate) const WITHOUT_BENCHES: &[&str] = &["--workspace", "--exclude", "carom-benches"];
 
+/// Those of them whose tests need nothing but Rust, without the tasks.
+pub(crate) const OF_LIBRARIES: &[&str] = &[
+    "--workspace",
+    "--exclude",
+    "carom-benches",
+    "--exclude",
+    "carom-python",
+    "--exclude",
+    "xtask",
+];
+
 /// Whether there is a [`Lints`].
 static LINTS: AtomicBool = AtomicBool::new(false);
 

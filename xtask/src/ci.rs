@@ -142,7 +142,7 @@ const LONG: &[(&str, Step)] = &[
         passed(without_threads(&["", "carom-halfspace/operators"]))
     }),
     ("a search for a bad path of Coulomb's law", adversary),
-    ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
+    ("mutants, those of Python and LAMMPS too", mutants::all),
 ];
 
 /// Those of which a path changed.
@@ -302,7 +302,10 @@ fn report() -> anyhow::Result<Outcome> {
 
 /// Searches for a path whose error exceeds the estimate of the law, with a seed from this commit.
 fn adversary() -> anyhow::Result<Outcome> {
-    let seed = mutants::seed_of_commit().to_string();
+    // The first digits of the commit; 0 without a history.
+    let commit = cargo::git(&["rev-parse", "HEAD"]).unwrap_or_default();
+    let seed = commit.get(..8).and_then(|digits| u64::from_str_radix(digits, 16).ok());
+    let seed = seed.unwrap_or(0).to_string();
     let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];
     let options = ["--", "--seconds", ADVERSARY, "--seed", &seed];
     passed(cargo::run(&[&example[..], &options[..]].concat()))

@@ -22,22 +22,11 @@ xflags::xflags! {
             /// Also the tests that take minutes, which are ignored otherwise.
             optional --all
         }
-        /// Inserts the faults of xtask/mutants.toml, one at a time, and shows which test and which claim
-        /// detects each. Fails if a mutant survives that the list does not explain. The mutants of the Python
-        /// layer and of the LAMMPS plugin run with --layers.
+        /// Inserts the faults of xtask/mutants.toml, one at a time, and runs the test that the list names for each, all
+        /// tests if it does not fail. Fails if a mutant survives. Needs cargo-nextest.
         cmd mutants {
-            /// Only the mutants whose item or name contains this.
+            /// Only the mutants whose file or name contains this.
             optional --only text: String
-            /// Only a random sample of this size.
-            optional --sample count: usize
-            /// Seed of the sample; by default it follows from the commit.
-            optional --seed number: u64
-            /// Run only the test known to detect each mutant, and others only if it does not.
-            optional --quick
-            /// Record which test detects which mutant, for --quick.
-            optional --record
-            /// Only the mutants of the Python layer and of the LAMMPS plugin, with their tests.
-            optional --layers
         }
         /// Checks the index of the thesis's equations: each item that it names exists, each equation
         /// and figure quoted in a comment is in the index or the catalogue, and none is missing. Also
@@ -64,8 +53,7 @@ xflags::xflags! {
         /// if it is missing. If there is a browser, looks at the pages.
         cmd book {}
         /// Writes the files that are generated from the sources: the C header, the book's pictures and case reference,
-        /// the result classes of Python. Snapshots of figures are written by `verify --update`, the record of
-        /// mutants by `mutants --record`.
+        /// the result classes of Python. Snapshots of figures are written by `verify --update`.
         cmd generate {
             /// Compute the stored table of R_x of dissimilar spheres instead; takes some 15 minutes.
             optional --tables
@@ -130,7 +118,7 @@ xflags::xflags! {
             /// Run all of these whatever changed, and the long checks: tests with overflow checks, the ignored
             /// tests, all tests of the LAMMPS plugin, the doors, the examples by taplo, the C interface under
             /// sanitizers, the fuzzer, the search for a path with a large error of Coulomb's law, the instructions
-            /// of hot paths, every mutant against all tests.
+            /// of hot paths, every mutant.
             optional --long
         }
         /// Runs the benchmarks.

@@ -53,15 +53,7 @@ impl Which {
     fn workspace(self) -> &'static [&'static str] {
         match self {
             Self::Usual | Self::Loop | Self::Ignored => cargo::WITHOUT_BENCHES,
-            Self::Checked => &[
-                "--workspace",
-                "--exclude",
-                "carom-benches",
-                "--exclude",
-                "carom-python",
-                "--exclude",
-                "xtask",
-            ],
+            Self::Checked => cargo::OF_LIBRARIES,
         }
     }
 }

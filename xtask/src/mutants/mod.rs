@@ -1,217 +1,159 @@
-//! Mutants: deliberate faults in the code that a test or a claim must detect.
+//! Mutants: deliberate faults in the code that a test must detect.
 //!
-//! `xtask/mutants.toml` lists them: a function, an expression in it, and its replacement. They are
-//! identified by the function, so that code may move between files; a mutant whose place no longer
-//! exists is an error. All mutants are woven into a copy of the workspace below `target/mutants/`,
-//! each behind a switch set by the environment, and the copy is built once. Sources and releases
-//! contain none; but the programs in `target/release` are those of the copy until the next build.
-//!
-//! First, every test and every page runs without mutants, each in its own process, and records the
-//! mutants it reaches. Then, for each mutant, the tests that reach it run until one fails, and so
-//! do the claims of the pages that reach it; snapshots do not count. A mutant that nothing detects
-//! is a gap in the tests: the task fails, unless the list explains it.
-//!
-//! With `--record`, the detecting test is recorded in `xtask/mutants-noticed.toml`. With `--quick`,
-//! that test runs first, and the others only if it no longer detects the mutant; only the required
-//! test targets are built.
-//!
-//! The Python layer and the LAMMPS plugin have mutants of their own, see [`layers`].
+//! `xtask/mutants.toml` lists them: a text in a file, its replacement, and the test that notices it. That test runs
+//! first, all others only if it does not notice the mutant any more; snapshots do not count. A mutant that no test
+//! notices is a gap in the tests: the task fails. Sources and releases contain none: they stand in copies below
+//! `target/mutants/`, and in the Python module that is installed there.
 
 mod layers;
-mod list;
-mod place;
-mod report;
-mod round;
-mod sample;
-mod trial;
-mod weave;
+mod rust;
 
 use crate::flags;
 use crate::outcome::Outcome;
 use crate::root::root;
-use anyhow::ensure;
-use list::{Killers, Mutant};
-use round::Verdict;
-pub(crate) use sample::seed_of_commit;
-use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
-use trial::{Selection, Trial};
+use anyhow::{Context as _, ensure};
+use layers::Layer;
+use std::path::Path;
+
+/// Largest number of mutants in the list.
+const MAX_MUTANTS: usize = 80;
+
+/// A deliberate fault.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct Mutant {
+    /// Path from the root of the workspace.
+    file: String,
+    /// What the fault is.
+    name: String,
+    /// A text that occurs once in the file, in Rust an expression.
+    find: String,
+    /// Its replacement.
+    replace: String,
+    /// The test that notices it; empty if none is known.
+    test: String,
+}
+
+impl Mutant {
+    fn key(&self) -> String {
+        format!("{}: {}", self.file, self.name)
+    }
+
+    /// The file, and where the text begins in it.
+    fn place(&self, root: &Path) -> anyhow::Result<(String, usize)> {
+        let path = root.join(&self.file);
+        let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+        let places: Vec<usize> = text.match_indices(&self.find).map(|(at, _)| at).collect();
+        ensure!(places.len() == 1, "`{}` occurs {} times", self.find, places.len());
+        Ok((text, places[0]))
+    }
+}
+
+/// A copy in which mutants may be switched on, and its tests.
+trait Bench {
+    /// The first test that fails with the mutant, or without any; of all tests, or of those named.
+    fn failure(&self, mutant: Option<&Mutant>, tests: &[&str]) -> anyhow::Result<Option<String>>;
+}
 
 /// Runs the mutants selected by the options.
 pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<Outcome> {
-    let root = root();
-    let list = list::read(&root.join("xtask/mutants.toml"))?;
-    let killers_path = root.join("xtask/mutants-noticed.toml");
-    let mut killers = list::read_killers(&killers_path)?;
-    let keys = list.mutants.iter().map(Mutant::key);
-    let keys: Vec<String> = keys.chain(list.layers.iter().map(|mutant| mutant.key())).collect();
-    killers.retain(|key, _| keys.contains(key));
-    let result = if options.layers {
-        let mut chosen = list.layers;
-        chosen.retain(|mutant| is_chosen(&mutant.key(), options));
-        ensure!(!chosen.is_empty(), "no mutant of the list has that name");
-        layers::run(&root, &chosen, &mut killers)
-    } else {
-        run_woven(&root, &list.mutants, options, &mut killers).map(|()| Outcome::Passed)
+    let root = root().canonicalize()?;
+    let all = read(&root)?;
+    let is_chosen = |mutant: &&Mutant| match &options.only {
+        Some(text) => mutant.key().contains(text),
+        None => true,
     };
-    if options.record {
-        list::write_killers(&killers_path, &killers)?;
-    }
-    result
-}
-
-/// Runs the mutants in Rust code.
-fn run_woven(
-    root: &Path,
-    mutants: &[Mutant],
-    options: &flags::Mutants,
-    killers: &mut Killers,
-) -> anyhow::Result<()> {
-    let chosen = chosen(mutants, options)?;
-    let place = Place::new(root);
-    weave::weave(root, &place.tree, mutants)?;
-    let verdicts = if options.quick {
-        quickly(&chosen, mutants, killers, &place)?
-    } else {
-        thoroughly(&chosen, place.build(&Selection::all())?, &place.reach)?
-    };
-    for (number, verdict) in chosen.iter().zip(&verdicts) {
-        let key = mutants[number - 1].key();
-        match verdict.test.as_ref().or(verdict.page.as_ref()) {
-            Some(name) => killers.insert(key, name.clone()),
-            None => killers.remove(&key),
+    let chosen: Vec<&Mutant> = all.iter().filter(is_chosen).collect();
+    ensure!(!chosen.is_empty(), "no mutant of the list has that name");
+    let mut outcome = Outcome::Passed;
+    let mut survivors = Vec::new();
+    for layer in [None, Some(Layer::Python), Some(Layer::Lammps)] {
+        let here: Vec<_> = chosen.iter().copied().filter(|m| Layer::of(&m.file) == layer).collect();
+        if here.is_empty() {
+            continue;
+        }
+        let bench: Box<dyn Bench> = match layer {
+            None => Box::new(rust::Bench::new(&root, &here)?),
+            Some(layer) => match layers::Bench::new(&root, layer)? {
+                Ok(bench) => Box::new(bench),
+                Err(skipped) => {
+                    outcome = outcome.and(skipped);
+                    continue;
+                }
+            },
         };
+        survivors.extend(survivors_of(bench.as_ref(), &here)?);
     }
-    let judged: Vec<_> = chosen.iter().map(|number| &mutants[number - 1]).zip(verdicts).collect();
-    if !options.quick {
-        report::table(&judged);
-    }
-    report::survivors(&judged)
+    println!("{} mutants, {} survivors", chosen.len(), survivors.len());
+    ensure!(survivors.is_empty(), "mutants survive:\n  {}", survivors.join("\n  "));
+    Ok(outcome)
 }
 
-/// The folders of the copy and of the records of its tests.
-struct Place {
-    root: PathBuf,
-    tree: PathBuf,
-    reach: PathBuf,
+/// The mutants that no test notices.
+fn survivors_of(bench: &dyn Bench, mutants: &[&Mutant]) -> anyhow::Result<Vec<String>> {
+    let known: Vec<&str> =
+        mutants.iter().map(|m| m.test.as_str()).filter(|t| !t.is_empty()).collect();
+    if let Some(test) = bench.failure(None, &known)? {
+        anyhow::bail!("fails without any mutant: {test}");
+    }
+    let mut survivors = Vec::new();
+    for mutant in mutants {
+        println!("{}", mutant.key());
+        let is_known = !mutant.test.is_empty();
+        if is_known && bench.failure(Some(mutant), &[&mutant.test])?.is_some() {
+            continue;
+        }
+        match bench.failure(Some(mutant), &[])? {
+            Some(test) => println!("    write in the list: test = '{test}'"),
+            None => survivors.push(mutant.key()),
+        }
+    }
+    Ok(survivors)
 }
 
-impl Place {
-    fn new(root: &Path) -> Self {
-        let folder = root.join("target/mutants");
-        Self { root: root.to_owned(), tree: folder.join("tree"), reach: folder.join("reach") }
-    }
-
-    fn build(&self, selection: &Selection) -> anyhow::Result<Vec<Trial>> {
-        let clock = Instant::now();
-        let trials = trial::build(&self.root, &self.tree, selection)?;
-        println!("built with all mutants in {:.0} s", clock.elapsed().as_secs_f64());
-        Ok(trials)
-    }
-}
-
-const ALL: flags::Mutants = flags::Mutants {
-    only: None,
-    sample: None,
-    seed: None,
-    quick: false,
-    record: false,
-    layers: false,
-};
-
-/// All mutants, each against all tests and pages, for the long run.
+/// All mutants, for the long run.
 pub(crate) fn all() -> anyhow::Result<Outcome> {
-    let of_rust = run(&ALL)?;
-    Ok(of_rust.and(run(&flags::Mutants { layers: true, ..ALL })?))
+    run(&flags::Mutants { only: None })
 }
 
 /// Checks that every place of the list exists in the code, without a build.
 pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
-    let list = list::read(&root.join("xtask/mutants.toml"))?;
-    weave::check(root, &list.mutants)?;
-    layers::check(root, &list.layers)?;
-    println!("{} mutants: in place", list.mutants.len() + list.layers.len());
+    let mutants = read(root)?;
+    let fault = |m: &Mutant| Some(format!("{}: {:#}", m.key(), m.place(root).err()?));
+    let wrong: Vec<String> = mutants.iter().filter_map(fault).collect();
+    ensure!(wrong.is_empty(), "places of the list that are not found:\n  {}", wrong.join("\n  "));
+    println!("{} mutants: in place", mutants.len());
     Ok(())
 }
 
-/// The numbers, from 1, of the mutants selected by the options.
-fn chosen(mutants: &[Mutant], options: &flags::Mutants) -> anyhow::Result<Vec<usize>> {
-    let is_chosen = |number: &usize| is_chosen(&mutants[number - 1].key(), options);
-    let mut chosen: Vec<usize> = (1..=mutants.len()).filter(is_chosen).collect();
-    ensure!(!chosen.is_empty(), "no mutant of the list has that name");
-    if let Some(count) = options.sample {
-        let seed = options.seed.unwrap_or_else(seed_of_commit);
-        println!("a sample of {count} of {} mutants, --seed {seed}", chosen.len());
-        chosen = sample::draw(chosen, count, seed);
-    }
-    Ok(chosen)
+fn read(root: &Path) -> anyhow::Result<Vec<Mutant>> {
+    let path = root.join("xtask/mutants.toml");
+    parse(&std::fs::read_to_string(&path)?).with_context(|| path.display().to_string())
 }
 
-fn is_chosen(key: &str, options: &flags::Mutants) -> bool {
-    options.only.as_ref().is_none_or(|text| key.contains(text))
-}
-
-/// Runs all tests and pages that reach a mutant, until one of each detects it.
-fn thoroughly(chosen: &[usize], trials: Vec<Trial>, reach: &Path) -> anyhow::Result<Vec<Verdict>> {
-    let clock = Instant::now();
-    let count = trials.len();
-    let known = round::reach(trials, reach)?;
-    println!("{count} tests and pages without a mutant in {:.0} s", clock.elapsed().as_secs_f64());
-    let clock = Instant::now();
-    let verdicts = round::judge(chosen, &known, &[false, true])?;
-    println!("{} mutants in {:.0} s", chosen.len(), clock.elapsed().as_secs_f64());
-    Ok(verdicts)
-}
-
-/// Runs the known test, and all others only if it does not detect the mutant.
-fn quickly(
-    chosen: &[usize],
-    mutants: &[Mutant],
-    killers: &Killers,
-    place: &Place,
-) -> anyhow::Result<Vec<Verdict>> {
-    let names = chosen.iter().filter_map(|number| killers.get(&mutants[number - 1].key()));
-    // If a target no longer exists, the build fails; then all tests are built.
-    let trials = place.build(&Selection::of(names)).or_else(|_| place.build(&Selection::all()))?;
-    let clock = Instant::now();
-    let known_to = |number: usize| {
-        let name = killers.get(&mutants[number - 1].key());
-        trials.iter().find(|trial| Some(&trial.name) == name)
+fn parse(text: &str) -> anyhow::Result<Vec<Mutant>> {
+    let table: toml::Table = text.parse()?;
+    let entries = table.get("mutant").and_then(toml::Value::as_array).context("no [[mutant]]")?;
+    ensure!(entries.len() <= MAX_MUTANTS, "{} mutants; at most {MAX_MUTANTS}", entries.len());
+    let mutant = |entry: &toml::Value| {
+        let text = |key: &str| {
+            let text = entry.get(key).and_then(toml::Value::as_str).map(str::to_owned);
+            text.with_context(|| format!("no `{key}` in {entry}"))
+        };
+        let (file, name, find) = (text("file")?, text("name")?, text("find")?);
+        Ok(Mutant { file, name, find, replace: text("replace")?, test: text("test")? })
     };
-    round::all_pass(trials.iter().filter(|t| chosen.iter().any(|n| known_to(*n) == Some(t))))?;
-    let mut verdicts = round::side_by_side(chosen, |_, &number| {
-        let Some(trial) = known_to(number) else { return Ok(None) };
-        let noticed = round::notices(number, trial, Duration::from_secs(4))?;
-        Ok(noticed.then(|| by(trial)))
-    })?;
-    let known = verdicts.iter().flatten().count();
-    println!("{known} detected by the known tests in {:.0} s", clock.elapsed().as_secs_f64());
-    let open: Vec<usize> = (0..chosen.len())
-        .filter(|i| verdicts[*i].is_none() && !explained(mutants, chosen[*i]))
-        .collect();
-    if !open.is_empty() {
-        println!("{} need other tests: record them by `cargo xtask mutants --record`", open.len());
-        open.iter().for_each(|i| println!("  {}", mutants[chosen[*i] - 1].key()));
-        let numbers: Vec<usize> = open.iter().map(|i| chosen[*i]).collect();
-        let trials = place.build(&Selection::all())?;
-        for (i, verdict) in open.into_iter().zip(thoroughly(&numbers, trials, &place.reach)?) {
-            verdicts[i] = Some(verdict);
-        }
-    }
-    Ok(verdicts.into_iter().map(Option::unwrap_or_default).collect())
+    entries.iter().map(mutant).collect()
 }
 
-fn explained(mutants: &[Mutant], number: usize) -> bool {
-    mutants[number - 1].explained.is_some()
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The verdict of one detecting trial.
-fn by(trial: &Trial) -> Verdict {
-    let name = Some(trial.name.clone());
-    let verdict = Verdict { is_reached: true, ..Verdict::default() };
-    if trial.is_page {
-        Verdict { page: name, ..verdict }
-    } else {
-        Verdict { test: name, ..verdict }
+    #[test]
+    fn a_list_is_read_and_a_slip_in_it_named() {
+        let good = "[[mutant]]\nfile = 'a.rs'\nname = 'n'\nfind = '1'\nreplace = '2'\ntest = ''\n";
+        assert_eq!(parse(good).unwrap()[0].key(), "a.rs: n");
+        let error = parse(&good.replace("find", "fine")).unwrap_err().to_string();
+        assert!(error.starts_with("no `find` in"), "{error}");
     }
 }

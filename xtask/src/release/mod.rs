@@ -38,25 +38,25 @@ pub(crate) fn run(options: &flags::Release) -> anyhow::Result<Outcome> {
         return Ok(outcome);
     }
     let outcome = outcome.and(oldest::check()?);
-    Ok(outcome.and(wheel::check(&packages.in_order()?[0].version)?))
+    Ok(outcome.and(wheel::check(&packages.public()[0].version)?))
 }
 
-/// Checks that all crates can be packed, in their order, and builds them as packed.
+/// Checks that all crates can be packed, and builds them as packed.
 pub(crate) fn pack_quickly() -> anyhow::Result<()> {
     pack_and_check(&whole()?)
 }
 
 fn pack_and_check(packages: &Packages) -> anyhow::Result<()> {
     pack(packages, &["--no-verify"])?;
-    packed::check(&packages.in_order()?)
+    packed::check(&packages.public())
 }
 
 /// Checks that the descriptions of crates, wheel and citation are complete and have one version.
 pub(crate) fn whole() -> anyhow::Result<Packages> {
     let packages = Packages::read()?;
     let mut faults = packages.faults()?;
-    let order = packages.in_order()?;
-    let version = &order[0].version;
+    let public = packages.public();
+    let version = &public[0].version;
     let citation = std::fs::read_to_string(root().join("CITATION.cff"))?;
     if !citation.lines().any(|line| line == format!("version: {version}")) {
         faults.push(format!("CITATION.cff: not of version {version}"));
@@ -69,8 +69,7 @@ pub(crate) fn whole() -> anyhow::Result<Packages> {
         faults.len(),
         faults.join("\n  ")
     );
-    let names: Vec<&str> = order.iter().map(|package| package.name.as_str()).collect();
-    println!("{} crates of version {version}, in their order: {}", names.len(), names.join(", "));
+    println!("{} crates of version {version}", public.len());
     Ok(packages)
 }
 
@@ -97,8 +96,7 @@ fn say_changes() -> anyhow::Result<Outcome> {
     Ok(Outcome::Passed)
 }
 
-/// Packs all crates for the registry, in order, each against those packed before as if they were in
-/// the registry.
+/// Packs all crates for the registry; cargo packs each against those packed before as if they were in the registry.
 fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
     let private = packages.private();
     let mut arguments = vec!["package", "--workspace", "--locked", "--allow-dirty", "--quiet"];
@@ -107,7 +105,7 @@ fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
     }
     arguments.extend(how);
     cargo::run(&arguments)?;
-    for package in packages.in_order()? {
+    for package in packages.public() {
         let name = &package.name;
         let packed = target().join("package").join(package.archive());
         let size = packed.metadata().with_context(|| format!("no {}", packed.display()))?.len();
@@ -129,7 +127,7 @@ fn semver(packages: &Packages) -> anyhow::Result<Outcome> {
     if !cargo::has("semver-checks") {
         return Ok(Outcome::skipped(Part::Interfaces, "cargo-semver-checks is not installed"));
     }
-    let names: Vec<String> = packages.in_order()?.into_iter().map(|package| package.name).collect();
+    let names: Vec<String> = packages.public().into_iter().map(|package| package.name).collect();
     let mut arguments = vec!["semver-checks"];
     for name in &names {
         arguments.extend(["--package", name]);

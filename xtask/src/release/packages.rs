@@ -1,8 +1,7 @@
-//! The crates published to the registry, in the order of publication, and checks of their
-//! descriptions.
+//! The crates published to the registry, and checks of their descriptions.
 
 use crate::cargo;
-use anyhow::{bail, ensure};
+use anyhow::ensure;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -24,8 +23,6 @@ pub(crate) struct Package {
     pub(crate) name: String,
     pub(crate) version: String,
     folder: PathBuf,
-    /// Crates of this workspace that must be published before it.
-    needs: Vec<String>,
 }
 
 impl Package {
@@ -52,28 +49,12 @@ impl Packages {
         Ok(Self { all: cargo::packages(&["--no-deps"])? })
     }
 
-    /// The published crates, each after those it needs.
-    pub(crate) fn in_order(&self) -> anyhow::Result<Vec<Package>> {
-        let mut waiting: Vec<Package> =
-            self.all.iter().filter(|package| is_public(package)).map(package).collect();
-        waiting.sort_by(|one, other| one.name.cmp(&other.name));
-        let mut ordered: Vec<Package> = Vec::new();
-        while !waiting.is_empty() {
-            let is_ready = |package: &Package| {
-                let is_there = |need: &String| ordered.iter().any(|there| there.name == *need);
-                package.needs.iter().all(is_there)
-            };
-            let Some(place) = waiting.iter().position(is_ready) else {
-                let names: Vec<&str> =
-                    waiting.iter().map(|package| package.name.as_str()).collect();
-                bail!(
-                    "no order of publication: {} depend on each other, or on unpublished crates",
-                    names.join(", ")
-                );
-            };
-            ordered.push(waiting.remove(place));
-        }
-        Ok(ordered)
+    /// The published crates, in the order of their names; cargo itself publishes each after those it needs.
+    pub(crate) fn public(&self) -> Vec<Package> {
+        let public = self.all.iter().filter(|package| is_public(package));
+        let mut public: Vec<Package> = public.map(package).collect();
+        public.sort_by(|one, other| one.name.cmp(&other.name));
+        public
     }
 
     /// The names of the crates that are not published.
@@ -89,9 +70,9 @@ impl Packages {
             let name = text(package, "name");
             faults.extend(lacks(package).into_iter().map(|what| format!("{name}: {what}")));
         }
-        let ordered = self.in_order()?;
-        ensure!(!ordered.is_empty(), "no crate is published");
-        for Package { name, folder, version, .. } in &ordered {
+        let public = self.public();
+        ensure!(!public.is_empty(), "no crate is published");
+        for Package { name, folder, version, .. } in &public {
             for licence in LICENCES {
                 let there = std::fs::read(folder.join(licence)).ok();
                 let root = std::fs::read(crate::root::root().join(licence))?;
@@ -99,7 +80,7 @@ impl Packages {
                     faults.push(format!("{name}: no {licence} as at the root"));
                 }
             }
-            if *version != ordered[0].version {
+            if *version != public[0].version {
                 faults.push(format!("{name}: version {version} is not that of the others"));
             }
         }
@@ -132,18 +113,7 @@ fn lacks(package: &Value) -> Vec<String> {
     must((1..=5).contains(&categories.len()), "one to five categories");
     let is_known = |category: &String| CATEGORIES.contains(&category.as_str());
     must(categories.iter().all(is_known), "a category that the registry does not know");
-    let without = of_workspace(package).filter(|dependency| text(dependency, "req") == "*");
-    faults.extend(without.map(|dependency| format!("no version of {}", text(dependency, "name"))));
     faults
-}
-
-/// The crates of this workspace that its package names: of those for its tests, the ones with a version.
-fn of_workspace(package: &Value) -> impl Iterator<Item = &Value> {
-    let dependencies = package["dependencies"].as_array().into_iter().flatten();
-    dependencies.filter(|dependency| {
-        let is_left_out = text(dependency, "kind") == "dev" && text(dependency, "req") == "*";
-        dependency["path"].is_string() && !is_left_out
-    })
 }
 
 fn is_public(package: &Value) -> bool {
@@ -155,9 +125,6 @@ fn package(package: &Value) -> Package {
         name: text(package, "name").to_owned(),
         version: text(package, "version").to_owned(),
         folder: folder(package),
-        needs: of_workspace(package)
-            .map(|dependency| text(dependency, "name").to_owned())
-            .collect(),
     }
 }
 
@@ -174,50 +141,10 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn packages(all: &Value) -> Packages {
-        Packages { all: all.as_array().unwrap().clone() }
-    }
-
-    fn named(name: &str, needs: &[&str]) -> Value {
-        let needs = needs.iter().map(|need| json!({ "name": need, "path": "/x", "req": "^1" }));
-        json!({ "name": name, "version": "1.0.0", "dependencies": needs.collect::<Vec<_>>() })
-    }
-
-    #[test]
-    fn a_crate_goes_after_what_it_needs() {
-        let mut stays = named("tasks", &["top"]);
-        stays["publish"] = json!([]);
-        let all = json!([named("top", &["a", "b"]), named("b", &["a"]), named("a", &[]), stays]);
-        let all = packages(&all);
-        let names: Vec<_> =
-            all.in_order().unwrap().into_iter().map(|package| package.name).collect();
-        assert_eq!(names, ["a", "b", "top"]);
-        assert_eq!(all.private(), ["tasks"]);
-    }
-
-    #[test]
-    fn circles_and_what_stays_here_stand_in_the_way() {
-        let circle = packages(&json!([named("a", &["b"]), named("b", &["a"])]));
-        assert!(circle.in_order().unwrap_err().to_string().contains("a, b depend on each other"));
-        assert!(packages(&json!([named("a", &["hidden"])])).in_order().is_err());
-    }
-
-    #[test]
-    fn what_only_tests_need_may_stay_here_without_a_version() {
-        let mut tested = named("tested", &["hidden"]);
-        tested["dependencies"][0]["req"] = json!("*");
-        assert!(lacks(&tested).contains(&"no version of hidden".to_owned()));
-        tested["dependencies"][0]["kind"] = json!("dev");
-        assert!(!lacks(&tested).contains(&"no version of hidden".to_owned()));
-        assert_eq!(packages(&json!([tested])).in_order().unwrap()[0].needs, [""; 0]);
-    }
-
     #[test]
     fn what_is_missing_is_named() {
-        let mut bare = named("bare", &["free"]);
-        bare["dependencies"][0]["req"] = json!("*");
-        bare["keywords"] = json!(["a-keyword-of-many-letters"]);
-        bare["categories"] = json!(["mechanics"]);
+        let keywords = ["a-keyword-of-many-letters"];
+        let bare = json!({ "name": "bare", "keywords": keywords, "categories": ["mechanics"] });
         let expected = [
             "no description",
             "another licence",
@@ -226,7 +153,6 @@ mod tests {
             "no settings for docs.rs",
             "a keyword of more than 20 letters",
             "a category that the registry does not know",
-            "no version of free",
         ];
         assert_eq!(lacks(&bare), expected);
     }
@@ -235,7 +161,8 @@ mod tests {
     fn the_crates_here_are_whole() {
         let packages = Packages::read().unwrap();
         assert_eq!(packages.faults().unwrap(), Vec::<String>::new());
-        let order = packages.in_order().unwrap();
-        assert!(order.iter().any(|package| package.name == "carom"));
+        let private = packages.private();
+        assert!(packages.public().iter().any(|package| package.name == "carom"));
+        assert!(private.contains(&"xtask".to_owned()) && !private.contains(&"carom".to_owned()));
     }
 }

@@ -4,13 +4,12 @@
 //! `Type::name`, and everything that this method calls. A function of the same name on another type
 //! also counts. The search therefore finds items that nothing calls, but not all of them.
 
+use super::items::items;
 use super::{read, rust_files};
 use crate::book;
 use proc_macro2::{TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use std::path::Path;
-use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
 
 /// The names used by some code.
 #[derive(Debug, Default)]
@@ -60,10 +59,12 @@ impl Uses {
 
     /// Whether `Type::name` or `name` is used.
     fn has(&self, function: &Function) -> bool {
-        let Some(owner) = &function.owner else { return self.words.contains(&function.name) };
+        let Some((owner, name)) = function.name.split_once("::") else {
+            return self.words.contains(&function.name);
+        };
         // `<Type as Trait>::name`, and the same with a type parameter.
-        let of_any = |of: &str| self.pairs.contains(&format!("{of}::{}", function.name));
-        (function.has_self && self.methods.contains(&function.name))
+        let of_any = |of: &str| self.pairs.contains(&format!("{of}::{name}"));
+        (function.has_self && self.methods.contains(name))
             || [owner, ">", "T", "L", "S", "M"].into_iter().any(of_any)
     }
 }
@@ -71,7 +72,7 @@ impl Uses {
 /// A function that is not a test, and the names in its body.
 #[derive(Debug)]
 struct Function {
-    owner: Option<String>,
+    /// `name` or `Type::name`.
     name: String,
     has_self: bool,
     body: Uses,
@@ -92,11 +93,9 @@ impl Reached {
         let mut functions = Vec::new();
         for path in rust_files(root, &["src"])? {
             let text = read(&root.join(&path))?;
+            // All functions of a page are claims or make them.
             let is_page = path.starts_with("verification/src/figures");
-            let mut finder = Finder { is_page, ..Finder::new(&text) };
-            finder.visit_file(&syn::parse_file(&text)?);
-            tests.extend(finder.tests);
-            functions.extend(finder.functions);
+            functions.extend(functions_of(&text, is_page, &mut tests)?);
             examples(&text, &["///", "//!"], &mut tests);
         }
         for path in rust_files(root, &["tests", "examples"])? {
@@ -117,10 +116,7 @@ impl Reached {
                 return Self { functions, words: uses.words };
             }
             for function in now {
-                functions.insert(match &function.owner {
-                    Some(owner) => format!("{owner}::{}", function.name),
-                    None => function.name,
-                });
+                functions.insert(function.name);
                 uses.extend(function.body);
             }
             waiting = later;
@@ -138,6 +134,27 @@ impl Reached {
         };
         self.functions.contains(item) || is_alone(item) || is_constant(item)
     }
+}
+
+/// The functions of a source; adds the names that its tests use.
+fn functions_of(text: &str, is_page: bool, tests: &mut Uses) -> anyhow::Result<Vec<Function>> {
+    let items = items(text)?;
+    for place in items.tests {
+        tests.add(tokens(&text[place]), None);
+    }
+    let mut functions = Vec::new();
+    for item in items.of {
+        let Some((body, function)) = item.function.and_then(|f| Some((f.body.clone()?, f))) else {
+            continue;
+        };
+        let mut uses = Uses::default();
+        uses.add(tokens(&text[body]), item.owner.as_deref());
+        if is_page || function.is_test {
+            tests.extend(std::mem::take(&mut uses));
+        }
+        functions.push(Function { name: item.name, has_self: function.has_self, body: uses });
+    }
+    Ok(functions)
 }
 
 /// The tokens of a text; empty if it is not Rust, as in a shortened example.
@@ -173,95 +190,15 @@ fn examples(text: &str, marks: &[&str], uses: &mut Uses) {
     }
 }
 
-/// Collects functions, and the names used by the tests among them.
-struct Finder<'t> {
-    text: &'t str,
-    owner: Option<String>,
-    functions: Vec<Function>,
-    tests: Uses,
-    /// Whether all functions are pages with claims.
-    is_page: bool,
-}
-
-impl<'t> Finder<'t> {
-    fn new(text: &'t str) -> Self {
-        let (functions, tests) = (Vec::new(), Uses::default());
-        Self { text, owner: None, functions, tests, is_page: false }
-    }
-
-    fn tokens(&self, part: &impl Spanned) -> TokenStream {
-        tokens(self.text.get(part.span().byte_range()).unwrap_or_default())
-    }
-
-    fn add(&mut self, signature: &syn::Signature, body: &syn::Block, is_test: bool) {
-        let mut uses = Uses::default();
-        uses.add(self.tokens(body), self.owner.as_deref());
-        if self.is_page || is_test {
-            self.tests.extend(uses);
-            uses = Uses::default();
-        }
-        self.functions.push(Function {
-            owner: self.owner.clone(),
-            name: signature.ident.to_string(),
-            has_self: signature.receiver().is_some(),
-            body: uses,
-        });
-    }
-
-    fn within(&mut self, owner: Option<String>, walk: impl FnOnce(&mut Self)) {
-        let before = std::mem::replace(&mut self.owner, owner);
-        walk(self);
-        self.owner = before;
-    }
-}
-
-impl<'a> Visit<'a> for Finder<'_> {
-    fn visit_item_mod(&mut self, module: &'a syn::ItemMod) {
-        if module.ident == "tests" {
-            let tokens = self.tokens(module);
-            self.tests.add(tokens, None);
-        } else {
-            visit::visit_item_mod(self, module);
-        }
-    }
-
-    fn visit_item_impl(&mut self, item: &'a syn::ItemImpl) {
-        let owner = match item.self_ty.as_ref() {
-            syn::Type::Path(path) => path.path.segments.last().map(|s| s.ident.to_string()),
-            _ => None,
-        };
-        self.within(owner, |finder| visit::visit_item_impl(finder, item));
-    }
-
-    fn visit_item_trait(&mut self, item: &'a syn::ItemTrait) {
-        self.within(Some(item.ident.to_string()), |finder| visit::visit_item_trait(finder, item));
-    }
-
-    fn visit_item_fn(&mut self, function: &'a syn::ItemFn) {
-        let is_test = function.attrs.iter().any(|attribute| attribute.path().is_ident("test"));
-        self.add(&function.sig, &function.block, is_test);
-    }
-
-    fn visit_impl_item_fn(&mut self, function: &'a syn::ImplItemFn) {
-        self.add(&function.sig, &function.block, false);
-    }
-
-    fn visit_trait_item_fn(&mut self, function: &'a syn::TraitItemFn) {
-        if let Some(body) = &function.default {
-            self.add(&function.sig, body, false);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn reached(source: &str, test: &str) -> Reached {
-        let mut finder = Finder::new(source);
-        finder.visit_file(&syn::parse_file(source).unwrap());
-        finder.tests.add(tokens(test), None);
-        Reached::of(finder.tests, finder.functions)
+        let mut tests = Uses::default();
+        let functions = functions_of(source, false, &mut tests).unwrap();
+        tests.add(tokens(test), None);
+        Reached::of(tests, functions)
     }
 
     const SOURCE: &str = "pub struct Law; pub const LIMIT: f64 = 1.0;

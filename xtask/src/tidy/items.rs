@@ -3,7 +3,7 @@
 use super::quoted::{self, Kind};
 use super::{Number, read};
 use anyhow::Context as _;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::Path;
 use syn::spanned::Spanned;
@@ -23,34 +23,73 @@ pub(super) fn quotes(root: &Path, item: &str) -> anyhow::Result<Result<BTreeSet<
     }
     let text = read(&root.join(&source))?;
     let items = items(&text).with_context(|| source.display().to_string())?;
-    let Some(places) = items.get(path) else {
+    let mut places = items.of.iter().filter(|item| item.name == path).peekable();
+    if places.peek().is_none() {
         return Ok(Err(format!("no `{path}` in {}", source.display())));
-    };
-    let quotes = places.iter().flat_map(|place| quoted::in_comments(&text[place.clone()]));
+    }
+    let quotes = places.flat_map(|item| quoted::in_comments(&text[item.place.clone()]));
     let equations = quotes.filter(|quote| quote.kind == Kind::Equation);
     Ok(Ok(equations.map(|quote| quote.number).collect()))
 }
 
-/// The items of a source, `function`, `Type`, `Type::function`, with their comments and without
-/// tests.
-fn items(text: &str) -> anyhow::Result<BTreeMap<String, Vec<Range<usize>>>> {
-    let mut finder = Finder { owner: None, items: BTreeMap::new() };
-    finder.visit_file(&syn::parse_file(text)?);
-    Ok(finder.items)
+/// The items of a source.
+pub(super) fn items(text: &str) -> anyhow::Result<Items> {
+    let mut items = Items::default();
+    items.visit_file(&syn::parse_file(text)?);
+    Ok(items)
 }
 
-struct Finder {
+/// The items of a source, with their comments and without those of tests.
+#[derive(Debug, Default)]
+pub(super) struct Items {
     owner: Option<String>,
-    items: BTreeMap<String, Vec<Range<usize>>>,
+    pub(super) of: Vec<Item>,
+    /// The modules of tests.
+    pub(super) tests: Vec<Range<usize>>,
 }
 
-impl Finder {
-    fn add(&mut self, ident: &syn::Ident, item: &impl Spanned) {
-        let name = match &self.owner {
+/// An item.
+#[derive(Debug)]
+pub(super) struct Item {
+    /// `function`, `Type` or `Type::function`.
+    pub(super) name: String,
+    pub(super) owner: Option<String>,
+    place: Range<usize>,
+    pub(super) function: Option<Function>,
+}
+
+/// What only a function has.
+#[derive(Debug)]
+pub(super) struct Function {
+    pub(super) has_self: bool,
+    pub(super) is_test: bool,
+    /// None of a function that a trait requires.
+    pub(super) body: Option<Range<usize>>,
+}
+
+impl Items {
+    fn add(&mut self, ident: &syn::Ident, item: &impl Spanned, function: Option<Function>) {
+        let owner = self.owner.clone();
+        let name = match &owner {
             Some(owner) => format!("{owner}::{ident}"),
             None => ident.to_string(),
         };
-        self.items.entry(name).or_default().push(item.span().byte_range());
+        self.of.push(Item { name, owner, place: item.span().byte_range(), function });
+    }
+
+    fn add_function(
+        &mut self,
+        item: &impl Spanned,
+        attributes: &[syn::Attribute],
+        signature: &syn::Signature,
+        body: Option<&syn::Block>,
+    ) {
+        let function = Function {
+            has_self: signature.receiver().is_some(),
+            is_test: attributes.iter().any(|attribute| attribute.path().is_ident("test")),
+            body: body.map(|body| body.span().byte_range()),
+        };
+        self.add(&signature.ident, item, Some(function));
     }
 
     fn within(&mut self, owner: Option<String>, walk: impl FnOnce(&mut Self)) {
@@ -60,9 +99,11 @@ impl Finder {
     }
 }
 
-impl<'a> Visit<'a> for Finder {
+impl<'a> Visit<'a> for Items {
     fn visit_item_mod(&mut self, module: &'a syn::ItemMod) {
-        if module.ident != "tests" {
+        if module.ident == "tests" {
+            self.tests.push(module.span().byte_range());
+        } else {
             visit::visit_item_mod(self, module);
         }
     }
@@ -76,37 +117,37 @@ impl<'a> Visit<'a> for Finder {
     }
 
     fn visit_item_trait(&mut self, item: &'a syn::ItemTrait) {
-        self.add(&item.ident, item);
+        self.add(&item.ident, item, None);
         let owner = Some(item.ident.to_string());
         self.within(owner, |finder| visit::visit_item_trait(finder, item));
     }
 
     fn visit_item_struct(&mut self, item: &'a syn::ItemStruct) {
-        self.add(&item.ident, item);
+        self.add(&item.ident, item, None);
     }
 
     fn visit_item_enum(&mut self, item: &'a syn::ItemEnum) {
-        self.add(&item.ident, item);
+        self.add(&item.ident, item, None);
     }
 
     fn visit_item_const(&mut self, item: &'a syn::ItemConst) {
-        self.add(&item.ident, item);
+        self.add(&item.ident, item, None);
     }
 
     fn visit_item_fn(&mut self, function: &'a syn::ItemFn) {
-        self.add(&function.sig.ident, function);
+        self.add_function(function, &function.attrs, &function.sig, Some(&function.block));
     }
 
     fn visit_impl_item_fn(&mut self, function: &'a syn::ImplItemFn) {
-        self.add(&function.sig.ident, function);
+        self.add_function(function, &function.attrs, &function.sig, Some(&function.block));
     }
 
     fn visit_impl_item_const(&mut self, item: &'a syn::ImplItemConst) {
-        self.add(&item.ident, item);
+        self.add(&item.ident, item, None);
     }
 
     fn visit_trait_item_fn(&mut self, function: &'a syn::TraitItemFn) {
-        self.add(&function.sig.ident, function);
+        self.add_function(function, &function.attrs, &function.sig, function.default.as_ref());
     }
 }
 
@@ -121,9 +162,10 @@ mod tests {
                     impl Moves for Law { fn go(&self) {} }\n#[cfg(test)] mod tests { fn hidden() {} }\n";
         let items = items(text).unwrap();
         for name in ["Law", "Law::A", "Law::go", "Moves", "Moves::go", "B", "free"] {
-            assert!(items.contains_key(name), "{name}");
+            assert!(items.of.iter().any(|item| item.name == name), "{name}");
         }
-        assert_eq!(items.len(), 7, "{items:?}");
+        // `Law::go` twice.
+        assert_eq!(items.of.len(), 8, "{items:?}");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use carom_capi::*;
 use crate::border;
 
 /// What a word is changed to: letters, all bits, one tag beyond the last, a number that is none, a large one.
-const WORDS: [u64; 8] = [
+pub(crate) const WORDS: [u64; 8] = [
     0x5a5a_5a5a_5a5a_5a5a,
     u64::MAX,
     7,

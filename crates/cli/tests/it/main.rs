@@ -18,7 +18,6 @@ mod heights;
 mod history_tractions;
 mod influence;
 mod input;
-mod inputs_are_kept;
 mod kept_folders;
 mod manner;
 mod no_way_to_an_input;

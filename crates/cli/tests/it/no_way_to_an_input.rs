@@ -179,8 +179,11 @@ fn no_stream_is_appended_to_an_input() {
             let mut run = carom(&[command, case]);
             let run_to = if is_output { run.stdout(append()) } else { run.stderr(append()) };
             let before = contents(&folder);
-            let status = run_to.current_dir(&*folder).output().unwrap().status;
-            assert_eq!(status.code(), Some(2), "{command} {case} appended to {input}");
+            let output = run_to.current_dir(&*folder).output().unwrap();
+            assert_eq!(output.status.code(), Some(2), "{command} {case} appended to {input}");
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            let words = "standard output goes to this input";
+            assert!(!is_output || said.contains(words), "{command} {case}: {said}");
             assert!(contents(&folder) == before, "{command} {case} appended to {input}");
             count += 1;
         }

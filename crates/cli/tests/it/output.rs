@@ -20,54 +20,6 @@ fn refused(output: &Output, expected: &str) {
 
 #[test]
 #[cfg(unix)]
-fn no_way_leads_to_an_overwritten_input() {
-    let folder = folder();
-    let text = std::fs::read(example("history_twist.toml")).unwrap();
-    let steps = std::fs::read(example("history_twist.csv")).unwrap();
-    // Endings that a picture may have, too: the first obstacle must not be the only one.
-    let case = folder.join("case.svg");
-    let table = folder.join("steps.svg");
-    let text = String::from_utf8(text).unwrap().replace("history_twist.csv", "steps.svg");
-    std::fs::write(&case, &text).unwrap();
-    std::fs::write(&table, &steps).unwrap();
-    std::os::unix::fs::symlink(&case, folder.join("link.svg")).unwrap();
-    std::fs::hard_link(&case, folder.join("hard.svg")).unwrap();
-    std::fs::hard_link(&table, folder.join("hard-steps.svg")).unwrap();
-    let own = folder.file_name().unwrap().to_str().unwrap();
-    for name in [
-        "case.svg",
-        "./case.svg",
-        &format!("../{own}/case.svg"),
-        "link.svg",
-        "hard.svg",
-        "steps.svg",
-        "hard-steps.svg",
-    ] {
-        let output = command(&["history", "case.svg", "--plot", name])
-            .current_dir(&folder)
-            .output()
-            .unwrap();
-        refused(&output, "this is an input of the same run");
-    }
-    for input in [&case, &table] {
-        let appended = File::options().append(true).open(input).unwrap();
-        let output =
-            command(&["history", case.to_str().unwrap()]).stdout(appended).output().unwrap();
-        refused(&output, "standard output goes to this input");
-    }
-    assert_eq!(std::fs::read_to_string(&case).unwrap(), text);
-    assert_eq!(std::fs::read(&table).unwrap(), steps);
-    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 5);
-    // The case of the review.
-    let toml = folder.join("case.toml");
-    std::fs::copy(&case, &toml).unwrap();
-    let output = carom(&["impact", toml.to_str().unwrap(), "--plot", toml.to_str().unwrap()]);
-    refused(&output, "a picture's name must end in .svg, .png or .pdf");
-    assert_eq!(std::fs::read_to_string(&toml).unwrap(), text);
-}
-
-#[test]
-#[cfg(unix)]
 fn two_outputs_never_share_a_file() {
     let file = fresh("both.svg");
     let out = File::create(&file).unwrap();

@@ -7,19 +7,9 @@ use std::path::Path;
 fn bad_fields_are_refused_with_line_value_and_range() {
     for (old, new, expected) in [
         (
-            "\"ellipsoid\"",
-            "\"egg\"",
-            "line 2: `body_1.shape` = \"egg\" is not allowed: must be \"sphere\", \"ellipsoid\"",
-        ),
-        (
             "semi_axes = [0.03, 0.02, 0.015]",
             "semi_axes = [0.03, -0.02, 0.015]",
             "line 3: `body_1.semi_axes.y` = -0.02 is out of range: must be finite and > 0",
-        ),
-        (
-            "semi_axes = [0.03, 0.02, 0.015]",
-            "semi_axes = [0.03, 0.02]",
-            "line 3: `body_1.semi_axes` = [0.03, 0.02] is not allowed: must be three numbers",
         ),
         (
             "semi_axes = [0.03, 0.02, 0.015]",
@@ -30,11 +20,6 @@ fn bad_fields_are_refused_with_line_value_and_range() {
             "semi_axes",
             "radius",
             "line 3: unknown field `body_1.radius`; `body_1` of shape \"ellipsoid\" takes `shape`",
-        ),
-        (
-            "semi_axes",
-            "semi_axis",
-            "line 3: unknown field `body_1.semi_axis`, did you mean `semi_axes`?",
         ),
         (
             "quaternion = [1, 0, 0, 0]",
@@ -72,18 +57,11 @@ fn bad_fields_are_refused_with_line_value_and_range() {
             "\"hollow\"",
             "line 6: `body_1.inertia` = \"hollow\" is not allowed: must be \"solid\", \"shell\" or three moments",
         ),
-        ("mass = 0.1", "mass = -0.1", "line 5: `body_1.mass` = -0.1 is out of range: must be > 0"),
         (
             "mass = 0.1",
             "mass = inf",
             "line 15: `body_2.fixed` = inf is out of range: must be a finite mass",
         ),
-        (
-            "mass = 0.1",
-            "density = 2500\nmass = 0.1",
-            "line 5: `body_1.density` excludes `body_1.mass`: give one of them",
-        ),
-        ("mass = 0.1\n", "", "`body_1.mass` is missing"),
         (
             "mass = 0.1\ninertia = [1.2e-5, 2.2e-5, 2.6e-5]",
             "density = 2500\ninertia = \"shell\"",
@@ -101,16 +79,6 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         ),
         ("[0.6, 0.4, -2]", "[0.6, 0.4, inf]", "line 9: `body_1.velocity.z` = inf is out of range"),
         (
-            "spin = [0, 0, 20]",
-            "spinn = [0, 0, 20]",
-            "line 10: unknown field `body_1.spinn`, did you mean `spin`?",
-        ),
-        (
-            "fixed = true",
-            "fixed = true\nvelocity = [0, 0, 0]",
-            "line 16: `body_2.velocity` excludes `body_2.fixed`",
-        ),
-        (
             "fixed = true",
             "fixed = true\ninertia = [1, 1, 1]",
             "line 16: `body_2.inertia` excludes `body_2.fixed`",
@@ -124,11 +92,6 @@ fn bad_fields_are_refused_with_line_value_and_range() {
             "fixed = true",
             "fixed = true\nnormal = [0, 0, 0]",
             "line 16: `body_2.normal` = 0 is out of range: must be a vector of finite length > 0",
-        ),
-        (
-            "friction = 0.2",
-            "friction = -0.2",
-            "line 18: `contact.friction` = -0.2 is out of range: must be >= 0",
         ),
         (
             "friction = 0.2",
@@ -170,19 +133,11 @@ fn bad_fields_are_refused_with_line_value_and_range() {
             "shape = \"torus\"\nradius = 1\ntube_radius = 1",
             "line 15: `body_2.tube_radius` = 1 is out of range: must be < `radius`",
         ),
-        (
-            "{ young_modulus = 70e9, poisson = 0.22 }\nmass",
-            "{ young_modulus = 70e9, poisson = 0.6 }\nmass",
-            "line 4: `body_1.material.poisson` = 0.6 is out of range",
-        ),
     ] {
         let message = refused("bad-field", &changed(old, new));
         let is_told = message.starts_with("error: CASE: ") && message.contains(expected);
         assert!(is_told, "{new}: {message}");
     }
-    let planes =
-        changed("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", "shape = \"plane\"");
-    assert!(refused("planes", &planes).contains("two planes do not touch at a point"));
 }
 
 #[test]

@@ -70,20 +70,6 @@ fn by_force_is_as_by_creepage() {
     }
 }
 
-/// Turned by half a turn, with its creepages, the contact is the same but for the coupling of
-/// pressures, which turns with the direction too.
-#[test]
-fn the_direction_turns_the_contact() {
-    let own = driven("drives_right.toml", "creepage = 0.0008\ncreepage_across = -0.0005\nspin = 2");
-    let left = driven(
-        "drives_left.toml",
-        "direction = 180\ncreepage = -0.0008\ncreepage_across = 0.0005\nspin = 2",
-    );
-    for (name, sign) in [("F_x", -1.0), ("F_y", -1.0), ("M_z", 1.0), ("stick_area", 1.0)] {
-        close(&left[name], sign * number(&own, name), 1e-6 * number(&own, name).abs());
-    }
-}
-
 /// Columns along x, those along y, and the sign of those along x after a quarter turn.
 const TURNED: [(&str, &str, f64); 4] = [
     ("creepage", "creepage_across", -1.0),

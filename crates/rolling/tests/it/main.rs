@@ -1,6 +1,5 @@
 //! The integration tests of `carom-rolling`: one executable.
 
-mod contact_cases;
 mod creep_force_table;
 mod creep_table;
 mod drawn;

@@ -9,7 +9,7 @@ use crate::{Absolute, Cell, Failure, Figure, Marker, Panel, Series, Table};
 
 /// The rows that an example prints.
 pub(super) fn rows(example: &str) -> Result<Vec<Value>, Failure> {
-    let text = include_str!("../../../../crates/rolling/tests/data/contact.json");
+    let text = include_str!("../../../data/rolling/contact.json");
     let all: Value = serde_json::from_str(text)?;
     let rows = all[example]["results"].as_array();
     Ok(rows.ok_or("the results are missing")?.clone())

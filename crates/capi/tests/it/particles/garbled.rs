@@ -1,20 +1,9 @@
 //! Bytes of touches that were changed while the mark is intact, one word at a time: each call ends with a status.
 
 use super::*;
+use crate::garbled::WORDS;
 
 const DT: f64 = 1e-8;
-
-/// What a word is changed to: letters, all bits, one tag beyond the last, a number that is none, a large one.
-const WORDS: [u64; 8] = [
-    0x5a5a_5a5a_5a5a_5a5a,
-    u64::MAX,
-    7,
-    0x0706_0504,
-    0x7ff8_0000_0000_0000,
-    0x7fef_ffff_ffff_ffff,
-    0xfff0_0000_0000_0000,
-    0,
-];
 
 /// Two grains that meet obliquely, at a time.
 fn meeting(time: f64) -> [CaromGrain; 2] {

@@ -2,10 +2,8 @@
 
 use std::path::Path;
 
-/// A reference table: the names of its columns and its rows of numbers.
+/// A reference table: its rows of numbers.
 pub(crate) struct Table {
-    #[allow(dead_code)] // Not every test looks columns up by name.
-    names: Vec<String>,
     rows: Vec<Vec<f64>>,
 }
 
@@ -14,23 +12,17 @@ impl Table {
     pub(crate) fn read(file: &str) -> Self {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/data/special");
         let text = std::fs::read_to_string(folder.join(file)).expect("reference table");
-        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-        let names = lines.next().expect("head").split(',').map(str::to_owned).collect();
+        let lines = text.lines().filter(|line| !line.starts_with('#'));
         let rows = lines
+            .skip(1)
             .map(|line| line.split(',').map(|cell| cell.parse().expect("number")).collect())
             .collect();
-        Self { names, rows }
+        Self { rows }
     }
 
     /// The rows as slices with the columns in file order.
     pub(crate) fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.rows.iter().map(Vec::as_slice)
-    }
-
-    #[allow(dead_code)] // As above.
-    /// The position of the column `name`.
-    pub(crate) fn column(&self, name: &str) -> usize {
-        self.names.iter().position(|n| n == name).expect("column")
     }
 }
 
