@@ -37,7 +37,10 @@ fn the_reader_refuses_the_mistakes() {
         let (_, source) = examples.iter().find(|(name, _)| name == example).unwrap();
         let wrong = source.replacen(old, new, 1);
         assert_ne!(&wrong, source, "{what}: {example} has no `{old}`");
-        assert!(CaseKind::of(source).unwrap().check(&wrong).is_err(), "{what}: the reader takes it");
+        assert!(
+            CaseKind::of(source).unwrap().check(&wrong).is_err(),
+            "{what}: the reader takes it"
+        );
     }
 }
 

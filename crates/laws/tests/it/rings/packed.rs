@@ -1,6 +1,7 @@
 //! The state as plain numbers.
 
 use super::common::{alike, hertz, law, law_of, path, shift, unlike};
+use carom_drawn::{Congruential, Draw as _};
 use carom_laws::law::{ContactLaw, Dissipative};
 use carom_laws::rings::packed_numbers;
 
@@ -157,6 +158,35 @@ fn slip_and_tractions_fit_in_single_precision() {
             // A thousandth of the tolerance to which each step is solved.
             println!("twist {twist}: {worst:e}");
             assert!(worst < 1e-5, "{worst:e}");
+        }
+    }
+}
+
+/// At great friction and coupling the iteration for the tractions need not settle, but what it leaves comes back.
+#[test]
+fn a_state_that_has_not_settled_comes_back() {
+    let mut drawn = Congruential(11);
+    for (friction, tolerance) in
+        [2.0, 2.5, 3.0, 3.01, 10.0, 100.0].into_iter().zip([1e-2, 1e-3].repeat(3))
+    {
+        let fresh = law_of::<6, 8>([1.2, 0.5, friction], tolerance);
+        for _ in 0..30 {
+            let (mut law, mut at) = (fresh.clone(), [0.3, 0.0, 0.0, 0.0]);
+            for _ in 0..15 {
+                let most = 2.0 * friction.min(3.0);
+                for (at, most) in at.iter_mut().zip([0.3, most, most]) {
+                    *at += drawn.between(-most, most);
+                }
+                at[0] = at[0].abs() + 0.01;
+                law.advance(shift(at)).unwrap();
+                let mut numbers = [0.0; ROOM];
+                law.pack(&mut numbers).unwrap();
+                let mut again = fresh.clone();
+                again.unpack(&numbers).unwrap_or_else(|e| panic!("{friction} {at:?}: {e}"));
+                let next = shift([0.2, at[1], at[2] + 0.1, 0.0]);
+                assert_eq!(again.load(), law.load());
+                assert_eq!(again.advance(next).unwrap(), law.clone().advance(next).unwrap());
+            }
         }
     }
 }
