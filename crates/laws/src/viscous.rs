@@ -166,16 +166,10 @@ impl<L: ContactLaw> ViscousLaw<L> {
 
     fn keep_sliding(&self, (to, rates): (Shift, Shift), deeper: f64, by: &mut [f64; 2]) {
         let ContactLoad { f_x, f_y, f_z, .. } = self.law.load();
-        let truly = [to.xi - self.shift.xi, to.eta - self.shift.eta];
         let used = self.law.used_friction(rates);
         let limit = used.map_or(self.friction * f_z, |used| libm::hypot(f_x, f_y) / used);
-        let slides = if f_z > 0.0 {
-            Slides::of([f_x, f_y], limit, || self.slides_by)
-        } else {
-            // The effective shift of a contact that begins leads by far more than it slides.
-            Slides::along(truly, || self.slides_by)
-        };
-        if let Some(slides) = slides {
+        if let Some(slides) = Slides::of([f_x, f_y], limit, || self.slides_by) {
+            let truly = [to.xi - self.shift.xi, to.eta - self.shift.eta];
             *by = slides.on(truly, [to.zeta - self.shift.zeta, deeper], *by);
         }
     }
@@ -194,14 +188,7 @@ impl Slides {
     #[inline(always)]
     pub(crate) fn of([x, y]: [f64; 2], limit: f64, by: impl FnOnce() -> [f64; 2]) -> Option<Self> {
         let (square, whole) = (x * x + y * y, (1.0 - WHOLE) * limit);
-        (square >= whole * whole).then(|| Self::along([x, y], by)).flatten()
-    }
-
-    /// A contact whose friction has this direction; none without one.
-    #[inline(always)]
-    fn along([x, y]: [f64; 2], by: impl FnOnce() -> [f64; 2]) -> Option<Self> {
-        let square = x * x + y * y;
-        if square.is_nan() || square <= 0.0 {
+        if !(square > 0.0 && square >= whole * whole) {
             return None;
         }
         let size = square.sqrt();

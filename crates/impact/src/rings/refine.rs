@@ -25,11 +25,15 @@ const LEFT_OUT: f64 = 0.15;
 /// Coefficient of kappa - 1 in the error of the solution for similar bodies, whose friction has the direction of the
 /// tangential velocity everywhere. On a grid of 80 cells it was .0017 f v_z off at kappa = 1.44.
 const BY_DIRECTION: f64 = 4e-3;
-/// The error with infinite friction over that with great friction, which lets the rim slip. Between the two are .12 v_z at
-/// gamma = .48.
-const STUCK: f64 = 3.0;
-/// Friction above which coupling makes hardly anything slip.
-const STRONGEST: f64 = 1.5;
+/// Coefficient of gamma^2 in the error with infinite friction, which lets no rim slip, over the tangential velocity. It was
+/// .5 and .8 of a grid with f = 5.
+const STUCK: f64 = 1.0;
+/// Friction beyond which what sticks from the first touch on errs as with this one.
+const GREAT: f64 = 1.2;
+/// The energy that rounding may add, over that before.
+const ROUND_OFF: f64 = 1e-12;
+/// Friction above which hardly anything slips.
+const STRONGEST: f64 = 5.0;
 /// gamma/f at which half of the error for similar bodies is subtracted.
 const HALF: f64 = 1.0;
 /// gamma f (gamma for f > 1) at which half of it is subtracted.
@@ -113,6 +117,10 @@ impl Problem {
             let mut passage = run.passage;
             // The bodies part, however little is left of the normal velocity.
             passage.after[0] = passage.after[0].min(0.0);
+            passage.after = self.without_gain(&passage.after);
+            if self.loss.is_some() {
+                passage.friction_heat = self.friction_heat_beside_loss(&passage.after, &exact);
+            }
             best = Some(Found {
                 passage,
                 estimate: estimate + left_out + self.of_straight_friction() + run.by_law,
@@ -148,6 +156,7 @@ impl Problem {
         let mut found = probed;
         found.passage.after =
             [speed_after, -limit * xi - side * eta, -limit * eta + side * xi, omega_after];
+        found.passage.after = self.without_gain(&found.passage.after);
         let estimate = found.estimate / PROBE;
         found.estimate *= size / probe;
         Ok((found, Some([limit, estimate])))
@@ -203,7 +212,7 @@ impl Problem {
         if omega == 0.0 { xi.hypot(eta) / (self.scale() * speed) } else { f64::INFINITY }
     }
 
-    /// The product |gamma| f, as far as it counts.
+    /// The product |gamma| f.
     fn strength(&self) -> f64 {
         self.constants.gamma.abs() * self.friction.get().min(STRONGEST)
     }
@@ -226,8 +235,18 @@ impl Problem {
     /// and f to 2.9 had smaller errors; so did 126 others, about a fixed centre all but one, and 24 with |gamma| to .5 and f
     /// from .8 to 5.
     pub(super) fn left_out(&self) -> f64 {
-        let stuck = if self.friction.get().is_infinite() { STUCK } else { 1.0 };
-        stuck * LEFT_OUT * self.strength().powi(2) * self.reached()
+        let (gamma, friction) = (self.constants.gamma.abs(), self.friction.get());
+        let [speed, xi, eta, omega] = self.motion.before;
+        let needed = if omega == 0.0 { xi.hypot(eta) / speed } else { f64::INFINITY };
+        if friction.is_infinite() {
+            return STUCK * gamma * gamma * needed.clamp(1.0, STRONGEST);
+        }
+        if friction <= GREAT {
+            return LEFT_OUT * (gamma * friction * friction.max(1.0)).powi(2) * self.reached();
+        }
+        // As much friction as the tangential velocity takes at the first touch; what sticks from then on errs less.
+        let taken = needed.clamp(GREAT, friction.min(STRONGEST));
+        (LEFT_OUT * (gamma * taken * taken).powi(2)).min(gamma * needed.max(GREAT)) * self.reached()
     }
 
     /// The error of the solution for similar bodies, in the same unit; with spin none is subtracted.
@@ -237,6 +256,23 @@ impl Problem {
         }
         let beyond = (self.constants.kappa - 1.0).max(0.0);
         BY_DIRECTION * beyond * self.taken_off() * self.reached()
+    }
+
+    /// The rates after, slower if they have more energy than those before.
+    fn without_gain(&self, after: &Rates) -> Rates {
+        let (has, had) = (self.energy(after), self.energy(&self.motion.before));
+        let part = if has > had * (1.0 + ROUND_OFF) { (had / has).sqrt() } else { 1.0 };
+        after.map(|rate| part * rate)
+    }
+
+    /// The heat of friction if the material loses as much as in the impact of similar bodies: the rest of all that is lost.
+    /// What friction does on the path of a viscous law is no measure, as that path begins with a jump.
+    fn friction_heat_beside_loss(&self, after: &Rates, exact: &Exact) -> f64 {
+        let lost = |after: &Rates| 0.5 * (self.energy(&self.motion.before) - self.energy(after));
+        let mut alike = exact.rates;
+        alike[3] = self.motion.before[3];
+        let all = lost(after);
+        (exact.friction_heat + all - lost(&alike)).clamp(0.0, all.max(0.0))
     }
 
     /// By how much the step law of a viscous material is corrected, over f v_z: as much may be left of its error.

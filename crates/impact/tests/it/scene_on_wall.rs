@@ -432,6 +432,25 @@ fn a_ball_comes_to_the_edge_of_its_wall() {
     near(down, 0.4, 1e-12);
 }
 
+/// A ball without friction leaves a rectangle by each of its edges.
+#[test]
+fn a_ball_leaves_by_any_edge() {
+    let wall = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, friction(0.0)).unwrap();
+    let wall = wall.rectangle([1.0, 0.0, 0.0], [0.5, 0.3]).unwrap();
+    for (velocity, time, end) in [
+        ([-1.0, 0.2, 0.0], 0.6, [-0.5, 0.17]),
+        ([1.0, 0.2, 0.0], 0.4, [0.5, 0.13]),
+        ([0.2, -1.0, 0.0], 0.35, [0.17, -0.3]),
+        ([0.2, 1.0, 0.0], 0.25, [0.15, 0.3]),
+    ] {
+        let path = run(wall.clone(), &ball([0.1, 0.05, R], velocity, [0.0; 3]), 2.0);
+        assert_eq!(path.ending(), Ending::Edge { wall: 0 }, "{velocity:?}");
+        near(path.last().time, time, 1e-12);
+        near(path.last().position.x, end[0], 1e-12);
+        near(path.last().position.y, end[1], 1e-12);
+    }
+}
+
 /// Rolling into a wall: it bounces, slides by its spin and rolls back; in a corner it is wedged.
 #[test]
 fn a_rolling_ball_bounces_off_the_next_wall() {

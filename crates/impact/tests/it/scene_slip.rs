@@ -160,7 +160,7 @@ impl Thrown {
     }
 
     /// The path, which has the same events however all is turned.
-    fn turns(&self, count: usize) -> Path {
+    fn turns(&self, count: usize, within: f64) -> Path {
         let path = self.turned(&Rotation3::identity());
         let mut draw = Splitmix(11);
         for _ in 0..count {
@@ -171,7 +171,7 @@ impl Thrown {
             assert_eq!(kinds(&turned), kinds(&path), "{axis}");
             let PathPoint { time, position, motion: Motion { velocity, spin } } = path.last();
             let motion = Motion { velocity: by * velocity, spin: by * spin };
-            same(&turned.last(), &PathPoint { time, position: by * position, motion }, 1e-8);
+            same(&turned.last(), &PathPoint { time, position: by * position, motion }, within);
         }
         path
     }
@@ -198,7 +198,7 @@ fn a_ball_whose_spin_along_the_wall_has_ended_slides_on() {
             motion: Motion { velocity: Vector3::zeros(), spin: Vector3::new(0.0, 0.0, 50.0) },
             limits: Limits::new(1.5, 200).unwrap().at_rest_below(height).unwrap(),
         };
-        let path = thrown.turns(count);
+        let path = thrown.turns(count, 1e-8);
         assert_eq!(path.ending(), Ending::Time);
         let (n, last) = (thrown.wall.normal(), path.last().motion);
         assert!(R * along(&n, last.spin).norm() < 1e-12, "{}", last.spin);
@@ -229,7 +229,8 @@ fn a_slip_that_a_bounce_has_ended_begins_along_the_force() {
             motion: Motion { velocity: Vector3::new(-0.14, 0.3, 0.14), spin: spin.into() },
             limits: Limits::new(1.5, 200).unwrap(),
         };
-        let path = thrown.turns(count);
+        // Rings are solved to a tolerance: rounding decides on the last step of an iteration.
+        let path = thrown.turns(count, 1e-5);
         let slides = path.events().iter().any(|event| {
             matches!(event.kind, EventKind::Moves { .. }) && event.kind.name() == "slides"
         });

@@ -1,6 +1,6 @@
 //! The centre of a contact of unlike bodies moves with friction: against an integration on a grid.
 
-use super::common::{hertz, law, shift};
+use super::common::{hertz, law, law_of, shift};
 use carom_laws::law::ContactLaw;
 
 /// F_x over f F_z and F_z over that of Hertz after approach and shift have grown to 1 and f in proportion.
@@ -22,5 +22,21 @@ fn growth_in_proportion_has_the_force_of_a_grid_with_any_number_of_rings() {
     let grid = 0.7805;
     for [force, _] in [in_proportion::<12>(100), in_proportion::<24>(100)] {
         assert!((force - grid).abs() < 3e-3, "{force}");
+    }
+}
+
+/// Matrices are kept from law to law: those of a centre that stays are not those of one that moves.
+#[test]
+fn a_law_does_not_depend_on_the_laws_before() {
+    let load = |kappa: f64, friction: f64| {
+        let mut law = law_of::<6, 8>([kappa, 0.434, friction], 1e-3);
+        law.advance(shift([1.0, 0.3 * friction, 0.0, 0.0])).unwrap()
+    };
+    for (first, second) in [(3.0, 0.3), (0.3, 3.0)] {
+        let _kept = load(1.21, first);
+        // Of another pair, which is the same but for rounding.
+        let (after, alone) = (load(1.21, second), load(1.21 + 1e-12, second));
+        assert!((after.f_x - alone.f_x).abs() < 1e-6 * after.f_z, "{second}: {after:?} {alone:?}");
+        assert!((after.f_z - alone.f_z).abs() < 1e-6 * after.f_z, "{second}: {after:?} {alone:?}");
     }
 }
