@@ -52,7 +52,7 @@ impl<T: Real, const N: usize> Symbols<T, N> {
 }
 
 /// Aliased waves that are summed: this many periods of the grid on each side.
-const ALIASES: RangeInclusive<i32> = -1..=1;
+const ALIASES: RangeInclusive<i32> = -2..=2;
 
 /// Sums over aliased waves in one column of the torus: of 1/|k|, and of k_x^2, k_x k_y, k_y^2 over
 /// |k|^3.

@@ -37,11 +37,6 @@ impl ActiveSet {
             Driven::Shift(approach) => self.best_factor(task, approach),
         };
         state.roughness *= factor.abs();
-        if let (Driven::Load(_), Some(cell)) = (task.driven, self.active.iter().position(|is| *is))
-        {
-            // Close to that of the others: heights may be far above the indentation, whose rounding counts.
-            task.approach = factor * self.gap[cell] + task.heights[cell];
-        }
         let approach = task.approach;
         let parts = ((&mut *task.pressure, &self.active[..]), &mut self.gap[..], task.heights);
         let gaps = sum(self.threads, parts, &|((pressures, actives), gaps, heights)| {
@@ -51,10 +46,19 @@ impl ActiveSet {
             }
             product_where(pressures, gaps, actives)
         });
-        Ok(match task.driven {
-            Driven::Load(_) => gaps / (factor * pressed),
-            Driven::Shift(_) => 0.0,
+        Ok(match (task.driven, self.only_cell()) {
+            // Heights may be far above the indentation: the rounding of a mean counts.
+            (Driven::Load(_), Some(cell)) => self.gap[cell],
+            (Driven::Load(_), None) => gaps / (factor * pressed),
+            (Driven::Shift(_), _) => 0.0,
         })
+    }
+
+    /// The cell of a set of one.
+    fn only_cell(&self) -> Option<usize> {
+        let mut cells = self.active.iter().enumerate().filter(|(_, active)| **active);
+        let (first, other) = (cells.next(), cells.next());
+        first.filter(|_| other.is_none()).map(|(cell, _)| cell)
     }
 
     /// The displacements of the pressures, as gaps.
@@ -137,6 +141,9 @@ impl ActiveSet {
         let lowest = task.heights.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         if let Some((cell, _)) = lowest {
             task.pressure[cell] = 1.0;
+        }
+        if matches!(task.driven, Driven::Load(_)) {
+            task.approach = 0.0;
         }
         self.begin(task, limits, state)
     }
