@@ -70,6 +70,29 @@ def test_spin_slides_at_the_torque_of_its_law():
     assert loads.torque_2 == pytest.approx(-loads.torque_1)
 
 
+def thrown(contacts, radius, mass, velocity, dt):
+    """R_x of a ball that meets a plane, by leapfrog."""
+    moment, at = 0.4 * mass * radius**2, np.array([0, 0, radius])
+    v, w, force, torque = np.array(velocity), np.zeros(3), np.zeros(3), np.zeros(3)
+    while at[2] <= radius:
+        v, w = v + dt / 2 * force / mass, w + dt / 2 * torque / moment
+        at = at + dt * v
+        load = contacts.step(dt, at, v, w)
+        force, torque = np.array(load.force[0]), np.array(load.torque_1[0])
+        v, w = v + dt / 2 * force / mass, w + dt / 2 * torque / moment
+    return -(v[0] - radius * w[1]) / velocity[0]
+
+
+def test_unlike_bodies_that_lose_energy_slide_as_in_one_impact():
+    # Coupled tractions of unlike bodies that slide are less than f F_z in sum: the contact does not stick for that.
+    soft, hard = carom.Material(70e9, 0.3), carom.Material(200e9, 0.3)
+    ball = carom.sphere(0.01, soft, 0.01, velocity=(0.7705, 0, -1))
+    for below in (soft, hard):
+        impact = carom.collide(ball, carom.plane(below), 0.23, normal_restitution=0.3, law="rings")
+        contacts = carom.GrainContacts(1, (0.01, np.inf), carom.MaterialPair(soft, below), 0.23, law="rings", restitution=0.3, masses=(0.01, np.inf))
+        assert thrown(contacts, 0.01, 0.01, (0.7705, 0, -1), impact.duration / 200) == pytest.approx(impact.R_x, abs=0.02)
+
+
 @pytest.mark.parametrize("law", ["coulomb", "fixed-direction", "rings"])
 def test_contacts_are_copied_and_kept(law):
     contacts = carom.GrainContacts(2, (RADIUS, RADIUS), RUBBER, 0.3, law=law, restitution=0.8, masses=(MASS, MASS), torsion=True, rolling=(1e3, 0.1, 0.1))
