@@ -232,7 +232,7 @@ impl Problem {
 
     /// The error of the law of rings itself, which takes a circle for the contact area, in the tangential velocity
     /// over f v_z (over v_z for f > 1). Against a grid of 64 cells in 256 steps, 30 impacts with |gamma| f from 0.2 to 1.1
-    /// and f to 2.9 had smaller errors; so did 126 others, about a fixed centre all but one, and 24 with |gamma| to .5 and f
+    /// and f to 2.9 had smaller errors; so did 126 others, about a fixed centre all but one, and 20 with |gamma| to .5 and f
     /// from .8 to 5.
     pub(super) fn left_out(&self) -> f64 {
         let (gamma, friction) = (self.constants.gamma.abs(), self.friction.get());
