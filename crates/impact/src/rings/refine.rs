@@ -25,8 +25,8 @@ const LEFT_OUT: f64 = 0.15;
 /// Coefficient of kappa - 1 in the error of the solution for similar bodies, whose friction has the direction of the
 /// tangential velocity everywhere. On a grid of 80 cells it was .0017 f v_z off at kappa = 1.44.
 const BY_DIRECTION: f64 = 4e-3;
-/// Coefficient of gamma^2 in the error with infinite friction, which lets no rim slip, over the tangential velocity. It was
-/// .5 and .8 of a grid with f = 5.
+/// The error with infinite friction, which lets no rim slip, over gamma^2 times the tangential velocity. Against rings with
+/// f = 1e5 it was .5 at gamma = .48 and .8 at gamma = .14.
 const STUCK: f64 = 1.0;
 /// Friction beyond which what sticks from the first touch on errs as with this one.
 const GREAT: f64 = 1.2;
