@@ -29,9 +29,6 @@ pub(crate) struct NormalGrids {
     levels: Vec<Level>,
 }
 
-/// From this number of cells on a coarse grid is made anew for the next start.
-const LARGEST: usize = 1 << 20;
-
 /// Greatest number of cells along a side of the grid for the pilot solve.
 const PILOT_CELLS: usize = 64;
 
@@ -254,7 +251,7 @@ impl Level {
         self.set.release();
         self.pressure = Vec::new();
         let is_alone = self.operator.as_ref().is_some_and(|own| Arc::strong_count(own) == 1);
-        if is_alone && self.grid.cells() >= LARGEST {
+        if is_alone {
             self.forget();
         }
     }
