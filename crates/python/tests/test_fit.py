@@ -18,6 +18,10 @@ def test_data_in_any_form_give_the_same(tmp_path):
     arrays = {name: np.array(values) for name, values in REBOUNDS.items()}
     fits = [carom.fit(unknown(), data, sd=0.014) for data in (REBOUNDS, arrays, frame, path)]
     assert all(fit == fits[0] for fit in fits)
+    ratios = [-999.0 if row == 3 else value for row, value in enumerate(REBOUNDS["body_1_tangential_ratio"])]
+    missing = [np.ma.masked_equal(ratios, -999.0), np.where(np.array(ratios) == -999.0, np.nan, ratios)]
+    masked, nan = [carom.fit(unknown(), {**REBOUNDS, "body_1_tangential_ratio": one}, sd=0.014) for one in missing]
+    assert masked == nan and masked.quality.measured_values == len(ratios) - 1
     named = carom.fit(unknown(), REBOUNDS, sd={"body_1_tangential_ratio": 0.014})
     assert named == fits[0]
 

@@ -153,6 +153,13 @@ def test_missing_points_of_a_gap_need_a_word():
     filled = carom.Solver(gap, (1e-4, 1e-4), STEEL, 0, cut=True, missing="fill")
     filled.step(zeta=1e-6)
     assert filled.pressure[3, 4] > 0
+    gap[0, 0] = np.inf
+    cornered = carom.Solver(gap, (1e-4, 1e-4), STEEL, 0, cut=True, missing="fill")
+    cornered.step(zeta=1e-6)
+    assert cornered.pressure[3, 4] == pytest.approx(filled.pressure[3, 4], rel=0.01)
+    assert np.isinf(cornered.gap_left[0, 0])
+    with pytest.raises(ValueError, match="1 points, the first in row 2, column 2"):
+        carom.Solver(np.ma.masked_equal(np.eye(4)[::-1] - np.eye(4) * [0, 9, 0, 0], -9), (1, 1), STEEL, 0)
     with pytest.raises(ValueError, match="cut and periodic"):
         carom.Solver(waves(), (1e-4, 1e-4), STEEL, 0, cut=True, periodic=True)
     with pytest.raises(ValueError, match="size is None"):

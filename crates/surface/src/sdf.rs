@@ -113,6 +113,10 @@ fn written(
             break;
         }
         for (place, found) in line.split_whitespace().enumerate() {
+            // Some end the heights on their last line.
+            if found == "*" && heights.len() == points {
+                break;
+            }
             if heights.len() == points {
                 return Err(SurfaceError::damaged(
                     NAME,
@@ -227,13 +231,14 @@ fn number(kind: u8) -> Result<Number, SurfaceError> {
 fn is_missing(value: f64, kind: u8, version: Version) -> bool {
     let is_bcr = version == Version::Bcr;
     match kind {
-        0 => is_bcr && value == f64::from(u8::MAX),
+        0 => value == f64::from(u8::MAX),
         1 => value == f64::from(u16::MAX),
         2 => value == f64::from(u32::MAX),
         3 if is_bcr => value >= 3.4e38,
         7 if is_bcr => value >= 1.7e308,
-        3 => value == f64::from(f32::MIN),
-        7 => value == f64::MIN,
+        // Texts have them with fewer digits.
+        3 => value <= -3.4e38,
+        7 => value <= -1.7e308,
         4 => value == f64::from(if is_bcr { i8::MAX } else { i8::MIN }),
         5 => value == f64::from(if is_bcr { i16::MAX } else { i16::MIN }),
         _ => value == f64::from(if is_bcr { i32::MAX } else { i32::MIN }),

@@ -87,6 +87,19 @@ impl Dialect {
         all && is_measured
     }
 
+    /// Whether a line before the first row is one too, of as many values, some of which are wrong numbers and no words.
+    fn is_damaged_row(self, line: &str, first: &str) -> bool {
+        let resembles_number = |value: &str| {
+            let bare = value.trim_start_matches(['+', '-', '.']);
+            bare.starts_with(|letter: char| letter.is_ascii_digit())
+                || ["inf", "infinity"].iter().any(|word| bare.eq_ignore_ascii_case(word))
+        };
+        let is_measured = |value| self.number(value).is_some_and(|number| !number.is_nan());
+        self.values(line).count() == self.values(first).count()
+            && self.values(line).any(is_measured)
+            && self.values(line).all(|one| self.number(one).is_some() || resembles_number(one))
+    }
+
     /// What a value that is no number may be.
     fn hint(self, found: &str) -> &'static str {
         match () {
@@ -116,6 +129,8 @@ struct Head {
     /// The step of a grid of ESRI, of which the first row has the greatest y.
     cell: Option<f64>,
     is_grid: bool,
+    /// The numbers of its columns and rows.
+    counts: [Option<usize>; 2],
     /// A line of two whole numbers before the heights, and the numbers.
     lonely: Option<(usize, [usize; 2])>,
 }
@@ -134,7 +149,10 @@ impl Head {
             "height" => self.size[1] = length(value),
             "value units" | "z unit" | "unit" | "units" => self.unit = metres(value),
             "cellsize" => self.cell = value.parse().ok(),
-            "ncols" | "nrows" => self.is_grid = true,
+            "ncols" | "nrows" => {
+                self.is_grid = true;
+                self.counts[usize::from(name == "nrows")] = value.parse().ok();
+            }
             "nodata_value" => self.missing = value.parse().ok(),
             _ => self.take_heads(line),
         }
@@ -183,7 +201,7 @@ pub(crate) fn read(text: &str, reading: &Reading) -> Result<Measured, SurfaceErr
     let rows = rows(text, reading)?;
     let head = &rows.head;
     let unit = reading.unit.or(head.unit);
-    let notes = Vec::new();
+    let mut notes = Vec::new();
     if let Some(listed) = listed(&rows, reading.most_points) {
         let map = listed?;
         reading.check(map.columns(), map.rows())?;
@@ -205,7 +223,12 @@ pub(crate) fn read(text: &str, reading: &Reading) -> Result<Measured, SurfaceErr
     }
     let spacing = match (head.size, head.cell) {
         ([Some(x), Some(y)], _) => Some([x / columns as f64, y / count as f64]),
-        (_, Some(cell)) if cell > 0.0 => unit.map(|unit| [cell * unit; 2]),
+        (_, Some(cell)) if cell > 0.0 => {
+            if unit.is_none() {
+                notes.push(format!("its cellsize of {cell} has no unit: give unit"));
+            }
+            unit.map(|unit| [cell * unit; 2])
+        }
         _ => None,
     };
     let map = Topography::new(columns, values).map_err(|_| empty(text))?;
@@ -241,7 +264,7 @@ fn rows(text: &str, reading: &Reading) -> Result<Rows, SurfaceError> {
     let mut head = Head::default();
     let is_comment = |line: &str| line.trim_start().starts_with(COMMENTS);
     let mut lines = content(text).peekable();
-    let mut dialect = None;
+    let (mut dialect, mut before) = (None, None);
     // The head ends at the first line that has numbers alone.
     while let Some((_, line)) = lines.peek().copied() {
         let own = Dialect::of(line);
@@ -253,9 +276,14 @@ fn rows(text: &str, reading: &Reading) -> Result<Rows, SurfaceError> {
             head.lonely = Some(size);
         }
         head.take(line);
-        lines.next();
+        before = lines.next().filter(|_| !is_comment(line));
     }
     let Some(mut dialect) = dialect else { return Err(no_numbers(text)) };
+    if let (Some(last), Some((_, first))) = (before, lines.peek())
+        && dialect.is_damaged_row(last.1, first)
+    {
+        return Err(not_numbers(last, dialect));
+    }
     let mut rows =
         Rows { head, lines: Vec::new(), columns: 0, values: Vec::new(), has_tails: true };
     for (at, line) in lines.filter(|(_, line)| !is_comment(line)) {
@@ -310,8 +338,11 @@ fn lonely<'a>(
 
 fn no_numbers(text: &str) -> SurfaceError {
     let first = content(text).find(|(_, line)| !line.trim_start().starts_with(COMMENTS));
-    let Some((line, found)) = first else { return empty(text) };
-    let dialect = Dialect::of(found);
+    first.map_or_else(|| empty(text), |line| not_numbers(line, Dialect::of(line.1)))
+}
+
+/// What of a line is no number.
+fn not_numbers((line, found): (usize, &str), dialect: Dialect) -> SurfaceError {
     let wrong =
         dialect.values(found).enumerate().find(|(_, value)| dialect.number(value).is_none());
     match wrong {
@@ -321,7 +352,7 @@ fn no_numbers(text: &str) -> SurfaceError {
             found: shortened(value),
             hint: dialect.hint(value),
         },
-        None => empty(text),
+        None => empty(found),
     }
 }
 
@@ -355,8 +386,15 @@ impl Rows {
         }
     }
 
-    /// Checks that two numbers before the heights are their size, in either order.
+    /// Checks that two numbers before the heights are their size, in either order, and what a grid of ESRI says.
     fn check_size(&self) -> Result<(), SurfaceError> {
+        let found = [self.columns, self.lines.len()];
+        for (i, name) in ["ncols", "nrows"].into_iter().enumerate() {
+            if let Some(count) = self.head.counts[i].filter(|count| *count != found[i]) {
+                let reason = format!("{name} is {count}, but there are {}", found[i]);
+                return Err(SurfaceError::damaged("text", reason));
+            }
+        }
         let Some((first, [one, other])) = self.head.lonely else { return Ok(()) };
         let (columns, count) = (self.columns, self.lines.len());
         match [one, other] == [columns, count] || [other, one] == [columns, count] {

@@ -174,7 +174,10 @@ impl Head {
             rows: count(root, "Record3/MatrixDimension/SizeY")?,
             steps: [step("Record1/Axes/CX/Increment")?, step("Record1/Axes/CY/Increment")?],
             number: Self::number(needed(root, "Record1/Axes/CZ/DataType")?)?,
-            increment: number(root, "Record1/Axes/CZ/Increment", 1.0)?,
+            increment: match number(root, "Record1/Axes/CZ/Increment", 1.0)? {
+                0.0 => return Err(damaged("Record1/Axes/CZ/Increment = 0: must not be 0")),
+                increment => increment,
+            },
             offset: number(root, "Record1/Axes/CZ/Offset", 0.0)?,
             data: Self::data(root)?,
             check_sum: found(root, "Record3/DataLink/MD5ChecksumPointData").map(str::to_owned),

@@ -67,7 +67,7 @@ def _table(name: str, data: Columns) -> list[tuple[str, list[float]]]:
 
     def numbers(heading: str) -> list[float]:
         try:
-            values = np.asarray(data[heading], dtype=np.float64)
+            values = np.ma.filled(np.ma.asarray(data[heading], dtype=np.float64), np.nan)
         except (TypeError, ValueError) as error:
             raise TypeError(f"{name}[{heading!r}]: must be numbers: {error}") from None
         return [float(value) for value in np.atleast_1d(values)]

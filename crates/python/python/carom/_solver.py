@@ -56,7 +56,7 @@ def gap_of(
     own = gap if isinstance(gap, Surface) else of_object(gap, None)
     if own is not None:
         heights, size = -own.heights, own.size if size is None else size
-    elif missing is not None and np.ma.is_masked(gap):
+    elif np.ma.is_masked(gap):
         heights = np.ma.filled(np.ma.asarray(gap, dtype=float), np.nan)
     else:
         heights = numbers("gap", gap, "m")  # type: ignore[arg-type]
@@ -69,10 +69,13 @@ def gap_of(
         row, column = np.argwhere(holes)[0]
         text = f"gap is not measured at {holes.sum()} points, the first in row {row + 1}, column {column + 1}: give missing"
         raise ValueError(f"{text}='fill' or 'no contact'")
-    if holes.any() and missing == "fill" and not np.isinf(heights).any():
-        heights = Surface(np.array(heights), None).prepared(missing="fill").heights
-    if holes.any():
-        heights = np.where(np.isnan(heights), np.inf, heights)
+    if holes.any() and missing == "fill":
+        # Where there is no body, nothing was measured either.
+        infinite = np.isinf(heights)
+        filled = Surface(np.where(infinite, np.nan, heights), None).prepared(missing="fill").heights
+        heights = np.where(infinite, np.inf, filled)
+    elif holes.any():
+        heights = np.where(holes, np.inf, heights)
     return heights - heights.min() if own is not None else heights, size
 
 

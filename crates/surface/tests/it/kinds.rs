@@ -146,6 +146,7 @@ fn sdf_of_all_versions_and_types() {
         [(0, bytes!(u8, 255)), (1, bytes!(u16, u16::MAX)), (2, bytes!(u32, u32::MAX))]
     {
         assert_map(&map(&sdf("BCR-1.0", kind, &most)), Format::Sdf, turned);
+        assert_map(&map(&sdf("ISO-1.0", kind, &most)), Format::Sdf, straight);
     }
     assert_map(&map(&sdf("ISO-1.0", 7, &bytes!(f64, f64::NAN))), Format::Sdf, straight);
 }
@@ -165,6 +166,12 @@ fn sdf_as_text_has_words_and_comments_where_bcr_allows_them() {
     assert_map(&map(format!("aBCR-1.0{bcr}").as_bytes()), Format::Sdf, turned);
     let least = format!("aISO-1.0{}", head.replace("BAD", "-32768"));
     assert_map(&map(least.as_bytes()), Format::Sdf, straight);
+    for (kind, least) in [("FLOAT", "-3.4028235E+38"), ("DOUBLE", "-1.797693e308")] {
+        let text = head.replace("= 5\r", &format!("= {kind}\r")).replace("BAD", least);
+        assert_map(&map(format!("aISO-1.0{text}").as_bytes()), Format::Sdf, straight);
+    }
+    let ended = format!("aISO-1.0{}", head.replace("\r\n5\r\n*\r\n", "\r\n5 *\r\n"));
+    assert_map(&map(ended.as_bytes()), Format::Sdf, straight);
 }
 
 #[test]

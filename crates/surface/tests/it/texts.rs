@@ -52,6 +52,7 @@ fn heads_and_comments_are_no_heights() {
         "height in um;\n",
         "3 2\n",
         "\"a\",\"b\",\"c\"\n",
+        "row 1 2\n",
     ] {
         assert_heights(&map(&format!("{head}{rows}")), WANTED);
     }
@@ -91,6 +92,13 @@ fn a_grid_of_esri_begins_with_the_greatest_y() {
     let measured = read(text.as_bytes(), &unit).unwrap();
     assert_heights(&measured, WANTED.map(|height| 1e-6 * height));
     assert_eq!(measured.topography.spacing(), Some([2e-6, 2e-6]));
+    let bare = map(text);
+    assert!(bare.topography.spacing().is_none() && bare.notes[0].contains("cellsize of 2"));
+    for (name, other) in [("ncols 3", "ncols 4"), ("nrows 2", "nrows 5")] {
+        let cut = text.replace(name, other);
+        let told = read(cut.as_bytes(), &unit).unwrap_err().to_string();
+        assert!(told.contains(&format!("{} is {}", &other[..5], &other[6..])), "{told}");
+    }
 }
 
 #[test]
@@ -142,6 +150,9 @@ fn a_value_that_is_no_number_is_named_with_line_and_column() {
         ("1\t2\t3\n1,234.5\t5\t6\n", 2, 1, "1,234.5", "thousands"),
         ("1 2 3\n4 5 6e\n", 2, 3, "6e", ""),
         ("a b\nc d\n", 1, 1, "a", ""),
+        ("inf 2 3\n4 5 6\n7 8 9\n", 1, 1, "inf", "missing point"),
+        ("1,234.5;2\n3;4\n", 1, 1, "1,234.5", "thousands"),
+        ("# c\n2 1D-6\n3 4\n", 2, 2, "1D-6", ""),
     ] {
         let error = read(text.as_bytes(), &Reading::default()).unwrap_err();
         let SurfaceError::Value { line: at, column: place, found: what, hint: told } = &error

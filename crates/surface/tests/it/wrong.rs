@@ -72,6 +72,7 @@ fn damaged_x3p_is_refused() {
         ("2e-6", "two", "`two` is not a number"),
         ("3e-6", "inf", "`inf` is not a number"),
         ("<DataType>D</DataType></CZ>", "<DataType>Q</DataType></CZ>", "must be I, L, F or D"),
+        ("D</DataType></CZ>", "D</DataType><Increment>0</Increment></CZ>", "must not be 0"),
         ("DataLink", "DataLnk", "neither DataLink nor DataList"),
     ] {
         let text = xml.text().replace(from, to);
