@@ -15,6 +15,7 @@ use carom_impact::coupled::{CoupledOutcome, ImpactMethod, LawFailure};
 use carom_impact::{Collision, CollisionError, HistoryPoint, Instants, Outcome};
 use carom_solver::NumericalLawError;
 use carom_special::RangeError;
+use nalgebra::Vector3;
 
 use refine::Found;
 use run::{Fineness, Problem};
@@ -130,14 +131,12 @@ impl<'a> NumericalImpact<'a> {
         let before = problem.impact.velocity();
         let tangential = found.tangential * problem.scale();
         let by_law = problem.impact.viscous_step_error().map_err(CollisionError::from)?;
-        let off = by_law.velocity.norm();
+        let off = by_law.of_law();
         let velocity = found.velocity - by_law.velocity;
-        let impulse = if off > 0.0 { problem.restricted(&velocity) } else { found.impulse };
-        let velocity = if off > 0.0 { before - problem.mobility() * impulse } else { velocity };
-        let lost = 0.5 * impulse.dot(&(before + velocity));
-        let friction = (found.finest.friction_heat - by_law.friction_heat).max(0.0);
-        let loses = problem.impact.loses();
-        let material_heat = if loses { (lost - friction).max(0.0) } else { 0.0 };
+        let corrected = by_law.velocity != Vector3::zeros();
+        let impulse = if corrected { problem.restricted(&velocity) } else { found.impulse };
+        let velocity = if corrected { before - problem.mobility() * impulse } else { velocity };
+        let material_heat = problem.impact.material_heat(&by_law, &impulse, &velocity);
         let outcome = CoupledOutcome {
             velocity,
             impulse,

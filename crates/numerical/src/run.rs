@@ -3,7 +3,6 @@
 use carom_impact::Collision;
 use carom_impact::coupled::{CoupledImpact, Point, Sample, Stage, Trajectory};
 use carom_impact::normal::NormalImpact;
-use carom_laws::law::{ContactLaw, ContactLoad, FrictionWork};
 use carom_laws::viscous::ViscousLaw;
 use carom_solver::{CellState, NumericalLaw};
 use nalgebra::{Matrix3, Vector3};
@@ -37,7 +36,6 @@ pub(crate) struct Run {
     pub(crate) duration: f64,
     pub(crate) peak: Peak,
     pub(crate) compressions: u32,
-    pub(crate) friction_heat: f64,
     pub(crate) samples: Vec<Sample>,
 }
 
@@ -88,23 +86,22 @@ impl<'a> Problem<'a> {
             steps: fineness.steps,
             expected: self.impact.is_mild().then(|| self.normal.duration()),
         };
-        let mut followed = Followed::default();
+        let mut samples = Vec::new();
         let end = match self.impact.material_viscosity().map_err(NumericalImpactError::from)? {
             None => {
                 let mut law = law;
-                let observe = |point: &Point, law: &NumericalLaw| followed.see(point, law, law);
+                let observe = |point: &Point, law: &NumericalLaw| samples.push(sample(point, law));
                 trajectory.follow_at_most(PATIENCE, &mut law, observe)?
             }
             Some(viscosity) => {
                 let mut law = ViscousLaw::new(law, viscosity, friction.get(), hertz.stiffness());
                 let observe = |point: &Point, law: &ViscousLaw<NumericalLaw>| {
-                    followed.see(point, law, law.elastic());
+                    samples.push(sample(point, law.elastic()));
                 };
                 trajectory.follow_at_most(PATIENCE, &mut law, observe)?
             }
         };
         let end = end.ok_or(NumericalImpactError::NoSeparation)?;
-        let Followed { samples, friction } = followed;
         let turns =
             samples.windows(2).filter(|pair| pair[0].velocity.z <= 0.0 && pair[1].velocity.z > 0.0);
         Ok(Run {
@@ -112,24 +109,8 @@ impl<'a> Problem<'a> {
             duration: end.time,
             peak: Peak::of(&samples),
             compressions: 1 + turns.count() as u32,
-            friction_heat: friction.sum(),
             samples,
         })
-    }
-}
-
-/// The instants of a run, and the work of friction.
-#[derive(Default)]
-struct Followed {
-    samples: Vec<Sample>,
-    friction: FrictionWork,
-}
-
-impl Followed {
-    fn see<L: ContactLaw>(&mut self, point: &Point, law: &L, elastic: &NumericalLaw) {
-        let [f_x, f_y, f_z] = point.force.into();
-        self.friction.see(law.elastic_shift(), ContactLoad { f_x, f_y, f_z, m_z: 0.0 });
-        self.samples.push(sample(point, elastic));
     }
 }
 

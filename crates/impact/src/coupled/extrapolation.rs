@@ -100,7 +100,6 @@ mod tests {
             impulse: -velocity,
             duration: 3.0 + error,
             strongest: 0.0,
-            friction_heat: 0.0,
             peak: 1.0 - error,
             compressions: 1,
             steps: 1,

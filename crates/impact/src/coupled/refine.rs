@@ -1,6 +1,5 @@
 //! Refinement of an impact in steps and annuli until its outcome converges.
 
-use carom_laws::law::{ContactLoad, FrictionWork};
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
@@ -185,7 +184,6 @@ impl Problem {
     ) -> Result<Run, Failure<L::Error>> {
         let mut law = make(level);
         let mut peaks = Peaks::default();
-        let mut friction = FrictionWork::new(self.stiffness.c_z);
         let mut rings = law.rings();
         let mut work: usize = 0;
         let trajectory = Trajectory {
@@ -200,8 +198,6 @@ impl Problem {
         let end = trajectory
             .follow_to((order, MAX_STEPS_OVER_FREE_IMPACT), &mut law, |point, law| {
                 peaks.see(point);
-                let [f_x, f_y, f_z] = point.force.into();
-                friction.see(law.elastic_shift(), ContactLoad { f_x, f_y, f_z, m_z: 0.0 });
                 let moved = law.rings();
                 rings = rings.max(moved);
                 work = work.saturating_add(moved.map_or(1, |count| count.max(1)));
@@ -215,7 +211,6 @@ impl Problem {
             duration: end.time,
             peak: peaks.highest,
             strongest: peaks.strongest,
-            friction_heat: friction.sum(),
             compressions: peaks.compressions,
             steps: peaks.steps,
             rings,

@@ -18,8 +18,6 @@ pub(super) struct Run {
     pub(super) peak: f64,
     /// The greatest normal force.
     pub(super) strongest: f64,
-    /// The heat of friction.
-    pub(super) friction_heat: f64,
     pub(super) compressions: u32,
     pub(super) steps: usize,
     /// The largest number of annuli of the law, if it has annuli.
@@ -51,7 +49,6 @@ impl Run {
             duration: limit(self.duration, coarse.duration),
             peak: limit(self.peak, coarse.peak),
             strongest: limit(self.strongest, coarse.strongest),
-            friction_heat: limit(self.friction_heat, coarse.friction_heat),
             compressions: self.compressions,
             steps: self.steps,
             rings: self.rings,

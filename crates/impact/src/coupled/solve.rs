@@ -155,7 +155,8 @@ impl CoupledImpact {
     pub(super) fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
         let is_normal_uncoupled = self.method() == ImpactMethod::Spatial { coupled: false };
-        let e = self.loss.map_or(1.0, |loss| loss.restitution());
+        // That of the springs, so that steps find it.
+        let e = self.loss.map_or(1.0, |loss| loss.of_springs());
         let normal_impulse = (1.0 + e) * problem.velocity.z / problem.mobility.m33;
         let normal_impulse = is_normal_uncoupled.then_some(normal_impulse);
         let limits =

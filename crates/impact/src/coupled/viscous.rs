@@ -21,17 +21,25 @@ const TOLERANCE: f64 = 1e-4;
 /// Shares of the contact radius within which all of it sticks, or slides.
 const WHOLE: f64 = 1e-9;
 
-/// What the step law of a viscous material ([`ViscousLaw`]) has more than the exact impact.
+/// An impact of a viscous material without couplings, whose solution is known, beside that by the step law
+/// ([`ViscousLaw`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepError {
-    /// Of the velocity after the impact, contact axes.
+    /// What the step law has more of the velocity after the impact, contact axes; along the normal where the springs of the
+    /// least restitution stand for less.
     pub velocity: Vector3<f64>,
-    /// Of the heat of friction.
-    pub friction_heat: f64,
+    /// The energy that the material takes of the tangential motion.
+    pub material_heat: f64,
 }
 
 impl StepError {
-    const NONE: Self = Self { velocity: Vector3::new(0.0, 0.0, 0.0), friction_heat: 0.0 };
+    const NONE: Self = Self { velocity: Vector3::new(0.0, 0.0, 0.0), material_heat: 0.0 };
+
+    /// The error of the tangential velocity, of which as much again may be left.
+    #[must_use]
+    pub fn of_law(&self) -> f64 {
+        self.velocity.xy().norm()
+    }
 }
 
 /// The units of [`crate::viscoelastic`]: m = K = v = 1.
@@ -211,7 +219,6 @@ impl CoupledImpact {
     ) -> Result<CoupledOutcome, CoupledError> {
         let mut outcome = self.outcome(settled);
         let error = self.viscous_step_error()?;
-        let friction = self.stepped_heat(settled) - error.friction_heat;
         outcome.velocity -= error.velocity;
         let impulse = self.mobility.impulse(&self.velocity, &outcome.velocity);
         let normal = (outcome.method == ImpactMethod::Spatial { coupled: false })
@@ -222,18 +229,31 @@ impl CoupledImpact {
         if normal.is_some() {
             outcome.velocity.z = -loss.restitution() * self.velocity.z;
         }
-        let lost = 0.5 * outcome.impulse.dot(&(self.velocity + outcome.velocity));
-        outcome.material_heat = (lost - friction.max(0.0)).max(0.0);
-        outcome.error_estimate += error.velocity.norm() / self.velocity.norm();
+        outcome.material_heat = self.material_heat(&error, &outcome.impulse, &outcome.velocity);
+        outcome.error_estimate += error.of_law() / self.velocity.norm();
         Ok(outcome)
     }
 
-    fn stepped_heat(&self, settled: &Settled) -> f64 {
-        let units = self.units();
-        settled.run.friction_heat * units.force * units.length
+    /// The energy that a viscous material takes: all that the normal motion loses, and of the tangential motion what it
+    /// takes if nothing couples or turns. What friction does on the path of a viscous law is no measure, as that path begins
+    /// with a jump.
+    #[must_use]
+    pub fn material_heat(
+        &self,
+        without_couplings: &StepError,
+        impulse: &Vector3<f64>,
+        after: &Vector3<f64>,
+    ) -> f64 {
+        if self.loss.is_none() {
+            return 0.0;
+        }
+        let parts = 0.5 * impulse.component_mul(&(self.velocity + after));
+        let lost = parts.sum().max(0.0);
+        lost - (parts.x + parts.y - without_couplings.material_heat).clamp(0.0, lost)
     }
 
-    /// By how much the step law errs in this impact if nothing coupled or turned; by nothing in an elastic material.
+    /// By how much the step law errs in this impact if nothing coupled or turned, and what the material then takes; nothing
+    /// in an elastic material.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
@@ -241,20 +261,18 @@ impl CoupledImpact {
         let Some(loss) = &self.loss else { return Ok(StepError::NONE) };
         let (slip, direction) = length_and_direction(&self.velocity);
         let friction = self.friction_at_first();
-        let own = Self { friction, ..*self };
-        let Ok(groups) = own.groups(&direction) else { return Ok(StepError::NONE) };
-        if slip == 0.0 || friction.get() == 0.0 {
-            return Ok(StepError::NONE);
+        let own = Self { friction, tolerance: None, ..*self };
+        let faster = Vector3::z() * ((loss.restitution() - loss.of_springs()) * self.velocity.z);
+        if slip == 0.0 || friction.get() == 0.0 || own.groups(&direction).is_err() {
+            return Ok(StepError { velocity: faster, ..StepError::NONE });
         }
-        let impact = ViscoelasticImpact::new(groups, *loss);
-        let exact = impact.solve(TOLERANCE);
-        let heat = own.friction_heat(exact.friction_heat, impact.psi(), &direction);
+        let known = own.uncoupled_with(loss, &direction)?;
         let twin = self.twin(&direction)?;
         let settled = twin.settled(TurningLaw::FixedDirection)?;
         let stepped = settled.run.velocity.x * self.velocity.z;
         Ok(StepError {
-            velocity: direction * (stepped + exact.restitution * slip),
-            friction_heat: twin.stepped_heat(&settled) - heat,
+            velocity: faster + direction * (stepped - known.velocity.dot(&direction)),
+            material_heat: known.material_heat - self.frictionless_with(loss).material_heat,
         })
     }
 

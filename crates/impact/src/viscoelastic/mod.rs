@@ -127,6 +127,11 @@ impl ViscousLoss {
         self.rheology
     }
 
+    /// The restitution of the springs that this material has: that of the least ones below it.
+    pub(crate) const fn of_springs(&self) -> f64 {
+        self.restitution.max(LEAST)
+    }
+
     /// The viscosity of a Kelvin-Voigt material, `unit` the time of the impact.
     ///
     /// # Errors

@@ -289,3 +289,30 @@ fn a_relaxation_longer_than_the_impact_is_refused() {
     }
     assert_eq!(NormalRestitution::viscoelastic(0.0).unwrap(), NormalRestitution::ELASTIC);
 }
+
+/// Bodies that do not rebound are the limit of those that hardly do, and friction takes no more than its impulse times the
+/// slip before.
+#[test]
+fn oblong_bodies_that_do_not_rebound_are_the_limit_of_those_that_do() {
+    let material = Material::from_young(70e9, 0.3).unwrap();
+    let shape = Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+    for (f, slip) in [(0.1, 3.0), (0.3, 0.15), (1e-3, 1.0)] {
+        let motion = Motion::new([0.6 * slip, 0.8 * slip, -1.0], [0.0; 3]).unwrap();
+        let egg = Body::new(shape.clone(), material, shape.solid(0.1).unwrap());
+        let egg = egg.moving(motion);
+        let friction = Friction::new(f).unwrap();
+        let collision = Collision::new(egg, Body::plane(material), friction).unwrap();
+        let after = |e: f64| losing(collision.clone(), e);
+        let [last, before] = [0.01, 0.02].map(|e| after(e).contact_velocity_after);
+        for e in [0.0, 1e-3, 4e-3] {
+            let rebound = after(e);
+            let limit = last + (last - before) * ((0.01 - e) / 0.01);
+            let off = rebound.contact_velocity_after - limit;
+            let estimate = rebound.error_estimate * rebound.contact_velocity_before.norm();
+            assert!(off.x.hypot(off.y) < 0.01 * f + estimate, "{f} {e}: {off}");
+            assert!((rebound.contact_velocity_after.z + e).abs() < 1e-12, "{f} {e}");
+            let most = f * rebound.impulse.z.abs() * slip;
+            assert!(rebound.energy.dissipated <= 1.001 * most, "{f} {e}: {most} {rebound:?}");
+        }
+    }
+}

@@ -4,7 +4,7 @@ use carom_geometry::Surface;
 use carom_halfspace::Material;
 use carom_impact::coupled::Trajectory;
 use carom_impact::normal::NormalImpact;
-use carom_impact::{Body, Collision, Motion, Outcome, Rebound, RingImpact};
+use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound, RingImpact};
 use carom_laws::friction::Friction;
 use carom_numerical::NumericalImpact;
 use carom_solver::NumericalLaw;
@@ -193,4 +193,24 @@ fn a_strongly_coupled_impact_is_within_its_estimate() {
     });
     let (off, estimate) = (off(&coarse, &fine), coarse.error_estimate);
     assert!(off > 4e-3 && off + 8e-4 < estimate, "{off} {estimate}");
+}
+
+/// What friction takes is what it takes in the impact whose solution is known; nothing without friction.
+#[test]
+fn friction_heat_of_lossy_bodies_is_that_of_the_exact_impact() {
+    let lossy = |bodies, (friction, slip, e): (f64, f64, f64)| {
+        let lambda = if friction > 0.0 { slip / friction } else { slip };
+        let restitution = NormalRestitution::new(e).unwrap();
+        let collision = ball(bodies, friction, lambda).with_normal_restitution(restitution);
+        let known = rebound(collision.solve().unwrap());
+        let most = friction * known.impulse.z.abs() * slip;
+        let grid = rebound(NumericalImpact::new(&collision).solve().unwrap());
+        (grid.energy.dissipated, known.energy.dissipated, most)
+    };
+    for case in [(0.0, 1.0, 0.3), (0.1, 3.0, 0.0), (0.3, 1.0, 0.3)] {
+        let (heat, known, most) = lossy([SOFT, SOFT], case);
+        assert!((heat - known).abs() <= 0.02 * most, "{case:?}: {heat}, {known}");
+    }
+    let (heat, known, most) = lossy([SOFT, HARD], (0.1, 3.0, 0.0));
+    assert!((heat - known).abs() <= 0.05 * most, "{heat}, {known} without coupling");
 }
