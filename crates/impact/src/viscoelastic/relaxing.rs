@@ -6,8 +6,9 @@
 //!
 //! Units as in the module above, with K that of the modulus E(0) of Maxwell's material and of E(1) of the other.
 
-use carom_special::gamma::gamma;
+use std::sync::{Mutex, PoisonError};
 
+use carom_special::gamma::gamma;
 use carom_special::roots::{self, Bracket};
 
 use super::run::{Instant, Run};
@@ -121,8 +122,23 @@ const CLOSE: f64 = 1e-7;
 /// Halvings of the interval in which a standard solid loses most.
 const HALVINGS: usize = 24;
 
+/// What was found last: the impacts of a sweep have one material, and the search takes longer than such an impact.
+static LAST: Mutex<(Rheology, f64, Option<f64>)> =
+    Mutex::new((Rheology::KelvinVoigt, f64::NAN, None));
+
 /// The decay time, or the exponent of a constant loss tangent, with this restitution; None if every one loses less.
 pub(super) fn parameter_of(rheology: Rheology, restitution: f64) -> Option<f64> {
+    let last = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    let (of, at, found) = *last();
+    if (of, at) == (rheology, restitution) {
+        return found;
+    }
+    let found = searched(rheology, restitution);
+    *last() = (rheology, restitution, found);
+    found
+}
+
+fn searched(rheology: Rheology, restitution: f64) -> Option<f64> {
     let of = |at: f64| match rheology {
         Rheology::ConstantLossTangent => at,
         _ => libm::exp(at),
