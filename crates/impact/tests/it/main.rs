@@ -41,6 +41,8 @@ mod spheres;
 mod static_friction;
 mod symmetry;
 mod systems_of_units;
+#[path = "../../../../testing/tabled.rs"]
+mod tabled;
 mod tolerances;
 mod torsional;
 mod torsional_collocation;
