@@ -31,6 +31,8 @@ mod rheologies;
 mod ring_impacts;
 mod ring_impacts_known;
 mod scene;
+mod scene_edges;
+mod scene_on_moving_wall;
 mod scene_on_wall;
 mod scene_slip;
 mod sensitivity;
