@@ -265,14 +265,14 @@ impl NormalRestitution {
     /// [`RangeError`] if the relaxation takes longer than the impact by far.
     pub(crate) fn viscous(
         &self,
-        wave_share: f64,
+        wave_share: impl FnOnce() -> f64,
         pulse: &NormalImpact,
     ) -> Result<Option<ViscousLoss>, RangeError> {
         let loss = match self.0 {
             Cause::BySpeed(..) => return self.at(pulse.velocity())?.viscous(wave_share, pulse),
             Cause::Yield(_) => return Ok(None),
             Cause::Viscous(loss) => loss,
-            Cause::Waves => ViscousLoss::of_restitution((1.0 - wave_share).max(0.0).sqrt())?,
+            Cause::Waves => ViscousLoss::of_restitution((1.0 - wave_share()).max(0.0).sqrt())?,
             Cause::Relaxation(relaxation) => {
                 // zeta_max/v is (5/4)^(2/5) times the unit of time.
                 let unit = pulse.time_unit() / libm::pow(1.25, 0.4);

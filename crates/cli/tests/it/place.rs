@@ -106,8 +106,9 @@ fn a_place_changes_nothing_but_the_place() {
         for (which, centres) in [("there", &there), ("aside", &aside)] {
             let with = placed(&nowhere, centres);
             alike(&here, &solve(&with, which));
-            if text.contains("\"numerical\"") {
-                break; // its columns are those of the others, and it takes seconds
+            // Columns and courses of one place are those of the other; on a grid they take seconds.
+            if which == "there" || text.contains("\"numerical\"") {
+                continue;
             }
             let csv = |case: &Table, more: &[&str]| {
                 let text = toml::to_string(case).unwrap();

@@ -222,7 +222,7 @@ fn data_that_contradict_a_prior_are_weighed_against_it() {
 fn values_without_scatter_have_no_interval() {
     let columns = [("angle".to_owned(), vec![60.0; 3]), ("R_x".to_owned(), vec![0.2; 3])];
     let same = Data::new(columns.to_vec()).unwrap();
-    let case = alumina("friction = { fit = [0.01, 1] }");
+    let case = alumina("friction = { fit = [0.01, 1] }\nlaw = \"coulomb\"");
     let fit = fitted(&case, &same, None).unwrap();
     let one = of(&fit, "friction");
     assert_eq!((one.deviation, one.interval, one.profile), (None, None, None));

@@ -241,7 +241,7 @@ impl Collision {
     /// The loss of a viscous material at this speed of approach.
     pub(crate) fn viscous_loss(&self, velocity: f64) -> Result<Option<ViscousLoss>, RangeError> {
         let pulse = self.pulse(velocity)?;
-        self.normal_restitution.viscous(self.wave_share(&pulse), &pulse)
+        self.normal_restitution.viscous(|| self.wave_share(&pulse), &pulse)
     }
 
     // The largest share of the normal energy that waves carry away.

@@ -6,8 +6,9 @@
 //!
 //! Units as in the module above, with K that of the modulus E(0) of Maxwell's material and of E(1) of the other.
 
-use carom_special::gamma::gamma;
+use std::sync::{Mutex, PoisonError};
 
+use carom_special::gamma::gamma;
 use carom_special::roots::{self, Bracket};
 
 use super::run::{Instant, Run};
@@ -121,8 +122,23 @@ const CLOSE: f64 = 1e-7;
 /// Halvings of the interval in which a standard solid loses most.
 const HALVINGS: usize = 24;
 
+/// What was found last: the impacts of a sweep have one material, and the search takes longer than such an impact.
+static LAST: Mutex<(Rheology, f64, Option<f64>)> =
+    Mutex::new((Rheology::KelvinVoigt, f64::NAN, None));
+
 /// The decay time, or the exponent of a constant loss tangent, with this restitution; None if every one loses less.
 pub(super) fn parameter_of(rheology: Rheology, restitution: f64) -> Option<f64> {
+    let last = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    let (of, at, found) = *last();
+    if (of, at) == (rheology, restitution) {
+        return found;
+    }
+    let found = searched(rheology, restitution);
+    *last() = (rheology, restitution, found);
+    found
+}
+
+fn searched(rheology: Rheology, restitution: f64) -> Option<f64> {
     let of = |at: f64| match rheology {
         Rheology::ConstantLossTangent => at,
         _ => libm::exp(at),
@@ -195,16 +211,17 @@ pub(super) fn refined(relaxation: &Relaxation, groups: [f64; 2], tolerance: f64)
     }
 }
 
-/// The springs, as columns: of each, by terms, what it bears along the normal and along the surface.
+/// The springs: by terms, what each bears along the normal and along the surface.
 struct Row {
-    terms: usize,
     spacing: f64,
-    normal: Vec<f64>,
-    along: Vec<f64>,
+    normal: Vec<Vec<f64>>,
+    along: Vec<Vec<f64>>,
     /// Sums over the terms.
     forces: Vec<[f64; 2]>,
     /// Those within the contact: what lies beyond has left.
     touching: usize,
+    /// Working memory: the same sums in a step, and then the rates of the springs in place of the second.
+    sums: [Vec<f64>; 2],
 }
 
 /// What a step does to the springs.
@@ -225,8 +242,8 @@ struct Total {
 
 impl Row {
     fn new(terms: usize, spacing: f64) -> Self {
-        let (normal, along, forces) = (Vec::new(), Vec::new(), Vec::new());
-        Self { terms, spacing, normal, along, forces, touching: 0 }
+        let [normal, along] = [(); 2].map(|()| vec![Vec::new(); terms]);
+        Self { spacing, normal, along, forces: Vec::new(), touching: 0, sums: Default::default() }
     }
 
     fn place(&self, spring: usize) -> f64 {
@@ -236,7 +253,7 @@ impl Row {
     /// Adds the springs that touched in the last step, which ended at this approach.
     fn touch(&mut self, approach: f64, relaxation: &Relaxation, push: &Push<'_>) -> f64 {
         let mut power = 0.0;
-        let mut since = Vec::with_capacity(self.terms);
+        let mut since = Vec::with_capacity(self.normal.len());
         while self.touching == self.forces.len() {
             let place = self.place(self.forces.len());
             let depth = approach - place * place;
@@ -244,12 +261,15 @@ impl Row {
                 break;
             }
             relaxation.step(depth / push.speed, &mut since);
-            self.normal.extend(since.iter().map(|[_, gain]| gain * push.speed));
             let stiff: f64 = since.iter().map(|[_, gain]| gain).sum();
             let bound = stiff * push.speed;
             let force = (stiff * push.rate).clamp(-bound, bound);
             let own = force / stiff;
-            self.along.extend(since.iter().map(|[_, gain]| gain * own));
+            let terms = self.normal.iter_mut().zip(&mut self.along);
+            for ((normal, along), [_, gain]) in terms.zip(&since) {
+                normal.push(gain * push.speed);
+                along.push(gain * own);
+            }
             self.forces.push([bound, force]);
             power += force * (push.rate - own) * self.spacing * depth / (push.speed * push.dt);
             self.touching += 1;
@@ -261,33 +281,38 @@ impl Row {
     fn push(&mut self, push: &Push<'_>) -> (f64, f64) {
         let stiff: f64 = push.decay.iter().map(|[_, gain]| gain).sum();
         let (mut power, mut sticks) = (0.0, 0.0);
-        let rows =
-            self.normal.chunks_exact_mut(self.terms).zip(self.along.chunks_exact_mut(self.terms));
-        for (i, ((normal, along), forces)) in rows.zip(&mut self.forces).enumerate() {
-            // The first one that has left tells where the edge is; others are not asked again.
-            if i > self.touching {
-                break;
-            }
-            let (mut f, mut left) = (0.0, 0.0);
-            for ((h, q), [kept, gain]) in normal.iter_mut().zip(along.iter_mut()).zip(push.decay) {
+        // The first one that has left tells where the edge is; others are not asked again.
+        let count = self.forces.len().min(self.touching + 1);
+        let [pressed, held] = &mut self.sums;
+        for sums in [&mut *pressed, &mut *held] {
+            sums.clear();
+            sums.resize(count, 0.0);
+        }
+        let terms = self.normal.iter_mut().zip(&mut self.along).zip(push.decay);
+        for ((normal, along), [kept, gain]) in terms {
+            let springs = normal[..count].iter_mut().zip(&mut along[..count]);
+            for ((h, q), (f, left)) in springs.zip(pressed.iter_mut().zip(held.iter_mut())) {
                 *h = *h * kept + gain * push.speed;
                 *q *= kept;
-                f += *h;
-                left += *q;
+                *f += *h;
+                *left += *q;
             }
+        }
+        for (i, (&f, held)) in pressed.iter().zip(held.iter_mut()).enumerate() {
             let bound = f.max(0.0);
-            let trial = left + stiff * push.rate;
+            let (left, trial) = (*held, *held + stiff * push.rate);
             let force = trial.clamp(-bound, bound);
             let own = if force == trial { push.rate } else { (force - left) / stiff };
-            for (q, [_, gain]) in along.iter_mut().zip(push.decay) {
-                *q += gain * own;
-            }
-            *forces = [f, force];
+            *held = own;
+            self.forces[i] = [f, force];
             if f > 0.0 && i < self.touching {
                 let width = if i == 0 { 0.5 * self.spacing } else { self.spacing };
                 power += force * (push.rate - own) * width;
                 sticks += if force == trial { width } else { 0.0 };
             }
+        }
+        for (along, [_, gain]) in self.along.iter_mut().zip(push.decay) {
+            along.iter_mut().zip(&*held).for_each(|(q, own)| *q += gain * own);
         }
         while self.touching > 0 && self.forces[self.touching - 1][0] <= 0.0 {
             self.touching -= 1;

@@ -3,7 +3,7 @@
 use carom_geometry::{Attitude, Inertia};
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::closed_form::{
-    AdhesiveCompression, ImpactConstants, compression_time, normal_energy_loss,
+    AdhesiveCompression, ImpactConstants, compression_time, normal_energy_loss, phi,
     restitution_in_sliding, tangential_energy_loss,
 };
 use carom_impact::normal::{self, NormalImpact, compression};
@@ -29,7 +29,9 @@ fn time_of_s() {
 #[test]
 fn adhesive_velocity_and_shift() {
     for row in rows("hypergeometric") {
-        let motion = AdhesiveCompression::new(number(&row, "chi")).unwrap();
+        let chi = number(&row, "chi");
+        assert!((phi(chi) / number(&row, "phi") - 1.0).abs() < 1e-15, "{row}");
+        let motion = AdhesiveCompression::new(chi).unwrap();
         let s = UnitArgument::new(number(&row, "S")).unwrap();
         let velocity = number(&row, "F((1-phi)/20,(1+phi)/20;3/5;S)");
         assert!((motion.velocity(s).unwrap() - velocity).abs() < 3e-13, "{row}");

@@ -31,6 +31,8 @@ mod rheologies;
 mod ring_impacts;
 mod ring_impacts_known;
 mod scene;
+mod scene_edges;
+mod scene_on_moving_wall;
 mod scene_on_wall;
 mod scene_slip;
 mod sensitivity;
@@ -41,6 +43,8 @@ mod spheres;
 mod static_friction;
 mod symmetry;
 mod systems_of_units;
+#[path = "../../../../testing/tabled.rs"]
+mod tabled;
 mod tolerances;
 mod torsional;
 mod torsional_collocation;

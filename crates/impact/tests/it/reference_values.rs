@@ -1,17 +1,13 @@
-//! Further reference values: special functions of chapter 9, peaks and events of the oblique impact, contact
-//! constants, energies of coupled impacts.
+//! Further reference values: duration of the normal impact, peaks and events of the oblique impact, energies of coupled
+//! impacts.
 
 use approx::assert_relative_eq;
 use carom_geometry::{Attitude, Surface, angle_matrix};
-use carom_halfspace::{Material, MaterialPair};
+use carom_halfspace::Material;
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::scene::{Ball, Limits, Scene, Wall};
-use carom_impact::{Body, Collision, Motion, closed_form, normal};
-use carom_laws::curvature::RelativeCurvature;
+use carom_impact::{Body, Collision, Motion, normal};
 use carom_laws::friction::Friction;
-use carom_laws::hertz::Hertz;
-use carom_special::gamma::gamma;
-use carom_special::hypergeometric::{UnitArgument, gauss, three_f_two};
 use nalgebra::Vector3;
 
 use crate::data::{matrix, number, numbers, public, rows, vector};
@@ -23,50 +19,6 @@ fn duration_of_the_normal_impact() {
     assert_relative_eq!(normal::time(0.0), number(&row, "half_T_N"), max_relative = 1e-15);
     let sine = std::f64::consts::PI / normal::DURATION;
     assert_relative_eq!(sine, number(&row, "pi_over_T_N"), max_relative = 1e-15);
-    for row in rows("gamma") {
-        assert_relative_eq!(
-            gamma(number(&row, "arg")),
-            number(&row, "gamma"),
-            max_relative = 2e-15
-        );
-    }
-}
-
-#[test]
-fn every_function_of_adhesion() {
-    for row in rows("hypergeometric") {
-        let (phi, s) = (number(&row, "phi"), number(&row, "S"));
-        assert_relative_eq!(closed_form::phi(number(&row, "chi")), phi, max_relative = 1e-15);
-        let (up, down) = (UnitArgument::new(s).unwrap(), UnitArgument::from_complement(s).unwrap());
-        let pair = |n: f64| [(n - phi) / 20.0, (n + phi) / 20.0];
-        let check = |key: &str, own: f64| {
-            // The table leaves out two functions at S = 1.
-            if s == 1.0 && row.get(key).is_none() {
-                return;
-            }
-            let expected = number(&row, key);
-            let error = (own - expected).abs() / expected.abs().max(1.0);
-            assert!(error < 1e-12, "{key} phi {phi} S {s}: {own} {expected}");
-        };
-        for (key, n, c, argument) in [
-            ("F((1-phi)/20,(1+phi)/20;3/5;S)", 1.0, 0.6, up),
-            ("F((9-phi)/20,(9+phi)/20;7/5;S)", 9.0, 1.4, up),
-            ("F((1-phi)/20,(1+phi)/20;1/2;1-S)", 1.0, 0.5, down),
-            ("F((11-phi)/20,(11+phi)/20;3/2;1-S)", 11.0, 1.5, down),
-            ("F(11-,11+;8/5;S)", 11.0, 1.6, up),
-            ("F(-1-,-1+;2/5;S)", -1.0, 0.4, up),
-        ] {
-            let [a, b] = pair(n);
-            check(key, gauss(a, b, c, argument).unwrap());
-        }
-        for (key, s, n, c) in [
-            ("3F2(2/5,(11-phi)/20,(11+phi)/20;7/5,3/5;S)", 0.4, 11.0, 0.6),
-            ("3F2(4/5,(19-phi)/20,(19+phi)/20;9/5,7/5;S)", 0.8, 19.0, 1.4),
-        ] {
-            let [a, b] = pair(n);
-            check(key, three_f_two(s, a, b, c, up).unwrap());
-        }
-    }
 }
 
 #[test]
@@ -165,34 +117,6 @@ fn the_bounces_under_a_book() {
             assert!((spin - number(row, "R_omega")).abs() < 1e-9, "{key} {row} {spin}");
             assert_eq!(bounce.wall == 0, row["contact"] == "table");
         }
-    }
-}
-
-#[test]
-fn ellipses_of_the_contact_constants() {
-    for row in rows("contact_constants_(5.25)") {
-        let number = |key: &str| number(&row, key);
-        let material = |i: u8| {
-            let nu = number(&format!("nu{i}"));
-            Material::from_shear(number(&format!("G{i}")), nu).unwrap()
-        };
-        let pair = MaterialPair::new(material(1), material(2)).unwrap();
-        let gap = RelativeCurvature::from_coefficients(number("A"), number("B")).unwrap();
-        let hertz = Hertz::new(gap, pair).unwrap();
-        let stiffness = hertz.stiffness();
-        for (own, key) in [(stiffness.c_x, "cx"), (stiffness.c_y, "cy"), (stiffness.c_z, "cz")] {
-            assert_relative_eq!(own, number(key), max_relative = 1e-12);
-        }
-        let ratio = hertz.axis_ratio().get();
-        assert_relative_eq!(1.0 / ratio, number("b_over_a"), max_relative = 1e-12);
-        assert!((1.0 - ratio * ratio - number("k").powi(2)).abs() < 1e-12);
-        assert_relative_eq!(hertz.parameters().delta, number("delta"), max_relative = 1e-12);
-        assert!((pair.epsilon() - number("eps")).abs() < 1e-15);
-        let ellipse = hertz.ellipse(0.01).unwrap();
-        let a = ellipse.semi_axis_a().powi(2) / 0.01;
-        assert_relative_eq!(a, number("a2_per_zeta"), max_relative = 1e-12);
-        let b = ellipse.semi_axis_b().powi(2) / 0.01;
-        assert_relative_eq!(b, number("b2_per_zeta"), max_relative = 1e-12);
     }
 }
 

@@ -95,19 +95,6 @@ fn drawn(random: &mut Congruential) -> [f64; 5] {
 }
 
 #[test]
-fn the_estimate_covers_the_change_to_the_finest_rings_in_95_of_100_drawn_impacts() {
-    let mut random = Congruential(123);
-    let mut covered = 0;
-    for _ in 0..100 {
-        let groups = groups(drawn(&mut random));
-        let finest = of_dissimilar(&groups, 1e-9).unwrap().r_x;
-        let found = of_dissimilar(&groups, 1e-2).unwrap();
-        covered += i32::from((found.r_x - finest).abs() <= found.error_estimate);
-    }
-    assert!(covered >= 95, "{covered}");
-}
-
-#[test]
 fn the_table_is_what_the_grid_finds() {
     let (mut sum, mut worst) = (0.0, 0.0_f64);
     for [kappa, gamma, f, lambda, after] in WEAK {
@@ -118,21 +105,6 @@ fn the_table_is_what_the_grid_finds() {
     }
     let mean = sum / WEAK.len() as f64;
     assert!(mean <= 2e-3 && worst <= 8e-3, "{mean} {worst}");
-}
-
-#[test]
-fn the_table_is_near_the_law_between_its_entries() {
-    let mut random = Congruential(2026);
-    let (mut sum, mut worst) = (0.0, 0.0_f64);
-    for _ in 0..50 {
-        let [kappa, gamma, f, lambda, ratio] = drawn(&mut random);
-        let groups = groups([kappa, gamma, f.min(0.1 / gamma.abs()), lambda.max(0.2), ratio]);
-        let Some(stored) = DissimilarTable::shared().stored(&groups) else { continue };
-        let off = (stored.r_x - of_dissimilar(&groups, 2e-3).unwrap().r_x).abs();
-        sum += off;
-        worst = worst.max(off);
-    }
-    assert!(sum / 50.0 <= 2e-3 && worst <= 1e-2, "{} {worst}", sum / 50.0);
 }
 
 #[test]
@@ -187,21 +159,38 @@ fn the_sense_of_gamma_makes_no_difference_and_out_of_range_rings_answer() {
     }
 }
 
+/// Those of the table, of 100 impacts that it has, and of rings, of these and of those beside it.
 #[test]
-fn the_estimate_of_the_table_covers_the_finest_rings_in_95_of_100_drawn_impacts() {
+fn estimates_cover_the_finest_rings_in_95_of_100_drawn_impacts() {
     let mut random = Congruential(31);
-    let (mut covered, mut count) = (0, 0);
-    while count < 100 {
+    // Covered, and counted.
+    let (mut by_table, mut by_rings) = ([0, 0], [0, 0]);
+    let mut off_at_weak_coupling = Vec::new();
+    while by_table[1] < 100 {
         let [kappa, gamma, f, lambda, ratio] = drawn(&mut random);
         // Every tenth touches without tangential velocity.
-        let lambda = if count % 10 == 0 { 0.0 } else { lambda };
+        let lambda = if by_table[1] % 10 == 0 { 0.0 } else { lambda };
         let groups = groups([kappa, gamma, f, lambda, ratio]);
-        let Some(found) = DissimilarTable::shared().stored(&groups) else { continue };
         let finest = of_dissimilar(&groups, 1e-9).unwrap().r_x;
-        covered += i32::from((found.r_x - finest).abs() <= found.error_estimate);
-        count += 1;
+        let stored = DissimilarTable::shared().stored(&groups);
+        if let Some(found) = stored.filter(|_| gamma.abs() * f <= 0.1 && lambda >= 0.2) {
+            off_at_weak_coupling.push((found.r_x - finest).abs());
+        }
+        let rings = (&mut by_rings, Some(of_dissimilar(&groups, 1e-2).unwrap()));
+        for ([covered, count], found) in [(&mut by_table, stored), rings] {
+            let Some(found) = found else { continue };
+            *covered += i32::from((found.r_x - finest).abs() <= found.error_estimate);
+            *count += 1;
+        }
     }
-    assert!(covered >= 95, "{covered}");
+    assert!(
+        by_table[0] >= 95 && 100 * by_rings[0] >= 95 * by_rings[1],
+        "{by_table:?} {by_rings:?}"
+    );
+    let count = off_at_weak_coupling.len();
+    let mean = off_at_weak_coupling.iter().sum::<f64>() / count as f64;
+    let worst = off_at_weak_coupling.into_iter().fold(0.0, f64::max);
+    assert!(count >= 30 && mean <= 2e-3 && worst <= 1e-2, "{count}: {mean} {worst}");
 }
 
 /// R_x of a ball of these materials against a plane, by [`RingImpact`], and the groups of that impact.
@@ -224,7 +213,7 @@ fn collided(random: &mut Congruential) -> (f64, DissimilarGroups) {
 #[test]
 fn the_answer_is_that_of_collisions_of_balls() {
     let (mut random, mut by_table, mut sum) = (Congruential(77), 0, 0.0);
-    for _ in 0..40 {
+    for _ in 0..20 {
         let (rings, groups) = collided(&mut random);
         let found = DissimilarTable::shared().restitution(&groups).unwrap();
         by_table += i32::from(found.method == DissimilarMethod::Table);
@@ -232,7 +221,7 @@ fn the_answer_is_that_of_collisions_of_balls() {
         sum += off;
         assert!(off <= 1e-2, "{groups:?}: {off}");
     }
-    assert!(by_table >= 30 && sum / 40.0 <= 2e-3, "{by_table} {}", sum / 40.0);
+    assert!(by_table >= 15 && sum / 20.0 <= 2e-3, "{by_table} {}", sum / 20.0);
 }
 
 #[test]

@@ -2,10 +2,11 @@
 //! calculation; smoothness; bad input.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
 use carom_laws::creep::CreepCoefficients;
 use carom_laws::creep::nodes::{axis_ratios, poissons};
+
+use crate::tabled::rows;
 
 fn at(axis_ratio: f64, poisson: f64) -> [f64; 4] {
     let c = CreepCoefficients::by_table(axis_ratio, poisson).unwrap();
@@ -15,13 +16,7 @@ fn at(axis_ratio: f64, poisson: f64) -> [f64; 4] {
 
 /// Rows a/b, nu, four printed and four calculated coefficients.
 fn kalker() -> Vec<[f64; 10]> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification/data/rolling/kalker_coefficients.csv");
-    let text = std::fs::read_to_string(path).unwrap();
-    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
-    let numbers =
-        |line: &str| -> Vec<f64> { line.split(',').map(|n| n.parse().unwrap()).collect() };
-    lines.map(|line| numbers(line).try_into().unwrap()).collect()
+    rows("rolling/kalker_coefficients.csv")
 }
 
 /// Kalker 1990, table E.3, in three digits; C33 was printed from memory.

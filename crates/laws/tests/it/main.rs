@@ -43,6 +43,9 @@ mod sliders;
 mod sliders_known;
 mod slip_lines;
 mod static_slip;
+mod static_slip_steps;
+#[path = "../../../../testing/tabled.rs"]
+mod tabled;
 mod torsion;
 mod torsion_after_sliding;
 mod torsion_apart;

@@ -7,6 +7,8 @@
 
 mod contacts;
 mod draw;
+#[path = "../../../solver/tests/it/any_problem/drawn.rs"]
+mod drawn;
 mod impacts;
 mod memory;
 mod worst;

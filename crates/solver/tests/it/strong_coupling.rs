@@ -228,20 +228,29 @@ fn a_receding_contact_of_infinite_friction_is_found_whatever_the_round_off() {
 /// of such friction differ in some cells at the edge, and a fraction of a per cent in their loads.
 #[test]
 fn damped_steps_that_fail_are_repeated() {
-    for (friction, steps, factors, most, loads) in [
-        (100.0, 3, &GAP_FACTORS[..1], 2500.0, [26.110_612_59, -3.209_711_93, 9.420_538_37]),
-        (1000.0, 2, &GAP_FACTORS[..], 6000.0, [-23.684_577_89, 18.009_107_59, 32.468_872_17]),
-    ] {
-        let mut all = Vec::new();
-        for factor in factors {
-            let gap = |x: f64, y: f64| factor * bowl(x, y);
-            let (spent, got) = strong(gap, friction, &RECEDING[..steps]);
-            all.push(spent);
-            for (got, known) in got.iter().zip(loads) {
-                assert!((got - known).abs() < 0.05, "f = {friction}: {got} {known}");
-            }
+    repeated(100.0, 3, &GAP_FACTORS[..1], 2500.0, [26.110_612_59, -3.209_711_93, 9.420_538_37]);
+    repeated(1000.0, 2, &GAP_FACTORS[..1], 12_000.0, AT_FRICTION_1000);
+}
+
+#[test]
+#[ignore = "ten seconds: at three gaps"]
+fn damped_steps_that_fail_are_repeated_whatever_the_round_off() {
+    repeated(1000.0, 2, &GAP_FACTORS, 6000.0, AT_FRICTION_1000);
+}
+
+const AT_FRICTION_1000: [f64; 3] = [-23.684_577_89, 18.009_107_59, 32.468_872_17];
+
+/// Checks the loads after so many steps at each gap, and that they took fewer products than `most` in the mean.
+fn repeated(friction: f64, steps: usize, factors: &[f64], most: f64, loads: [f64; 3]) {
+    let mut all = Vec::new();
+    for factor in factors {
+        let gap = |x: f64, y: f64| factor * bowl(x, y);
+        let (spent, got) = strong(gap, friction, &RECEDING[..steps]);
+        all.push(spent);
+        for (got, known) in got.iter().zip(loads) {
+            assert!((got - known).abs() < 0.05, "f = {friction}: {got} {known}");
         }
-        let mean = all.iter().sum::<f64>() / all.len() as f64;
-        assert!(mean < most, "f = {friction}: {all:?} products");
     }
+    let mean = all.iter().sum::<f64>() / all.len() as f64;
+    assert!(mean < most, "f = {friction}: {all:?} products");
 }

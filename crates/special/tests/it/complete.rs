@@ -1,7 +1,8 @@
 //! Complete elliptic integrals against 25-digit references; those over the whole range of axis ratios, with the derivatives,
 //! are claims of the page `accuracy.special`.
 
-use crate::common::{Errors, Table};
+use crate::common::Errors;
+use crate::tabled::rows;
 use carom_special::AxisRatio;
 use carom_special::elliptic::complete;
 
@@ -12,7 +13,7 @@ fn the_argument_may_be_a_modulus_or_a_parameter() {
     let functions: [Function; 5] =
         [complete::k, complete::e, complete::d, complete::b, complete::c];
     let mut errors = Errors::default();
-    for row in Table::read("complete_by_argument.csv").rows() {
+    for row in rows::<7>("special/complete_by_argument.csv") {
         let constructors = [AxisRatio::new, AxisRatio::from_modulus, AxisRatio::from_parameter];
         let ratio = constructors[row[0] as usize](row[1]);
         if row[2].is_infinite() {

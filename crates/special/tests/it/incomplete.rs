@@ -1,14 +1,15 @@
 //! Incomplete elliptic integrals against 22-digit references; the corners are claims of the page `accuracy.special`.
 
-use crate::common::{Errors, Table};
+use crate::common::Errors;
+use crate::tabled::rows;
 use carom_special::AxisRatio;
 use carom_special::elliptic::{Amplitude, incomplete};
 
 #[test]
 fn the_arguments_may_be_an_angle_and_a_modulus() {
     let mut errors = Errors::default();
-    for row in Table::read("incomplete_by_modulus.csv").rows() {
-        let &[phi, modulus, f, e] = row else { panic!("four columns") };
+    for row in rows("special/incomplete_by_modulus.csv") {
+        let [phi, modulus, f, e] = row;
         let amplitude = Amplitude::from_angle(phi).expect("in range");
         let ratio = AxisRatio::from_modulus(modulus).expect("in range");
         errors.push(incomplete::f(ratio, amplitude), f, 0.0, || format!("F {row:?}"));

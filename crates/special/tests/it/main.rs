@@ -7,3 +7,5 @@ mod hypergeometric;
 mod identities;
 mod incomplete;
 mod nodes;
+#[path = "../../../../testing/tabled.rs"]
+mod tabled;

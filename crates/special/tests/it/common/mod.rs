@@ -1,30 +1,4 @@
-//! Reference tables and the error statistics of a function against them.
-
-use std::path::Path;
-
-/// A reference table: its rows of numbers.
-pub(crate) struct Table {
-    rows: Vec<Vec<f64>>,
-}
-
-impl Table {
-    /// The table `file` of the reference data.
-    pub(crate) fn read(file: &str) -> Self {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/data/special");
-        let text = std::fs::read_to_string(folder.join(file)).expect("reference table");
-        let lines = text.lines().filter(|line| !line.starts_with('#'));
-        let rows = lines
-            .skip(1)
-            .map(|line| line.split(',').map(|cell| cell.parse().expect("number")).collect())
-            .collect();
-        Self { rows }
-    }
-
-    /// The rows as slices with the columns in file order.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = &[f64]> {
-        self.rows.iter().map(Vec::as_slice)
-    }
-}
+//! The error statistics of a function against a reference table.
 
 /// Errors of a function, in units of 2.2e-16.
 #[derive(Default)]
