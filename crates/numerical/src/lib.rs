@@ -96,7 +96,8 @@ impl<'a> NumericalImpact<'a> {
     }
 
     /// With another tolerance of the tangential velocity over f v_z (over v_z where f > 1), and of the normal velocity over
-    /// v_z. Where 64 cells and 512 steps do not meet it, the outcome says so by its error estimate.
+    /// v_z. Where 64 cells and 512 steps (32 and 256 where |gamma| f exceeds 1) do not meet it, the outcome says so by its
+    /// error estimate.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.

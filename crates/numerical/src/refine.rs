@@ -23,6 +23,10 @@ const FLOOR_BY_STRENGTH: f64 = 0.018;
 /// The first and the finest grids and steps.
 const FIRST: Fineness = Fineness { cells: 16, steps: 64 };
 const FINEST: Fineness = Fineness { cells: 64, steps: 512 };
+/// The same where gamma f exceeds [`PARTING`]: there the bodies part on one side, and pressures and tractions are hard to find
+/// together. Above gamma f = 4 each step factors dense matrices of all slipping cells, so that a run on 64 cells takes hours.
+const FINEST_PARTING: Fineness = Fineness { cells: 32, steps: 256 };
+const PARTING: f64 = 1.0;
 /// Cells times steps of a run at the most: those of the finest run of an impact that lasts twice as long as a free one.
 const MOST_WORK: usize = 2 * FINEST.steps * FINEST.cells * FINEST.cells;
 /// The fewest cells of a coarse grid.
@@ -57,7 +61,7 @@ impl Problem<'_> {
     /// Refines what seems to be off most until the estimates of the tangential velocity over f v_z and of the normal one
     /// over v_z are as allowed, or nothing finer is left.
     pub(crate) fn settled(&self, allowed: [f64; 2]) -> Result<Found, NumericalImpactError> {
-        let mut refined = self.begun(FIRST)?;
+        let (mut refined, finest) = (self.begun(FIRST)?, self.finest());
         loop {
             let found = self.judged(&refined);
             if found.tangential <= allowed[0] && found.normal <= allowed[1] {
@@ -65,8 +69,8 @@ impl Problem<'_> {
             }
             let Fineness { cells, steps } = refined.fineness;
             let work = refined.finest.samples.len() * cells * cells;
-            let finer_steps = steps < FINEST.steps && 2 * work <= MOST_WORK;
-            let finer_cells = cells < FINEST.cells && 4 * work <= MOST_WORK;
+            let finer_steps = steps < finest.steps && 2 * work <= MOST_WORK;
+            let finer_cells = cells < finest.cells && 4 * work <= MOST_WORK;
             let steps_are_off = worse(self.by_steps(&refined), self.by_cells(&refined));
             refined = match (finer_steps, finer_cells) {
                 (false, false) => return Ok(self.found(refined, found)),
@@ -74,6 +78,11 @@ impl Problem<'_> {
                 _ => self.with_more_cells(refined)?,
             };
         }
+    }
+
+    /// The finest cells and steps that a default refinement takes.
+    fn finest(&self) -> Fineness {
+        if self.parting() > PARTING { FINEST_PARTING } else { FINEST }
     }
 
     /// With these cells and steps, and half of each for the estimate.

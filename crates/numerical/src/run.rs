@@ -73,6 +73,11 @@ impl<'a> Problem<'a> {
         self.collision.hertz().materials().gamma().abs() * self.scale()
     }
 
+    /// |gamma| f, however great f is.
+    pub(crate) fn parting(&self) -> f64 {
+        self.collision.hertz().materials().gamma().abs() * self.collision.friction().get()
+    }
+
     /// A run. Steps of an impact that resembles a free one are placed in time: their errors are then smooth.
     pub(crate) fn run(&self, fineness: Fineness) -> Result<Run, NumericalImpactError> {
         let (hertz, velocity) = (*self.collision.hertz(), self.impact.velocity());

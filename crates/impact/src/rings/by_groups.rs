@@ -30,7 +30,7 @@ impl GroupImpact {
 pub(crate) fn by_groups(impact: &GroupImpact, tolerance: f64) -> Result<[f64; 2], RingImpactError> {
     let spread = impact.gamma.abs() / impact.friction.get();
     let lambda = impact.lambda.min(FAST * (1.0 + spread));
-    let problem = impact.problem(lambda);
+    let problem = impact.problem(lambda).letting_go_at_the_rim()?;
     let (found, limit) = problem.followed([tolerance, f64::INFINITY])?;
     if let Some(limit) = limit {
         return Ok(limit);

@@ -217,6 +217,6 @@ impl<'a> RingImpact<'a> {
         let friction = collision.friction();
         let loss = collision.viscous_loss(velocity.z)?;
         let problem = Problem { motion, constants: RingConstants::of(hertz)?, friction, loss };
-        Ok(Some(problem.without_negligible_spin()))
+        Ok(Some(problem.letting_go_at_the_rim()?.without_negligible_spin()))
     }
 }

@@ -25,9 +25,6 @@ const LEFT_OUT: f64 = 0.15;
 /// Coefficient of kappa - 1 in the error of the solution for similar bodies, whose friction has the direction of the
 /// tangential velocity everywhere. On a grid of 80 cells it was .0017 f v_z off at kappa = 1.44.
 const BY_DIRECTION: f64 = 4e-3;
-/// The error with infinite friction, which lets no rim slip, over gamma^2 times the tangential velocity. Against rings with
-/// f = 1e5 it was .5 at gamma = .48 and .8 at gamma = .14.
-const STUCK: f64 = 1.0;
 /// Friction beyond which what sticks from the first touch on errs as with this one.
 const GREAT: f64 = 1.2;
 /// The energy that rounding may add, over that before.
@@ -238,9 +235,6 @@ impl Problem {
         let (gamma, friction) = (self.constants.gamma.abs(), self.friction.get());
         let [speed, xi, eta, omega] = self.motion.before;
         let needed = if omega == 0.0 { xi.hypot(eta) / speed } else { f64::INFINITY };
-        if friction.is_infinite() {
-            return STUCK * gamma * gamma * needed.clamp(1.0, STRONGEST);
-        }
         if friction <= GREAT {
             return LEFT_OUT * (gamma * friction * friction.max(1.0)).powi(2) * self.reached();
         }

@@ -60,3 +60,21 @@ fn the_estimate_of_an_impact_that_slides_is_a_part_of_its_slip() {
         assert!((error / errors[0][0] - 1.0).abs() < 0.03, "{errors:?}");
     }
 }
+
+/// Where f times coupling is great a step on 64 cells may take a minute: the default refinement ends at 32.
+#[test]
+fn great_friction_between_unlike_bodies_ends_with_its_estimate() {
+    let material = |young, poisson| Material::from_young(young, poisson).unwrap();
+    let ball = Body::sphere(0.01, material(10e9, 0.0), 0.01).unwrap();
+    let ball = ball.moving(Motion::new([1.0, 0.0, -1.0], [0.0; 3]).unwrap());
+    let plane = Body::plane(material(300e9, 0.3));
+    let collision = Collision::new(ball, plane, Friction::new(3.0).unwrap()).unwrap();
+    let by = |error: f64| {
+        let impact = NumericalImpact::new(&collision).within(error).unwrap();
+        impact.solve().unwrap().rebound().unwrap().clone()
+    };
+    let (fine, coarse) = (by(1e-4), by(0.1));
+    let apart = (fine.contact_velocity_after - coarse.contact_velocity_after).norm();
+    let [told, less] = [&coarse, &fine].map(|it| it.error_estimate * 2.0_f64.sqrt());
+    assert!(apart < told + less && less < 0.02 && less < told, "{apart} {told} {less}");
+}
