@@ -123,11 +123,6 @@ pub trait ContactLaw: Clone {
     /// The present shift.
     fn shift(&self) -> Shift;
 
-    /// The shift at which an elastic contact bears the present load: the present shift, ahead of it in a viscous material.
-    fn elastic_shift(&self) -> Shift {
-        self.shift()
-    }
-
     /// The present load.
     fn load(&self) -> ContactLoad;
 
@@ -149,48 +144,6 @@ pub trait ContactLaw: Clone {
     /// ends.
     fn slides_on(&self, _rates: Shift) -> Option<bool> {
         None
-    }
-}
-
-/// The heat of friction of a path: the work of the loads on the elastic shift, by trapezoids. It counts what is stored in
-/// between; from first contact to separation nothing is. Of the normal force only what differs from Hertz's law counts: the
-/// rest does no work from first contact to separation, but trapezoids would find some in the long steps of the elastic
-/// approach with which a viscous contact begins and ends.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FrictionWork {
-    c_z: f64,
-    shift: Shift,
-    load: ContactLoad,
-    sum: f64,
-}
-
-impl FrictionWork {
-    /// Of a contact that by Hertz's law has F_z = (2/3) c_z zeta^(3/2).
-    #[must_use]
-    pub fn new(c_z: f64) -> Self {
-        Self { c_z, ..Self::default() }
-    }
-
-    /// Adds a step to this elastic shift ([`ContactLaw::elastic_shift`]) and load.
-    pub fn see(&mut self, to: Shift, mut load: ContactLoad) {
-        let zeta = to.zeta.max(0.0);
-        // At separation the elastic approach is that of the step before.
-        if load.f_z > 0.0 {
-            load.f_z -= 2.0 / 3.0 * self.c_z * (zeta * zeta.sqrt());
-        }
-        let (from, before) = (self.shift, self.load);
-        self.sum += 0.5
-            * ((before.f_x + load.f_x) * (to.xi - from.xi)
-                + (before.f_y + load.f_y) * (to.eta - from.eta)
-                + (before.f_z + load.f_z) * (to.zeta - from.zeta)
-                + (before.m_z + load.m_z) * (to.omega - from.omega));
-        (self.shift, self.load) = (to, load);
-    }
-
-    /// The work so far.
-    #[must_use]
-    pub const fn sum(&self) -> f64 {
-        self.sum
     }
 }
 

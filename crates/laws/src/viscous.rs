@@ -242,10 +242,6 @@ impl<L: ContactLaw> ContactLaw for ViscousLaw<L> {
         self.shift
     }
 
-    fn elastic_shift(&self) -> Shift {
-        self.law.shift()
-    }
-
     fn load(&self) -> ContactLoad {
         self.law.load()
     }

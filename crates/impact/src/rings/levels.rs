@@ -85,6 +85,11 @@ pub(super) const SPINNING: [Level; 4] = [
     level!(24, 16, 9, 5; 384, 1e-4, 0.3, [1.3e-3, 1.5e-3, 3e-3, 1e-4], 8e-4).fine(),
 ];
 
+/// The same where the material takes nearly all of the normal motion: steps short beside those of an elastic impact follow the
+/// springs, which are bent at once at the first touch and let go slowly.
+pub(super) const SPINNING_AND_LOSSY: [Level; 4] =
+    [SPINNING[0].in_steps(4), SPINNING[1].in_steps(4), SPINNING[2].in_steps(4), SPINNING[3]];
+
 /// The level for tables. With twice the steps the tangential velocity changes by 5e-4 f v_z in the mean.
 pub(super) const FILLING: Level = level!(16, 16, 9, 5; 128, 5e-4, 0.0, [0.0; 4], 0.0);
 
@@ -101,6 +106,11 @@ impl Level {
     /// For tolerances finer than the default only.
     const fn fine(self) -> Self {
         Self { is_usual: false, ..self }
+    }
+
+    /// With so many times the steps.
+    const fn in_steps(self, times: usize) -> Self {
+        Self { steps: times * self.steps, ..self }
     }
 
     /// With what finer levels would change of the tangential velocity, over the change from the coarser level.
@@ -123,11 +133,11 @@ impl Level {
     /// The normal velocity after the same impact without friction: what steps alone miss.
     pub(super) fn normal(&self, problem: &Problem) -> Result<f64, RingImpactError> {
         let law = ShiftLaw::<f64>::with_fixed_direction(problem.stiffness(), Friction::new(0.0)?);
-        let (motion, c_z) = (problem.motion.straight(), problem.constants.c_z);
+        let motion = problem.motion.straight();
         let passage = ended(match problem.viscosity()? {
-            None => motion.follow((law, c_z), self.steps, |_, _| ())?,
+            None => motion.follow(law, self.steps, |_, _| ())?,
             Some(viscosity) => {
-                motion.follow((problem.viscous_law(law, viscosity), c_z), self.steps, |_, _| ())?
+                motion.follow(problem.viscous_law(law, viscosity), self.steps, |_, _| ())?
             }
         })?;
         Ok(passage.after[0])
@@ -194,12 +204,11 @@ fn followed<const N: usize, const H: usize, S: Symmetry<H>>(
     steps: usize,
     observe: &mut dyn FnMut(Sample),
 ) -> Result<Passage, RingImpactError> {
-    let c_z = problem.constants.c_z;
     ended(match problem.viscosity()? {
-        None => motion.follow((law, c_z), steps, |at, law| observe(sample(at, law)))?,
+        None => motion.follow(law, steps, |at, law| observe(sample(at, law)))?,
         Some(viscosity) => {
             let law = problem.viscous_law(law, viscosity);
-            motion.follow((law, c_z), steps, |at, law| observe(sample(at, law.elastic())))?
+            motion.follow(law, steps, |at, law| observe(sample(at, law.elastic())))?
         }
     })
 }

@@ -127,7 +127,7 @@ impl<'a> RingImpact<'a> {
             None => 0.0,
             Some(_) => {
                 let lost = 0.5 * impulse.dot(&(before + velocity)) + by_twist;
-                (lost - found.passage.friction_heat.max(0.0)).max(0.0)
+                (lost - found.friction_heat).max(0.0)
             }
         };
         let outcome = CoupledOutcome {

@@ -1,6 +1,6 @@
 //! Integrates shift, approach and twist through a contact, by leapfrog steps of equal length.
 
-use carom_laws::law::{ContactLaw, ContactLoad, FrictionWork, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use nalgebra::Vector3;
 
 use crate::coupled::Sample;
@@ -28,7 +28,6 @@ pub(super) struct Passage {
     pub(super) duration: f64,
     pub(super) maximal_approach: f64,
     pub(super) maximal_force: f64,
-    pub(super) friction_heat: f64,
     pub(super) compressions: u32,
     /// Half of what the tangential rates after it change if the axes turn by half the distance of two angles; 0
     /// where symmetry fixes the axes.
@@ -114,7 +113,7 @@ impl Motion {
     /// at separation. None if the bodies do not separate.
     pub(super) fn follow<L: ContactLaw>(
         &self,
-        (mut law, c_z): (L, f64),
+        mut law: L,
         steps: usize,
         mut observe: impl FnMut(Instant, &L),
     ) -> Result<Option<Passage>, L::Error> {
@@ -123,7 +122,6 @@ impl Motion {
         let mut load = ContactLoad::default();
         let mut passage = Passage { compressions: 1, ..Passage::default() };
         observe(Instant { time: 0.0, shift: at, rates, load }, &law);
-        let mut friction = FrictionWork::new(c_z);
         for step in 0..PATIENCE * steps {
             // Rates at the middle of the step.
             let middle = self.pushed(&rates, &load, 0.5 * h);
@@ -142,8 +140,6 @@ impl Motion {
                     shift[0] = 0.0;
                 }
                 let load = ContactLoad::default();
-                friction.see(law.elastic_shift(), load);
-                passage.friction_heat = friction.sum();
                 observe(
                     Instant { time: passage.duration, shift, rates: passage.after, load },
                     &law,
@@ -151,7 +147,6 @@ impl Motion {
                 return Ok(Some(passage));
             }
             load = law.advance_at(as_shift(&next), as_shift(&ahead))?;
-            friction.see(law.elastic_shift(), load);
             let old = rates[0];
             (at, rates) = (next, self.pushed(&middle, &load, 0.5 * h));
             observe(Instant { time: (step + 1) as f64 * h, shift: at, rates, load }, &law);
@@ -194,7 +189,7 @@ mod tests {
                 before: [1.0, 0.3, -0.2, 0.1],
                 duration: told * DURATION,
             };
-            let passage = motion.follow((law.clone(), 4.0), 128, |_, _| ()).unwrap().unwrap();
+            let passage = motion.follow(law.clone(), 128, |_, _| ()).unwrap().unwrap();
             assert!((passage.duration / DURATION - 1.0).abs() < 2e-4, "{told}: {passage:?}");
             assert!((passage.after[0] + 1.0).abs() < 1e-4, "{told}: {passage:?}");
             assert_eq!(passage.after[1..], motion.before[1..]);

@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::levels::{Floor, LEVELS, Level, SPINNING, UNLIKE};
+use super::levels::{Floor, LEVELS, Level, SPINNING, SPINNING_AND_LOSSY, UNLIKE};
 use super::motion::{Passage, Rates};
 use super::problem::{Exact, Problem};
 use super::sliding::Slide;
 use super::spinning::Extrapolated;
 use super::{RingImpact, RingImpactError};
 use crate::coupled::{Sample, Stage};
+use crate::normal::DURATION;
 
 /// The tangential velocity over f v_z at which the limit for vanishing ones is computed.
 pub(super) const PROBE: f64 = 0.02;
@@ -25,6 +26,8 @@ const LEFT_OUT: f64 = 0.15;
 /// Coefficient of kappa - 1 in the error of the solution for similar bodies, whose friction has the direction of the
 /// tangential velocity everywhere. On a grid of 80 cells it was .0017 f v_z off at kappa = 1.44.
 const BY_DIRECTION: f64 = 4e-3;
+/// Below this normal restitution a spinning impact takes more steps.
+const LOSSY: f64 = 0.2;
 /// Friction beyond which what sticks from the first touch on errs as with this one.
 const GREAT: f64 = 1.2;
 /// The energy that rounding may add, over that before.
@@ -43,6 +46,8 @@ const USUAL: f64 = 0.25;
 /// Rates after the impact and their estimated error, over f v_z.
 pub(super) struct Found {
     pub(super) passage: Passage,
+    /// The heat of friction of a material that loses energy.
+    pub(super) friction_heat: f64,
     pub(super) estimate: f64,
     /// Estimated error of the normal velocity, over v_z.
     pub(super) normal: f64,
@@ -64,6 +69,9 @@ impl Problem {
                 self.refined(&LEVELS, allowed, Compared::default())
             }
             (None, true) => self.refined(&UNLIKE, allowed, Compared::default()),
+            (None, false) if self.normal() < LOSSY => {
+                self.refined(&SPINNING_AND_LOSSY, allowed, Extrapolated::default())
+            }
             (None, false) => self.refined(&SPINNING, allowed, Extrapolated::default()),
         }
     }
@@ -81,7 +89,7 @@ impl Problem {
         let [along, ..] = self.motion.mobility;
         let taken = (1.0 - self.normal() * self.normal()) * speed * speed / along;
         let lost = self.energy(&self.motion.before) - self.energy(&passage.after);
-        passage.friction_heat = 0.5 * (lost - taken).max(0.0);
+        let friction_heat = 0.5 * (lost - taken).max(0.0);
         let touch = Sample {
             time: 0.0,
             shift: Vector3::zeros(),
@@ -90,7 +98,7 @@ impl Problem {
             stage: Stage::Slide,
         };
         let (level, samples) = (LEVELS[1], vec![touch]);
-        Found { passage, estimate, normal, spin: estimate, level, samples }
+        Found { passage, friction_heat, estimate, normal, spin: estimate, level, samples }
     }
 
     /// Runs levels from coarse to fine until one is fine enough. With the default tolerance the finest are left out.
@@ -115,11 +123,10 @@ impl Problem {
             // The bodies part, however little is left of the normal velocity.
             passage.after[0] = passage.after[0].min(0.0);
             passage.after = self.without_gain(&passage.after);
-            if self.loss.is_some() {
-                passage.friction_heat = self.friction_heat_beside_loss(&passage.after, &exact);
-            }
+            let friction_heat = self.friction_heat_beside_loss(&passage.after, &exact);
             best = Some(Found {
                 passage,
+                friction_heat,
                 estimate: estimate + left_out + self.of_straight_friction() + run.by_law,
                 normal: along,
                 spin: spin + level.floor.of_spin,
@@ -234,11 +241,12 @@ impl Problem {
     pub(super) fn left_out(&self) -> f64 {
         let (gamma, friction) = (self.constants.gamma.abs(), self.friction.get());
         let [speed, xi, eta, omega] = self.motion.before;
-        let needed = if omega == 0.0 { xi.hypot(eta) / speed } else { f64::INFINITY };
         if friction <= GREAT {
             return LEFT_OUT * (gamma * friction * friction.max(1.0)).powi(2) * self.reached();
         }
-        // As much friction as the tangential velocity takes at the first touch; what sticks from then on errs less.
+        // As much friction as the tangential velocity, that of the rim too, takes at the first touch; what sticks from then on errs less.
+        let rim = self.constants.radius * (self.motion.duration * speed / DURATION).sqrt() * omega;
+        let needed = xi.hypot(eta).hypot(rim) / speed;
         let taken = needed.clamp(GREAT, friction.min(STRONGEST));
         (LEFT_OUT * (gamma * taken * taken).powi(2)).min(gamma * needed.max(GREAT)) * self.reached()
     }
@@ -306,8 +314,8 @@ pub(super) trait Correction {
 /// change. What they change is left.
 #[derive(Default)]
 struct Compared {
-    /// Rates and friction heat of the coarser level.
-    last: Option<(Rates, f64)>,
+    /// Rates of the coarser level.
+    last: Option<Rates>,
 }
 
 impl Correction for Compared {
@@ -322,14 +330,11 @@ impl Correction for Compared {
         for (i, part) in [1.0, part, part, 0.0].into_iter().enumerate() {
             passage.after[i] += part * (exact.rates[i] - alike.after[i]);
         }
-        passage.friction_heat += part * (exact.friction_heat - alike.friction_heat);
-        let now = (passage.after, passage.friction_heat);
-        let Some((last, heat)) = self.last.replace(now) else { return Ok(None) };
+        let Some(last) = self.last.replace(passage.after) else { return Ok(None) };
         let change: Rates = std::array::from_fn(|i| passage.after[i] - last[i]);
         if level.beyond > 0.0 {
             let beyond = [0.0, level.beyond * change[1], level.beyond * change[2], 0.0];
             passage.after = problem.possible(&passage.after, &beyond);
-            passage.friction_heat += level.beyond * (passage.friction_heat - heat);
         }
         let left = change.map(|change| level.left * change.abs());
         let speed = problem.motion.before[0];

@@ -122,7 +122,6 @@ impl Problem {
         }
         let part = if before[0] > 0.0 { now[0] / before[0] } else { 0.0 };
         let passage = Passage {
-            friction_heat: 0.0,
             after: [-speed * left.max(0.0).sqrt(), part * xi, part * eta, now[1]],
             duration: normal.duration(),
             maximal_approach: normal.maximal_approach(),

@@ -47,7 +47,6 @@ impl Correction for Extrapolated {
             None => 0.0,
             Some(_) => {
                 let alike = level.passage(&problem.alike())?;
-                passage.friction_heat += exact.friction_heat - alike.friction_heat;
                 problem.without_viscous_law(level, &mut passage, (&alike, exact))?
             }
         };

@@ -489,3 +489,36 @@ fn a_spin_of_either_sign_slows_down_alike() {
         assert!((left - right).abs() < 1e-14, "{left} {right}");
     }
 }
+
+/// Bodies that hardly rebound, with spin: finer rings and steps change the velocity by no more than what both runs tell.
+#[test]
+fn a_spinning_impact_with_a_great_loss_is_that_of_finer_steps() {
+    let [soft, rubber, unlike] = [
+        [[166e6, 0.0], [166e6, 0.0]],
+        [[27.7e6, 0.0], [3.67e6, 0.1]],
+        [[1.474e9, 0.1], [2.345e9, 0.45]],
+    ];
+    for (pair, f, slip, spin, e) in [
+        (soft, 1.0, 0.661, -374.8, 0.0),
+        (soft, 1.0, 0.661, -374.8, 0.02),
+        (rubber, 0.05, 0.0279, -1.03, 0.0),
+        (unlike, 0.3, 0.744, -37.86, 0.1),
+    ] {
+        let collision = thrown(pair, f, [[slip, 0.0, -1.0], [0.0, 0.0, spin]], e);
+        let [[usual, told], [fine, left]] = [1e-2, 1e-9].map(|limit| by_rings(&collision, limit));
+        assert!((usual - fine).abs() < told + left, "{f} {e}: {usual} {told}, {fine} {left}");
+        assert!(told * slip < 0.02, "{f} {e}: {told}");
+    }
+}
+
+/// A spin about the normal that hardly moves the rim leaves the estimate of great friction what it is.
+#[test]
+fn a_slow_spin_hardly_changes_what_is_told_of_great_friction() {
+    let pair = [[70e9, 0.0], [700e9, 0.3]];
+    for f in [2.0, 5.0, f64::INFINITY] {
+        let told =
+            |spin| by_rings(&thrown(pair, f, [[0.9, 0.1, -1.0], [0.0, 0.0, spin]], 1.0), 1e-2)[1];
+        let [still, slow] = [told(0.0), told(1e-3)];
+        assert!(slow < 2.0 * still + 0.02, "{f}: {still} {slow}");
+    }
+}

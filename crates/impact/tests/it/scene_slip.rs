@@ -216,7 +216,8 @@ fn a_ball_whose_spin_along_the_wall_has_ended_slides_on() {
 /// A bounce that ends slip leaves of it what rounding leaves: on a steep slope it begins anew along the force.
 #[test]
 fn a_slip_that_a_bounce_has_ended_begins_along_the_force() {
-    for (spin, count) in [([0.0; 3], 20), ([3.0, -2.0, 40.0], 4)] {
+    // Rings are solved to a tolerance: rounding decides on the last step of an iteration, with spin in 768 steps.
+    for (spin, count, within) in [([0.0; 3], 20, 1e-5), ([3.0, -2.0, 40.0], 4, 1e-4)] {
         let normal = [-0.137, -0.407, 1.0];
         let wall = Wall::new([0.0; 3], normal, Material::RIGID, friction(0.1)).unwrap();
         let thrown = Thrown {
@@ -229,8 +230,7 @@ fn a_slip_that_a_bounce_has_ended_begins_along_the_force() {
             motion: Motion { velocity: Vector3::new(-0.14, 0.3, 0.14), spin: spin.into() },
             limits: Limits::new(1.5, 200).unwrap(),
         };
-        // Rings are solved to a tolerance: rounding decides on the last step of an iteration.
-        let path = thrown.turns(count, 1e-5);
+        let path = thrown.turns(count, within);
         let slides = path.events().iter().any(|event| {
             matches!(event.kind, EventKind::Moves { .. }) && event.kind.name() == "slides"
         });
