@@ -85,6 +85,24 @@ fn nothing_jumps_as_spins_fade() {
     assert!(at_end < 1.0, "{at_end}");
 }
 
+/// Below .02 f v_z velocities are scaled from that slip, also what spin and coupling of unlike balls add across it.
+#[test]
+fn nothing_jumps_as_slips_fade() {
+    let [one, two] =
+        [(70e9, 0.0), (700e9, 0.3)].map(|(e, nu)| Material::from_young(e, nu).unwrap());
+    let velocities = [0.0199, 0.0201].map(|lambda| {
+        let slip = FRICTION * lambda;
+        let motion = Motion::new([0.8 * slip, 0.6 * slip, -1.0], [0.0, 0.0, -30.0]).unwrap();
+        let ball = Body::sphere(0.01, one, 0.01).unwrap().moving(motion);
+        let below = Body::sphere(0.02, two, 0.03).unwrap();
+        let collision = Collision::new(ball, below, Friction::new(FRICTION).unwrap()).unwrap();
+        let after = solved(&collision).contact_velocity_after;
+        [after.x / slip, after.y / slip]
+    });
+    let [[x, y], [u, v]] = velocities;
+    assert!((x - u).hypot(y - v) < 0.01, "{velocities:?}");
+}
+
 /// A tilted egg of 1 mm on a floor.
 fn egg() -> Collision {
     let material = Material::from_shear(4e9, 0.2).unwrap();
