@@ -103,6 +103,21 @@ fn nothing_jumps_as_slips_fade() {
     assert!((x - u).hypot(y - v) < 0.01, "{velocities:?}");
 }
 
+/// Like bodies that spin: what rings err in an elastic impact they err as much in one that loses next to nothing, and the
+/// estimate of a great loss does not grow with the spin.
+#[test]
+fn losses_that_fade_and_spins_leave_the_error_of_rings() {
+    let solved = |lambda: f64, spin: f64, e: f64| solved(&losing(ball(0.0, lambda, spin), e));
+    for lambda in [0.3, 1.0] {
+        for spin in [30.0, 300.0] {
+            let [step, _] = apart(&solved(lambda, spin, 1.0), &solved(lambda, spin, 0.999_999));
+            assert!(step < 5e-6, "{lambda} {spin}: {step}");
+        }
+        let [slow, fast] = [1.0, 1000.0].map(|spin| solved(lambda, spin, 0.1).error_estimate);
+        assert!(fast < 1.2 * slow && slow < 0.02 * FRICTION, "{lambda}: {fast} {slow}");
+    }
+}
+
 /// A tilted egg of 1 mm on a floor.
 fn egg() -> Collision {
     let material = Material::from_shear(4e9, 0.2).unwrap();
