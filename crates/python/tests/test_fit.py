@@ -38,6 +38,16 @@ def test_a_fit_gives_back_the_numbers_of_the_theory():
         fit["mass"]
 
 
+def test_a_wrong_value_counts_little_in_a_robust_fit():
+    angle = np.array([3.0, 7.0, 12.0, 16.0, 22.0, 28.0, 40.0, 60.0])
+    r_x = carom.restitution(1.2, np.tan(np.radians(angle)) / 0.1)
+    r_x[4] -= 0.5
+    off, robust = (
+        abs(carom.fit(unknown(), {"angle": angle, "R_x": r_x}, sd=0.01, robust=word)["friction"].value - 0.1) for word in (False, True)
+    )
+    assert robust < 0.25 * off
+
+
 def test_what_the_data_do_not_determine_is_told_and_has_no_number():
     data = {"angle": [40.0, 50.0, 60.0], "body_1_tangential_ratio": [0.779, 0.845, 0.893]}
     fit = carom.fit(unknown(), data, sd=0.014)

@@ -70,6 +70,13 @@ def test_spin_slides_at_the_torque_of_its_law():
     assert loads.torque_2 == pytest.approx(-loads.torque_1)
 
 
+def test_friction_has_the_radius_of_each_grain_as_its_arm():
+    contacts = carom.GrainContacts(1, (1e-3, 2e-3), RUBBER, 0.3)
+    load = contacts.step(1e-6, [0.0, 0.0, 3e-3 - 1e-8], [1.0, 0.0, 0.0])
+    for torque, radius in ((load.torque_1, 1e-3), (load.torque_2, 2e-3)):
+        assert torque[0] == pytest.approx([0.0, -radius * load.force[0, 0], 0.0], rel=1e-4, abs=1e-20)
+
+
 def thrown(contacts, radius, mass, velocity, dt):
     """R_x of a ball that meets a plane, by leapfrog."""
     moment, at = 0.4 * mass * radius**2, np.array([0, 0, radius])

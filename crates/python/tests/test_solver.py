@@ -99,8 +99,9 @@ def test_friction_by_cell():
     assert (solver.traction_x[x < 0] == 0.0).all() and (solver.traction_x[x > 0] != 0.0).any()
 
 
-def test_pickled_or_copied_it_goes_on_bit_for_bit():
-    solver = ball(pair=carom.MaterialPair(STEEL, carom.Material(70e9, 0.2)))
+@pytest.mark.parametrize("options", [{}, {"tolerance": 1e-3, "estimates": False}])
+def test_pickled_or_copied_it_goes_on_bit_for_bit(options):
+    solver = ball(pair=carom.MaterialPair(STEEL, carom.Material(70e9, 0.2)), **options)
     solver.step(F_z=10.0)
     solver.step(F_x=1.0, omega=1e-5)
     others = [pickle.loads(pickle.dumps(solver)), copy.copy(solver), copy.deepcopy(solver)]

@@ -43,6 +43,8 @@ def test_objects_of_other_packages_keep_their_order_and_units():
     found = carom.surface(Topography(rows))
     np.testing.assert_allclose(found.heights, rows, rtol=1e-14)
     assert found.size == pytest.approx((1e-4, 5e-5)) and found.missing == 1
+    # A unit that is given holds before that of the object.
+    np.testing.assert_allclose(carom.surface(Topography(rows), unit="nm").heights, 1e-3 * rows, rtol=1e-14)
     found = carom.surface(Measured(rows))
     np.testing.assert_allclose(found.heights, rows, rtol=1e-14)
     assert found.size == pytest.approx((1e-5, 1.2e-5))
@@ -56,6 +58,13 @@ def test_masked_points_are_missing_whatever_lies_under_the_mask():
     filled = found.prepared(missing="fill")
     assert filled.missing == 0
     np.testing.assert_array_equal(filled.heights[~rows.mask], rows.data[~rows.mask])
+
+
+def test_the_gap_is_below_the_highest_point_and_a_scale_multiplies_heights():
+    found = carom.surface(np.array([[0.0, 1.0, 3.0], [2.0, 0.0, 0.0]]), size=1.0)
+    assert found.gap.tolist() == [[3.0, 2.0, 0.0], [1.0, 3.0, 3.0]]
+    scaled = carom.surface(np.array([[0.0, 2.0], [1.0, 0.0]]), size=1.0, scale=3)
+    assert scaled.heights.tolist() == [[0.0, 6.0], [3.0, 0.0]]
 
 
 def test_files_are_known_by_their_content(tmp_path):

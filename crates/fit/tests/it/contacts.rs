@@ -53,4 +53,8 @@ fn a_contact_needs_its_load() {
         matches!(&error, FitError::Table(reason) if reason.contains("`load.approach`")),
         "{error}"
     );
+    // A touch is a reading of the approach: a force does not count from it.
+    let forced = CaseFile::from_text(CASE.replace("approach = 1e-4", "force = 1"));
+    let error = fit(&forced, &pressed(2e6), &Options::default()).unwrap_err().to_string();
+    assert!(error.contains("`load.touch`") && error.contains("reading of the approach"), "{error}");
 }

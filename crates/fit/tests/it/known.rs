@@ -141,6 +141,19 @@ fn a_wrong_value_counts_little_with_a_robust_loss() {
     }
 }
 
+/// Ratios at one angle that lie symmetrically about their mean: half of the residuals are smaller than 2 parts, and half
+/// of normal deviates are smaller than .6745 standard deviations.
+#[test]
+fn a_robust_fit_estimates_the_error_from_the_middle_of_the_residuals() {
+    let part = 1e-3;
+    let ratios = [-3.0, 3.0, -1.0, 1.0].map(|off| exact(&[60.0])[0] + part * off);
+    let case = alumina("friction = { fit = [0.01, 1] }\nlaw = \"coulomb\"");
+    let options = Options { loss: Loss::Huber, ..Options::default() };
+    let fit = fit(&case, &data(&[60.0; 4], ratios.to_vec()), &options).unwrap();
+    close(of(&fit, "friction").value, 0.1, 1e-6);
+    fit.points.iter().for_each(|point| close(point.error, 2.0 * part / 0.674_490, 1e-6));
+}
+
 #[test]
 fn a_best_value_at_a_bound_is_told() {
     let case = alumina(

@@ -59,6 +59,22 @@ fn a_loop_of_shifts_tells_modulus_friction_and_touch() {
     assert!(found.curve.is_none());
 }
 
+/// The approach of 0.8 um is read as 1 um from the touch at 0.2 um, though only shifts are measured.
+#[test]
+fn a_given_approach_counts_from_the_touch() {
+    let case = CASE
+        .replace(
+            "zeta = 0, xi = 0, touch = { fit = [-1e-6, 1e-6] }",
+            "zeta = 1e-6, xi = 0, touch = 2e-7",
+        )
+        .replace("{ fit = [0.01, 1] }", "0.2");
+    let force = 4.0 / 3.0 * MODULUS / 0.91 * 0.1 * 8e-7_f64.powf(1.5);
+    let columns = [("xi", vec![0.0, 1e-8, 2e-8]), ("F_z", vec![force; 3])];
+    let data = Data::new(columns.map(|(name, own)| (name.to_owned(), own)).to_vec()).unwrap();
+    let found = fit(&CaseFile::from_text(case), &data, &Options::default()).unwrap();
+    close(of(&found, "young_modulus").value, MODULUS, 1e-6 * MODULUS);
+}
+
 #[test]
 fn wrong_histories_are_told() {
     let told = |case: &str, names: [&str; 4]| {

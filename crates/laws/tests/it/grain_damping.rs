@@ -237,6 +237,44 @@ fn held(zeta: f64, speed: f64, along: [f64; 2]) -> Meeting {
     Meeting::on_wall(&ball, &wall, 0.0)
 }
 
+/// In every instant of an impact along the normal, not at its end alone, the energy is kinetic, stored or heat.
+#[test]
+fn the_books_of_a_damped_impact_close_at_every_step() {
+    let dt = DURATION / 800.0;
+    for mut contact in [restituting(1.2, 0.5), contact(1.2, 0.5)] {
+        let (mut zeta, mut speed, mut force, mut heats) = (-0.4 * dt, 1.0, 0.0, Heats::default());
+        let (mut missed, mut most) = (0.0_f64, 0.0_f64);
+        while zeta > 0.0 || speed > 0.0 {
+            speed -= 0.5 * dt * force;
+            zeta += dt * speed;
+            let meeting = held(zeta, speed, [0.0; 2]);
+            force = contact.advance_accounted(&meeting, dt, &mut heats).unwrap().force[2];
+            speed -= 0.5 * dt * force;
+            let stored = contact.stored_energy();
+            missed = missed.max((0.5 * speed * speed + stored + heats.damping - 0.5).abs());
+            most = most.max(stored);
+        }
+        assert!(missed < 1e-5 && most > 0.2, "{missed} {most}");
+    }
+}
+
+/// The first force of a viscous contact, also of bodies that met before: K (zeta^(3/2) + (3/2) A zeta^(1/2) zeta').
+#[test]
+fn a_touch_begins_with_the_rate_at_which_the_bodies_meet() {
+    let (dt, speed, relaxation) = (0.01, 2.0, 0.3);
+    let zeta: f64 = 0.5 * speed * dt;
+    let expected = zeta.powf(1.5) + 1.5 * relaxation * zeta.sqrt() * speed;
+    let fresh = contact(1.2, relaxation);
+    let mut again = fresh;
+    for (zeta, speed) in [(0.1, 1.0), (-0.1, -20.0), (-0.01, 0.0)] {
+        again.advance(&held(zeta, speed, [0.0; 2]), dt).unwrap();
+    }
+    for mut contact in [fresh, again] {
+        let force = contact.advance(&held(zeta, speed, [0.0; 2]), dt).unwrap().force[2];
+        assert!((force / expected - 1.0).abs() < 1e-8, "{force} {expected}");
+    }
+}
+
 /// At rest a damped contact is the elastic one: what was shifted keeps its force, to the bit, for as long as it rests. A
 /// restitution takes the force for the only one and is too small by D dt/(2 m) where others hold the ball.
 #[test]

@@ -61,6 +61,28 @@ fn what_a_spinning_impact_loses_is_booked() {
     }
 }
 
+/// Tractions of dissimilar bodies that slide are less than f F_z in sum, by their coupling. They slide on, though the
+/// material lags behind, until the slip is nearly 0; it falls by 7/2 of the impulse of friction over the mass.
+#[test]
+fn dissimilar_bodies_slide_until_their_slip_ends() {
+    let law = law(0.25, FRICTION);
+    for e in [0.3, 0.6] {
+        let (dt, lambda) = (DURATION / 200.0, 3.35);
+        let (mut ball, mut contact) = (thrown(lambda, 0.4 * dt), restituting(&law, e));
+        let (mut slip, mut least) = (lambda * FRICTION, f64::INFINITY);
+        rebound_of(&mut ball, 0.4 * RADIUS * RADIUS, dt, |meeting| {
+            let load = contact.advance(meeting, dt).unwrap();
+            let [x, y, z] = load.force;
+            slip -= 3.5 * x.hypot(y) * dt;
+            if slip > 0.25 * lambda * FRICTION {
+                least = least.min(x.hypot(y) / (FRICTION * z));
+            }
+            load
+        });
+        assert!(least > 0.98 && slip < 0.0, "{e}: {least} {slip}");
+    }
+}
+
 /// At a constant approach shift and twist lead by the relaxation time: force and torque are those of an elastic contact
 /// that is ahead by A times the rate. Its axes turn meanwhile.
 #[test]

@@ -89,6 +89,22 @@ fn it_slips_at_its_limit() {
     }
 }
 
+/// Of a slow roll whose axis turns with the pair by .2 a step, the heat of the slider is force times way.
+#[test]
+fn a_roll_that_slips_while_the_pair_turns_heats_by_its_limit() {
+    let (mut roll, mut heats, rate, turn) = (GrainRoll::default(), Heats::default(), 40.0, 0.2);
+    let mut at = |k: usize| {
+        let angle = turn * k as f64;
+        let spins = [[rate * angle.cos(), rate * angle.sin(), turn / DT], [0.0, 0.0, turn / DT]];
+        step(&mut roll, 0.0, spins, &mut heats);
+        heats.rolling
+    };
+    let before = (0..10).map(&mut at).last().unwrap();
+    let after = (10..110).map(&mut at).last().unwrap();
+    let expected = FRICTION * PRESSED * RELATIVE * rate * DT * 100.0;
+    assert!(((after - before) / expected - 1.0).abs() < 1e-3, "{after} {before} {expected}");
+}
+
 /// A pair that rotates as a whole does not roll, and keeps its torque in its own axes.
 #[test]
 fn a_pair_that_rotates_as_a_whole_does_not_roll() {

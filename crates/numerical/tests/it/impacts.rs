@@ -214,3 +214,21 @@ fn friction_heat_of_lossy_bodies_is_that_of_the_exact_impact() {
     let (heat, known, most) = lossy([SOFT, HARD], (0.1, 3.0, 0.0));
     assert!((heat - known).abs() <= 0.05 * most, "{heat}, {known} without coupling");
 }
+
+/// Like bodies that lose energy have the exact velocity, since what the law errs in steps is known and taken off, and their
+/// estimate holds it. The history keeps it.
+#[test]
+fn the_estimate_of_lossy_bodies_holds_the_error_of_the_step_law() {
+    for (lambda, e) in [(1.0, 0.1), (0.3, 0.1), (1.0, 0.5)] {
+        let restitution = NormalRestitution::new(e).unwrap();
+        let collision = ball([SOFT, SOFT], 0.3, lambda).with_normal_restitution(restitution);
+        let known = rebound(collision.solve().unwrap());
+        let grid = NumericalImpact::new(&collision).with(16, 128).unwrap();
+        let solved = rebound(grid.solve().unwrap());
+        let by_law = grid.history(2).unwrap()[1].velocity;
+        let taken = (by_law - known.contact_velocity_after).xy().norm();
+        let estimate = solved.error_estimate * known.contact_velocity_before.norm();
+        assert!(off(&solved, &known) <= 0.2 * solved.error_estimate, "{lambda} {e}");
+        assert!(taken > 1e-3 && taken <= estimate, "{lambda} {e}: {taken} {estimate}");
+    }
+}

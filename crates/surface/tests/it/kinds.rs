@@ -33,6 +33,9 @@ fn x3p_of_both_revisions_has_doubles_and_missing_points() {
         assert!(measured.topography.spacing().is_some() && measured.has_unit);
         assert_eq!(measured.notes, [""; 0]);
     }
+    let infinite = [1e-6, 2e-6, f64::INFINITY, 4e-6, -5e-6, f64::NEG_INFINITY];
+    let file = Xml::default().file(&doubles(&infinite));
+    assert_map(&map(&file), Format::X3p, [1e-6, 2e-6, NAN, 4e-6, -5e-6, NAN]);
     let file = Xml { revision: "ISO 9", ..Xml::default() }.file(&doubles(&heights));
     assert!(map(&file).notes[0].contains("revision `ISO 9`"));
 }
@@ -88,6 +91,11 @@ fn sur_has_units_of_its_own_and_flags_missing_points() {
     for bits in [16, 32] {
         assert_map(&map(&Sur::new(bits).file()), Format::Sur, wanted);
     }
+    // After the comment of 9 bytes, 2 of the maker's own.
+    let mut sur = Sur::new(16);
+    sur.word(336, 2);
+    sur.rest.extend([0x77, 0x77]);
+    assert_map(&map(&sur.file()), Format::Sur, wanted);
     // The least height is -30, so that -32 is a missing point, if the file says that there are some.
     let mut sur = Sur::new(32);
     sur.data[8..12].copy_from_slice(&(-32_i32).to_le_bytes());
@@ -211,6 +219,11 @@ fn numbers_of_numpy_have_any_kind_and_order() {
         array("|u1", "False", &[1, 2, 3, 4, 5, 6]),
     ] {
         assert_map(&map(&file), Format::Npy, wanted);
+        // Versions 2 and 3 give the length of the head in four bytes.
+        for version in [2, 3] {
+            let begin = [b"\x93NUMPY", &[version, 0, file[8], file[9], 0, 0][..]].concat();
+            assert_map(&map(&[&begin, &file[10..]].concat()), Format::Npy, wanted);
+        }
     }
 }
 
@@ -230,10 +243,11 @@ fn a_png_has_the_height_of_white() {
     let measured = read(&eight, &white).unwrap();
     assert_map(&measured, Format::Png, [2e-6, 3e-6, 4e-6, 5e-6, 0.0, 1e-6]);
     assert!(measured.has_unit && measured.notes.is_empty());
-    let sixteen: Vec<u8> =
-        [65535_u16, 0, 13107, 26214, 39321, 52428].iter().flat_map(|g| g.to_be_bytes()).collect();
+    // 65535, 0, 51, 256, 2 and 4660, the greater byte first.
+    let sixteen = [0xff, 0xff, 0, 0, 0, 0x33, 1, 0, 0, 2, 0x12, 0x34];
+    let white = Reading { range: Some(65535e-6), ..white };
     let measured = read(&encode(png::BitDepth::Sixteen, &sixteen), &white).unwrap();
-    assert_map(&measured, Format::Png, [2e-6, 3e-6, 4e-6, 5e-6, 0.0, 1e-6]);
+    assert_map(&measured, Format::Png, [256e-6, 2e-6, 4660e-6, 65535e-6, 0.0, 51e-6]);
     let levels = map(&eight);
     assert_map(&levels, Format::Png, [102.0, 153.0, 204.0, 255.0, 0.0, 51.0]);
     assert!(levels.notes[0].contains("range"), "{:?}", levels.notes);

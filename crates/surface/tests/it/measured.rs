@@ -157,6 +157,26 @@ fn a_grating_and_a_sphere_have_no_spikes() {
     }
 }
 
+/// The median of one or two neighbours tells nothing, and many points that lie far off are texture.
+#[test]
+fn a_lonely_point_and_many_points_are_no_spikes() {
+    let with = |is_high: &dyn Fn(usize) -> bool, missing: &[usize]| {
+        map(32, |i, j| match 32 * j + i {
+            place if missing.contains(&place) => f64::NAN,
+            place if is_high(place) => 1e-3,
+            _ => 1e-7 * ((3 * i + 5 * j) % 7) as f64,
+        })
+    };
+    let found =
+        |is_high: &dyn Fn(usize) -> bool, missing: &[usize]| spikes(&with(is_high, missing)).len();
+    // A corner has the neighbours 1, 32 and 33.
+    assert_eq!(found(&|place| place == 0, &[]), 1);
+    assert_eq!(found(&|place| place == 0, &[1, 32]), 0);
+    // 5 of 1024 points, and 21 of them.
+    assert_eq!(found(&|place| place % 200 == 100, &[]), 5);
+    assert_eq!(found(&|place| place % 50 == 0, &[]), 0);
+}
+
 /// Steeper than half-spaces bear, but no fault of a unit.
 #[test]
 fn a_steep_map_is_told() {

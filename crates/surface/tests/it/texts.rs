@@ -39,6 +39,9 @@ fn any_separator_and_decimal_commas() {
         let text = text.strip_suffix("\n,").unwrap_or(text);
         assert_heights(&map(text), WANTED);
     }
+    // A separator at the end of some rows only is before a missing point.
+    assert_heights(&map("1.5;-2.25;\n4;5.125;6"), WANTED);
+    assert_heights(&map("1.5;-2.25;6\n4;5.125;"), [1.5, -2.25, 6.0, 4.0, 5.125, NAN]);
     // Whole numbers in the first row do not hide that commas are decimal.
     assert_heights(&map("1;2;3\n4;5,5;6\n"), [1.0, 2.0, 3.0, 4.0, 5.5, 6.0]);
 }
@@ -51,6 +54,7 @@ fn heads_and_comments_are_no_heights() {
         "Instrument: none\nDate 2026-11-29\n\n",
         "height in um;\n",
         "3 2\n",
+        "2 3\n",
         "\"a\",\"b\",\"c\"\n",
         "row 1 2\n",
     ] {
@@ -117,6 +121,36 @@ fn a_list_of_points_in_any_order_is_a_map() {
     let twice = b"0,0,1\n1,0,2\n0,1,3\n1,1,4\n1,0,5\n";
     let error = read(twice, &unit).unwrap_err().to_string();
     assert!(error.starts_with("line 5: ") && error.contains("line 2"), "{error}");
+}
+
+/// The unit of a head holds for its column alone; a unit that is given holds for all three.
+#[test]
+fn each_column_of_a_list_has_its_unit() {
+    let text = "x [mm]\ty [um]\tz [pm]\n0\t0\t1\n1\t0\t2\n2\t0\t3\n0\t2\t4\n1\t2\t5\n2\t2\t6\n";
+    let numbers = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+    let metre = Reading { unit: Some(1.0), ..Reading::default() };
+    for (reading, steps, z) in [(Reading::default(), [1e-3, 2e-6], 1e-12), (metre, [1.0, 2.0], 1.0)]
+    {
+        let measured = read(text.as_bytes(), &reading).unwrap();
+        assert_heights(&measured, numbers.map(|height| z * height));
+        let found = measured.topography.spacing().unwrap();
+        assert!((0..2).all(|i| (found[i] / steps[i] - 1.0).abs() < 1e-12), "{found:?} {steps:?}");
+    }
+}
+
+/// Places with few digits differ in the last of them.
+#[test]
+fn places_a_millionth_of_the_range_apart_are_one() {
+    let measured = map(".1 0 1\n.2 0 2\n.3 0 3\n.1 1 4\n.2 1 5\n.30000001 1 6\n");
+    assert_heights(&measured, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+}
+
+/// A list on a diagonal would be a map of which 19 of 20 points are missing.
+#[test]
+fn scattered_points_are_no_map() {
+    let text: String = (0..20).map(|i| format!("{i} {i} {}\n", 7 * i % 5)).collect();
+    let found = map(&text).topography;
+    assert_eq!((found.columns(), found.rows(), found.missing()), (3, 20, 0));
 }
 
 /// Three columns that are no places are heights.
