@@ -207,7 +207,17 @@ impl Problem {
         // From gamma/f = 1000 the sliding solution is used.
         let spread = if gamma > 0.0 { self.spread() } else { 0.0 };
         let turned = by_gamma * gamma + by_strength * self.strength();
-        (always + turns * turned) * self.reached() + turns * by_spread * slides * spread.min(MANY)
+        let least = (always + turns * turned) * self.reached()
+            + turns * by_spread * slides * spread.min(MANY);
+        // Where f is no scale of velocities, errors grow with the friction that is used all the same.
+        least * self.needed().clamp(1.0, self.friction.get().clamp(1.0, STRONGEST))
+    }
+
+    /// The friction that the tangential velocity takes at the first touch, that of the rim by the spin too.
+    fn needed(&self) -> f64 {
+        let [speed, xi, eta, omega] = self.motion.before;
+        let rim = self.constants.radius * (self.motion.duration * speed / DURATION).sqrt() * omega;
+        xi.hypot(eta).hypot(rim) / speed
     }
 
     /// The tangential velocity over f v_z (over v_z where f > 1), infinite with spin about the normal.
@@ -240,13 +250,11 @@ impl Problem {
     /// from .8 to 5.
     pub(super) fn left_out(&self) -> f64 {
         let (gamma, friction) = (self.constants.gamma.abs(), self.friction.get());
-        let [speed, xi, eta, omega] = self.motion.before;
         if friction <= GREAT {
             return LEFT_OUT * (gamma * friction * friction.max(1.0)).powi(2) * self.reached();
         }
-        // As much friction as the tangential velocity, that of the rim too, takes at the first touch; what sticks from then on errs less.
-        let rim = self.constants.radius * (self.motion.duration * speed / DURATION).sqrt() * omega;
-        let needed = xi.hypot(eta).hypot(rim) / speed;
+        // What sticks from the first touch on errs less.
+        let needed = self.needed();
         let taken = needed.clamp(GREAT, friction.min(STRONGEST));
         (LEFT_OUT * (gamma * taken * taken).powi(2)).min(gamma * needed.max(GREAT)) * self.reached()
     }
