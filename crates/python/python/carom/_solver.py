@@ -56,7 +56,7 @@ def gap_of(
     own = gap if isinstance(gap, Surface) else of_object(gap, None)
     if own is not None:
         heights, size = -own.heights, own.size if size is None else size
-    elif np.ma.is_masked(gap) and np.ndim(gap) == 2:
+    elif np.ma.is_masked(gap) and np.ma.asarray(gap).ndim == 2:
         heights = np.ma.filled(np.ma.asarray(gap, dtype=float), np.nan)
     else:
         heights = numbers("gap", gap, "m")  # type: ignore[arg-type]
