@@ -1,4 +1,4 @@
-//! Machine-readable results of a run: JSON, JUnit XML, and annotations of source lines.
+//! Machine-readable results of a run: JSON, and annotations of source lines.
 
 use crate::catalogue::{Entry, Kind};
 use crate::page::Page;
@@ -39,96 +39,6 @@ fn page_json(entry: &Entry, page: &Page) -> Value {
         "claims": page.claims,
         "snapshot": page.snapshot,
     })
-}
-
-/// A run as JUnit XML: one suite per page and one case per claim; also one case each for the
-/// computation, the snapshot and the missing part of a partial page (skipped).
-#[must_use]
-pub fn junit(pages: &[(Entry, Page)], orphans: &[PathBuf]) -> String {
-    let mut text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-                    <testsuites name=\"carom-verify\">\n"
-        .to_owned();
-    for (entry, page) in pages {
-        suite(&mut text, &entry.name(), page.seconds, &cases(entry, page));
-    }
-    if !orphans.is_empty() {
-        let case = |path: &PathBuf| Case {
-            name: path.display().to_string(),
-            end: End::Fails("a snapshot without a page".to_owned()),
-        };
-        suite(&mut text, "Snapshots", 0.0, &orphans.iter().map(case).collect::<Vec<_>>());
-    }
-    text.push_str("</testsuites>\n");
-    text
-}
-
-struct Case {
-    name: String,
-    end: End,
-}
-
-enum End {
-    Passes,
-    Fails(String),
-    Skipped(String),
-}
-
-fn cases(entry: &Entry, page: &Page) -> Vec<Case> {
-    let end = |fault: Option<String>| fault.map_or(End::Passes, End::Fails);
-    let mut cases = vec![Case { name: "computed".to_owned(), end: end(page.error.clone()) }];
-    cases.extend(page.claims.iter().map(|claim| Case {
-        name: claim.statement.clone(),
-        end: end((!claim.holds).then(|| refuted(claim))),
-    }));
-    if page.snapshot.is_some() {
-        cases.push(Case { name: "snapshot".to_owned(), end: end(snapshot_fault(entry, page)) });
-    }
-    if let Some(lacks) = entry.lacks {
-        let end = End::Skipped(format!("without {lacks}"));
-        cases.push(Case { name: "complete".to_owned(), end });
-    }
-    cases
-}
-
-fn suite(text: &mut String, name: &str, seconds: f64, cases: &[Case]) {
-    let count = |is: fn(&End) -> bool| cases.iter().filter(|case| is(&case.end)).count();
-    let (failures, skipped) =
-        (count(|end| matches!(end, End::Fails(_))), count(|end| matches!(end, End::Skipped(_))));
-    let _ = writeln!(
-        text,
-        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{failures}\" errors=\"0\" \
-         skipped=\"{skipped}\" time=\"{seconds:.3}\">",
-        xml(name),
-        cases.len(),
-    );
-    for case in cases {
-        let head = format!("classname=\"{}\" name=\"{}\"", xml(name), xml(&case.name));
-        let _ = match &case.end {
-            End::Passes => writeln!(text, "    <testcase {head}/>"),
-            End::Fails(why) => writeln!(
-                text,
-                "    <testcase {head}><failure message=\"{}\"/></testcase>",
-                xml(why)
-            ),
-            End::Skipped(why) => writeln!(
-                text,
-                "    <testcase {head}><skipped message=\"{}\"/></testcase>",
-                xml(why)
-            ),
-        };
-    }
-    text.push_str("  </testsuite>\n");
-}
-
-/// Text for XML, without characters that XML does not allow.
-fn xml(text: &str) -> String {
-    text.chars()
-        .filter(|c| !c.is_control())
-        .collect::<String>()
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 /// The failures as annotations of the source lines of the claims, one per line:
@@ -204,11 +114,6 @@ mod tests {
 
     fn orphans() -> [PathBuf; 1] {
         ["/home/carom/verification/snapshots/9.9.txt".into()]
-    }
-
-    #[test]
-    fn every_failure_is_a_case() {
-        insta::assert_snapshot!(junit(&pages(), &orphans()));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 #![forbid(unsafe_code)]
 //! `carom-verify`: computes tables and figures of the thesis and checks their claims.
 
-use carom_verification::files::{Folder, WriteError, write_whole};
+use carom_verification::files::{Folder, WriteError};
 use carom_verification::launch::Launch;
 use carom_verification::page::Page;
 use carom_verification::report::Report;
@@ -20,8 +20,6 @@ mod root;
 use root::root;
 
 mod flags {
-    use std::path::PathBuf;
-
     xflags::xflags! {
         /// Computes the tables and figures of the thesis and checks their claims. Writes SVG, CSV
         /// and an HTML report to target/verification/. Pages that are not computed stay in the
@@ -42,9 +40,6 @@ mod flags {
             optional --list
             /// Output format: table (default) or json.
             optional --format format: String
-            /// Also write the result as JUnit XML to this file, relative to the root of the
-            /// workspace.
-            optional --junit file: PathBuf
             /// Also print failures as annotations of source lines, `::error file=...`; always if
             /// GITHUB_ACTIONS is set.
             optional --annotate
@@ -143,9 +138,6 @@ fn verify(flags: &flags::CaromVerify) -> Result<ExitCode, Failure> {
     let workspace = root();
     let report = Report { catalogue: &catalogue, pages: &all, workspace: &workspace };
     let report = folder.report(&report.html(is_fresh))?;
-    if let Some(path) = &flags.junit {
-        write_whole(path, &ci::junit(&found.pages, &found.orphans))?;
-    }
     let tally = Tally::of(&catalogue, &found.pages);
     match format {
         Format::Table => print_table(&found, &rewritten, &tally, entries.len() == catalogue.len()),

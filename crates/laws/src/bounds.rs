@@ -17,12 +17,9 @@ pub(crate) const LEAST_SQUARE: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// The largest magnitude in a memory.
 pub(crate) const LARGEST_IN_MEMORY: f64 = 1e100;
 
-/// Anchors and stretches of shifts within [`LARGEST_IN_MEMORY`] are smaller.
-pub(crate) const LARGEST_ANCHOR: f64 = 1e101;
-
-/// Checks a number of a stored memory.
-pub(crate) fn stored_number(value: f64, most: f64) -> Result<f64, RangeError> {
-    RangeError::check("numbers", value, value.abs() <= most, "of a possible state")
+/// Checks an anchor, stretch or depth of a stored memory: those of shifts within [`LARGEST_IN_MEMORY`] are smaller.
+pub(crate) fn in_stored_memory(field: &'static str, value: f64) -> Result<f64, RangeError> {
+    RangeError::check(field, value, value.abs() <= 1e101, "of a possible state")
 }
 
 /// The largest magnitude in the units of the user.

@@ -64,6 +64,7 @@ pub mod slip_speed;
 pub mod static_friction;
 mod static_slip;
 pub mod stiffness;
+mod stored;
 pub mod torsion;
 pub mod turning_law;
 pub mod validity;

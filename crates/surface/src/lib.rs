@@ -38,7 +38,7 @@ pub use error::SurfaceError;
 pub use format::{Format, Measured, Reading, read};
 pub use level::Level;
 pub use measures::Measures;
-pub use npy::npy;
+pub use npy::{Npy, npy};
 pub use spectrum::{Spectrum, spectrum};
 pub use spikes::{Spike, spikes};
 pub use topography::{Crop, Topography};

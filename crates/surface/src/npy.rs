@@ -1,4 +1,4 @@
-//! Arrays of NumPy, `.npy`.
+//! Arrays of NumPy, `.npy`. For the one line of a head the crate npyz would add 12 packages, one of them assembler.
 
 use crate::bytes::Number;
 use crate::error::SurfaceError;
@@ -14,14 +14,12 @@ fn broken() -> SurfaceError {
 /// An array with two axes, of floating-point or whole numbers, in either byte order and either order of the axes; its
 /// first axis is y.
 pub(crate) fn read(bytes: &[u8], reading: &Reading) -> Result<Measured, SurfaceError> {
-    let (head, values) = parts(bytes).ok_or_else(broken)?;
+    let Npy { kind, shape, by_columns, values } = Npy::of(bytes).ok_or_else(broken)?;
     let unfit = |reason| SurfaceError::unsupported(NAME, reason);
-    let descr = quoted(head, "descr")
-        .ok_or_else(|| unfit("has fields: must be plain numbers".to_owned()))?;
+    let descr = kind.ok_or_else(|| unfit("has fields: must be plain numbers".to_owned()))?;
     let (order, kind) = descr.split_at_checked(1).ok_or_else(broken)?;
     let number = number(kind)
         .ok_or_else(|| unfit(format!("has numbers of kind {kind}: must be f4, f8 or integers")))?;
-    let shape = shape(head).ok_or_else(broken)?;
     let [rows, columns] = shape[..] else {
         return Err(unfit(format!("has {} axes: must have two, y and x", shape.len())));
     };
@@ -30,9 +28,9 @@ pub(crate) fn read(bytes: &[u8], reading: &Reading) -> Result<Measured, SurfaceE
         return Err(broken());
     }
     let mut heights = number.block(values, order == ">");
-    if head.contains("'fortran_order': True") {
-        let by_columns = heights;
-        let at = |place: usize| by_columns[place / columns + rows * (place % columns)];
+    if by_columns {
+        let turned = heights;
+        let at = |place: usize| turned[place / columns + rows * (place % columns)];
         heights = (0..points).map(at).collect();
     }
     let unit = reading.unit.unwrap_or(1.0);
@@ -60,49 +58,62 @@ fn number(kind: &str) -> Option<Number> {
     })
 }
 
-fn shape(head: &str) -> Option<Vec<usize>> {
-    let (_, rest) = head.split_once("'shape': (")?;
-    let counts =
-        rest.split_once(')')?.0.split(',').map(str::trim).filter(|count| !count.is_empty());
-    counts.map(|count| count.parse().ok()).collect()
+/// An array in a file of NumPy.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Npy<'a> {
+    /// Byte order and kind of its numbers, such as `<f8`; none if they are fields.
+    pub kind: Option<&'a str>,
+    /// Its length along each axis.
+    pub shape: Vec<usize>,
+    /// Whether the first index varies fastest, not the last.
+    pub by_columns: bool,
+    /// Its numbers.
+    pub values: &'a [u8],
 }
 
-/// The header, and the data after it.
-fn parts(bytes: &[u8]) -> Option<(&str, &[u8])> {
-    let rest = bytes.strip_prefix(b"\x93NUMPY")?;
-    let (length, start): (usize, usize) = match rest.first()? {
-        1 => (usize::from(u16::from_le_bytes(rest.get(2..4)?.try_into().ok()?)), 4),
-        2 | 3 => (u32::from_le_bytes(rest.get(2..6)?.try_into().ok()?) as usize, 6),
-        _ => return None,
-    };
-    let head = std::str::from_utf8(rest.get(start..start.checked_add(length)?)?).ok()?;
-    Some((head, rest.get(start + length..)?))
+impl<'a> Npy<'a> {
+    /// The parts of a file; none if it is damaged or another file.
+    #[must_use]
+    pub fn of(bytes: &'a [u8]) -> Option<Self> {
+        let rest = bytes.strip_prefix(b"\x93NUMPY")?;
+        let (length, start): (usize, usize) = match rest.first()? {
+            1 => (usize::from(u16::from_le_bytes(rest.get(2..4)?.try_into().ok()?)), 4),
+            2 | 3 => (u32::from_le_bytes(rest.get(2..6)?.try_into().ok()?) as usize, 6),
+            _ => return None,
+        };
+        let head = std::str::from_utf8(rest.get(start..start.checked_add(length)?)?).ok()?;
+        let between = |from, to| Some(head.split_once(from)?.1.split_once(to)?.0);
+        let counts = between("'shape': (", ")")?.split(',').map(str::trim);
+        let counts = counts.filter(|count| !count.is_empty()).map(|count| count.parse().ok());
+        Some(Self {
+            kind: between("'descr': '", "'"),
+            shape: counts.collect::<Option<_>>()?,
+            by_columns: head.contains("'fortran_order': True"),
+            values: rest.get(start + length..)?,
+        })
+    }
 }
 
-fn quoted<'a>(head: &'a str, name: &str) -> Option<&'a str> {
-    let rest = head.split_once(&format!("'{name}': '"))?.1;
-    rest.split_once('\'').map(|(value, _)| value)
-}
-
-/// Rows of numbers as a file of NumPy, doubles in the order of `values`, row by row.
+/// An array as a file of NumPy, whose last index varies fastest.
 ///
 /// ```
 /// use carom_surface::{Reading, npy, read};
-/// let file = npy(2, &[1.0, 2.0, 3.0, f64::NAN]);
+/// let values = [1.0, 2.0, 3.0, f64::NAN];
+/// let file = npy("<f8", &[2, 2], values.iter().flat_map(|value| value.to_le_bytes()));
 /// let map = read(&file, &Reading::default())?.topography;
 /// assert_eq!((map.columns(), map.rows(), map.heights()[2]), (2, 2, 3.0));
 /// # Ok::<(), carom_surface::SurfaceError>(())
 /// ```
 #[must_use]
-pub fn npy(columns: usize, values: &[f64]) -> Vec<u8> {
-    let rows = values.len() / columns.max(1);
-    let head =
-        format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows}, {columns}), }}");
+pub fn npy(kind: &str, shape: &[usize], values: impl Iterator<Item = u8>) -> Vec<u8> {
+    let counts: String = shape.iter().map(|count| format!("{count}, ")).collect();
+    let shape = counts.trim_end();
+    let head = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({shape}), }}");
     // The data begin at a multiple of 64 bytes; 10 stand before the head and a line feed ends it.
     let length = (head.len() + 11).next_multiple_of(64) - 10;
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
     bytes.extend((length as u16).to_le_bytes());
     bytes.extend(format!("{head:width$}\n", width = length - 1).as_bytes());
-    values.iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+    bytes.extend(values);
     bytes
 }

@@ -1,8 +1,8 @@
 //! Arrays in NumPy's format `.npz`: an uncompressed ZIP archive of `.npy` files.
 //!
-//! The headers of the arrays are written and read here in a few lines. The available libraries
-//! would add a parser of Python literals and compressors in C.
+//! The available libraries would add compressors in C.
 
+use carom_surface::{Npy, npy};
 use std::collections::BTreeMap;
 use std::io::{self, Cursor, Read as _, Write as _};
 use zip::write::SimpleFileOptions;
@@ -38,7 +38,7 @@ impl Array {
 pub(crate) fn encode(arrays: &BTreeMap<String, Array>) -> io::Result<Vec<u8>> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, array) in arrays {
-        let data = npy(array);
+        let data = file(array);
         // 64-bit sizes if 32 bits are too few.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
@@ -50,24 +50,13 @@ pub(crate) fn encode(arrays: &BTreeMap<String, Array>) -> io::Result<Vec<u8>> {
     Ok(archive.finish()?.into_inner())
 }
 
-fn npy(array: &Array) -> Vec<u8> {
-    let (kind, shape) = match array {
-        Array::Numbers(shape, _) => ("<f8", shape),
-        Array::Bytes(shape, _) => ("|u1", shape),
-    };
-    let shape: String = shape.iter().map(|count| format!("{count}, ")).collect();
-    let mut head =
-        format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({}), }}", shape.trim_end());
-    head.push_str(&" ".repeat(63 - (10 + head.len()) % 64));
-    head.push('\n');
-    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    bytes.extend((head.len() as u16).to_le_bytes());
-    bytes.extend(head.as_bytes());
+fn file(array: &Array) -> Vec<u8> {
     match array {
-        Array::Numbers(_, values) => bytes.extend(values.iter().flat_map(|v| v.to_le_bytes())),
-        Array::Bytes(_, values) => bytes.extend(values),
+        Array::Numbers(shape, values) => {
+            npy("<f8", shape, values.iter().flat_map(|value| value.to_le_bytes()))
+        }
+        Array::Bytes(shape, values) => npy("|u1", shape, values.iter().copied()),
     }
-    bytes
 }
 
 /// Reads an archive that [`encode`] wrote; `None` if it is damaged or another file.
@@ -79,33 +68,22 @@ pub(crate) fn decode(archive: &[u8]) -> Option<BTreeMap<String, Array>> {
         let name = file.name().ok()?.strip_suffix(".npy")?.to_owned();
         let mut data = Vec::new();
         file.read_to_end(&mut data).ok()?;
-        arrays.insert(name, read_npy(&data)?);
+        arrays.insert(name, array(&data)?);
     }
     Some(arrays)
 }
 
-fn read_npy(data: &[u8]) -> Option<Array> {
-    let rest = data.strip_prefix(b"\x93NUMPY\x01\x00")?;
-    let length = u16::from_le_bytes(rest.get(..2)?.try_into().ok()?) as usize;
-    let head = std::str::from_utf8(rest.get(2..2 + length)?).ok()?;
-    let values = rest.get(2 + length..)?;
-    let shape = head.split_once("'shape': (")?.1.split_once(')')?.0;
-    let counts = shape.split(',').map(str::trim).filter(|count| !count.is_empty());
-    let shape: Vec<usize> = counts.map(|count| count.parse().ok()).collect::<Option<_>>()?;
+fn array(file: &[u8]) -> Option<Array> {
+    let Npy { kind, shape, by_columns: false, values } = Npy::of(file)? else { return None };
     let count = shape.iter().try_fold(1_usize, |all, count| all.checked_mul(*count))?;
-    if !head.contains("'fortran_order': False") {
-        return None;
+    match kind? {
+        "|u1" if values.len() == count => Some(Array::Bytes(shape, values.to_vec())),
+        "<f8" if Some(values.len()) == count.checked_mul(8) => {
+            let numbers = values.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
+            Some(Array::Numbers(shape, numbers.collect()))
+        }
+        _ => None,
     }
-    if head.contains("'|u1'") {
-        return (values.len() == count).then(|| Array::Bytes(shape, values.to_vec()));
-    }
-    if !head.contains("'<f8'") {
-        return None;
-    }
-    let numbers =
-        values.chunks_exact(8).map(|bytes| Some(f64::from_le_bytes(bytes.try_into().ok()?)));
-    let numbers = numbers.collect::<Option<Vec<f64>>>()?;
-    (Some(values.len()) == count.checked_mul(8)).then_some(Array::Numbers(shape, numbers))
 }
 
 #[cfg(test)]

@@ -25,13 +25,8 @@ fn refused(file: &str, bytes: &[u8], more: &str) -> String {
     said
 }
 
-fn npy(shape: &str, values: &[f64]) -> Vec<u8> {
-    let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}\n");
-    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    bytes.extend((head.len() as u16).to_le_bytes());
-    bytes.extend(head.as_bytes());
-    bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
-    bytes
+fn npy(shape: [usize; 2], values: &[f64]) -> Vec<u8> {
+    carom_surface::npy("<f8", &shape, values.iter().flat_map(|value| value.to_le_bytes()))
 }
 
 /// A picture in greys of 8 bits, with the first `lines` of its lines only.
@@ -53,18 +48,17 @@ fn png(width: u32, height: u32, lines: u32) -> Vec<u8> {
 
 #[test]
 fn an_npy_head_with_no_columns_is_refused_before_rows_are_made() {
-    for (i, rows) in ["18446744073709551615", "99999999999", "0"].iter().enumerate() {
-        let said =
-            refused(&format!("heights_none_{i}.npy"), &npy(&format!("({rows}, 0)"), &[]), "");
+    for rows in [usize::MAX, 99_999_999_999, 0] {
+        let said = refused(&format!("heights_none_{rows}.npy"), &npy([rows, 0], &[]), "");
         assert!(said.contains(&format!("has 0 x {rows} values, the grid 3 x 2 cells")), "{said}");
     }
 }
 
 #[test]
 fn an_npy_head_of_another_size_than_the_grid_is_refused() {
-    let said = refused("heights_other.npy", &npy("(3, 2)", &[0.0; 6]), "");
+    let said = refused("heights_other.npy", &npy([3, 2], &[0.0; 6]), "");
     assert!(said.contains("has 2 x 3 values, the grid 3 x 2 cells"), "{said}");
-    let said = refused("heights_short.npy", &npy("(2, 3)", &[0.0; 5]), "");
+    let said = refused("heights_short.npy", &npy([2, 3], &[0.0; 5]), "");
     assert!(said.contains("damaged"), "{said}");
 }
 
@@ -97,8 +91,7 @@ fn heights_that_overflow_are_blamed_on_their_row_of_the_file() {
     let great = "1,2,3\n1,1e308,2\n";
     let said = refused("heights_great.csv", great.as_bytes(), "");
     assert!(said.contains("1e308 in row 2, column 2: must be at most 1e100 times"), "{said}");
-    let said =
-        refused("heights_great.npy", &npy("(2, 3)", &[0.0, 0.0, 0.0, -1e308, 1e308, 0.0]), "");
+    let said = refused("heights_great.npy", &npy([2, 3], &[0.0, 0.0, 0.0, -1e308, 1e308, 0.0]), "");
     assert!(said.contains("-1e308 in row 2, column 1: must be at most 1e100 times"), "{said}");
     let said = refused("heights_scaled.csv", great.as_bytes(), "scale = 100\n");
     assert!(
@@ -107,7 +100,7 @@ fn heights_that_overflow_are_blamed_on_their_row_of_the_file() {
     );
     let said = refused("heights_infinite.csv", b"1,2,3\n1,1e309,2\n", "");
     assert!(said.contains("line 2, column 2: `1e309` is not a finite number"), "{said}");
-    let said = refused("heights_nan.npy", &npy("(2, 3)", &[0.0, 0.0, f64::NAN, 0.0, 0.0, 0.0]), "");
+    let said = refused("heights_nan.npy", &npy([2, 3], &[0.0, 0.0, f64::NAN, 0.0, 0.0, 0.0]), "");
     assert!(said.contains("missing (1), the first in row 1, column 3: give `missing`"), "{said}");
 }
 

@@ -72,21 +72,16 @@ fn npz() -> Vec<u8> {
     let stored =
         zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
     for (place, name) in NAMES.iter().enumerate() {
-        let head = format!(
-            "{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}\n",
-            2 * ny - 1,
-            2 * nx - 1
-        );
         archive.start_file(format!("{name}.npy"), stored).unwrap();
-        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-        bytes.extend((head.len() as u16).to_le_bytes());
-        bytes.extend(head.as_bytes());
+        let mut values = Vec::new();
         for rows in 1 - ny..ny {
             for columns in 1 - nx..nx {
                 let value = operator.coefficients(columns, rows).rows[place / 3][place % 3];
-                bytes.extend((1e6 * value).to_le_bytes());
+                values.extend((1e6 * value).to_le_bytes());
             }
         }
+        let shape = [ny, nx].map(|count| 2 * count as usize - 1);
+        let bytes = carom_surface::npy("<f8", &shape, values.into_iter());
         std::io::Write::write_all(&mut archive, &bytes).unwrap();
     }
     archive.finish().unwrap().into_inner()

@@ -304,11 +304,8 @@ fn heights_are_the_same_from_every_kind_of_file() {
     let text: Vec<String> = rows.iter().map(|row| row.map(|h| h.to_string()).join(",")).collect();
     case("solve_kinds.csv", &text.join("\n"));
     let folder = PathBuf::from(case("solve_kinds.csv", &text.join("\n")));
-    let head = "{'descr': '<u2', 'fortran_order': False, 'shape': (3, 4), }\n";
-    let mut npy = b"\x93NUMPY\x01\x00".to_vec();
-    npy.extend((head.len() as u16).to_le_bytes());
-    npy.extend(head.as_bytes());
-    npy.extend(rows.iter().flatten().flat_map(|h| h.to_le_bytes()));
+    let numbers = rows.iter().flatten().flat_map(|h| h.to_le_bytes());
+    let npy = carom_surface::npy("<u2", &[3, 4], numbers);
     std::fs::write(folder.with_file_name("solve_kinds.npy"), npy).unwrap();
     let file = std::fs::File::create(folder.with_file_name("solve_kinds.png")).unwrap();
     let mut encoder = png::Encoder::new(file, 4, 3);

@@ -31,7 +31,6 @@ mod check;
 mod drag;
 mod energy;
 mod fit;
-mod format;
 mod heat;
 mod join;
 mod pack;
@@ -45,7 +44,7 @@ mod storage;
 mod zones;
 
 pub(crate) use drag::Step;
-pub use format::packed_numbers;
+pub use pack::packed_numbers;
 pub use piece::Node;
 pub use report::Arc;
 pub use slip_turn::SlipTurn;

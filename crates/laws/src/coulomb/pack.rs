@@ -4,11 +4,21 @@ use carom_special::RangeError;
 
 use super::CoulombMemory;
 use super::check::check_meaning;
-use super::format::{
-    HEAD_NUMBERS, MAX_VERTICES, NUMBERS_PER_VERTEX, VERSION, check_format, node_of, packed_numbers,
-};
 use super::piece::{End, Node};
-use crate::memory::{Lateral, NodeStack};
+use crate::bounds::in_stored_memory;
+use crate::memory::{Form, Head, Lateral, NodeStack};
+
+const FORM: Form<2> = Form { version: 1.0, range: in_stored_memory, is_thin: false };
+
+/// Number of plain numbers for a state of this many vertices: 66 for 12.
+///
+/// ```
+/// assert_eq!(carom_laws::coulomb::packed_numbers(12), 66);
+/// ```
+#[must_use]
+pub const fn packed_numbers(vertices: usize) -> usize {
+    Form::<2>::numbers(vertices)
+}
 
 impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// Writes the state as plain numbers.
@@ -20,22 +30,13 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// # Errors
     /// [`RangeError`] if there is no room for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        let len = self.stack.len();
-        let count = numbers.len() as f64;
-        let holds = numbers.len() >= packed_numbers(len) && len <= MAX_VERTICES;
-        RangeError::check("numbers", count, holds, ">= 6 + 5 per vertex, of which at most 99")?;
-        numbers.fill(0.0);
-        let [x, y] = self.shift.components();
-        let mark = 1e4 * VERSION + 100.0 * f64::from(self.regime.number()) + len as f64;
-        numbers[..HEAD_NUMBERS].copy_from_slice(&[mark, self.zeta, x, y, self.front, self.extent]);
-        for (i, numbers) in
-            numbers[HEAD_NUMBERS..].chunks_exact_mut(NUMBERS_PER_VERTEX).take(len).enumerate()
-        {
-            let node = *self.stack.get(i);
-            let ([w_x, w_y], [b_x, b_y]) = (node.anchor.components(), node.bubble.components());
-            numbers.copy_from_slice(&[node.depth, w_x, w_y, b_x, b_y]);
-        }
-        Ok(())
+        let own = [self.front, self.extent];
+        let head = Head { regime: self.regime, zeta: self.zeta, shift: self.shift, own };
+        let vertices = (0..self.stack.len()).map(|i| {
+            let node = self.stack.get(i);
+            (node.depth, [node.anchor, node.bubble])
+        });
+        FORM.write(numbers, head, vertices)
     }
 
     /// Restores the state from the numbers of [`CoulombMemory::pack`].
@@ -48,19 +49,20 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// that do not increase to the approach, anchors far beyond the friction cone, a force beyond
     /// its limit, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let (regime, len) = check_format(numbers, self.stack.capacity())?;
-        check_meaning::<V>(numbers, len)?;
-        self.zeta = numbers[1];
-        self.root = self.zeta.max(0.0).sqrt();
-        self.shift = V::from_components([numbers[2], numbers[3]]);
-        (self.front, self.extent) = (numbers[4], numbers[5]);
-        (self.regime, self.force) = (regime, V::default());
+        let (head, vertices) = FORM.read(numbers, self.stack.capacity())?;
+        let nodes = Form::vertices(vertices).map(|(depth, [anchor, bubble])| {
+            let (root, force) = (depth.sqrt(), V::default());
+            Node { depth, root, anchor, bubble, force, error: 0.0 }
+        });
+        check_meaning(&head, nodes.clone())?;
+        let Head { regime, zeta, shift, own } = head;
+        (self.regime, self.zeta, self.shift, [self.front, self.extent]) =
+            (regime, zeta, shift, own);
+        (self.root, self.force) = (zeta.max(0.0).sqrt(), V::default());
         self.stack.truncate(0);
-        for vertex in numbers[HEAD_NUMBERS..].chunks_exact(NUMBERS_PER_VERTEX).take(len) {
-            self.stack.push(node_of::<V>(vertex));
-        }
-        if len > 0 {
-            self.finish(End { depth: self.zeta, root: self.root, anchor: self.shift }, 0);
+        nodes.for_each(|node| self.stack.push(node));
+        if !self.stack.is_empty() {
+            self.finish(End { depth: zeta, root: self.root, anchor: shift }, 0);
         }
         Ok(())
     }

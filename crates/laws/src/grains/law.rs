@@ -4,11 +4,13 @@ use carom_special::RangeError;
 
 use super::drag_heat::check_heat;
 use super::load::elastic;
+use super::pack::ENOUGH;
 use super::twisted::{TwistState, Twisted};
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::VertexStack;
 use crate::rings::{RingLaw, packed_numbers as numbers_of_rings};
 use crate::shift_law::ShiftLaw;
+use crate::stored::{Reader, Writer, any};
 
 /// A contact law that can carry grains: [`ShiftLaw`], and [`RingLaw`], in which twist and coupling count too.
 pub trait GrainLaw: ContactLaw<Error = RangeError> + Checked + Dissipative {
@@ -126,18 +128,16 @@ impl<const N: usize, const M: usize> GrainLaw for RingLaw<N, M> {
     }
 
     fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        let (room, whole) = (numbers.len(), 1 + numbers_of_rings(N, M));
-        RangeError::check("numbers", room as f64, room >= whole, "enough for the contact")?;
-        self.pack(&mut numbers[1..])?;
-        numbers[0] = RINGS;
-        Ok(())
+        let mut writer = Writer::new(numbers, 1 + numbers_of_rings(N, M), ENOUGH)?;
+        writer.write(&[RINGS]);
+        self.pack(writer.rest())
     }
 
     fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let (room, whole) = (numbers.len(), 1 + numbers_of_rings(N, M));
-        RangeError::check("numbers", room as f64, room >= whole, "enough for the contact")?;
+        let mut reader = Reader::new(numbers, ENOUGH);
         let allowed = "30002, the mark of a contact with the law of rings";
-        RangeError::check("mark", numbers[0], numbers[0] == RINGS, allowed)?;
-        self.unpack(&numbers[1..])
+        let [mark] = reader.read("mark", any)?;
+        RangeError::check("mark", mark, mark == RINGS, allowed)?;
+        self.unpack(reader.rest())
     }
 }

@@ -3,17 +3,18 @@
 use carom_special::RangeError;
 
 use super::contact::GrainContact;
+use super::dashpots::Dashpots;
 use super::drag_heat::DragHeat;
 use super::frame::GrainFrame;
 use super::law::GrainLaw;
-use super::twisted::{self, TwistState as _, Twisted};
-use super::vector::{Vector, dot};
+use super::twisted::{self, TwistState, Twisted};
+use super::vector::dot;
 use crate::coulomb::packed_numbers;
 use crate::rings;
+use crate::stored::{Fields, Reader, Writer, is_unit_or_zero};
 
-/// Number of values beside those of the law: tangent, normal, friction, drag, velocity, lead, what the heat
-/// of damping needs, and the approach.
-const BESIDE: usize = 16;
+/// How many numbers a contact needs, in words.
+pub(super) const ENOUGH: &str = "enough for the contact";
 
 /// Number of values of a stored grain contact with this many vertices: 82 for 12.
 ///
@@ -22,7 +23,7 @@ const BESIDE: usize = 16;
 /// ```
 #[must_use]
 pub const fn grain_numbers(vertices: usize) -> usize {
-    packed_numbers(vertices) + BESIDE
+    packed_numbers(vertices) + GrainFrame::<()>::NUMBERS
 }
 
 /// Number of values of a stored contact with this many rings and angles: 316 for 6 x 8.
@@ -32,12 +33,10 @@ pub const fn grain_numbers(vertices: usize) -> usize {
 /// ```
 #[must_use]
 pub const fn ring_grain_numbers(rings: usize, angles: usize) -> usize {
-    1 + rings::packed_numbers(rings, angles) + BESIDE + Twisted::NUMBERS
+    1 + rings::packed_numbers(rings, angles) + GrainFrame::<Twisted>::NUMBERS
 }
 
 impl<L: GrainLaw> GrainContact<L> {
-    const AROUND: usize = BESIDE + L::Twist::NUMBERS;
-
     /// Writes the state of the contact as numbers: those of the law ([`GrainLaw::write`]), the first of which is not
     /// zero, then tangent, normal, the forces of the last step and its velocity, and torque and twist of a law that
     /// counts it. All zeros represent two separated grains. The constants of the contact are not stored.
@@ -45,14 +44,11 @@ impl<L: GrainLaw> GrainContact<L> {
     /// # Errors
     /// [`RangeError`] if `numbers` is too short; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= Self::AROUND, "enough for the contact")?;
-        let (law, around) = numbers.split_at_mut(room - Self::AROUND);
-        self.law.write(law)?;
-        let (beside, twist) = around.split_at_mut(BESIDE);
-        write_beside(&self.frame, beside);
-        twisted::write(self.frame.twist, twist);
-        Ok(())
+        let law = numbers.len().saturating_sub(GrainFrame::<L::Twist>::NUMBERS);
+        let mut writer = Writer::new(numbers, GrainFrame::<L::Twist>::NUMBERS, ENOUGH)?;
+        self.law.write(writer.part(law))?;
+        let mut frame = self.frame;
+        frame.stored(&mut writer)
     }
 
     /// Restores what [`GrainContact::pack`] of a contact with the same constants wrote into a slice
@@ -61,49 +57,35 @@ impl<L: GrainLaw> GrainContact<L> {
     /// # Errors
     /// [`RangeError`] for numbers that are not a stored contact; the contact is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= Self::AROUND, "enough for the contact")?;
-        let (law, around) = numbers.split_at(room - Self::AROUND);
-        let (beside, twist) = around.split_at(BESIDE);
+        let mut reader = Reader::new(numbers, ENOUGH);
+        let law = reader.part(numbers.len().saturating_sub(GrainFrame::<L::Twist>::NUMBERS))?;
         let mut frame = self.frame;
-        read_beside(&mut frame, beside)?;
-        frame.twist = twisted::read(twist)?;
+        frame.stored(&mut reader)?;
+        for (field, vector) in [("tangent", frame.tangent), ("normal", frame.normal)] {
+            let square = dot(vector, vector);
+            RangeError::check(field, square.sqrt(), is_unit_or_zero(square), "of length 0 or 1")?;
+        }
         self.law.read(law)?;
         self.frame = frame;
         Ok(())
     }
 }
 
-/// Writes the stored values of a contact beside those of its law.
-fn write_beside<T>(frame: &GrainFrame<T>, numbers: &mut [f64]) {
-    numbers[..3].copy_from_slice(&frame.tangent);
-    numbers[3..6].copy_from_slice(&frame.normal);
-    numbers[6..8].copy_from_slice(&frame.friction);
-    numbers[8] = frame.drag;
-    numbers[9..11].copy_from_slice(&frame.velocity);
-    numbers[11..13].copy_from_slice(&frame.lead);
-    (numbers[13], numbers[14]) = (frame.drag_heat.drag, frame.drag_heat.speed);
-    numbers[15] = frame.approach;
-}
+impl<T: TwistState> GrainFrame<T> {
+    /// Number of numbers that are stored: all but the dashpots.
+    const NUMBERS: usize = (size_of::<Self>() - size_of::<Dashpots>()) / size_of::<f64>();
 
-fn read_beside<T>(frame: &mut GrainFrame<T>, numbers: &[f64]) -> Result<(), RangeError> {
-    let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
-    let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));
-    for (field, vector) in [("tangent", tangent), ("normal", normal)] {
-        let square = dot(vector, vector);
-        let holds = square == 0.0 || (square - 1.0).abs() < 1e-9;
-        RangeError::check(field, square.sqrt(), holds, "of length 0 or 1")?;
+    fn stored(&mut self, fields: &mut impl Fields) -> Result<(), RangeError> {
+        fields.numbers("tangent", &mut self.tangent, RangeError::finite)?;
+        fields.numbers("normal", &mut self.normal, RangeError::finite)?;
+        let DragHeat { drag, speed } = &mut self.drag_heat;
+        fields.numbers("force", &mut self.friction, RangeError::finite)?;
+        fields.number("force", &mut self.drag, RangeError::finite)?;
+        fields.numbers("velocity", &mut self.velocity, RangeError::finite)?;
+        fields.numbers("lead", &mut self.lead, RangeError::finite)?;
+        fields.number("force", drag, RangeError::finite)?;
+        fields.number("velocity", speed, RangeError::finite)?;
+        fields.number("approach", &mut self.approach, RangeError::finite)?;
+        twisted::stored(&mut self.twist, fields)
     }
-    for (field, values) in [("force", &numbers[6..9]), ("velocity", &numbers[9..])] {
-        for value in values {
-            RangeError::finite(field, *value)?;
-        }
-    }
-    let pair = |i: usize| [numbers[i], numbers[i + 1]];
-    (frame.tangent, frame.normal) = (tangent, normal);
-    (frame.friction, frame.drag) = (pair(6), numbers[8]);
-    (frame.velocity, frame.lead) = (pair(9), pair(11));
-    frame.drag_heat = DragHeat { drag: numbers[13], speed: numbers[14] };
-    frame.approach = numbers[15];
-    Ok(())
 }

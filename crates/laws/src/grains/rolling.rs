@@ -6,6 +6,7 @@ use super::heats::Heats;
 use super::load::GrainLoad;
 use super::meeting::Meeting;
 use super::vector::{Vector, cross, dot, plus, times};
+use crate::stored::is_unit_or_zero;
 
 /// The constants of a resistance to rolling: a spring and a dashpot side by side, in series with a slider.
 ///
@@ -69,7 +70,7 @@ pub struct GrainRoll {
 
 impl GrainRoll {
     /// Number of numbers of a stored state.
-    pub const NUMBERS: usize = 9;
+    pub const NUMBERS: usize = size_of::<Self>() / size_of::<f64>();
 
     /// The torque on body 1 after the last step, N m.
     #[must_use]
@@ -87,8 +88,7 @@ impl GrainRoll {
     #[must_use]
     pub fn packed(&self) -> [f64; Self::NUMBERS] {
         let mut numbers = [0.0; Self::NUMBERS];
-        let parts = [self.shift, self.normal, self.force];
-        numbers.copy_from_slice(parts.as_flattened());
+        numbers.copy_from_slice([self.shift, self.normal, self.force].as_flattened());
         numbers
     }
 
@@ -97,8 +97,10 @@ impl GrainRoll {
     /// # Errors
     /// [`RangeError`] of `roll` for numbers that are no state.
     pub fn unpacked(numbers: &[f64; Self::NUMBERS]) -> Result<Self, RangeError> {
-        let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
-        let state = Self { shift: vector(0), normal: vector(3), force: vector(6) };
+        let mut parts = [[0.0; 3]; 3];
+        parts.as_flattened_mut().copy_from_slice(numbers);
+        let [shift, normal, force] = parts;
+        let state = Self { shift, normal, force };
         state.check()?;
         Ok(state)
     }
@@ -112,7 +114,7 @@ impl GrainRoll {
         let square = dot(self.normal, self.normal);
         let numbers = self.shift.iter().chain(&self.force);
         let size = numbers.fold(0.0, |sum: f64, number| sum + number.abs());
-        let holds = size.is_finite() && (square == 0.0 || (square - 1.0).abs() < 1e-9);
+        let holds = size.is_finite() && is_unit_or_zero(square);
         RangeError::check("roll", size, holds, "of finite numbers and a normal of length 0 or 1")?;
         Ok(())
     }

@@ -6,6 +6,7 @@ use carom_special::RangeError;
 
 use super::meeting::Meeting;
 use super::vector::dot;
+use crate::stored::Fields;
 
 /// The twist in the last step of a contact, beside the history of its law.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,8 +24,6 @@ pub struct Twisted {
 pub trait TwistState: Copy + Default + PartialEq + Debug {
     /// Whether the law follows a twist.
     const COUNTS: bool;
-    /// Number of numbers of its stored form.
-    const NUMBERS: usize;
 
     /// The twist; zeros where it is not followed.
     fn get(self) -> Twisted;
@@ -35,7 +34,6 @@ pub trait TwistState: Copy + Default + PartialEq + Debug {
 
 impl TwistState for () {
     const COUNTS: bool = false;
-    const NUMBERS: usize = 0;
 
     #[inline(always)]
     fn get(self) -> Twisted {
@@ -48,7 +46,6 @@ impl TwistState for () {
 
 impl TwistState for Twisted {
     const COUNTS: bool = true;
-    const NUMBERS: usize = 3;
 
     #[inline(always)]
     fn get(self) -> Twisted {
@@ -61,21 +58,19 @@ impl TwistState for Twisted {
     }
 }
 
-/// Writes what is kept of a twist.
-pub(super) fn write<T: TwistState>(twist: T, numbers: &mut [f64]) {
-    let Twisted { torque, rate, lead } = twist.get();
-    numbers.copy_from_slice(&[torque, rate, lead][..T::NUMBERS]);
-}
-
-/// Reads what was written.
-pub(super) fn read<T: TwistState>(numbers: &[f64]) -> Result<T, RangeError> {
-    let mut all = [0.0; 3];
-    all[..T::NUMBERS].copy_from_slice(&numbers[..T::NUMBERS]);
-    let [torque, rate, lead] = all;
-    for (field, value) in [("torque", torque), ("twist", rate), ("twist", lead)] {
-        RangeError::finite(field, value)?;
+/// Passes over what is kept of a twist.
+pub(super) fn stored<T: TwistState>(
+    twist: &mut T,
+    fields: &mut impl Fields,
+) -> Result<(), RangeError> {
+    if T::COUNTS {
+        let mut twisted = twist.get();
+        fields.number("torque", &mut twisted.torque, RangeError::finite)?;
+        fields.number("twist", &mut twisted.rate, RangeError::finite)?;
+        fields.number("twist", &mut twisted.lead, RangeError::finite)?;
+        *twist = T::of(twisted);
     }
-    Ok(T::of(Twisted { torque, rate, lead }))
+    Ok(())
 }
 
 /// The twist during a step, clockwise as in the law.

@@ -7,9 +7,11 @@ use super::heats::Heats;
 use super::law::GrainLaw;
 use super::load::GrainLoad;
 use super::meeting::Meeting;
+use super::pack::ENOUGH;
 use super::rolling::{GrainRoll, Rolling};
 use super::twist::GrainTwist;
 use crate::law::ContactLaw as _;
+use crate::stored::{Reader, Writer, any};
 use crate::torsion::law::StoredTwist;
 
 /// The whole contact of two grains. Its parts lie where a particle code keeps them.
@@ -152,25 +154,27 @@ impl<L: GrainLaw> WholeContact<'_, L> {
         energy
     }
 
+    /// Number of numbers beside those of the contact.
+    fn beside(&self) -> usize {
+        let twist = self.twist.as_ref().map_or(0, |_| StoredTwist::NUMBERS);
+        twist + self.rolling.as_ref().map_or(0, |_| GrainRoll::NUMBERS)
+    }
+
     /// Writes the state as numbers: those of [`GrainContact::pack`], of [`StoredTwist::pack`] and of the rolling.
     ///
     /// # Errors
     /// [`RangeError`] if `numbers` is too short.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        let room = numbers.len() as f64;
-        let mut rest = numbers;
-        let enough = || RangeError::new("numbers", room, "enough for the contact");
-        if let Some(rolling) = &self.rolling {
-            let (before, place) = rest.split_last_chunk_mut().ok_or_else(enough)?;
-            *place = rolling.roll.packed();
-            rest = before;
-        }
+        let its = numbers.len().saturating_sub(self.beside());
+        let mut writer = Writer::new(numbers, self.beside(), ENOUGH)?;
+        self.contact.pack(writer.part(its))?;
         if let Some(twist) = &self.twist {
-            let (before, place) = rest.split_last_chunk_mut().ok_or_else(enough)?;
-            twist.pack(place)?;
-            rest = before;
+            twist.pack(writer.part(StoredTwist::NUMBERS))?;
         }
-        self.contact.pack(rest)
+        if let Some(rolling) = &self.rolling {
+            writer.write(&rolling.roll.packed());
+        }
+        Ok(())
     }
 
     /// Restores what [`WholeContact::pack`] of a contact with the same constants and parts wrote.
@@ -178,27 +182,20 @@ impl<L: GrainLaw> WholeContact<'_, L> {
     /// # Errors
     /// [`RangeError`] for numbers that are not a stored contact; all parts are then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let (room, mut rest) = (numbers.len() as f64, numbers);
-        let enough = || RangeError::new("numbers", room, "enough for the contact");
-        let (mut roll, mut twist) = (None, None);
-        if self.rolling.is_some() {
-            let (before, its) = rest.split_last_chunk().ok_or_else(enough)?;
-            roll = Some(GrainRoll::unpacked(its)?);
-            rest = before;
+        let mut reader = Reader::new(numbers, ENOUGH);
+        let its = reader.part(numbers.len().saturating_sub(self.beside()))?;
+        let mut twist = self.twist.as_deref().copied();
+        if let Some(twist) = &mut twist {
+            twist.unpack(reader.part(StoredTwist::NUMBERS)?)?;
         }
-        if let Some(twist_before) = &self.twist {
-            let (before, its) = rest.split_last_chunk().ok_or_else(enough)?;
-            let mut read = **twist_before;
-            read.unpack(its)?;
-            twist = Some(read);
-            rest = before;
-        }
-        self.contact.unpack(rest)?;
-        if let (Some(rolling), Some(roll)) = (&mut self.rolling, roll) {
-            *rolling.roll = roll;
-        }
+        let roll = self.rolling.as_ref().map(|_| GrainRoll::unpacked(&reader.read("roll", any)?));
+        let roll = roll.transpose()?;
+        self.contact.unpack(its)?;
         if let (Some(place), Some(twist)) = (&mut self.twist, twist) {
             **place = twist;
+        }
+        if let (Some(rolling), Some(roll)) = (&mut self.rolling, roll) {
+            *rolling.roll = roll;
         }
         Ok(())
     }

@@ -32,6 +32,7 @@ mod slides;
 mod slip_in_line;
 mod slip_in_plane;
 mod stack;
+mod stored;
 
 pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
@@ -39,6 +40,7 @@ pub(crate) use lateral::cone_exit;
 pub(crate) use report::Turn;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, FixedStack, Growing, GrowingStack, NodeStack, Nodes, Vertex, VertexStack};
+pub(crate) use stored::{Form, Head};
 
 use carom_special::RangeError;
 

@@ -10,12 +10,10 @@ use super::pair::{PEAK, Pair};
 use super::symmetry::Symmetry;
 use super::transform::Field;
 use crate::bounds::LEAST_APPROACH;
-use crate::law::Shift;
+use crate::stored::{Fields, Reader, Writer, any};
 
-/// Number of values before the fields: shift, length of the last step, normal force, centre.
-const HEAD: usize = 8;
-/// Number of stored fields: slip, tractions, slip of the last step.
-const FIELDS: usize = 3;
+/// How many numbers a history needs, in words.
+const ROOM: &str = "8 and 6 for each place of a ring";
 /// Allowed deviation of stored tractions from those of the stored slip, and of tractions beyond their limits,
 /// in units of the tolerance (at least `FINEST`). In 18 000 steps at each of four tolerances the largest were 6 and 17.
 const OFF: f64 = 40.0;
@@ -33,7 +31,8 @@ const LARGEST_IN_FIELD: f64 = 1e250;
 /// Number of values of a stored state with this many rings and angles: 296 for 6 x 8.
 #[must_use]
 pub const fn packed_numbers(rings: usize, angles: usize) -> usize {
-    HEAD + FIELDS * 2 * rings * angles
+    // Shift, length of the last step, normal force and centre; slip, tractions and slip of the last step.
+    8 + 3 * 2 * rings * angles
 }
 
 impl<const N: usize, const M: usize> RingMemory<N, M> {
@@ -43,17 +42,26 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
     /// # Errors
     /// [`RangeError`] for too few numbers; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        check_room::<N, M>(numbers.len())?;
-        numbers.fill(0.0);
-        let Shift { zeta, xi, eta, omega } = self.shift;
-        let [x, y] = self.contact.centre;
-        let head = [zeta, xi, eta, omega, self.contact.length, self.sums.normal, x, y];
-        numbers[..HEAD].copy_from_slice(&head);
-        let Contact { slip, tractions, .. } = &self.contact;
-        for (field, part) in
-            [slip, &tractions.z, &tractions.y].into_iter().zip(parts::<N, M>(numbers))
-        {
-            part.copy_from_slice(field.as_flattened().as_flattened());
+        let mut writer = Writer::new(numbers, packed_numbers(N, M), ROOM)?;
+        let mut copy = *self;
+        copy.stored(&mut writer)?;
+        writer.rest().fill(0.0);
+        Ok(())
+    }
+
+    /// Passes over what is stored.
+    fn stored(&mut self, fields: &mut impl Fields) -> Result<(), RangeError> {
+        let Contact { slip, tractions, length, centre, .. } = &mut self.contact;
+        fields.shift(&mut self.shift)?;
+        fields.number("length", length, RangeError::non_negative)?;
+        fields.number("normal force", &mut self.sums.normal, RangeError::finite)?;
+        fields.numbers("centre", centre, any)?;
+        for field in [slip, &mut tractions.z, &mut tractions.y] {
+            let numbers = field.as_flattened_mut().as_flattened_mut();
+            fields.numbers("slip or traction", numbers, |field, number| {
+                let holds = number.abs() <= LARGEST_IN_FIELD;
+                RangeError::check(field, number, holds, "at most 1e250 in magnitude")
+            })?;
         }
         Ok(())
     }
@@ -67,31 +75,16 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         rings: &Rings<'_, N, M, S>,
         numbers: &[f64],
     ) -> Result<(), RangeError> {
-        check_room::<N, M>(numbers.len())?;
-        let [zeta, xi, eta, omega, length, normal, x, y] = std::array::from_fn(|i| numbers[i]);
-        let shift = Shift { zeta, xi, eta, omega };
-        shift.check_finite()?;
-        RangeError::non_negative("length", length)?;
-        RangeError::finite("normal force", normal)?;
-        for &number in &numbers[HEAD..packed_numbers(N, M)] {
-            let holds = number.abs() <= LARGEST_IN_FIELD;
-            RangeError::check("slip or traction", number, holds, "at most 1e250 in magnitude")?;
-        }
-        let mut contact = Contact::default();
-        let mut fields = [[[[0.0; N]; 2]; M]; FIELDS];
-        let each = 2 * N * M;
-        for (field, part) in fields.iter_mut().zip(numbers[HEAD..].chunks_exact(each)) {
-            field.as_flattened_mut().as_flattened_mut().copy_from_slice(part);
-        }
-        [contact.slip, contact.tractions.z, contact.tractions.y] = fields;
-        let mut sums = Sums::default();
+        let mut read = Self::default();
+        read.stored(&mut Reader::new(numbers, ROOM))?;
+        let Self { mut contact, sums: Sums { normal, .. }, shift } = read;
+        let (mut sums, zeta, [x, y]) = (Sums::default(), shift.zeta, contact.centre);
         match rings.pair {
             Some(pair) if zeta > LEAST_APPROACH => {
                 let fits = centre::fits([x, y], zeta);
                 RangeError::check("centre", x.hypot(y), fits, "at most half of the radius off")?;
                 let square = centre::square([x, y], zeta);
-                (contact.radius, contact.centre) = (square.sqrt(), [x, y]);
-                contact.length = length;
+                contact.radius = square.sqrt();
                 pair.follow(&mut contact.tractions);
                 contact.rim = contact.at_rim(pair, square);
                 let u = displacements(pair, &contact);
@@ -204,13 +197,4 @@ fn largest<const N: usize, const M: usize>(field: &Field<N, M>) -> f64 {
 
 fn room(tolerance: f64) -> f64 {
     OFF * tolerance.max(FINEST)
-}
-
-fn check_room<const N: usize, const M: usize>(room: usize) -> Result<(), RangeError> {
-    let holds = room >= packed_numbers(N, M);
-    RangeError::check("numbers", room as f64, holds, "8 and 6 for each place of a ring").map(|_| ())
-}
-
-fn parts<const N: usize, const M: usize>(numbers: &mut [f64]) -> impl Iterator<Item = &mut [f64]> {
-    numbers[HEAD..].chunks_exact_mut(2 * N * M)
 }

@@ -3,13 +3,13 @@
 use carom_special::RangeError;
 
 use super::{ShiftLaw, State, with_memory};
-use crate::bounds::{LARGEST, in_contact, in_memory};
+use crate::bounds::{LARGEST, in_contact};
 use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
+use crate::stored::{Reader, Writer, any};
 
 /// The mark of a frictionless contact, whose state is its shift only.
 const FRICTIONLESS: f64 = 3e4;
-const HEAD: usize = 6;
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// Writes the history of the law as numbers. [`crate::coulomb::packed_numbers`] for the
@@ -44,11 +44,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     }
 
     fn pack_shift(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        let room = numbers.len() as f64;
-        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-        numbers.fill(0.0);
         let Shift { zeta, xi, eta, .. } = self.shift;
-        numbers[..4].copy_from_slice(&[FRICTIONLESS, zeta, xi, eta]);
+        let mut writer = Writer::new(numbers, 4, ">= 4")?;
+        writer.write(&[FRICTIONLESS, zeta, xi, eta]);
+        writer.rest().fill(0.0);
         Ok(())
     }
 
@@ -58,42 +57,29 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// # Errors
     /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let shift = self.shift_in(numbers);
-        with_memory!(
-            &mut self.state,
-            memory => shift.and_then(|_| memory.unpack(numbers))?,
-            else return self.unpack_free(numbers)
-        );
-        self.shift = shift?;
-        Ok(())
-    }
-
-    /// The shift of a stored memory, which is normalised there.
-    fn shift_in(&self, numbers: &[f64]) -> Result<Shift, RangeError> {
-        let Some(&[_, zeta, xi, eta]) = numbers.first_chunk() else {
-            return Err(RangeError::new("numbers", numbers.len() as f64, ">= 6"));
-        };
+        let mut read = self.clone();
         let [x, y] = self.scale.shift.components();
-        let eta = if V::DIMENSION == 1 { 0.0 } else { eta / y };
-        let shift = Shift { zeta, xi: rounded_back(xi / x), eta: rounded_back(eta), omega: 0.0 };
-        for number in &numbers[1..4] {
-            in_memory("numbers", *number)?;
-        }
-        shift.check_finite()?;
-        Ok(shift)
-    }
-
-    fn unpack_free(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let room = numbers.len() as f64;
-        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-        let known = numbers[0] == 0.0 || numbers[0] == FRICTIONLESS;
-        RangeError::check("mark", numbers[0], known, "that of a contact without friction")?;
-        let zeta = in_contact("approach", numbers[1])?;
-        let xi = in_contact("shift", numbers[2])?;
-        let eta = in_contact("shift", numbers[3])?;
-        self.shift = Shift { zeta, xi, eta, omega: 0.0 };
+        let (zeta, [xi, eta]) = with_memory!(&mut read.state, memory => {
+            memory.unpack(numbers)?;
+            let [xi, eta] = memory.shift().components();
+            let eta = if V::DIMENSION == 1 { 0.0 } else { eta / y };
+            (memory.zeta(), [xi / x, eta].map(rounded_back))
+        }, else unpacked_shift(numbers)?);
+        read.shift = Shift { zeta, xi, eta, omega: 0.0 };
+        read.shift.check_finite()?;
+        *self = read;
         Ok(())
     }
+}
+
+/// Approach and shift of a contact without friction.
+fn unpacked_shift(numbers: &[f64]) -> Result<(f64, [f64; 2]), RangeError> {
+    let mut reader = Reader::new(numbers, ">= 4");
+    let [mark] = reader.read("mark", any)?;
+    let known = mark == 0.0 || mark == FRICTIONLESS;
+    RangeError::check("mark", mark, known, "that of a contact without friction")?;
+    let [zeta] = reader.read("approach", in_contact)?;
+    Ok((zeta, reader.read("shift", in_contact)?))
 }
 
 /// A shift that was multiplied and divided by a scale: at the end of the range it may lie beyond by rounding.

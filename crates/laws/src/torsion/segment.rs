@@ -2,15 +2,20 @@
 
 use std::f64::consts::FRAC_2_PI;
 
+use carom_special::RangeError;
 use carom_special::elliptic::complete;
 
 use super::sliding::{
     Sloped, sliding_torque, sliding_twist, sliding_twist_and_density, sliding_twist_and_torque,
     twist_of_depth, with_ratio,
 };
+use crate::bounds::in_contact;
+use crate::stored::Fields;
 
 /// Depth ln(al/c) beyond which the stick radius counts as zero.
 const DEEPEST: f64 = 690.0;
+/// The greatest torque inside a piece: that of sliding at the greatest radius, 1e60.
+const LARGEST_TORQUE: f64 = 1e240;
 
 /// The density on a range of radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +44,7 @@ pub(super) fn stuck_torque(density: f64, from: f64, to: f64) -> f64 {
 }
 
 /// A density from a radius outwards: six numbers, which may be kept as bytes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub(super) struct Segment {
     pub(super) from: f64,
@@ -80,7 +85,7 @@ impl Deepest {
 
 impl Segment {
     /// Number of its numbers.
-    pub(super) const NUMBERS: usize = 6;
+    pub(super) const NUMBERS: usize = size_of::<Self>() / size_of::<f64>();
 
     /// A density from a radius outwards, with its [`Segment::twist`], [`Segment::torque`] and [`Segment::demand`].
     pub(super) const fn new(
@@ -103,14 +108,18 @@ impl Segment {
         }
     }
 
-    pub(super) const fn numbers(&self) -> [f64; Self::NUMBERS] {
-        let &Self { from, slid, value, twist, torque, demand } = self;
-        [from, slid, value, twist, torque, demand]
-    }
-
-    pub(super) const fn of(numbers: &[f64; Self::NUMBERS]) -> Self {
-        let &[from, slid, value, twist, torque, demand] = numbers;
-        Self { from, slid, value, twist, torque, demand }
+    /// Passes over its numbers, each within its own range.
+    pub(super) fn stored(&mut self, fields: &mut impl Fields) -> Result<(), RangeError> {
+        fields.number("piece", &mut self.from, in_contact)?;
+        fields.number("slip radius", &mut self.slid, in_contact)?;
+        // At the centre of a contact that slid completely, a density may have any magnitude.
+        fields.number("density", &mut self.value, RangeError::finite)?;
+        fields.number("twist", &mut self.twist, in_contact)?;
+        fields.number("torque", &mut self.torque, |field, torque| {
+            let holds = torque.abs() <= LARGEST_TORQUE;
+            RangeError::check(field, torque, holds, "at most 1e240 in magnitude")
+        })?;
+        fields.number("demand", &mut self.demand, in_contact)
     }
 
     /// Twist of everything inside a radius in this segment.

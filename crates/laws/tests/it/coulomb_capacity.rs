@@ -112,29 +112,6 @@ fn round_off_does_not_grow_in_a_contact_at_rest() {
 }
 
 #[test]
-fn packed_state_goes_on_as_before() {
-    assert!(packed_numbers(12) <= 70);
-    type Law = CoulombMemory<[f64; 2], FixedCurve<[f64; 2], 12>>;
-    for seed in 0..20 {
-        let path = Kind::Adversarial.path(&mut Splitmix(seed));
-        let mut law = Law::new(Tolerance::PARTICLES);
-        let mut numbers = [f64::NAN; packed_numbers(12)];
-        for &(zeta, x) in &path {
-            law.pack(&mut numbers).unwrap();
-            let mut kept = Law::new(Tolerance::PARTICLES);
-            kept.unpack(&numbers).unwrap();
-            assert_eq!((kept.regime(), kept.stick_depth()), (law.regime(), law.stick_depth()));
-            let mut again = [0.0; packed_numbers(12)];
-            kept.pack(&mut again).unwrap();
-            assert_eq!(again, numbers);
-            let (want, got) = (law.advance(zeta, x).unwrap(), kept.advance(zeta, x).unwrap());
-            let limit = zeta.abs().powf(1.5) + x[0].abs() + x[1].abs();
-            assert!(off(got, want) <= 1e-13 * limit, "{got:?} {want:?}");
-        }
-    }
-}
-
-#[test]
 fn zeros_are_apart_and_bad_numbers_are_named() {
     type Law = CoulombMemory<[f64; 2], FixedCurve<[f64; 2], 12>>;
     let mut law = Law::new(Tolerance::PARTICLES);
@@ -147,7 +124,7 @@ fn zeros_are_apart_and_bad_numbers_are_named() {
         (0, 20_303.0, "mark"),
         (0, 10_399.0, "vertices"),
         (0, 10_303.5, "mark"),
-        (1, f64::NAN, "numbers"),
+        (1, f64::NAN, "approach"),
         (6, 0.5, "depth"),
         (11, 2.0, "depth"),
         (12, f64::INFINITY, "numbers"),

@@ -166,13 +166,13 @@ fn what_was_packed_goes_on_to_the_same_bits() {
     refuse(297, 2.0, "tangent");
     refuse(300, 2.0, "normal");
     refuse(305, f64::INFINITY, "force");
-    refuse(309, f64::NAN, "velocity");
+    refuse(309, f64::NAN, "lead");
     refuse(311, f64::NAN, "velocity");
-    refuse(312, f64::NAN, "velocity");
+    refuse(312, f64::NAN, "approach");
     refuse(313, f64::NAN, "torque");
     refuse(314, f64::NAN, "twist");
     refuse(315, f64::INFINITY, "twist");
-    assert_eq!(contact.unpack(&numbers[1..]).unwrap_err().field, "numbers");
+    assert_eq!(contact.unpack(&numbers[1..]).unwrap_err().field, "mark");
 }
 
 /// A contact that has not stepped carries Hertz's force, one that has parted nothing.

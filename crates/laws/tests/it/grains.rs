@@ -174,9 +174,7 @@ fn what_is_no_contact_is_refused() {
     assert_eq!(GrainContact::new(law, -1.0).unwrap_err().field, "relaxation");
     let mut contact = fresh(0.0);
     let mut numbers = [0.0; grain_numbers(12)];
-    for (at, field) in
-        [(66, "tangent"), (69, "normal"), (74, "force"), (78, "velocity"), (0, "mark")]
-    {
+    for (at, field) in [(66, "tangent"), (69, "normal"), (74, "force"), (78, "lead"), (0, "mark")] {
         numbers[at] = if at >= 74 { f64::NAN } else { 2.0 };
         assert_eq!(contact.unpack(&numbers).unwrap_err().field, field);
         assert_eq!(contact, fresh(0.0));

@@ -62,6 +62,8 @@ fn all_are_taken<V: Lateral, S: VertexStack<V>>(
         if let Err(error) = again.unpack(&one) {
             panic!("step {i}: {error}: {one:?}");
         }
+        let off = again.shift().xi - shift.xi;
+        assert!(off.abs() <= 1e-15 * shift.xi.abs(), "{off}");
         again.pack(&mut two).unwrap();
         assert!(one.iter().zip(&two).all(|(a, b)| a.to_bits() == b.to_bits()), "{one:?} {two:?}");
     }

@@ -83,25 +83,6 @@ fn numbers_beyond_friction_are_refused() {
     assert_eq!(refused(fixed, empty), "approach");
 }
 
-/// One direction is kept in the same way.
-#[test]
-fn one_direction() {
-    let stiffness = ContactStiffness::new(3.0, 2.6, 4.0).unwrap();
-    let fresh = ShiftLaw::<f64, Fixed<f64, 12>>::new(stiffness, Friction::new(0.4).unwrap());
-    let (mut law, mut again) = (fresh, fresh);
-    let mut numbers: Numbers = [0.0; packed_numbers(12)];
-    for i in 1..200 {
-        let t = 0.1 * f64::from(i);
-        let shift =
-            Shift { zeta: 1.0 + 0.3 * (1.7 * t).sin(), xi: 0.2 * t.sin(), ..Shift::default() };
-        let load = law.advance(shift).unwrap();
-        again.unpack(&numbers).unwrap();
-        let other = again.advance(shift).unwrap();
-        again.pack(&mut numbers).unwrap();
-        assert!((load.f_x - other.f_x).abs() < 1e-12, "{load:?} {other:?}");
-    }
-}
-
 #[test]
 fn the_limits_of_friction() {
     let stiffness = ContactStiffness::new(1.0, 1.0, 1.2).unwrap();
@@ -137,31 +118,4 @@ fn infinite_friction() {
     let to = Shift { zeta: 0.7, xi: 0.1, eta: -0.3, omega: 0.0 };
     assert_eq!(again.advance(to), law.advance(to));
     assert_eq!(Law::new(stiffness, Friction::NONE).unpack(&numbers).unwrap_err().field, "mark");
-}
-
-/// A step so short that its slip ring is thinner than rounding leaves a vertex at the edge itself.
-#[test]
-fn rings_thinner_than_rounding_are_kept_in_numbers() {
-    for fresh in laws(0.4) {
-        let mut law = fresh;
-        let mut thin = 0;
-        for step in 0..200 {
-            let push = 1e-6 * 0.3_f64.powi(step % 40);
-            let at = law.shift();
-            let (xi, eta) =
-                if step % 3 == 0 { (at.xi + push, at.eta) } else { (at.xi - push, at.eta + push) };
-            let zeta = if step % 7 == 0 { 2e-6 - 1e-8 * f64::from(step) } else { at.zeta };
-            let load = law.advance(Shift { zeta, xi, eta, omega: 0.0 }).unwrap();
-            let mut numbers: Numbers = [0.0; packed_numbers(12)];
-            law.pack(&mut numbers).unwrap();
-            let mut again = fresh;
-            again.unpack(&numbers).unwrap();
-            let depths = numbers[6..].chunks_exact(5).map(|vertex| vertex[0].abs());
-            thin += u32::from(numbers[1] > 0.0 && depths.fold(0.0, f64::max) == numbers[1]);
-            let size = 1e-9 * load.f_z;
-            assert!((load.f_x - again.load().f_x).abs() <= size, "{load:?} {:?}", again.load());
-            assert!((load.f_y - again.load().f_y).abs() <= size, "{load:?} {:?}", again.load());
-        }
-        println!("{thin} states with a vertex at the edge");
-    }
 }

@@ -144,7 +144,7 @@ fn numbers_that_are_no_state_are_refused() {
         (1, 0.5, "pieces"),
         (1, f64::NAN, "pieces"),
         (2, 0.0, "radius"),
-        (2, f64::INFINITY, "numbers"),
+        (2, f64::INFINITY, "radius"),
         (5, 2.0, "stick radius"),
         (5, 0.0, "stick radius"),
         (6, -1.0, "ring steps"),

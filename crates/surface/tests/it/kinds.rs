@@ -184,7 +184,8 @@ fn sdf_as_text_has_words_and_comments_where_bcr_allows_them() {
 
 #[test]
 fn npy_has_the_unit_that_is_given() {
-    let file = npy(3, &[1.0, NAN, 3.0, 4.0, 5.0, 6.0]);
+    let values = [1.0, NAN, 3.0, 4.0, 5.0, 6.0];
+    let file = npy("<f8", &[2, 3], values.iter().flat_map(|value| value.to_le_bytes()));
     // Its data begin at a multiple of 64 bytes, as NumPy maps them.
     assert!((file.len() - 48).is_multiple_of(64));
     let measured = map(&file);
@@ -251,6 +252,6 @@ fn a_png_has_the_height_of_white() {
     let levels = map(&eight);
     assert_map(&levels, Format::Png, [102.0, 153.0, 204.0, 255.0, 0.0, 51.0]);
     assert!(levels.notes[0].contains("range"), "{:?}", levels.notes);
-    let error = read(&npy(1, &[1.0]), &white).unwrap_err();
+    let error = read(&npy("<f8", &[1, 1], 1.0_f64.to_le_bytes().into_iter()), &white).unwrap_err();
     assert!(matches!(error, SurfaceError::Option { option: "range", .. }));
 }

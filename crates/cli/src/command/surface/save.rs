@@ -63,7 +63,10 @@ impl Saved {
         let bytes = match self.is_x3p {
             true => x3p(columns, &values, spacing, meaning)
                 .map_err(|error| CliError::io("write", Path::new("x3p"), error))?,
-            false => npy(columns, &values),
+            false => {
+                let shape = [values.len() / columns.max(1), columns];
+                npy("<f8", &shape, values.iter().flat_map(|value| value.to_le_bytes()))
+            }
         };
         Ok((self.place, bytes))
     }

@@ -6,7 +6,7 @@ use super::pieces::PIECES_OF_A_STEP;
 use super::{Pieces, TwistHistory, packed_numbers};
 use crate::bounds::in_contact;
 use crate::torsion::mesh;
-use crate::torsion::segment::Segment;
+use crate::torsion::segment::{Density, Segment};
 
 /// Pieces of a history that are kept exactly, one or two for each reversal; beyond that those that matter least are
 /// joined. Over random histories the error of the torque was then below 3e-4 of the sliding torque in the mean, and .02
@@ -46,7 +46,7 @@ impl StoredHistory {
         level: mesh::USUAL_LEVEL as u32,
         count: 0,
         known: 0,
-        pieces: [Segment::of(&[0.0; Segment::NUMBERS]); PIECES],
+        pieces: [Segment::new(0.0, Density::Stick(0.0), [0.0; 2], 0.0); PIECES],
         jumps: [0.0; JOINTS],
     };
 

@@ -16,6 +16,7 @@ use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
+use crate::stored::{Fields as _, Reader, Writer};
 use crate::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use crate::torsion::history::{self, TwistHistory};
 
@@ -167,9 +168,8 @@ impl TorsionLaw {
     /// # Errors
     /// [`RangeError`] for too few numbers; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<f64, RangeError> {
-        let room = numbers.len() as f64;
-        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
-        let (head, rest) = numbers.split_at_mut(HEAD);
+        let mut writer = Writer::new(numbers, HEAD, ">= 4")?;
+        let (head, rest) = (writer.part(HEAD), writer.rest());
         let jump = match &self.state {
             State::Frictionless => {
                 rest.fill(0.0);
@@ -192,11 +192,10 @@ impl TorsionLaw {
     /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     #[inline]
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let room = numbers.len() as f64;
-        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
-        let (head, rest) = numbers.split_at(HEAD);
-        let shift = Shift { zeta: head[0], xi: head[1], eta: head[2], omega: head[3] };
-        shift.check_finite()?;
+        let mut reader = Reader::new(numbers, ">= 4");
+        let mut shift = Shift::default();
+        reader.shift(&mut shift)?;
+        let rest = reader.rest();
         match &mut self.state {
             State::Frictionless => {}
             State::Lubkin(history) => {

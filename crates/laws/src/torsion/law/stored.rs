@@ -4,6 +4,7 @@ use carom_special::RangeError;
 
 use super::{HEAD, State, TorsionLaw};
 use crate::law::{ContactLaw as _, Shift};
+use crate::stored::Writer;
 use crate::torsion::history::StoredHistory;
 
 /// A torsion law of finite friction in fixed room: numbers without pointers, which may be kept as bytes. Of the
@@ -76,17 +77,17 @@ impl StoredTwist {
     ///
     /// # Errors
     /// As [`TorsionLaw::pack`].
-    pub fn pack(&self, numbers: &mut [f64; Self::NUMBERS]) -> Result<(), RangeError> {
-        let (head, history) = numbers.split_at_mut(HEAD);
-        head.copy_from_slice(&[self.zeta, 0.0, 0.0, self.omega]);
-        self.history.pack(history)
+    pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        let mut writer = Writer::new(numbers, Self::NUMBERS, "enough for the twist")?;
+        writer.write(&[self.zeta, 0.0, 0.0, self.omega]);
+        self.history.pack(writer.rest())
     }
 
     /// Restores what [`StoredTwist::pack`] of a law with the same constants wrote.
     ///
     /// # Errors
     /// [`RangeError`] for numbers that are no state; the state is then unchanged.
-    pub fn unpack(&mut self, numbers: &[f64; Self::NUMBERS]) -> Result<(), RangeError> {
+    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let mut law = self.law();
         law.unpack(numbers)?;
         self.keep(law);
