@@ -198,3 +198,23 @@ fn rings_log_the_regimes_of_the_exact_impact() {
         assert!(rings.len() <= count + 1, "{rings:?}");
     }
 }
+
+/// However little a spin slips, a contact that sticks takes the same part of it: great friction and infinite one.
+#[test]
+fn great_friction_takes_as_much_spin_as_infinite_friction() {
+    let left = |friction: f64| {
+        let collision = alike(0.3, friction, 0.5, 0.1);
+        spin_left(&collision, &auto(&collision))
+    };
+    let infinite = left(f64::INFINITY);
+    assert!(infinite < 0.995);
+    for friction in [1e4, 1e5, 1e6, 1e30] {
+        assert!((left(friction) - infinite).abs() < 1e-4, "{friction}: {}", left(friction));
+    }
+    // A slow spin at usual friction, too.
+    let slow = |twist: f64| {
+        let collision = alike(0.3, 0.2, 0.0, twist);
+        spin_left(&collision, &auto(&collision))
+    };
+    assert!((slow(1e-7) - slow(1e-5)).abs() < 1e-6);
+}
