@@ -217,11 +217,16 @@ impl Collision {
         let part = whole * self.normal_restitution.part_of_yield();
         // The spin about the first normal is left to the torsional impact.
         let z = self.frame().z();
-        for (motion, by) in next.motions.iter_mut().zip(&change.motions) {
-            motion.velocity += part * by.velocity;
-            motion.spin += part * (by.spin - z * by.spin.dot(&z));
+        let by = change.motions.map(|by| Motion {
+            velocity: part * by.velocity,
+            spin: part * (by.spin - z * by.spin.dot(&z)),
+        });
+        let allowed = self.share_without_gain(&next, &by);
+        for (motion, by) in next.motions.iter_mut().zip(&by) {
+            motion.velocity += allowed * by.velocity;
+            motion.spin += allowed * by.spin;
         }
-        next.impulse += part * change.impulse;
+        next.impulse += allowed * part * change.impulse;
         self.book(&mut next);
         let after = self.contact_velocity(&next.motions);
         let before = self.velocity();
@@ -230,25 +235,51 @@ impl Collision {
             next.r_x = super::aftermath::along(&before, &after).or(next.r_x);
         }
         let size = self.contact_velocity(&change.motions).norm();
-        next.error_estimate += (spread + LEFT * size) / before.norm();
+        next.error_estimate += (spread + (LEFT + 1.0 - allowed) * size) / before.norm();
         Ok(next)
+    }
+
+    fn kinetic(&self, motions: &[Motion; 2]) -> f64 {
+        self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
+    }
+
+    /// The share of a change of the motions with which they gain no energy, where the centres would have to lose more than
+    /// half their speed against each other to keep it.
+    fn share_without_gain(&self, rebound: &Rebound, by: &[Motion; 2]) -> f64 {
+        let sum = [0, 1].map(|i| Motion {
+            velocity: rebound.motions[i].velocity + by[i].velocity,
+            spin: rebound.motions[i].spin + by[i].spin,
+        });
+        let [kept, whole, own] = [&rebound.motions, &sum, by].map(|motions| self.kinetic(motions));
+        let free = self.bodies.iter().all(|body| body.inertia().mass().is_finite());
+        if !free || whole - rebound.energy.before <= 0.75 * self.energy_of_centres(&sum) {
+            return 1.0;
+        }
+        // kept + p slope + p^2 own is the energy with the share p.
+        let (slope, room) = (whole - kept - own, (rebound.energy.before - kept).max(0.0));
+        let root = (slope * slope + 4.0 * own * room).sqrt();
+        ((root - slope) / (2.0 * own)).clamp(0.0, 1.0)
+    }
+
+    /// The kinetic energy of the motion of the centres against each other.
+    fn energy_of_centres(&self, motions: &[Motion; 2]) -> f64 {
+        let masses = self.bodies.each_ref().map(|body| body.inertia().mass());
+        let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
+        0.5 * reduced * (motions[1].velocity - motions[0].velocity).norm_squared()
     }
 
     /// Energies after a change of the motions; without any loss the relative speed is that which keeps the energy. Friction
     /// has the same part of the loss as without the turn.
     fn book(&self, rebound: &mut Rebound) {
-        let kinetic = |motions: &[Motion; 2]| {
-            self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
-        };
         let free = self.bodies.iter().all(|body| body.inertia().mass().is_finite());
         let is_elastic = rebound.energy.lost == 0.0;
-        let mut lost = rebound.energy.before - kinetic(&rebound.motions);
+        let mut lost = rebound.energy.before - self.kinetic(&rebound.motions);
         let keeps = is_elastic && self.friction.get() == 0.0;
         if free && (keeps || lost < 0.0) {
             self.scale_to(&mut rebound.motions, lost);
             lost = 0.0;
         }
-        rebound.energy.after = kinetic(&rebound.motions);
+        rebound.energy.after = self.kinetic(&rebound.motions);
         if !free {
             return;
         }
@@ -263,9 +294,7 @@ impl Collision {
         let masses = self.bodies.each_ref().map(|body| body.inertia().mass());
         let whole = masses[0] + masses[1];
         let middle = (masses[0] * motions[0].velocity + masses[1] * motions[1].velocity) / whole;
-        let apart = motions[1].velocity - motions[0].velocity;
-        let energy = 0.5 * masses[0] * masses[1] / whole * apart.norm_squared();
-        let part = (1.0 + missing / energy).max(0.0).sqrt();
+        let part = (1.0 + missing / self.energy_of_centres(motions)).max(0.0).sqrt();
         for motion in motions {
             motion.velocity = middle + part * (motion.velocity - middle);
         }

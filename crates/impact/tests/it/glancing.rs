@@ -4,7 +4,7 @@ use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::Material;
 use carom_impact::{
     AnalyticOrRings, Body, Collision, CollisionSolver, HistoryPoint, Motion, NormalRestitution,
-    Rebound,
+    Rebound, TorsionMode,
 };
 use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
@@ -450,5 +450,34 @@ fn viscous_balls_with_much_friction_gain_nothing() {
             assert!(energy.after <= energy.before * (1.0 + 1e-12), "{mass} {friction}: {energy:?}");
             assert!(heavy.r_x.unwrap().abs() < 1.5, "{mass} {friction}: {heavy:?}");
         }
+    }
+}
+
+/// Whatever the balls, friction and loss, the turn gives them no energy.
+#[test]
+fn drawn_balls_gain_nothing() {
+    let mut draw = Xorshift(0x0061_a9c3);
+    for k in 0..600 {
+        let mut log = |low: f64, high: f64| 10_f64.powf(low + (high - low) * draw.part());
+        let (young, friction) = (log(5.0, 11.0), log(-1.5, 5.0));
+        let [radii, masses] = [[-3.0, -1.0], [-3.0, 1.0]].map(|[a, b]| [log(a, b), log(a, b)]);
+        let [across, along] = [0; 2].map(|_| log(-2.0, 1.0));
+        let friction = if k % 7 == 0 { f64::INFINITY } else { friction };
+        let e = [0.0, 0.01 * draw.part(), 0.1 * draw.part(), draw.part(), 1.0][k % 5];
+        let material = Material::from_young(young, 0.5 * draw.part()).unwrap();
+        let mut ball = |i: usize, velocity: [f64; 3]| {
+            let spin = [0; 3].map(|_| draw.signed() * across / radii[0]);
+            let of = if k % 3 == i { Body::spherical_shell } else { Body::sphere };
+            let body = of(radii[i], material, masses[i]).unwrap();
+            body.moving(Motion::new(velocity, spin).unwrap())
+        };
+        let [one, two] = [ball(0, [across, 0.0, -along]), ball(1, [0.0; 3])];
+        let collision = Collision::new(one, two, Friction::new(friction).unwrap()).unwrap();
+        let collision = collision.with_torsion_mode(TorsionMode::LeftOut);
+        let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let energy = rebound(&lossy).energy;
+        assert!(energy.after <= energy.before * (1.0 + 1e-12), "{e} {friction}: {energy:?}");
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        assert!(balance.abs() < 1e-9 * energy.before, "{e} {friction}: {energy:?}");
     }
 }
