@@ -1,11 +1,12 @@
 //! What a viscous loss changes of the torsional impact.
 //!
 //! The torsional impact of elastic bodies is exact. A viscous material presses with less impulse, (1 + e)/2 times as much,
-//! and resists the twist itself where little slips. Both are in the law of rings, which knows spheres: a ball on a plane with
-//! the same stiffness, inertia, spin and friction is followed by rings with the loss and without it, and the elastic loss of
-//! spin is multiplied by the ratio of theirs.
+//! and resists the twist itself where little slips. Both are in the law of rings, which knows spheres: a ball on a plane of the two
+//! materials, with the same stiffness, inertia, spin and friction, is followed by rings with the loss and without it, and the
+//! elastic loss of spin is multiplied by the ratio of theirs.
 
 use carom_geometry::{Inertia, Surface};
+use carom_laws::friction::Friction;
 
 use super::{Collision, CollisionError};
 use crate::body::Body;
@@ -17,6 +18,9 @@ use crate::viscoelastic::ViscousLoss;
 
 /// a Omega/(f v_z) below which the ratio no longer changes: nearly all sticks.
 const SLOW: f64 = 1e-3;
+
+/// With more friction nothing slips.
+const AS_INFINITE: f64 = 1e6;
 
 /// The relative spin and the mobility of spin about the normal.
 type Spin = [f64; 2];
@@ -55,17 +59,18 @@ impl Collision {
     ) -> Result<Option<[f64; 2]>, CollisionError> {
         let (d_zz, speed) = (self.mobility.matrix().m33, self.velocity().z);
         let deepest = self.pulse(speed)?.maximal_approach();
+        let friction = self.friction.get().min(AS_INFINITE);
         let [one, two] = [self.materials.body_1(), self.materials.body_2()];
         // c_z = 2 E* sqrt(R).
         let root = self.hertz.stiffness().c_z / (2.0 * self.materials.contact_modulus());
         let rim = root * deepest.sqrt();
-        let slow = SLOW * self.friction.get().min(1.0) * speed / rim;
+        let slow = SLOW * friction.min(1.0) * speed / rim;
         let inertia = Inertia::new(1.0 / d_zz, [1.0 / mobility; 3])?;
         let spin = [0.0, 0.0, omega.abs().max(slow)];
         let ball = Body::new(Surface::sphere(root * root)?, one, inertia)
             .moving(Motion::new([0.0, 0.0, -speed], spin)?);
         let restitution = NormalRestitution::new(loss.restitution())?;
-        let impact = Self::new(ball, Body::plane(two), self.friction)?
+        let impact = Self::new(ball, Body::plane(two), Friction::new(friction)?)?
             .with_normal_restitution(restitution)
             .with_torsion();
         let outcome = RingImpact::new(&impact).solve()?;

@@ -235,13 +235,28 @@ fn a_viscous_loss_changes_the_spin_evenly() {
             let [alone, both] = [&still, &moving].map(auto);
             let left = [spin_left(&still, &alone), spin_left(&moving, &both)];
             let lost = 1.0 - left[1];
-            assert!((left[0] - left[1]).abs() < 0.01 * lost, "{friction} {e}: {left:?}");
+            // With little rebound rings are known to their estimate alone.
+            let told = [&alone, &both].map(|of| of.torsion.unwrap().error_estimate);
+            let allowed = if e < 0.2 { told[0] + told[1] } else { 2e-4 };
+            assert!((left[0] - left[1]).abs() < allowed, "{friction} {e}: {left:?} {told:?}");
             let bound = still.twist_bound().spin;
             assert!(lost <= 1.005 * bound, "{friction} {e}: {lost} {bound}");
             let energy = alone.energy;
             let balance = energy.before - energy.after - energy.dissipated - energy.lost;
             assert!(balance.abs() < 1e-12 * energy.before, "{energy:?}");
         }
+    }
+}
+
+/// Infinite friction takes as much of the spin of lossy bodies as great friction.
+#[test]
+fn infinite_friction_takes_as_much_spin_of_lossy_bodies_as_great_friction() {
+    for e in [0.0, 0.1, 0.5] {
+        let [great, infinite] = [1e5, f64::INFINITY].map(|friction| {
+            let collision = lossy(alike(0.3, friction, 0.0, 0.1), e);
+            spin_left(&collision, &auto(&collision))
+        });
+        assert!((great - infinite).abs() < 1e-4, "{e}: {great} {infinite}");
     }
 }
 
