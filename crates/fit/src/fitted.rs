@@ -5,7 +5,7 @@ use carom_table::{Column, Value};
 /// What data tell of an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Knowledge {
-    /// They determine it.
+    /// They determine it, if it has no prior perhaps only with that of another unknown.
     Data,
     /// Only its prior does.
     Prior,

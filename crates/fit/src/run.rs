@@ -193,7 +193,9 @@ fn determined<M: Model>(
         let own = deviation(squares.model, estimate, j);
         let prior = parameter.unknown.prior.zip(own);
         let narrows = prior.is_none_or(|([_, prior], own)| own < MOSTLY * prior);
-        let knowledge = match (is_known, narrows && estimate.is_determined_by_data(j)) {
+        // Without a prior of its own an unknown is known by the data, be it with the prior of another one.
+        let is_of_data = parameter.unknown.prior.is_none() || estimate.is_determined_by_data(j);
+        let knowledge = match (is_known, narrows && is_of_data) {
             (false, _) => Knowledge::Nothing,
             _ if place <= 0.0 || place >= 1.0 => Knowledge::AtBound,
             (true, false) => Knowledge::Prior,

@@ -41,6 +41,10 @@ pub(crate) fn statements(
                 "The best {of} is its bound, {}: better values may lie beyond it, and it has no interval about the best value.",
                 short(one.value)
             )),
+            Knowledge::Data if !estimate.is_determined_by_data(j) => {
+                let others = priors_beside(parameters, estimate, j);
+                told.push(format!("These data determine {of} only with the prior of {others}."));
+            }
             Knowledge::Data | Knowledge::Nothing => {}
         }
         if let Some(ends) = one.profile {
@@ -63,6 +67,18 @@ pub(crate) fn statements(
         );
     }
     told
+}
+
+/// The unknowns with a prior that the data determine only together with this one.
+fn priors_beside(parameters: &[Parameter], estimate: &Estimate, unknown: usize) -> String {
+    let open = || estimate.open_to_data.iter().filter(|open| takes_part(open, unknown));
+    let has_prior = |j: &usize| parameters[*j].unknown.prior.is_some();
+    let all: Vec<usize> = (0..parameters.len()).filter(has_prior).collect();
+    let is_beside = |j: &usize| open().any(|open| takes_part(open, *j));
+    let beside: Vec<usize> = all.iter().copied().filter(is_beside).collect();
+    // A strong prior may close a direction in which it hardly takes part.
+    let named = if beside.is_empty() { all } else { beside };
+    named.iter().map(|j| name(parameters[*j].field)).collect::<Vec<_>>().join(" and ")
 }
 
 /// What is wrong with quantities whose measured values do not scatter.

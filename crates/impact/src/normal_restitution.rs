@@ -212,7 +212,7 @@ impl NormalRestitution {
 
     fn check(coefficient: f64) -> Result<f64, RangeError> {
         let holds = (0.0..=1.0).contains(&coefficient);
-        RangeError::check("normal restitution", coefficient, holds, "from 0 to 1")
+        RangeError::check("normal_restitution", coefficient, holds, "from 0 to 1")
     }
 
     /// The coefficient that follows from the energy radiated by elastic waves,

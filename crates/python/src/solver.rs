@@ -78,7 +78,15 @@ impl Solver {
         estimates: bool,
     ) -> PyResult<Self> {
         let [cut, periodic] = ends;
-        let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
+        // The caller gave the size of the window.
+        let sized = |error: RangeError| match ["dx", "dy"].iter().position(|d| *d == error.field) {
+            Some(along) => {
+                RangeError::new("size", error.value * cells[along] as f64, error.allowed)
+            }
+            None => error,
+        };
+        let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]);
+        let grid = grid.map_err(|error| Fault::from(sized(error)))?;
         let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
         let gap = Gap::new(heights).map_err(Fault::from)?;
         let coefficients = friction.as_slice()?;

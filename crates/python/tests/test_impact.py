@@ -321,7 +321,7 @@ def test_the_material_takes_a_part():
     booked = rebound.energy_after + rebound.energy_dissipated + rebound.energy_lost
     assert booked == pytest.approx(rebound.energy_before, rel=1e-12)
     assert rebound.energy_lost >= 0.5 * 0.037 * (9 - 2.4**2) * (1 - 1e-12)
-    with pytest.raises(carom.RangeError, match="normal restitution = 1.5"):
+    with pytest.raises(carom.RangeError, match="normal_restitution = 1.5"):
         carom.collide(ball, floor, 0.5, normal_restitution=1.5)
 
 

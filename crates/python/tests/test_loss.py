@@ -72,7 +72,7 @@ def test_each_of_many_impacts_has_its_own_loss():
     assert slower.R_x.tolist() == alone
     with pytest.raises(ValueError, match="motions, frictions and loss: must have the same length"):
         carom.collide_many(body_1, body_2, [0.3, 0.4], normal_restitution=e)
-    with pytest.raises(ValueError, match="normal restitution = 1.5 is out of range"):
+    with pytest.raises(ValueError, match="normal_restitution = 1.5 is out of range"):
         carom.collide_many(body_1, body_2, 0.35, normal_restitution=[0.5, 1.5])
 
 

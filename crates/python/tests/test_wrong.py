@@ -315,3 +315,10 @@ def test_unusual_numbers_of_a_case_are_warned_of():
     text = "\n".join(str(one.message) for one in told)
     for words in ("`body_1.radius` = 10 is unusual", "`body_1.density` = 7.85 is unusual", "`contact.friction` = 17 is unusual"):
         assert words in text
+
+
+def test_a_window_that_has_no_size_is_named():
+    with pytest.raises(carom.RangeError, match="size = -1 is out of range"):
+        carom.Solver(np.zeros((3, 4)), (1, -1), PAIR, 0.3)
+    with pytest.raises(ValueError, match=r"gap has the shape \(0, 4\)"):
+        carom.Solver(np.zeros((0, 4)), (1, 1), PAIR, 0.3)

@@ -95,6 +95,26 @@ fn glass_on_glass_has_the_values_of_an_independent_fit() {
     close(of(&lossy, "friction").value, 0.094, 5e-4);
 }
 
+/// Data that determine the ratio of stiffness if e is known do so if e has a narrow prior, and say what they need.
+#[test]
+fn an_unknown_without_a_prior_is_not_determined_by_it() {
+    let data = Data::from_csv(include_str!("../../../../examples/fit/glass.csv")).unwrap();
+    let found = |restitution: &str| {
+        let contact = format!("{BOTH}\nnormal_restitution = {restitution}\nloss = \"yield\"");
+        fitted(&glass(&contact), &data, Some(0.06)).unwrap()
+    };
+    let known = found("0.97");
+    let with_prior = found("{ prior = { mean = 0.97, sd = 0.01 } }");
+    let [one, two] = [&known, &with_prior].map(|fit| of(fit, "stiffness"));
+    assert_eq!([one.knowledge, two.knowledge], [Knowledge::Data; 2]);
+    close(two.value, one.value, 0.01);
+    close(two.deviation.unwrap(), one.deviation.unwrap(), 0.01);
+    assert_eq!(of(&with_prior, "restitution").knowledge, Knowledge::Prior);
+    let told = with_prior.statements.join(" ");
+    assert!(told.contains("stiffness only with the prior of normal_restitution."), "{told}");
+    assert!(told.contains("stiffness reaches its upper bound"), "{told}");
+}
+
 #[test]
 fn spins_of_alumina_have_the_values_of_an_independent_fit() {
     let text = include_str!("../../../../examples/fit/alumina_spin.csv");

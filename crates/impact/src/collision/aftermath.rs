@@ -163,15 +163,19 @@ impl Collision {
         Some(Warning::NotSettled { error_estimate, tolerance })
     }
 
-    fn torsion(&self, velocity: f64) -> Result<Option<Torsion>, NormalSpinError> {
+    fn torsion(&self, velocity: f64) -> Result<Option<Torsion>, CollisionError> {
         if self.torsion != TorsionMode::Included {
             return Ok(None);
         }
         let d = self.mobility.matrix();
         if libm::hypot(d.m13, d.m23) > UNCOUPLED * d.m33 {
-            return Err(NormalSpinError::NormalCoupled);
+            return Err(NormalSpinError::NormalCoupled.into());
         }
-        self.normal_spin(velocity).solve().map(Some)
+        let elastic = self.normal_spin(velocity).solve()?;
+        Ok(Some(match self.viscous_loss(velocity)? {
+            None => elastic,
+            Some(loss) => self.viscous_torsion(elastic, loss)?,
+        }))
     }
 
     pub(super) fn normal_spin(&self, velocity: f64) -> NormalSpin<'_> {
@@ -187,6 +191,11 @@ impl Collision {
             pivots: [pivot(0), pivot(1)],
             normal_mobility: self.mobility.matrix().m33,
             velocity,
+            restitution: self
+                .viscous_loss(velocity)
+                .ok()
+                .flatten()
+                .map_or(1.0, |loss| loss.restitution()),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Two balls in contact as a code for particles has them: their centres move, and the line of centres turns.
 
 use carom_laws::coulomb::Tolerance;
-use carom_laws::grains::{Grain, GrainContact, Heats, Meeting};
+use carom_laws::grains::{Grain, GrainContact, Meeting};
 use carom_laws::shift_law::ShiftLaw;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Rotation3, Vector3};
@@ -15,18 +15,28 @@ use crate::motion::Motion;
 pub(super) const STEPS: [usize; 2] = [48, 96];
 /// Steps of a contact, at most, over those of an elastic impact.
 const PATIENCE: usize = 64;
+/// The greatest part of the tangential velocity that its damping takes in a step. The steps are stable below 1.
+const DAMPED: f64 = 0.5;
+/// The greatest frequency of the tangential motion times the step; the steps are stable below sqrt 3.
+const TURNED: f64 = 1.0;
+/// The steps are made finer by no more than this.
+const FINEST: f64 = 64.0;
 
 /// Two balls in contact.
 pub(super) struct Balls<'a> {
     pub(super) collision: &'a Collision,
     pub(super) radii: [f64; 2],
     pub(super) relaxation: f64,
+    /// The duration of the elastic impact.
+    pub(super) free: f64,
+    /// How many times as many steps as [`STEPS`] are taken.
+    pub(super) pace: f64,
 }
 
 /// What a contact gives beside the motions after it: numbers that combine linearly.
-pub(super) type Numbers = [f64; 4];
+pub(super) type Numbers = [f64; 3];
 
-/// Motions after a contact, what it gave body 1; heat of friction, duration, greatest approach and normal force.
+/// Motions after a contact, what it gave body 1; duration, greatest approach and normal force.
 #[derive(Clone, Copy)]
 pub(super) struct Followed {
     pub(super) motions: [Motion; 2],
@@ -98,6 +108,34 @@ pub(super) fn moment_at(moments: &[Moment], share: f64) -> Moment {
 }
 
 impl Balls<'_> {
+    /// How many times as many steps as [`STEPS`] the tangential motion of this collision needs to be stable; None if it
+    /// cannot be followed.
+    ///
+    /// The tangential stiffness is c_t sqrt(Z), and the law leads by theta, so that a step takes D_tt c_t sqrt(Z) theta dt
+    /// of the velocity. As `Z^(3/2) - zeta^(3/2)` is (3/2) A sqrt(zeta) zeta' while the approach grows, and Z is less than zeta
+    /// afterwards, sqrt(Z) theta is at most (3/2) A sqrt(zeta). The impulse of the damping alone, K A zeta^(3/2), is at most
+    /// that of the impact, which bounds zeta beside the elastic impact.
+    pub(super) fn pace_of(
+        collision: &Collision,
+        relaxation: f64,
+    ) -> Result<Option<f64>, RangeError> {
+        let (pulse, stiffness) = (collision.pulse(collision.velocity().z)?, collision.stiffness());
+        let d = collision.mobility.matrix();
+        let bends = (d.m11 * stiffness.c_x).max(d.m22 * stiffness.c_y);
+        let viscous = 2.0 / 3.0 * stiffness.c_z * d.m33 * relaxation / pulse.velocity();
+        let root = pulse.maximal_approach().sqrt().min(libm::cbrt(1.0 / viscous));
+        let dt = pulse.duration() / STEPS[0] as f64;
+        let damped = 1.5 * relaxation * bends * root * dt / DAMPED;
+        let turned = (bends * root).sqrt() * dt / TURNED;
+        let pace = damped.max(turned).max(1.0);
+        Ok((pace <= FINEST).then_some(pace))
+    }
+
+    /// The duration of a step of a run.
+    pub(super) fn step(&self, steps: usize) -> f64 {
+        self.free / (self.pace * steps as f64)
+    }
+
     fn contact(&self) -> Result<GrainContact, RangeError> {
         // The cheapest law: only the change by the turn is taken from it.
         let (stiffness, law) = (self.collision.stiffness(), TurningLaw::FixedDirection);
@@ -126,20 +164,16 @@ impl Balls<'_> {
         let tensors: [Matrix3<f64>; 2] =
             [0, 1].map(|i| collision.levers[i].inverse_tensor() / (scale * scale));
         let mut contact = self.contact()?;
-        let (mut impulse, mut heats) = (Vector3::zeros(), Heats::default());
+        let mut impulse = Vector3::zeros();
         let (mut loads, mut greatest, mut deepest, mut steps) = ([0.0; 2], 0.0, 0.0, 0.0);
-        for _ in 0..PATIENCE * STEPS[1] {
+        for _ in 0..(self.pace * (PATIENCE * STEPS[1]) as f64) as usize {
             for grain in &mut grains {
                 for k in 0..3 {
                     grain.place[k] += dt * grain.velocity[k];
                 }
             }
             let meeting = Meeting::of_spheres(&grains[0], &grains[1], [0.5; 2])?;
-            // Without a loss of the material the balance of energies tells the heat.
-            let load = match self.relaxation > 0.0 {
-                true => contact.advance_accounted(&meeting, dt, &mut heats)?,
-                false => contact.advance(&meeting, dt)?,
-            };
+            let load = contact.advance(&meeting, dt)?;
             let force = Vector3::from(load.force);
             if force == Vector3::zeros() && impulse != force {
                 let part = left(loads);
@@ -164,7 +198,7 @@ impl Balls<'_> {
             velocity: grain.velocity.into(),
             spin: Vector3::from(grain.spin) * scale,
         });
-        Ok(Followed { motions, impulse, numbers: [heats.friction, steps * dt, deepest, greatest] })
+        Ok(Followed { motions, impulse, numbers: [steps * dt, deepest, greatest] })
     }
 
     /// The moments of the same contact.

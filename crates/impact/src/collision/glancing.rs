@@ -13,7 +13,7 @@ use nalgebra::{Rotation3, Vector3};
 use super::balls::{Balls, Followed, Moment, STEPS, moment_at};
 use super::{Collision, CollisionError, velocity_at};
 use crate::motion::Motion;
-use crate::outcome::{HistoryPoint, Rebound};
+use crate::outcome::{EnergyBudget, HistoryPoint, Rebound};
 use crate::viscoelastic::ViscousLoss;
 use crate::warning::Warning;
 
@@ -98,14 +98,13 @@ impl Collision {
         if part == 0.0 {
             return Ok(rebound);
         }
-        let (balls, free) = (self.balls(radii)?, self.pulse(self.velocity().z)?.duration());
-        let change = |steps: usize| -> Result<Followed, RangeError> {
-            let dt = free / steps as f64;
-            let run = |scale| balls.followed(scale, dt, |_, _, _| ());
-            Ok(run(1.0)?.less(&run(KEPT)?))
-        };
-        let [coarse, fine] = STEPS.map(change);
-        let (Ok(coarse), Ok(fine)) = (coarse, fine) else {
+        let changes = self.balls(radii)?.map(|balls| {
+            STEPS.map(|steps| {
+                let run = |scale| balls.followed(scale, balls.step(steps), |_, _, _| ());
+                Ok::<_, RangeError>(run(1.0)?.less(&run(KEPT)?))
+            })
+        });
+        let Some([Ok(coarse), Ok(fine)]) = changes else {
             // Sizes beyond those of particles: the turn is left out, and counts.
             rebound.error_estimate += part * whole;
             return Ok(rebound);
@@ -130,13 +129,18 @@ impl Collision {
     }
 
     /// The contact whose axes turn; what the turn changes is taken as in a Kelvin-Voigt material of the same restitution.
-    fn balls(&self, radii: [f64; 2]) -> Result<Balls<'_>, RangeError> {
+    /// None if balls would pass through each other, or the contact bends too fast to be followed.
+    fn balls(&self, radii: [f64; 2]) -> Result<Option<Balls<'_>>, RangeError> {
         let speed = self.velocity().z;
-        let unit = self.pulse(speed)?.time_unit() * libm::pow(1.25, -0.4);
+        let pulse = self.pulse(speed)?;
+        let unit = pulse.time_unit() * libm::pow(1.25, -0.4);
         let loss = self.viscous_loss(speed)?;
         let loss = loss.map(|loss| ViscousLoss::of_restitution(loss.restitution())).transpose()?;
         let relaxation = loss.map_or(0.0, |loss| unit * loss.relaxation());
-        Ok(Balls { collision: self, radii, relaxation })
+        let is_shallow = pulse.maximal_approach() < radii[0] + radii[1];
+        let pace = Balls::pace_of(self, relaxation)?.filter(|_| is_shallow);
+        let free = pulse.duration();
+        Ok(pace.map(|pace| Balls { collision: self, radii, relaxation, free, pace }))
     }
 
     /// A history in axes that turn with the centres, from that with axes that are kept.
@@ -147,10 +151,10 @@ impl Collision {
         let duration = points.last().map_or(0.0, |last| last.time);
         let part = self.part_of_turn(duration);
         let Some(radii) = self.radii().filter(|_| part > 0.0) else { return Ok(points) };
-        let (balls, free) = (self.balls(radii)?, self.pulse(self.velocity().z)?.duration());
-        let course = |scale: f64, steps: usize| balls.moments(scale, free / steps as f64);
-        let [coarse, fine] = STEPS.map(|steps| [course(1.0, steps), course(KEPT, steps)]);
-        let ([Ok(one), Ok(two)], [Ok(three), Ok(four)]) = (coarse, fine) else {
+        let courses = self.balls(radii)?.map(|balls| {
+            STEPS.map(|steps| [1.0, KEPT].map(|scale| balls.moments(scale, balls.step(steps))))
+        });
+        let Some([[Ok(one), Ok(two)], [Ok(three), Ok(four)]]) = courses else {
             // Sizes beyond those of particles.
             return Ok(points);
         };
@@ -201,7 +205,7 @@ impl Collision {
         (change, whole): (&Followed, f64),
         spread: f64,
     ) -> Result<Rebound, CollisionError> {
-        let [heat, duration, approach, force] = change.numbers.map(|number| whole * number);
+        let [duration, approach, force] = change.numbers.map(|number| whole * number);
         next.duration += duration;
         let pressed = next.maximal_contact.peak_pressure(next.maximal_force);
         next.maximal_approach = (next.maximal_approach + approach).max(f64::MIN_POSITIVE);
@@ -213,12 +217,17 @@ impl Collision {
         let part = whole * self.normal_restitution.part_of_yield();
         // The spin about the first normal is left to the torsional impact.
         let z = self.frame().z();
-        for (motion, by) in next.motions.iter_mut().zip(&change.motions) {
-            motion.velocity += part * by.velocity;
-            motion.spin += part * (by.spin - z * by.spin.dot(&z));
+        let by = change.motions.map(|by| Motion {
+            velocity: part * by.velocity,
+            spin: part * (by.spin - z * by.spin.dot(&z)),
+        });
+        let allowed = self.share_without_gain(&next, &by);
+        for (motion, by) in next.motions.iter_mut().zip(&by) {
+            motion.velocity += allowed * by.velocity;
+            motion.spin += allowed * by.spin;
         }
-        next.impulse += part * change.impulse;
-        self.book(&mut next, self.normal_restitution.part_of_yield() * heat);
+        next.impulse += allowed * part * change.impulse;
+        self.book(&mut next);
         let after = self.contact_velocity(&next.motions);
         let before = self.velocity();
         next.contact_velocity_after = self.frame().to_space(&after);
@@ -226,29 +235,57 @@ impl Collision {
             next.r_x = super::aftermath::along(&before, &after).or(next.r_x);
         }
         let size = self.contact_velocity(&change.motions).norm();
-        next.error_estimate += (spread + LEFT * size) / before.norm();
+        next.error_estimate += (spread + (LEFT + 1.0 - allowed) * size) / before.norm();
         Ok(next)
     }
 
-    /// Energies after a change of the motions; without any loss the relative speed is that which keeps the energy.
-    fn book(&self, rebound: &mut Rebound, friction_heat: f64) {
-        let kinetic = |motions: &[Motion; 2]| {
-            self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
-        };
+    fn kinetic(&self, motions: &[Motion; 2]) -> f64 {
+        self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
+    }
+
+    /// The share of a change of the motions with which they gain no energy, where the centres would have to lose more than
+    /// half their speed against each other to keep it.
+    fn share_without_gain(&self, rebound: &Rebound, by: &[Motion; 2]) -> f64 {
+        let sum = [0, 1].map(|i| Motion {
+            velocity: rebound.motions[i].velocity + by[i].velocity,
+            spin: rebound.motions[i].spin + by[i].spin,
+        });
+        let [kept, whole, own] = [&rebound.motions, &sum, by].map(|motions| self.kinetic(motions));
+        let free = self.bodies.iter().all(|body| body.inertia().mass().is_finite());
+        if !free || whole - rebound.energy.before <= 0.75 * self.energy_of_centres(&sum) {
+            return 1.0;
+        }
+        // kept + p slope + p^2 own is the energy with the share p.
+        let (slope, room) = (whole - kept - own, (rebound.energy.before - kept).max(0.0));
+        let root = (slope * slope + 4.0 * own * room).sqrt();
+        ((root - slope) / (2.0 * own)).clamp(0.0, 1.0)
+    }
+
+    /// The kinetic energy of the motion of the centres against each other.
+    fn energy_of_centres(&self, motions: &[Motion; 2]) -> f64 {
+        let masses = self.bodies.each_ref().map(|body| body.inertia().mass());
+        let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
+        0.5 * reduced * (motions[1].velocity - motions[0].velocity).norm_squared()
+    }
+
+    /// Energies after a change of the motions; without any loss the relative speed is that which keeps the energy. Friction
+    /// has the same part of the loss as without the turn.
+    fn book(&self, rebound: &mut Rebound) {
         let free = self.bodies.iter().all(|body| body.inertia().mass().is_finite());
         let is_elastic = rebound.energy.lost == 0.0;
-        let mut lost = rebound.energy.before - kinetic(&rebound.motions);
+        let mut lost = rebound.energy.before - self.kinetic(&rebound.motions);
         let keeps = is_elastic && self.friction.get() == 0.0;
         if free && (keeps || lost < 0.0) {
             self.scale_to(&mut rebound.motions, lost);
             lost = 0.0;
         }
-        rebound.energy.after = kinetic(&rebound.motions);
+        rebound.energy.after = self.kinetic(&rebound.motions);
         if !free {
             return;
         }
-        let heat = (rebound.energy.dissipated + friction_heat).clamp(0.0, lost);
-        rebound.energy.dissipated = if is_elastic { lost } else { heat };
+        let EnergyBudget { dissipated, lost: in_material, .. } = rebound.energy;
+        let by_friction = if is_elastic { 1.0 } else { dissipated / (dissipated + in_material) };
+        rebound.energy.dissipated = by_friction * lost;
         rebound.energy.lost = lost - rebound.energy.dissipated;
     }
 
@@ -257,9 +294,7 @@ impl Collision {
         let masses = self.bodies.each_ref().map(|body| body.inertia().mass());
         let whole = masses[0] + masses[1];
         let middle = (masses[0] * motions[0].velocity + masses[1] * motions[1].velocity) / whole;
-        let apart = motions[1].velocity - motions[0].velocity;
-        let energy = 0.5 * masses[0] * masses[1] / whole * apart.norm_squared();
-        let part = (1.0 + missing / energy).max(0.0).sqrt();
+        let part = (1.0 + missing / self.energy_of_centres(motions)).max(0.0).sqrt();
         for motion in motions {
             motion.velocity = middle + part * (motion.velocity - middle);
         }

@@ -34,8 +34,7 @@ impl Instants<'_> {
     pub fn check(self) -> Result<(), RangeError> {
         let times = match self {
             Self::Count(count) => {
-                return RangeError::check("history points", count as f64, count >= 2, ">= 2")
-                    .map(|_| ());
+                return RangeError::check("points", count as f64, count >= 2, ">= 2").map(|_| ());
             }
             Self::At(times) => times,
         };

@@ -15,6 +15,7 @@ mod solver;
 mod stiffness_ratio;
 mod tabled;
 mod twist_bound;
+mod viscous_spin;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
@@ -282,7 +283,8 @@ impl Collision {
     /// By default that spin is not changed. [`carom_laws::validity::Limit::Spin`] tells where friction would change
     /// it, [`carom_laws::validity::Limit::SpinOnShift`] where it would change R_x. The neglected change of the
     /// spin is of the order of zeta_max/R. The torsional impact is computed as if there were
-    /// no tangential impact. This is an approximation if both slip, since they share one friction limit.
+    /// no tangential impact. This is an approximation if both slip, since they share one friction limit. A viscous loss
+    /// multiplies the change of the spin by the ratio of those that rings give with it and without.
     /// [`Collision::solve`] then rejects bodies whose spin about the normal is coupled to other motion.
     /// Spheres, planes and bodies that touch at the end of an axis of symmetry are accepted.
     ///

@@ -8,8 +8,9 @@ use carom_laws::validity::Validity;
 use super::{Collision, CollisionError};
 use crate::outcome::{Outcome, TorsionMode};
 
-/// Ratios D_xx/D_zz of spheres for which the bound of the effect of coupling was measured.
-const MEASURED: RangeInclusive<f64> = 2.5..=5.0;
+/// Ratios D_xx/D_zz of spheres for which the bound of the effect of coupling was measured: from that of a thin shell, 5/2
+/// to round-off, on.
+const MEASURED: RangeInclusive<f64> = 2.5 - 1e-9..=5.0;
 
 /// Largest |gamma| f for rings. Beyond it, with friction so large that little slips, they are less accurate
 /// than the analytic laws: for gamma = 0.25, f = 30, 57 degrees, R_x = -0.319 on a grid, -0.293 analytically,
@@ -45,7 +46,7 @@ impl Collision {
     /// The cheapest law whose error of R_x by neglected coupling, and of R_x and the relative spin about the
     /// normal by their neglected interaction ([`Collision::twist_bound`]), is below the tolerance. For
     /// spheres and planes with |gamma| f above 1 it is the analytic law, which is the most accurate there. A
-    /// spin without tangential motion does not need rings: its torsional impact is exact. Static friction above
+    /// spin without tangential motion does not need rings: the torsional impact of elastic bodies is exact. Static friction above
     /// kinetic friction and a given ratio of stiffness have the analytic law only.
     #[must_use]
     pub fn needed_law(&self, tolerance: f64) -> NeededLaw {

@@ -8,14 +8,15 @@ use crate::outcome::TorsionMode;
 /// Change of R_x over a Omega/(f v_z) for small values: 1.5 times the largest measured one.
 const SLOPE: f64 = 2.0;
 
-/// a Omega/(f v_z) below which a spin is not changed: small spins arise by rounding.
+/// a Omega/(f v_z) below which a spin does not change R_x.
 const NO_SPIN: f64 = 1e-6;
 
-/// Tangential velocities below this fraction of the velocities that they are the difference of are round-off.
+/// Tangential velocities, and spins about the normal, below this fraction of what they are the difference or a component
+/// of are round-off.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Bounds of the effects of the relative spin about the normal and friction on each other. Both are 0 without
-/// that spin, and if it moves the edge of the largest contact slower than 1e-6 f v_z.
+/// that spin; that of R_x also if it moves the edge of the largest contact slower than 1e-6 f v_z.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TwistBound {
     /// Bound of the change of R_x by the spin: 2 t/(1 + t), where t = a Omega/(f v_z) compares the velocity
@@ -53,13 +54,12 @@ impl Collision {
     #[must_use]
     pub fn twist_bound(&self) -> TwistBound {
         let is_counted = self.torsion != TorsionMode::LeftOut && self.is_symmetric();
-        match self.restitution_by_spin().filter(|_| is_counted) {
-            Some(restitution) => {
-                let spin = self.normal_spin(self.velocity().z).greatest_loss().unwrap_or(0.0);
-                TwistBound { restitution, spin }
-            }
-            None => TwistBound::default(),
+        if !is_counted || !self.twists() {
+            return TwistBound::default();
         }
+        // However slow a spin is, a contact that sticks removes the same part of it.
+        let spin = self.normal_spin(self.velocity().z).greatest_loss().unwrap_or(0.0);
+        TwistBound { restitution: self.restitution_by_spin().unwrap_or(0.0), spin }
     }
 
     /// How much the relative spin about the normal may change R_x where a method leaves it out: all but that of
@@ -80,14 +80,21 @@ impl Collision {
         [coupling, self.spin_on_shift(method)]
     }
 
+    /// Whether friction acts on a relative spin about the normal.
+    fn twists(&self) -> bool {
+        let spins: f64 = self.bodies.iter().map(|body| body.motion().spin.norm()).sum();
+        let is_spinning = self.relative_spin().abs() > ROUNDING * spins;
+        self.velocity().z > 0.0 && is_spinning && self.friction.get() > 0.0
+    }
+
     /// [`TwistBound::restitution`] for any bodies; `None` if the spin counts for nothing.
     fn restitution_by_spin(&self) -> Option<f64> {
+        if !self.twists() {
+            return None;
+        }
         let speed = self.velocity().z;
         let omega = self.relative_spin().abs();
         let friction = self.friction.get();
-        if speed <= 0.0 || omega == 0.0 || friction == 0.0 {
-            return None;
-        }
         let (d_zz, c_z) = (self.mobility.matrix().m33, self.hertz.stiffness().c_z);
         let contact = NormalImpact::new(d_zz, c_z, speed)
             .and_then(|normal| self.hertz.ellipse(normal.maximal_approach()));
@@ -109,7 +116,7 @@ impl Collision {
         self.velocity().xy().norm() > ROUNDING * (speed(0) + speed(1))
     }
 
-    fn relative_spin(&self) -> f64 {
+    pub(super) fn relative_spin(&self) -> f64 {
         let spin = |i: usize| self.bodies[i].motion().spin.dot(&self.frame().z());
         spin(0) - spin(1)
     }

@@ -4,7 +4,7 @@ use carom_drawn::{Draw as _, Xorshift};
 use carom_halfspace::Material;
 use carom_impact::{
     AnalyticOrRings, Body, Collision, CollisionSolver, HistoryPoint, Motion, NormalRestitution,
-    Rebound,
+    Rebound, TorsionMode,
 };
 use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
@@ -125,7 +125,7 @@ fn restitution(tau: f64) -> f64 {
 }
 
 fn relaxation(e: f64) -> f64 {
-    let mut bounds = [0.0, 4.0];
+    let mut bounds = [0.0, 25.0];
     for _ in 0..30 {
         let middle = 0.5 * (bounds[0] + bounds[1]);
         bounds[usize::from(restitution(middle) < e)] = middle;
@@ -145,6 +145,7 @@ struct Instant {
 /// Velocities and spins after an integration of springs, and its instants.
 struct Known {
     after: [(Vector2<f64>, f64); 2],
+    friction_heat: f64,
     course: Vec<Instant>,
 }
 
@@ -168,7 +169,7 @@ fn integrated(pair: &Pair, collision: &Collision, [friction, e]: [f64; 2], steps
     let place: Vec<f64> = (0..count).map(|i| ((i as f64 + 0.5) * dx).powi(2)).collect();
     let (mut bent, mut has_left) = (vec![0.0; count], vec![false; count]);
     let dt = 3.3 * unit / steps as f64;
-    let mut course = Vec::new();
+    let (mut course, mut friction_heat) = (Vec::new(), 0.0);
     for step in 1..=20 * steps {
         for i in 0..2 {
             at[i] += dt * state[i].0;
@@ -194,7 +195,9 @@ fn integrated(pair: &Pair, collision: &Collision, [friction, e]: [f64; 2], steps
             }
             let limit = friction * pressed;
             let force = (c_x * (bent[i] + (dt + tau) * slip)).clamp(-limit, limit);
-            bent[i] += dt * (force / c_x - bent[i]) / (dt + tau);
+            let bends = dt * (force / c_x - bent[i]) / (dt + tau);
+            bent[i] += bends;
+            friction_heat += force * (dt * slip - bends) * dx;
             f_x += force * dx;
             f_z += pressed * dx;
         }
@@ -213,7 +216,7 @@ fn integrated(pair: &Pair, collision: &Collision, [friction, e]: [f64; 2], steps
             state[i].1 -= radius * f_x * dt / inertia;
         }
     }
-    Known { after: state, course }
+    Known { after: state, friction_heat, course }
 }
 
 /// A drawn pair that meets at 60 to 89.9 degrees, with friction, spins and a restitution.
@@ -247,6 +250,8 @@ fn compared(count: usize, steps: usize) -> (f64, usize) {
         let before = rebound.contact_velocity_before.norm();
         let speed = collision.bodies()[0].motion().velocity.norm();
         greatest = greatest.max(worst / speed.max(before));
+        let heat = (rebound.energy.dissipated - known.friction_heat) / rebound.energy.before;
+        assert!(heat.abs() < 3e-3, "{friction} {e}: {heat}");
         covered += usize::from(worst <= rebound.error_estimate * before + 1e-4 * before);
     }
     (greatest, covered)
@@ -401,5 +406,78 @@ fn lossy_balls_lose_energy_and_turn() {
         let energy = lossy.energy;
         let balance = energy.before - energy.after - energy.dissipated - energy.lost;
         assert!(balance.abs() < 1e-12 * energy.before && energy.lost > 0.0, "{energy:?}");
+    }
+}
+
+/// Friction of strongly viscous balls that glance heats as an integration of springs says.
+#[test]
+fn much_friction_heats_as_known() {
+    let pair = Pair { radius: 0.01, mass: 0.01, material: Material::from_young(1e8, 0.3).unwrap() };
+    for (e, friction) in [(0.03, 1.0), (0.03, 3.0), (0.2, 0.3)] {
+        let collision = pair.collision(2_f64.sqrt(), 45.0, friction, [0.0; 2]);
+        let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let known = integrated(&pair, &lossy, [friction, e], 8000).friction_heat;
+        let energy = rebound(&lossy).energy;
+        let off = (energy.dissipated - known) / energy.before;
+        assert!(off.abs() < 5e-3, "{e} {friction}: {off}");
+    }
+}
+
+/// Strongly viscous balls that glance gain no energy, whatever the friction.
+#[test]
+fn viscous_balls_with_much_friction_gain_nothing() {
+    for young in [1e7, 1e9] {
+        let pair =
+            Pair { radius: 0.01, mass: 0.01, material: Material::from_young(young, 0.3).unwrap() };
+        for (e, friction) in [(0.0, 10.0), (0.0, 1e3), (0.01, f64::INFINITY), (0.02, 1e3)] {
+            let collision = pair.collision(2_f64.sqrt(), 45.0, friction, [0.0; 2]);
+            let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+            let turning = rebound(&lossy);
+            let energy = turning.energy;
+            assert!(energy.after <= energy.before, "{young} {e} {friction}: {energy:?}");
+            assert!(turning.r_x.unwrap().abs() < 1.0, "{young} {e} {friction}");
+            let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+            assert!(balance.abs() < 1e-12 * energy.before, "{energy:?}");
+        }
+    }
+    // Nor do elastic balls that are so heavy that they would pass through each other.
+    let material = Material::from_young(7e10, 0.3).unwrap();
+    for mass in [1e4, 1e6, 1e8, 1e12] {
+        let pair = Pair { radius: 0.01, mass, material };
+        for friction in [0.0, 0.3, f64::INFINITY] {
+            let heavy = rebound(&pair.collision(2_f64.sqrt(), 45.0, friction, [0.0; 2]));
+            let energy = heavy.energy;
+            assert!(energy.after <= energy.before * (1.0 + 1e-12), "{mass} {friction}: {energy:?}");
+            assert!(heavy.r_x.unwrap().abs() < 1.5, "{mass} {friction}: {heavy:?}");
+        }
+    }
+}
+
+/// Whatever the balls, friction and loss, the turn gives them no energy.
+#[test]
+fn drawn_balls_gain_nothing() {
+    let mut draw = Xorshift(0x0061_a9c3);
+    for k in 0..600 {
+        let mut log = |low: f64, high: f64| 10_f64.powf(low + (high - low) * draw.part());
+        let (young, friction) = (log(5.0, 11.0), log(-1.5, 5.0));
+        let [radii, masses] = [[-3.0, -1.0], [-3.0, 1.0]].map(|[a, b]| [log(a, b), log(a, b)]);
+        let [across, along] = [0; 2].map(|_| log(-2.0, 1.0));
+        let friction = if k % 7 == 0 { f64::INFINITY } else { friction };
+        let e = [0.0, 0.01 * draw.part(), 0.1 * draw.part(), draw.part(), 1.0][k % 5];
+        let material = Material::from_young(young, 0.5 * draw.part()).unwrap();
+        let mut ball = |i: usize, velocity: [f64; 3]| {
+            let spin = [0; 3].map(|_| draw.signed() * across / radii[0]);
+            let of = if k % 3 == i { Body::spherical_shell } else { Body::sphere };
+            let body = of(radii[i], material, masses[i]).unwrap();
+            body.moving(Motion::new(velocity, spin).unwrap())
+        };
+        let [one, two] = [ball(0, [across, 0.0, -along]), ball(1, [0.0; 3])];
+        let collision = Collision::new(one, two, Friction::new(friction).unwrap()).unwrap();
+        let collision = collision.with_torsion_mode(TorsionMode::LeftOut);
+        let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let energy = rebound(&lossy).energy;
+        assert!(energy.after <= energy.before * (1.0 + 1e-12), "{e} {friction}: {energy:?}");
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        assert!(balance.abs() < 1e-9 * energy.before, "{e} {friction}: {energy:?}");
     }
 }

@@ -124,7 +124,7 @@ fn waves_take_the_share_of_the_closed_form() {
 fn a_coefficient_out_of_range_is_refused() {
     for e in [-0.1, 1.01, f64::NAN, f64::INFINITY] {
         let error = NormalRestitution::new(e).unwrap_err();
-        assert_eq!((error.field, error.allowed), ("normal restitution", "from 0 to 1"));
+        assert_eq!((error.field, error.allowed), ("normal_restitution", "from 0 to 1"));
     }
 }
 

@@ -3,12 +3,13 @@
 use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::Material;
 use carom_impact::{
-    AnalyticOrRings, Body, Collision, CollisionSolver, LogEntry, Motion, NeededLaw, Rebound,
-    RingImpact, TorsionMode, Warning,
+    AnalyticOrRings, Body, Collision, CollisionSolver, LogEntry, Motion, NeededLaw,
+    NormalRestitution, Rebound, RingImpact, TorsionMode, Warning,
 };
 use carom_laws::friction::Friction;
 use carom_laws::validity::Limit;
 
+const PI: f64 = std::f64::consts::PI;
 const SPEED: f64 = 2.0;
 
 /// A ball on a plane of the same material; tangential velocity and that of spin at the edge of the greatest contact
@@ -196,5 +197,97 @@ fn rings_log_the_regimes_of_the_exact_impact() {
         }
         // On the way from sliding to adhesion the last ring sticks a step later.
         assert!(rings.len() <= count + 1, "{rings:?}");
+    }
+}
+
+/// However little a spin slips, a contact that sticks takes the same part of it: great friction and infinite one.
+#[test]
+fn great_friction_takes_as_much_spin_as_infinite_friction() {
+    let left = |friction: f64| {
+        let collision = alike(0.3, friction, 0.5, 0.1);
+        spin_left(&collision, &auto(&collision))
+    };
+    let infinite = left(f64::INFINITY);
+    assert!(infinite < 0.995);
+    for friction in [1e4, 1e5, 1e6, 1e30] {
+        assert!((left(friction) - infinite).abs() < 1e-4, "{friction}: {}", left(friction));
+    }
+    // A slow spin at usual friction, too.
+    let slow = |twist: f64| {
+        let collision = alike(0.3, 0.2, 0.0, twist);
+        spin_left(&collision, &auto(&collision))
+    };
+    assert!((slow(1e-7) - slow(1e-5)).abs() < 1e-6);
+}
+
+fn lossy(collision: Collision, e: f64) -> Collision {
+    collision.with_normal_restitution(NormalRestitution::new(e).unwrap())
+}
+
+/// Without a tangential velocity a viscous loss changes the spin as with a slight one, where rings follow both motions; and
+/// the bound holds.
+#[test]
+fn a_viscous_loss_changes_the_spin_evenly() {
+    for (friction, twist) in [(0.1, 0.4), (0.5, 0.5), (1.0, 0.1), (1e6, 0.1)] {
+        for e in [0.0, 0.02, 0.05, 0.1, 0.2, 0.5, 0.8, 0.999_999] {
+            let [still, moving] =
+                [0.0, 1e-6].map(|lambda| lossy(alike(0.3, friction, lambda, twist), e));
+            let [alone, both] = [&still, &moving].map(auto);
+            let left = [spin_left(&still, &alone), spin_left(&moving, &both)];
+            let lost = 1.0 - left[1];
+            // With little rebound rings are known to their estimate alone.
+            let told = [&alone, &both].map(|of| of.torsion.unwrap().error_estimate);
+            let allowed = if e < 0.2 { told[0] + told[1] } else { 2e-4 };
+            assert!((left[0] - left[1]).abs() < allowed, "{friction} {e}: {left:?} {told:?}");
+            let bound = still.twist_bound().spin;
+            assert!(lost <= 1.005 * bound, "{friction} {e}: {lost} {bound}");
+            let energy = alone.energy;
+            let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+            assert!(balance.abs() < 1e-12 * energy.before, "{energy:?}");
+        }
+    }
+}
+
+/// Infinite friction takes as much of the spin of lossy bodies as great friction.
+#[test]
+fn infinite_friction_takes_as_much_spin_of_lossy_bodies_as_great_friction() {
+    for e in [0.0, 0.1, 0.5] {
+        let [great, infinite] = [1e5, f64::INFINITY].map(|friction| {
+            let collision = lossy(alike(0.3, friction, 0.0, 0.1), e);
+            spin_left(&collision, &auto(&collision))
+        });
+        assert!((great - infinite).abs() < 1e-4, "{e}: {great} {infinite}");
+    }
+}
+
+/// The impulse of the sliding torque of a Kelvin-Voigt contact over f and that of an elastic one, and the restitution, in
+/// units of m = K = v = R = 1. Hertz's pressure has the arm 3 pi a/16, that of a flat punch, which its growth adds, pi a/4.
+fn sliding_torque(tau: f64) -> [f64; 2] {
+    let (mut zeta, mut speed, mut torque, dt) = (0.0_f64, 1.0_f64, 0.0, 5e-4);
+    loop {
+        zeta += dt * speed;
+        let (radius, pressed) = (zeta.sqrt(), zeta + tau * speed.min(0.0));
+        if pressed <= 0.0 {
+            return [torque, -speed];
+        }
+        let (hertz, added) = (pressed.powf(1.5), 1.5 * tau * radius * speed.max(0.0));
+        torque += dt * (0.1875 * PI * hertz * pressed.sqrt() + 0.25 * PI * added * radius);
+        speed -= dt * (hertz + added);
+    }
+}
+
+/// Where all slides, friction takes as much of the spin as the impulse of the torque is.
+#[test]
+fn the_torque_of_a_sliding_contact_follows_the_pressure() {
+    let lost = |e: f64| {
+        let collision = lossy(alike(0.3, 0.02, 0.0, 30.0), e).with_torsion();
+        1.0 - spin_left(&collision, collision.solve().unwrap().rebound().unwrap())
+    };
+    let [elastic, _] = sliding_torque(0.0);
+    for tau in [0.05, 0.15, 0.5] {
+        let [torque, e] = sliding_torque(tau);
+        let (known, got) = (torque / elastic, lost(e) / lost(1.0));
+        // Rings take the whole pressure for Hertz's.
+        assert!((got / known - 1.0).abs() < 0.05 && got < 0.97, "{e}: {got} {known}");
     }
 }

@@ -329,7 +329,7 @@ def restitution_of_groups(
 def lubkin_torque(twist: ArrayLike) -> Numbers:
     """The torque of a circular contact that is twisted for the first time, as M_z/(f F_z a).
 
-    `twist` is G a^2 Omega/(f F_z), from 0 to 160, with `MaterialPair.shear_modulus`. The torque is 16/3 of
+    `twist` is G a^2 Omega/(f F_z), from 0 to below 160, with `MaterialPair.shear_modulus`. The torque is 16/3 of
     a small twist, and 3 pi/16 for complete sliding.
     """
     return over(partial(_carom.lubkin, "torque"), twist=twist)

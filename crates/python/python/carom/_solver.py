@@ -62,6 +62,8 @@ def gap_of(
         heights = numbers("gap", gap, "m")  # type: ignore[arg-type]
     if heights.ndim != 2:
         raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
+    if heights.size == 0:
+        raise ValueError(f"gap has the shape {heights.shape}: must have rows and columns")
     if size is None:
         raise ValueError("size is None: must be two lengths, unless the gap is a surface that knows its size")
     holes = np.isnan(heights)

@@ -156,6 +156,9 @@ proptest! {
     #[test]
     fn euler_transformation(a in -1.5..2.0, b in -1.5..2.0, c in 0.2..3.0, x in 0.0..0.999_999) {
         let (one, other) = (gauss(a, b, c, argument(x)), gauss(c - a, c - b, c, argument(x)));
+        // One in 100 000 pairs lies at a zero of the function, where its terms cancel.
+        let cancels = |value: &Result<f64, _>| matches!(value, Err(HypergeometricError::Cancellation { .. }));
+        prop_assume!(!cancels(&one) && !cancels(&other));
         let (one, other) = (one.expect("finite"), other.expect("finite"));
         let turned = libm::pow(1.0 - x, c - a - b) * other;
         assert_near!(one, turned, one.abs().max(0.1), 2e-13);
