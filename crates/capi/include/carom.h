@@ -403,7 +403,7 @@ carom_status carom_touch_report(const struct carom_law *law,
                                 struct carom_report *report,
                                 struct carom_error *error);
 
-/* The number of numbers into which a touch of this law packs: 82 of a law of shifts, 316 of CAROM_LAW_RINGS; 83 more
+/* The number of numbers into which a touch of this law packs: 82 of a law of shifts, 319 of CAROM_LAW_RINGS; 83 more
  * with torsion, 9 with a resistance to rolling, 1 with friction by the slip speed. 0 for null. */
 size_t carom_touch_pack_size(const struct carom_law *law);
 

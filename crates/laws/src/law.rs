@@ -8,6 +8,7 @@
 use carom_special::RangeError;
 
 use crate::bounds::{LARGEST, in_contact};
+use crate::slip_lag::SlipLag;
 
 /// The rigid shift of body 2 relative to body 1 in the contact frame (z into body 1).
 ///
@@ -105,13 +106,37 @@ pub trait ContactLaw: Clone {
     /// The error of the law; the state is then unchanged.
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, Self::Error>;
 
-    /// As [`ContactLaw::advance`], with the rates of the shift at the end of the step, on which the load of a viscous
-    /// material depends.
+    /// As [`ContactLaw::advance`], with the rates of the shift at the end of the step and its duration, on which the load
+    /// of a viscous material depends.
     ///
     /// # Errors
     /// As [`ContactLaw::advance`].
-    fn advance_at(&mut self, shift: Shift, _rates: Shift) -> Result<ContactLoad, Self::Error> {
+    fn advance_at(
+        &mut self,
+        shift: Shift,
+        _rates: Shift,
+        _duration: f64,
+    ) -> Result<ContactLoad, Self::Error> {
         self.advance(shift)
+    }
+
+    /// As [`ContactLaw::advance`] on the effective path of a viscous material, in which slip lags. A law that does not
+    /// keep the slip of each place makes the step as any other.
+    ///
+    /// # Errors
+    /// As [`ContactLaw::advance`].
+    fn advance_lagging(&mut self, shift: Shift, _lag: SlipLag) -> Result<ContactLoad, Self::Error> {
+        self.advance(shift)
+    }
+
+    /// Whether the law keeps the slip of each place.
+    fn keeps_slip(&self) -> bool {
+        false
+    }
+
+    /// The friction over its limit, 1 where all slides, of a law whose load may be above the limit. None if the load tells.
+    fn used_friction(&self) -> Option<f64> {
+        None
     }
 
     /// The depth to which the contact is pressed at this shift and these rates: the approach, or less where a viscous
@@ -130,13 +155,6 @@ pub trait ContactLaw: Clone {
     /// integration in time then ends a step at the jump.
     fn jumps(&self, _to: Shift) -> bool {
         false
-    }
-
-    /// The sum of the magnitudes of the tractions over the limit of friction, from 0 to 1, of a law whose tractions have
-    /// several directions: its load may be below the limit though all slides. None if the load tells it, and if at these
-    /// rates the bodies turn about a place in the contact: some places near it always stick, now and then.
-    fn used_friction(&self, _rates: Shift) -> Option<f64> {
-        None
     }
 
     /// Whether a contact that slides as a whole would slide on if the shift went on at these rates. None if it does not

@@ -60,6 +60,7 @@ pub mod rings;
 pub mod shift;
 pub mod shift_law;
 pub mod sliders;
+pub mod slip_lag;
 pub mod slip_speed;
 pub mod static_friction;
 mod static_slip;

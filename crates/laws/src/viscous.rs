@@ -9,12 +9,19 @@
 //! Both are exact, the second by Ting's theory of receding contacts. With the effective approach `Z = (F/K)^(2/3)` and the
 //! lead `theta = (Z - zeta)/zeta'` the elastic law at approach Z, shift `xi + theta xi'` and twist `omega + theta omega'`
 //! is exact in rebound where nothing slips, and has the contact radius of Z instead of zeta in compression. Its limit is f
-//! times the whole force. Where all slides, the effective shift is kept ahead of the effective approach, so that friction
-//! does not stick. Against the exact impact (`carom_impact::viscoelastic`) R_x is off by at most .03.
+//! times the whole force.
+//!
+//! A law that keeps the slip of each place (rings, grids) goes on from the true slip in each step ([`crate::slip_lag`]). A
+//! twist counts there in proportion to the mean distance of the pressure from the centre. Against full simulations of 48
+//! drawn impacts, unlike bodies and spins among them, the velocity is off by .006 f v_z in the mean and .025 at most.
+//!
+//! Another law slides as a whole: while all of it slides, the effective shift is kept ahead of the effective approach, so that
+//! friction does not stick. Against the exact impact (`carom_impact::viscoelastic`) R_x is off by at most .03.
 
 use carom_special::RangeError;
 
 use crate::law::{ContactLaw, ContactLoad, ImpactLaw, Shift};
+use crate::slip_lag::SlipLag;
 use crate::stiffness::ContactStiffness;
 
 /// The viscosity of the materials of a contact: their relaxation time A, s.
@@ -103,7 +110,8 @@ impl Viscosity {
 /// let elastic = ShiftLaw::<[f64; 2]>::new(stiffness, friction);
 /// let mut law = ViscousLaw::new(elastic, Viscosity::new(0.1)?, friction.get(), stiffness);
 /// let to = Shift { zeta: 1.0, xi: 0.1, ..Shift::default() };
-/// let load = law.advance_at(to, Shift { zeta: 1.0, xi: 0.1, ..Shift::default() })?;
+/// let rates = Shift { zeta: 1.0, xi: 0.1, ..Shift::default() };
+/// let load = law.advance_at(to, rates, 1.0)?;
 /// assert!((load.f_z - 0.8 * 1.15).abs() < 1e-14);
 /// assert!(load.f_x.hypot(load.f_y) <= 0.3 * load.f_z);
 /// # Ok::<(), carom_special::RangeError>(())
@@ -146,12 +154,12 @@ impl<L: ContactLaw> ViscousLaw<L> {
     /// The effective path of a step: where it ends, and the lead there.
     fn driven(&self, to: Shift, rates: Shift) -> (Shift, Shift) {
         let Effective { approach, lead: theta } = self.viscosity.effective(to.zeta, rates.zeta);
-        let ahead = |rate: f64| theta * rate;
+        let (ahead, arm) = (|rate: f64| theta * rate, arm(to.zeta, approach));
         let lead = Shift {
             zeta: approach - to.zeta,
             xi: ahead(rates.xi),
             eta: ahead(rates.eta),
-            omega: ahead(rates.omega),
+            omega: arm * ahead(rates.omega),
         };
         let from = self.law.shift();
         let gained = |to: f64, from: f64, lead: f64, before: f64| (to - from) + (lead - before);
@@ -159,14 +167,18 @@ impl<L: ContactLaw> ViscousLaw<L> {
             gained(to.xi, self.shift.xi, lead.xi, self.lead.xi),
             gained(to.eta, self.shift.eta, lead.eta, self.lead.eta),
         ];
-        self.keep_sliding((to, rates), approach - from.zeta, &mut by);
-        let omega = from.omega + gained(to.omega, self.shift.omega, lead.omega, self.lead.omega);
+        if !self.law.keeps_slip() {
+            self.keep_sliding(to, approach - from.zeta, &mut by);
+        }
+        let turned = arm * (to.omega - self.shift.omega) + (lead.omega - self.lead.omega);
+        let omega = from.omega + turned;
         (Shift { zeta: approach, xi: from.xi + by[0], eta: from.eta + by[1], omega }, lead)
     }
 
-    fn keep_sliding(&self, (to, rates): (Shift, Shift), deeper: f64, by: &mut [f64; 2]) {
+    /// Where all slides, the effective shift stays ahead of the effective approach.
+    fn keep_sliding(&self, to: Shift, deeper: f64, by: &mut [f64; 2]) {
         let ContactLoad { f_x, f_y, f_z, .. } = self.law.load();
-        let used = self.law.used_friction(rates);
+        let used = self.law.used_friction();
         let limit = used.map_or(self.friction * f_z, |used| libm::hypot(f_x, f_y) / used);
         if let Some(slides) = Slides::of([f_x, f_y], limit, || self.slides_by) {
             let truly = [to.xi - self.shift.xi, to.eta - self.shift.eta];
@@ -212,22 +224,43 @@ impl Slides {
     }
 }
 
+/// The mean distance of the pressure from the centre over that of Hertz's pressure in the effective contact, `b (4 - b^3)/3`
+/// with b the ratio of the radii. The pressure while the approach grows is that of Hertz at zeta with a part `1 - b^3` of a flat
+/// punch's; where the bodies twist, places slip in proportion to their distance.
+pub(crate) fn arm(zeta: f64, approach: f64) -> f64 {
+    if !(zeta > 0.0 && approach > zeta) {
+        return 1.0;
+    }
+    let square = zeta / approach;
+    let b = square.sqrt();
+    b * (4.0 - square * b) / 3.0
+}
+
 impl<L: ContactLaw> ContactLaw for ViscousLaw<L> {
     type Error = L::Error;
 
     /// A step so slow that the material does not resist.
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, L::Error> {
-        self.advance_at(shift, Shift::default())
+        self.advance_at(shift, Shift::default(), 0.0)
     }
 
-    fn advance_at(&mut self, shift: Shift, rates: Shift) -> Result<ContactLoad, L::Error> {
+    fn advance_at(
+        &mut self,
+        shift: Shift,
+        rates: Shift,
+        duration: f64,
+    ) -> Result<ContactLoad, L::Error> {
         let (to, lead) = self.driven(shift, rates);
-        let load = self.law.advance(to)?;
+        let theta = self.viscosity.effective(shift.zeta, rates.zeta).lead;
+        let lag = SlipLag::after(duration, shift.zeta, to.zeta, theta)
+            .turned_by(lead.omega)
+            .bent_by(self.rates, rates, to.zeta);
+        self.law.advance_lagging(to, lag)?;
         (self.shift, self.rates, self.lead) = (shift, rates, lead);
         if to.zeta <= 0.0 {
-            self.lead = Shift::default();
+            (self.rates, self.lead) = Default::default();
         }
-        Ok(load)
+        Ok(self.load())
     }
 
     fn depth(&self, shift: Shift, rates: Shift) -> f64 {
@@ -243,7 +276,9 @@ impl<L: ContactLaw> ContactLaw for ViscousLaw<L> {
     }
 
     fn load(&self) -> ContactLoad {
-        self.law.load()
+        let load = self.law.load();
+        let arm = arm(self.shift.zeta, self.law.shift().zeta);
+        ContactLoad { m_z: arm * load.m_z, ..load }
     }
 
     fn jumps(&self, to: Shift) -> bool {

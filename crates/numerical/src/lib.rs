@@ -131,8 +131,9 @@ impl<'a> NumericalImpact<'a> {
         let found = self.found(&problem)?;
         let before = problem.impact.velocity();
         let tangential = found.tangential * problem.scale();
-        let by_law = problem.impact.viscous_step_error().map_err(CollisionError::from)?;
-        let off = by_law.of_law();
+        let by_law = problem.impact.error_of_places().map_err(CollisionError::from)?;
+        let turned = self.collision.hertz().materials().gamma() / self.collision.friction().get();
+        let off = problem.impact.left_by_loss(turned.abs());
         let velocity = found.velocity - by_law.velocity;
         let corrected = by_law.velocity != Vector3::zeros();
         let impulse = if corrected { problem.restricted(&velocity) } else { found.impulse };

@@ -89,7 +89,7 @@ fn kept(friction: f64) -> Result<StaticFriction, Failure> {
     Ok(StaticFriction::new(friction, friction)?)
 }
 
-/// The number of numbers into which a touch of this law packs: 82 of a law of shifts, 316 of CAROM_LAW_RINGS; 83 more
+/// The number of numbers into which a touch of this law packs: 82 of a law of shifts, 319 of CAROM_LAW_RINGS; 83 more
 /// with torsion, 9 with a resistance to rolling, 1 with friction by the slip speed. 0 for null.
 ///
 /// # Safety

@@ -122,8 +122,8 @@ impl ContactLaw for AnyLaw {
         each!(self, law => law.jumps(to))
     }
 
-    fn used_friction(&self, rates: Shift) -> Option<f64> {
-        each!(self, law => law.used_friction(rates))
+    fn used_friction(&self) -> Option<f64> {
+        each!(self, law => law.used_friction())
     }
 
     fn slides_on(&self, rates: Shift) -> Option<bool> {

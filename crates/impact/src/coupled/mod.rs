@@ -64,4 +64,4 @@ pub use outcome::{CoupledOutcome, Sample};
 pub use point::Point;
 pub use stage::{Stage, Staged};
 pub use trajectory::{LawFailure, Trajectory};
-pub use viscous::StepError;
+pub use viscous::{StepError, left_by_loss};

@@ -163,14 +163,16 @@ impl Trajectory {
                 observe(&now, &held);
                 steps.cut(length, now.time - from.time);
                 let (to, rates) = (as_shift(&now.shift), as_shift(&now.velocity));
-                now.force = as_vector(&law.advance_at(to, rates).map_err(failed)?);
+                let lasted = now.time - from.time;
+                now.force = as_vector(&law.advance_at(to, rates, lasted).map_err(failed)?);
                 recent.restart(now.force);
                 observe(&now, law);
                 continue;
             }
             let slides = law.slides_on(as_shift(&now.velocity)) == Some(true);
             let held = slides.then(|| law.clone());
-            let load = law.advance_at(as_shift(&shift), as_shift(&rates)).map_err(failed)?;
+            let load =
+                law.advance_at(as_shift(&shift), as_shift(&rates), length).map_err(failed)?;
             let force = as_vector(&load);
             let next = self.reached(&now, &recent, length, (shift, force));
             let ends = law.slides_on(as_shift(&next.velocity)) != Some(true);
@@ -223,7 +225,7 @@ impl Trajectory {
         let jump = Jump::find(length, |length| law.jumps(as_shift(&place(length))));
         let [before, after] = [jump.before, jump.after].map(place);
         let rates = self.rates(now, jump.before);
-        let force = as_vector(&law.advance_at(as_shift(&before), as_shift(&rates))?);
+        let force = as_vector(&law.advance_at(as_shift(&before), as_shift(&rates), jump.before)?);
         Ok(self.reached(now, recent, jump.after, (after, force)))
     }
 
@@ -259,7 +261,7 @@ impl Trajectory {
     ) -> Result<(Point, L), L::Error> {
         let (mut law, shift) = (law.clone(), self.place(now, recent, length));
         let rates = self.rates(now, length);
-        let force = as_vector(&law.advance_at(as_shift(&shift), as_shift(&rates))?);
+        let force = as_vector(&law.advance_at(as_shift(&shift), as_shift(&rates), length)?);
         Ok((self.reached(now, recent, length, (shift, force)), law))
     }
 

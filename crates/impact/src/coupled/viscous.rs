@@ -32,6 +32,24 @@ pub struct StepError {
     pub material_heat: f64,
 }
 
+/// Error of the law of viscous materials that keeps the slip of each place ([`carom_laws::slip_lag`]), in the tangential
+/// velocity over f v_z: by coupling, where gamma/f is [`TURNED`] and more and at most half of the normal velocity is left, and
+/// by a spin, where none is left. Against full simulations of 24 drawn impacts; 48 others have smaller errors.
+const LOST_BY_COUPLING: f64 = 0.012;
+const TURNED: f64 = 2.0;
+const LOST_BY_SPIN: f64 = 0.03;
+/// The same of like bodies, against the exact impact.
+const LEFT_ALIKE: f64 = 6e-3;
+
+/// The error of the law of viscous materials that keeps the slip of each place, in the tangential velocity over f v_z.
+/// `turned` is |gamma|/f, `spun` the velocity of the rim by the spin over f v_z.
+#[must_use]
+pub fn left_by_loss(loss: ViscousLoss, turned: f64, spun: f64) -> f64 {
+    let lost = 1.0 - loss.restitution();
+    let coupled = (turned / TURNED).min(1.0) * (2.0 * lost).min(1.0);
+    LOST_BY_COUPLING * coupled + LOST_BY_SPIN * spun.min(1.0) * lost * lost
+}
+
 impl StepError {
     const NONE: Self = Self { velocity: Vector3::new(0.0, 0.0, 0.0), material_heat: 0.0 };
 
@@ -250,6 +268,26 @@ impl CoupledImpact {
         let parts = 0.5 * impulse.component_mul(&(self.velocity + after));
         let lost = parts.sum().max(0.0);
         lost - (parts.x + parts.y - without_couplings.material_heat).clamp(0.0, lost)
+    }
+
+    /// The same of a law that keeps the slip of each place: it errs along the normal only.
+    ///
+    /// # Errors
+    /// As [`CoupledImpact::solve`].
+    pub fn error_of_places(&self) -> Result<StepError, CoupledError> {
+        let error = self.viscous_step_error()?;
+        let velocity = Vector3::new(0.0, 0.0, error.velocity.z);
+        Ok(StepError { velocity, ..error })
+    }
+
+    /// The error of such a law in the tangential velocity where that of like bodies is not taken off.
+    #[must_use]
+    pub fn left_by_loss(&self, turned: f64) -> f64 {
+        let scale = self.friction.get().min(1.0) * self.velocity.z;
+        self.loss.map_or(0.0, |loss| {
+            let alike = LEFT_ALIKE * (2.0 * (1.0 - loss.restitution())).min(1.0);
+            scale * (alike + left_by_loss(loss, turned, 0.0))
+        })
     }
 
     /// By how much the step law errs in this impact if nothing coupled or turned, and what the material then takes; nothing

@@ -146,7 +146,7 @@ impl Motion {
                 );
                 return Ok(Some(passage));
             }
-            load = law.advance_at(as_shift(&next), as_shift(&ahead))?;
+            load = law.advance_at(as_shift(&next), as_shift(&ahead), h)?;
             let old = rates[0];
             (at, rates) = (next, self.pushed(&middle, &load, 0.5 * h));
             observe(Instant { time: (step + 1) as f64 * h, shift: at, rates, load }, &law);

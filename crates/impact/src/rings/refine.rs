@@ -8,7 +8,7 @@ use super::problem::{Exact, Problem};
 use super::sliding::Slide;
 use super::spinning::Extrapolated;
 use super::{RingImpact, RingImpactError};
-use crate::coupled::{Sample, Stage};
+use crate::coupled::{Sample, Stage, left_by_loss};
 use crate::normal::DURATION;
 
 /// The tangential velocity over f v_z at which the limit for vanishing ones is computed.
@@ -127,7 +127,11 @@ impl Problem {
             best = Some(Found {
                 passage,
                 friction_heat,
-                estimate: estimate + left_out + self.of_straight_friction() + run.by_law,
+                estimate: estimate
+                    + left_out
+                    + self.of_straight_friction()
+                    + self.left_by_loss()
+                    + run.by_law,
                 normal: along,
                 spin: spin + level.floor.of_spin,
                 level: *level,
@@ -215,9 +219,15 @@ impl Problem {
 
     /// The friction that the tangential velocity takes at the first touch, that of the rim by the spin too.
     fn needed(&self) -> f64 {
-        let [speed, xi, eta, omega] = self.motion.before;
-        let rim = self.constants.radius * (self.motion.duration * speed / DURATION).sqrt() * omega;
-        xi.hypot(eta).hypot(rim) / speed
+        let [speed, xi, eta, _] = self.motion.before;
+        xi.hypot(eta).hypot(self.rim()) / speed
+    }
+
+    /// The velocity at the edge of an elastic contact by the spin.
+    fn rim(&self) -> f64 {
+        let [speed, .., omega] = self.motion.before;
+        let deepest = self.motion.duration * speed / DURATION;
+        (self.constants.radius * deepest.sqrt() * omega).abs()
     }
 
     /// The tangential velocity over f v_z (over v_z where f > 1), infinite with spin about the normal.
@@ -266,6 +276,12 @@ impl Problem {
         }
         let beyond = (self.constants.kappa - 1.0).max(0.0);
         BY_DIRECTION * beyond * self.taken_off() * self.reached()
+    }
+
+    /// The error of the law of viscous materials, in the same unit: where slip turns, by coupling or by a spin.
+    fn left_by_loss(&self) -> f64 {
+        let spun = self.rim() / (self.scale() * self.motion.before[0]);
+        self.loss.map_or(0.0, |loss| left_by_loss(loss, self.spread(), spun))
     }
 
     /// The rates after, slower if they have more energy than those before.

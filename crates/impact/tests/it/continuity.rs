@@ -104,7 +104,7 @@ fn nothing_jumps_as_slips_fade() {
 }
 
 /// Like bodies that spin: what rings err in an elastic impact they err as much in one that loses next to nothing, and the
-/// estimate of a great loss does not grow with the spin.
+/// estimate of a great loss grows with the spin by at most .03 f v_z.
 #[test]
 fn losses_that_fade_and_spins_leave_the_error_of_rings() {
     let solved = |lambda: f64, spin: f64, e: f64| solved(&losing(ball(0.0, lambda, spin), e));
@@ -114,7 +114,7 @@ fn losses_that_fade_and_spins_leave_the_error_of_rings() {
             assert!(step < 5e-6, "{lambda} {spin}: {step}");
         }
         let [slow, fast] = [1.0, 1000.0].map(|spin| solved(lambda, spin, 0.1).error_estimate);
-        assert!(fast < 1.2 * slow && slow < 0.02 * FRICTION, "{lambda}: {fast} {slow}");
+        assert!(fast < slow + 0.03 * FRICTION && slow < 0.02 * FRICTION, "{lambda}: {fast} {slow}");
     }
 }
 

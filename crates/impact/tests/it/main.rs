@@ -15,6 +15,7 @@ mod exchange;
 mod glancing;
 mod history_known;
 mod images;
+mod kelvin_voigt;
 mod known_ends;
 mod known_values;
 mod levers;

@@ -251,7 +251,7 @@ fn regimes_have_the_sign_of_their_own_direction() {
 }
 
 /// A ball whose spin makes all of the contact slide, in a material of Kelvin and Voigt: normal force by its theory, friction
-/// f times Hertz's pressure against the local slip, without elastic shifts. R_x, by the middle of short steps.
+/// f times the pressure against the local slip, without elastic shifts. R_x, by the middle of short steps.
 fn sliding(
     radius: f64,
     mass: f64,
@@ -263,14 +263,14 @@ fn sliding(
 ) -> f64 {
     let stiffness = 4.0 / 3.0 * modulus * radius.sqrt();
     let inertia = 0.4 * mass * radius * radius;
-    // Force and torque over the normal force, and the radius.
-    let friction_of = |slip: f64, rim: f64| {
+    // Force and torque over the normal force, and the radius; the pressure is Hertz's (2/3) or that of a flat punch (2).
+    let friction_of = |power: f64, slip: f64, rim: f64| {
         let (rings, angles) = (24, 32);
         let (mut force, mut torque) = (0.0, 0.0);
         for i in 0..rings {
             // Equal parts of the normal force.
             let outside = (i as f64 + 0.5) / f64::from(rings);
-            let r = (1.0 - outside.powf(2.0 / 3.0)).sqrt();
+            let r = (1.0 - outside.powf(power)).sqrt();
             for j in 0..angles {
                 let (sin, cos) =
                     (std::f64::consts::TAU * (f64::from(j) + 0.5) / f64::from(angles)).sin_cos();
@@ -294,8 +294,11 @@ fn sliding(
         if effective <= 0.0 {
             return -u / slip;
         }
-        let (normal, a) = (stiffness * effective.powf(1.5), (radius * effective).sqrt());
-        let [force, torque] = friction_of(u, omega * a);
+        // While the approach grows the rate adds the pressure of a flat punch.
+        let (normal, depths) = (stiffness * effective.powf(1.5), effective.min(middle));
+        let (a, share) = ((radius * depths).sqrt(), (depths / effective).powf(1.5));
+        let [hertz, punch] = [2.0 / 3.0, 2.0].map(|power| friction_of(power, u, omega * a));
+        let [force, torque] = [0, 1].map(|k| share * hertz[k] + (1.0 - share) * punch[k]);
         rate -= step * normal / mass;
         u -= step * 3.5 * force * normal / mass;
         omega -= step * torque * a * normal / inertia;
@@ -507,7 +510,7 @@ fn a_spinning_impact_with_a_great_loss_is_that_of_finer_steps() {
         let collision = thrown(pair, f, [[slip, 0.0, -1.0], [0.0, 0.0, spin]], e);
         let [[usual, told], [fine, left]] = [1e-2, 1e-9].map(|limit| by_rings(&collision, limit));
         assert!((usual - fine).abs() < told + left, "{f} {e}: {usual} {told}, {fine} {left}");
-        assert!(told * slip < 0.02, "{f} {e}: {told}");
+        assert!(told * slip < 0.04, "{f} {e}: {told}");
     }
 }
 

@@ -10,6 +10,7 @@ use super::account::{Account, Accounted, Unaccounted};
 use super::contact::GrainContact;
 use super::dashpots::{Effective, Motion};
 use super::drag_heat::DragHeat;
+use super::frame::GrainFrame;
 use super::law::GrainLaw;
 use super::load::{GrainLoad, check_beside, compressed, elastic};
 use super::meeting::Meeting;
@@ -17,7 +18,8 @@ use super::step::{Step, first_step, one_step_before};
 use super::twisted::{TwistState, Twisted, turned};
 use crate::bounds::LARGEST;
 use crate::law::{ContactLoad, Shift};
-use crate::viscous::Slides;
+use crate::slip_lag::SlipLag;
+use crate::viscous::{Slides, arm};
 
 /// A step of a damped contact.
 pub(super) struct Damped {
@@ -26,6 +28,10 @@ pub(super) struct Damped {
     to: Shift,
     lead: [f64; 2],
     twist_lead: f64,
+    /// How slip lags.
+    lag: SlipLag,
+    /// The distance of the pressure from the centre ([`arm`]).
+    arm: f64,
     drag: f64,
     /// Whether the bodies touched in this step.
     touches: bool,
@@ -147,15 +153,36 @@ impl<L: GrainLaw> GrainContact<L> {
             self.frame.dashpots.effective(motion, self.law.pressed_stiffness(), mobility);
         let part = part_in_contact(before.zeta, step.zeta);
         let [lead, by] = before.led(step.velocity, theta, part, dt);
-        let omega = if L::Twist::COUNTS { turning(meeting) } else { 0.0 };
-        let rates = Shift { xi: step.velocity[0], eta: step.velocity[1], omega, zeta: step.speed };
-        let by = self.slid_on((rates, dt), [step.zeta, approach], by);
+        let by = self.slid_on(step.velocity.map(|v| v * dt), [step.zeta, approach], by);
+        let lag = match self.law.keeps_slip() {
+            true => self.lag(meeting, (&step, touches), [part * dt, approach, theta]),
+            false => SlipLag::NONE,
+        };
         let [xi, eta] = [0, 1].map(|k| before.shift[k] + by[k]);
-        let (twist_lead, omega) = self.twisted_on(meeting, touches, [theta, part], dt);
+        let arm = if L::Twist::COUNTS { arm(step.zeta, approach) } else { 1.0 };
+        let (twist_lead, omega) = self.twisted_on(meeting, touches, [theta, part, arm], dt);
         let to = Shift { zeta: approach, xi, eta, omega };
         let c_z = self.law.hertz_stiffness();
         let drag = elastic(c_z, approach) - elastic(c_z, step.zeta);
-        Damped { step, to, lead, twist_lead, drag, touches }
+        let lag = lag.turned_by(twist_lead);
+        Damped { step, to, lead, twist_lead, lag, arm, drag, touches }
+    }
+
+    /// How slip lags in a step of this duration to this effective approach, with this lead.
+    fn lag(
+        &self,
+        meeting: &Meeting,
+        (step, touches): (&Step, bool),
+        [duration, approach, theta]: [f64; 3],
+    ) -> SlipLag {
+        let lag = SlipLag::after(duration, step.zeta, approach, theta);
+        if touches {
+            return lag;
+        }
+        let rates = |zeta: f64, [xi, eta]: [f64; 2], omega: f64| Shift { zeta, xi, eta, omega };
+        let GrainFrame { velocity, drag_heat, twist, .. } = self.frame;
+        let before = rates(drag_heat.speed, velocity, twist.get().rate);
+        lag.bent_by(before, rates(step.speed, step.velocity, turning(meeting)), approach)
     }
 
     /// The lead of the twist at the end of a step, and the twist of the law.
@@ -164,7 +191,7 @@ impl<L: GrainLaw> GrainContact<L> {
         &self,
         meeting: &Meeting,
         touches: bool,
-        [theta, part]: [f64; 2],
+        [theta, part, arm]: [f64; 3],
         dt: f64,
     ) -> (f64, f64) {
         if !L::Twist::COUNTS {
@@ -172,9 +199,9 @@ impl<L: GrainLaw> GrainContact<L> {
         }
         let (turn, twist) = (turning(meeting), self.frame.twist.get());
         let last = if touches { turn } else { twist.rate };
-        let ahead = theta * (turn + 0.5 * (turn - last));
+        let ahead = arm * theta * (turn + 0.5 * (turn - last));
         let lead = if dt > 0.0 { ahead } else { twist.lead };
-        let by = turned(meeting, dt) * part + (lead - twist.lead);
+        let by = arm * turned(meeting, dt) * part + (lead - twist.lead);
         (lead, self.law.shift().omega + by)
     }
 
@@ -182,12 +209,12 @@ impl<L: GrainLaw> GrainContact<L> {
     #[inline(always)]
     pub(super) fn slid_on(
         &self,
-        (rates, dt): (Shift, f64),
+        truly: [f64; 2],
         [zeta, approach]: [f64; 2],
         by: [f64; 2],
     ) -> [f64; 2] {
+        let Some(force) = self.law.sliding_force() else { return by };
         let (its, frame) = (self.law.shift().zeta, &self.frame);
-        let (force, truly) = (self.law.sliding_force(rates), [rates.xi * dt, rates.eta * dt]);
         match Slides::of(frame.friction, force, || self.law.sliding_shift()) {
             Some(slides) => slides.on(truly, [zeta - frame.approach, approach - its], by),
             None => by,
@@ -208,7 +235,7 @@ impl<L: GrainLaw> GrainContact<L> {
         if !is_in_range | check_beside(meeting.arms, step.drag).is_err() {
             return Err(self.first_error(&{ *meeting }, dt, step.drag));
         }
-        let end = account.advance(&mut self.law, step.to)?;
+        let end = account.advance(&mut self.law, step.to, step.lag)?;
         *load = self.keep_damped(meeting, step, end);
         Ok(())
     }
@@ -224,7 +251,8 @@ impl<L: GrainLaw> GrainContact<L> {
 
     #[inline(always)]
     fn keep_damped(&mut self, meeting: &Meeting, step: &Damped, end: ContactLoad) -> GrainLoad {
-        let &Damped { ref step, to, lead, twist_lead, drag, .. } = step;
+        let &Damped { ref step, to, lead, twist_lead, arm, drag, .. } = step;
+        let end = ContactLoad { m_z: arm * end.m_z, ..end };
         let load = self.keep(meeting, step, end);
         let frame = &mut self.frame;
         frame.drag_heat = DragHeat { drag: frame.drag, speed: step.speed };

@@ -10,6 +10,7 @@ use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::VertexStack;
 use crate::rings::{RingLaw, packed_numbers as numbers_of_rings};
 use crate::shift_law::ShiftLaw;
+use crate::slip_lag::SlipLag;
 use crate::stored::{Reader, Writer, any};
 
 /// A contact law that can carry grains: [`ShiftLaw`], and [`RingLaw`], in which twist and coupling count too.
@@ -29,18 +30,27 @@ pub trait GrainLaw: ContactLaw<Error = RangeError> + Checked + Dissipative {
     /// The normal force at the end of the last step, of bodies whose approach is this, N.
     fn bears(&self, approach: f64) -> f64;
 
-    /// The friction of a contact that slides as a whole at the present approach and at these rates, N.
-    fn sliding_force(&self, rates: Shift) -> f64;
+    /// The friction of a contact that slides as a whole at the present approach, N; none of a law that keeps the slip of
+    /// each place.
+    fn sliding_force(&self) -> Option<f64> {
+        None
+    }
 
     /// The shift over the approach of a contact of which all has slid, along x and y.
-    fn sliding_shift(&self) -> [f64; 2];
+    fn sliding_shift(&self) -> [f64; 2] {
+        [0.0; 2]
+    }
 
-    /// A step, and the [loss](Dissipative::loss) in it.
+    /// A step in a material in which slip lags, and the [loss](Dissipative::loss) in it.
     ///
     /// # Errors
     /// As [`ContactLaw::advance`], and [`RangeError`] of `heat` if it overflows.
     #[inline]
-    fn advance_with_loss(&mut self, to: Shift) -> Result<(ContactLoad, f64), RangeError> {
+    fn advance_with_loss(
+        &mut self,
+        to: Shift,
+        _lag: SlipLag,
+    ) -> Result<(ContactLoad, f64), RangeError> {
         let loss = self.loss(to);
         check_heat(loss)?;
         Ok((self.advance(to)?, loss))
@@ -73,8 +83,8 @@ impl<S: VertexStack<[f64; 2]>> GrainLaw for ShiftLaw<[f64; 2], S> {
     }
 
     #[inline(always)]
-    fn sliding_force(&self, _rates: Shift) -> f64 {
-        Self::sliding_force(self)
+    fn sliding_force(&self) -> Option<f64> {
+        Some(Self::sliding_force(self))
     }
 
     #[inline(always)]
@@ -111,19 +121,12 @@ impl<const N: usize, const M: usize> GrainLaw for RingLaw<N, M> {
         self.load().f_z
     }
 
-    fn sliding_force(&self, rates: Shift) -> f64 {
-        let (load, friction) = (self.load(), self.constants().friction().get());
-        let used = self.used_friction(rates);
-        used.map_or(friction * load.f_z, |used| libm::hypot(load.f_x, load.f_y) / used)
-    }
-
-    fn sliding_shift(&self) -> [f64; 2] {
-        let rings = self.constants();
-        [rings.kappa() * rings.friction().get(); 2]
-    }
-
-    fn advance_with_loss(&mut self, to: Shift) -> Result<(ContactLoad, f64), RangeError> {
-        let heat = self.advance_with_heat(to)?;
+    fn advance_with_loss(
+        &mut self,
+        to: Shift,
+        lag: SlipLag,
+    ) -> Result<(ContactLoad, f64), RangeError> {
+        let heat = self.lagging_with_heat(to, lag)?;
         Ok((self.load(), heat))
     }
 

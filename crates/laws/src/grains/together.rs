@@ -264,9 +264,8 @@ fn slid_on<S: VertexStack<[f64; 2]>>(
     let all: [[f64; 2]; TOGETHER] = from_fn(|i| {
         let at = |lane: Lanes| lane.to_array()[i];
         let contact = &*pairs[i].contact;
-        let [xi, eta] = step.velocity.map(at);
-        let rates = Shift { xi, eta, zeta: at(step.speed), omega: 0.0 };
-        contact.slid_on((rates, at(dt)), [at(step.zeta), at(approach)], by.map(at))
+        let truly = step.velocity.map(|v| at(v * dt));
+        contact.slid_on(truly, [at(step.zeta), at(approach)], by.map(at))
     });
     from_fn(|k| lanes(|i| all[i][k]))
 }

@@ -10,6 +10,7 @@ use super::meeting::Meeting;
 use super::step::{Ending, Step, first_step, leaves, on_the_way, one_step_before};
 use super::twisted::{TwistState as _, turned};
 use crate::law::{ContactLoad, Shift};
+use crate::slip_lag::SlipLag;
 
 impl<L: GrainLaw> GrainContact<L> {
     /// Where the law of an undamped contact goes in a step.
@@ -40,7 +41,7 @@ impl<L: GrainLaw> GrainContact<L> {
         let step = self.before().step(meeting, dt);
         let to = Self::end_of(&self.law, &step, meeting, dt);
         self.check_beside(meeting, to)?;
-        let end = account.advance(&mut self.law, to)?;
+        let end = account.advance(&mut self.law, to, SlipLag::NONE)?;
         *load = self.keep(meeting, &step, end);
         Ok(())
     }
@@ -59,7 +60,7 @@ impl<L: GrainLaw> GrainContact<L> {
         let mut law = self.law.clone();
         law.advance(before)?;
         let to = Self::end_of(&law, &step, meeting, dt);
-        let end = account.advance(&mut law, to)?;
+        let end = account.advance(&mut law, to, SlipLag::NONE)?;
         check_beside(meeting.arms, 0.0)?;
         if meeting.is_apart() {
             *load = GrainLoad::default();
@@ -86,7 +87,7 @@ impl<L: GrainLaw> GrainContact<L> {
         self.check_beside(meeting, to)?;
         let (mut law, mut past) = (self.law.clone(), self.law.clone());
         let past = past.advance(between(0.5))?;
-        let end = account.advance(&mut law, to)?;
+        let end = account.advance(&mut law, to, SlipLag::NONE)?;
         let mut ahead = law.clone();
         let ahead = ahead.advance(between(1.5))?;
         self.law = law;

@@ -9,6 +9,7 @@ use super::pair::{HERTZ, Pair};
 use super::solve::{Share, Tractions};
 use super::symmetry::Symmetry;
 use super::transform::Field;
+use crate::slip_lag::SlipLag;
 
 /// Largest ratio of two step lengths at which slip is extrapolated.
 const FARTHEST: f64 = 2.0;
@@ -33,6 +34,8 @@ pub(super) struct Contact<const N: usize, const H: usize> {
     pub(super) tractions: Tractions<N, H>,
     /// Length of the last step.
     pub(super) length: f64,
+    /// How slip lags behind it.
+    pub(super) lag: SlipLag,
 }
 
 /// A step in normalised units.
@@ -42,6 +45,10 @@ pub(super) struct Step {
     pub(super) approached: f64,
     pub(super) shifted: [f64; 2],
     pub(super) twisted: f64,
+    /// What the path bends: shifts and twist.
+    pub(super) bent: [f64; 3],
+    /// How slip lags at its end.
+    pub(super) lag: SlipLag,
 }
 
 /// The result of a step.
@@ -66,7 +73,8 @@ impl<const N: usize, const H: usize> Default for Contact<N, H> {
     fn default() -> Self {
         let slip = [[[0.0; N]; 2]; H];
         let (tractions, rim) = (Tractions::default(), [[0.0; 2]; H]);
-        Self { radius: 0.0, centre: [0.0; 2], slip, rim, tractions, length: 0.0 }
+        let (centre, lag) = ([0.0; 2], SlipLag::NONE);
+        Self { radius: 0.0, centre, slip, rim, tractions, length: 0.0, lag }
     }
 }
 
@@ -141,6 +149,9 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         let square = step.approach;
         let radius = square.sqrt();
         let factor = self.radius / radius;
+        if self.lag != SlipLag::NONE {
+            self.fall_back(pair);
+        }
         let [by, further] = self.ahead(length).map(|by| by * factor * factor);
         let ahead = self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)));
         // The first guess continues the slip at its rate.
@@ -149,6 +160,9 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         let share = Self::share(pair, factor);
         let enters = share.of_rim[N - 1] > 0.0;
         let mut before = self.carried(pair, radius, centre);
+        if step.bent != [0.0; 3] {
+            bend(pair, (radius, &share), step, &mut before);
+        }
         self.move_along(pair, (radius, &share), step, &mut before);
         let mut c = before;
         for [radial, around] in &mut c {
@@ -159,8 +173,12 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         }
         let share_of = enters.then_some(&share);
         let iterations = pair.solve(&c, &ahead, share_of, tolerance, &mut self.tractions);
-        let heat = self.settle(pair, (square, &share), &before);
+        let mut heat = self.settle(pair, (square, &share), &before);
         (self.radius, self.centre, self.length) = (radius, centre, length);
+        self.lag = step.lag.kept();
+        if self.lag != SlipLag::NONE {
+            heat -= self.heat_to_come(pair);
+        }
         Done { iterations, heat: heat * radius * square * square / S::ANGLES as f64 }
     }
 
@@ -245,6 +263,66 @@ impl<const N: usize, const H: usize> Contact<N, H> {
                 around[i] = keeps * (around[i] + outside[i] - along[1] - turned);
             }
         }
+    }
+
+    /// The part of the slip of the last step that is still to come, over the square of the radius. Places that have not
+    /// touched yet follow the field of those that have: its mean, and in proportion to the radius what differs from it.
+    fn to_come<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Field<N, H> {
+        let (y, layout) = (&self.tractions.y, &pair.layout);
+        let last = layout.radius.iter().take_while(|r| **r <= self.lag.within()).count();
+        let last = last.saturating_sub(1);
+        let at_last = |j: usize| [0, 1].map(|d| pair.sigma[last] * y[j][d][last]);
+        let mut mean = [0.0; 2];
+        for (j, [cosine, sine]) in pair.directions.iter().enumerate() {
+            let [radial, around] = at_last(j);
+            let weight = S::weight(j) / S::ANGLES as f64;
+            mean[0] += weight * (cosine * radial - sine * around);
+            if !S::MIRRORED {
+                mean[1] += weight * (sine * radial + cosine * around);
+            }
+        }
+        let part = self.lag.part();
+        std::array::from_fn(|j| {
+            let ([cosine, sine], of) = (pair.directions[j], at_last(j));
+            let mean = [cosine * mean[0] + sine * mean[1], cosine * mean[1] - sine * mean[0]];
+            let slips = |i: usize| y[j][0][i] != 0.0 || y[j][1][i] != 0.0;
+            let turn = self.lag.turned / (self.radius * part);
+            let of = |d: usize, i: usize| match (i > last && slips(i), slips(last)) {
+                (true, true) => {
+                    mean[d] + (of[d] - mean[d]) * (layout.radius[i] / layout.radius[last])
+                }
+                (true, false) if d == 1 => turn * (layout.radius[i] - layout.radius[last]),
+                (true, false) => 0.0,
+                _ => pair.sigma[i] * y[j][d][i],
+            };
+            std::array::from_fn(|d| std::array::from_fn(|i| part * of(d, i)))
+        })
+    }
+
+    /// Takes off what of the slip of the last step is still to come.
+    #[inline(never)]
+    fn fall_back<S: Symmetry<H>>(&mut self, pair: &Pair<N, H, S>) {
+        let square = self.radius * self.radius;
+        for (j, to_come) in self.to_come(pair).iter().enumerate() {
+            for (d, to_come) in to_come.iter().enumerate() {
+                for (slip, to_come) in self.slip[j][d].iter_mut().zip(to_come) {
+                    *slip -= square * to_come;
+                }
+                self.rim[j][d] -= square * to_come[N - 1];
+            }
+        }
+    }
+
+    /// The heat of the slip that is still to come, as [`Contact::settle`].
+    #[inline(never)]
+    fn heat_to_come<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> f64 {
+        let to_come = self.to_come(pair);
+        let of_angle = |j: usize| -> f64 {
+            let (z, to_come) = (&self.tractions.z[j], &to_come[j]);
+            let of = |i: usize| z[0][i] * to_come[0][i] + z[1][i] * to_come[1][i];
+            S::weight(j) * (0..N).map(|i| pair.layout.area[i] * of(i)).sum::<f64>()
+        };
+        (0..H).map(of_angle).sum()
     }
 
     /// The slip after the step, on the rings and at the rim; returns the heat over a^5/M.
@@ -334,19 +412,6 @@ impl<const N: usize, const H: usize> Contact<N, H> {
         limits.map(|(j, limit)| S::weight(j) * of(limit)).sum::<f64>() / S::ANGLES as f64
     }
 
-    /// The sum of the magnitudes of the tractions over that of their limits.
-    pub(super) fn used_friction<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> f64 {
-        let (mut used, mut whole) = (0.0, 0.0);
-        for (j, [radial, around]) in self.tractions.z.iter().enumerate() {
-            for (i, area) in pair.layout.area.iter().enumerate() {
-                let weight = S::weight(j) * area;
-                used += weight * libm::hypot(radial[i], around[i]);
-                whole += weight * self.tractions.limit[j][i];
-            }
-        }
-        if whole > 0.0 { used / whole } else { 0.0 }
-    }
-
     /// Loads, and the energy stored by the tangential tractions.
     pub(super) fn sums<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Sums {
         let mut sums = Sums::default();
@@ -380,6 +445,25 @@ impl<const N: usize, const H: usize> Contact<N, H> {
             if pair.slips { part * sums.normal } else { a * a * a * pair.normal_without_slip };
         sums.stored = (0.5 * part * sums.stored).max(0.0);
         sums
+    }
+}
+
+/// What the slip of places that have not touched yet will be when they touch changes as the path bends.
+#[inline(never)]
+fn bend<const N: usize, const H: usize, S: Symmetry<H>>(
+    pair: &Pair<N, H, S>,
+    (radius, share): (f64, &Share<N>),
+    step: &Step,
+    slip: &mut Field<N, H>,
+) {
+    let [x, y, turn] = step.bent;
+    let bent: [f64; N] = std::array::from_fn(|i| step.lag.bent_at(pair.layout.radius[i]));
+    for ([radial, around], [cosine, sine]) in slip.iter_mut().zip(&pair.directions) {
+        for i in 0..N {
+            let part = (1.0 - share.of_rim[i]) * bent[i];
+            radial[i] += part * (x * cosine + y * sine);
+            around[i] += part * (y * cosine - x * sine + turn * radius * pair.layout.radius[i]);
+        }
     }
 }
 

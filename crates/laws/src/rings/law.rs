@@ -12,6 +12,7 @@ use super::units::Units;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
+use crate::slip_lag::SlipLag;
 
 /// The contact law of spheres and planes of dissimilar materials, with memory: approach, shift in two
 /// directions and twist act together with their coupling.
@@ -180,9 +181,14 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
     /// # Errors
     /// As [`ContactLaw::advance`].
     pub fn advance_with_heat(&mut self, to: Shift) -> Result<f64, RangeError> {
+        self.lagging_with_heat(to, SlipLag::NONE)
+    }
+
+    /// The same in a viscous material.
+    pub(crate) fn lagging_with_heat(&mut self, to: Shift, lag: SlipLag) -> Result<f64, RangeError> {
         self.check(to)?;
         let rings = self.matrices.rings(self.units, self.tolerance);
-        let done = self.memory.go(&rings, to);
+        let done = self.memory.go(&rings, to, lag);
         self.iterations = done.iterations;
         Ok(rings.units.energy * done.heat)
     }
@@ -265,12 +271,13 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> ContactLaw for RingLaw<N, M
         self.memory.load(&self.rings())
     }
 
-    fn used_friction(&self, rates: Shift) -> Option<f64> {
-        let (pair, contact) = (self.rings().pair?, &self.memory.contact);
-        let Units { shift, twist, .. } = self.units;
-        let rim = (twist * rates.omega).abs() * contact.radius;
-        let turns = rim > 0.0 && rim >= shift * libm::hypot(rates.xi, rates.eta);
-        (!turns).then(|| contact.used_friction(pair))
+    fn advance_lagging(&mut self, shift: Shift, lag: SlipLag) -> Result<ContactLoad, RangeError> {
+        self.lagging_with_heat(shift, lag)?;
+        Ok(self.load())
+    }
+
+    fn keeps_slip(&self) -> bool {
+        true
     }
 }
 

@@ -8,6 +8,7 @@ use super::symmetry::Symmetry;
 use super::units::Units;
 use crate::bounds::{LEAST_APPROACH, in_contact};
 use crate::law::{ContactLoad, Shift};
+use crate::slip_lag::SlipLag;
 
 /// The load history of a contact on rings: numbers without pointers, which can be stored as bytes.
 ///
@@ -40,7 +41,7 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
         to: Shift,
     ) -> Result<f64, RangeError> {
         self.check(rings, to)?;
-        Ok(rings.units.energy * self.go(rings, to).heat)
+        Ok(rings.units.energy * self.go(rings, to, SlipLag::NONE).heat)
     }
 
     /// Checks whether [`RingMemory::advance`] would accept this shift.
@@ -134,7 +135,12 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
     }
 
     /// Advances to a checked shift; returns the heat in the unit of energy.
-    pub(super) fn go<S: Symmetry<M>>(&mut self, rings: &Rings<'_, N, M, S>, to: Shift) -> Done {
+    pub(super) fn go<S: Symmetry<M>>(
+        &mut self,
+        rings: &Rings<'_, N, M, S>,
+        to: Shift,
+        lag: SlipLag,
+    ) -> Done {
         let from = std::mem::replace(&mut self.shift, to);
         let Some(pair) = rings.pair else { return Done::default() };
         if to.zeta <= LEAST_APPROACH {
@@ -156,6 +162,8 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
                 (to.eta - from.eta) * part * shift,
             ],
             twisted: (to.omega - from.omega) * part * twist,
+            bent: [rings.side * lag.bent.xi * shift, lag.bent.eta * shift, lag.bent.omega * twist],
+            lag: lag.turned_by(lag.turned * twist),
         };
         let done = self.contact.advance(pair, rings.tolerance, &step);
         self.sums = self.contact.sums(pair);

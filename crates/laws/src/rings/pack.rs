@@ -13,7 +13,7 @@ use crate::bounds::LEAST_APPROACH;
 use crate::stored::{Fields, Reader, Writer, any};
 
 /// How many numbers a history needs, in words.
-const ROOM: &str = "8 and 6 for each place of a ring";
+const ROOM: &str = "11 and 6 for each place of a ring";
 /// Allowed deviation of stored tractions from those of the stored slip, and of tractions beyond their limits,
 /// in units of the tolerance (at least `FINEST`). In 18 000 steps at each of four tolerances the largest were 6 and 17.
 const OFF: f64 = 40.0;
@@ -28,11 +28,11 @@ const SETTLED_LIFT: f64 = 0.9;
 /// Slip and tractions of shifts within their limits are smaller.
 const LARGEST_IN_FIELD: f64 = 1e250;
 
-/// Number of values of a stored state with this many rings and angles: 296 for 6 x 8.
+/// Number of values of a stored state with this many rings and angles: 299 for 6 x 8.
 #[must_use]
 pub const fn packed_numbers(rings: usize, angles: usize) -> usize {
-    // Shift, length of the last step, normal force and centre; slip, tractions and slip of the last step.
-    8 + 3 * 2 * rings * angles
+    // Shift, length of the last step, normal force, centre and lag of slip; slip, tractions and slip of the last step.
+    11 + 3 * 2 * rings * angles
 }
 
 impl<const N: usize, const M: usize> RingMemory<N, M> {
@@ -51,11 +51,12 @@ impl<const N: usize, const M: usize> RingMemory<N, M> {
 
     /// Passes over what is stored.
     fn stored(&mut self, fields: &mut impl Fields) -> Result<(), RangeError> {
-        let Contact { slip, tractions, length, centre, .. } = &mut self.contact;
+        let Contact { slip, tractions, length, centre, lag, .. } = &mut self.contact;
         fields.shift(&mut self.shift)?;
         fields.number("length", length, RangeError::non_negative)?;
         fields.number("normal force", &mut self.sums.normal, RangeError::finite)?;
         fields.numbers("centre", centre, any)?;
+        lag.stored(fields)?;
         for field in [slip, &mut tractions.z, &mut tractions.y] {
             let numbers = field.as_flattened_mut().as_flattened_mut();
             fields.numbers("slip or traction", numbers, |field, number| {

@@ -9,6 +9,7 @@
 use super::contact::{Contact, Step};
 use super::pair::Pair;
 use super::symmetry::Symmetry;
+use crate::slip_lag::SlipLag;
 
 /// The number of steps in which the contact grows, and the ratio of approaches in each.
 const GROWTHS: i32 = 16;
@@ -26,7 +27,14 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
             contact.advance(
                 self,
                 0.0,
-                &Step { approach, approached, shifted: [0.0; 2], twisted: 0.0 },
+                &Step {
+                    approach,
+                    approached,
+                    shifted: [0.0; 2],
+                    twisted: 0.0,
+                    bent: [0.0; 3],
+                    lag: SlipLag::NONE,
+                },
             );
             before = approach;
         }

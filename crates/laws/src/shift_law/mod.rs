@@ -414,7 +414,7 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
         }
     }
 
-    fn used_friction(&self, _rates: Shift) -> Option<f64> {
+    fn used_friction(&self) -> Option<f64> {
         let slides = match &self.state {
             State::StaticFixedDirection(memory) => memory.slides(),
             State::StaticCoulomb(memory) => memory.slides(),

@@ -186,12 +186,12 @@ fn a_viscous_law_touches_anew_after_the_bodies_part() {
     let touch = |law: &mut ViscousLaw<RingLaw>| {
         [0.3, 0.7, 1.0, 0.8].map(|part| {
             let to = Shift { zeta: part * zeta, xi: 0.2 * part * zeta, ..Shift::default() };
-            law.advance_at(to, Shift { zeta, xi: 0.2 * zeta, ..Shift::default() }).unwrap()
+            law.advance_at(to, Shift { zeta, xi: 0.2 * zeta, ..Shift::default() }, 0.1).unwrap()
         })
     };
     let (mut law, first) = (new(), touch(&mut new()));
     touch(&mut law);
     let leaving = Shift { zeta: -zeta, xi: 0.5 * zeta, eta: -0.4 * zeta, ..Shift::default() };
-    assert_eq!(law.advance_at(Shift::default(), leaving).unwrap().f_z, 0.0);
+    assert_eq!(law.advance_at(Shift::default(), leaving, 0.1).unwrap().f_z, 0.0);
     assert_eq!(touch(&mut law), first);
 }

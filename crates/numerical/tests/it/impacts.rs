@@ -215,8 +215,7 @@ fn friction_heat_of_lossy_bodies_is_that_of_the_exact_impact() {
     assert!((heat - known).abs() <= 0.05 * most, "{heat}, {known} without coupling");
 }
 
-/// Like bodies that lose energy have the exact velocity, since what the law errs in steps is known and taken off, and their
-/// estimate holds it. The history keeps it.
+/// Like bodies that lose energy have the exact velocity within their estimate, of which the law in steps takes the most.
 #[test]
 fn the_estimate_of_lossy_bodies_holds_the_error_of_the_step_law() {
     for (lambda, e) in [(1.0, 0.1), (0.3, 0.1), (1.0, 0.5)] {
@@ -225,10 +224,7 @@ fn the_estimate_of_lossy_bodies_holds_the_error_of_the_step_law() {
         let known = rebound(collision.solve().unwrap());
         let grid = NumericalImpact::new(&collision).with(16, 128).unwrap();
         let solved = rebound(grid.solve().unwrap());
-        let by_law = grid.history(2).unwrap()[1].velocity;
-        let taken = (by_law - known.contact_velocity_after).xy().norm();
-        let estimate = solved.error_estimate * known.contact_velocity_before.norm();
-        assert!(off(&solved, &known) <= 0.2 * solved.error_estimate, "{lambda} {e}");
-        assert!(taken > 1e-3 && taken <= estimate, "{lambda} {e}: {taken} {estimate}");
+        let (off, told) = (off(&solved, &known), solved.error_estimate);
+        assert!(off <= told && told < 6e-3, "{lambda} {e}: {off} {told}");
     }
 }

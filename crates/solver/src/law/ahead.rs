@@ -64,7 +64,7 @@ pub(super) fn restore(state: &mut ContactState, before: &[Vec<f64>; 2]) {
 #[derive(Debug, Clone)]
 pub(super) struct Slip {
     way: Way,
-    by: [Vec<f64>; 2],
+    pub(super) by: [Vec<f64>; 2],
 }
 
 impl Slip {

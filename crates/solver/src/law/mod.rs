@@ -4,6 +4,7 @@ mod ahead;
 mod cells;
 mod entry;
 mod error;
+mod lagging;
 mod start;
 mod window;
 
@@ -14,6 +15,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, ContactLoad, ImpactLaw, Shift};
+use carom_laws::slip_lag::SlipLag;
 use carom_special::RangeError;
 
 use crate::convergence::Convergence;
@@ -21,6 +23,7 @@ use crate::frictional::Frictional;
 use crate::state::{CellState, ContactState};
 use ahead::{Slip, Way};
 use cells::Cells;
+use lagging::ToCome;
 use window::Windows;
 
 /// The contact of two paraboloids, solved on a grid, as a [`ContactLaw`]: for any pair of materials
@@ -83,8 +86,10 @@ struct Shared {
 struct Touching {
     cells: Cells,
     state: ContactState,
-    /// The slip of the last step, if it is taken ahead.
+    /// The slip of the last step, if it is taken ahead or lags.
     slip: Option<Slip>,
+    /// How it lags.
+    lag: SlipLag,
     convergence: Convergence,
 }
 
@@ -191,8 +196,19 @@ impl NumericalLaw {
         Some((touching.slip.as_ref()?, touching.cells))
     }
 
+    /// Begins a step with the true slip of a viscous material.
+    fn fall_back(&self, from: &mut ContactState) -> Result<(), RangeError> {
+        if let Some(Touching { state, slip: Some(slip), lag, .. }) = self.touching.as_deref()
+            && lag.part() > 0.0
+        {
+            let ellipse = self.shared.hertz.ellipse(self.shift.zeta)?;
+            ToCome { last: state, ellipse, slip, lag: *lag }.take_off(from);
+        }
+        Ok(())
+    }
+
     /// The contact after a step; `None` if the bodies are then separated.
-    fn stepped(&self, to: Shift) -> Result<Option<Touching>, NumericalLawError> {
+    fn stepped(&self, to: Shift, lag: SlipLag) -> Result<Option<Touching>, NumericalLawError> {
         let Shared { hertz, friction, method, cells, ahead, windows } = &*self.shared;
         let (ellipse, touch) = (hertz.ellipse(to.zeta)?, self.touch(&to));
         let mut cells = self.touching.as_deref().map_or(*cells, |touching| touching.cells);
@@ -212,14 +228,20 @@ impl NumericalLaw {
             };
             from.shift = touch;
             entry::anticipate(&mut from, &touch, &to, &ellipse);
-            let before = ahead.then(|| ahead::displacements(&from));
+            self.fall_back(&mut from)?;
+            if lag.bent() != Shift::default() {
+                lagging::bend(&mut from, &ellipse, lag);
+            }
+            let keeps = *ahead || lag.part() > 0.0;
+            let before = keeps.then(|| ahead::displacements(&from));
             let way = Way::new(&touch, &to, ellipse.semi_axis_a(), friction.get());
-            if let Some((slip, own)) = self.last_slip() {
+            if let Some((slip, own)) = self.last_slip().filter(|_| *ahead) {
                 slip.take_ahead(&own, &way, &cells, &mut from);
             }
             start::cut(&mut from, &hertz.at_approach(to.zeta)?, friction.get());
             let (mut state, mut convergence) = window.step(method, &from, to)?;
-            if let (Some((slip, own)), Some(before)) = (self.last_slip(), &before)
+            if let (Some((slip, own)), Some(before)) =
+                (self.last_slip().filter(|_| *ahead), &before)
                 && slip.ends(&own, &cells, &state)
             {
                 ahead::restore(&mut from, before);
@@ -228,7 +250,7 @@ impl NumericalLaw {
             let slip = before.map(|before| Slip::of(way, &touch, &before, &state));
             if !cells.touch_border(&state) {
                 let apart = state.count(CellState::Exterior) == state.cells.values().len();
-                return Ok((!apart).then_some(Touching { cells, state, slip, convergence }));
+                return Ok((!apart).then_some(Touching { cells, state, slip, lag, convergence }));
             }
             cells = cells.wider();
         }
@@ -241,8 +263,18 @@ impl ContactLaw for NumericalLaw {
     /// # Errors
     /// [`NumericalLawError`] if the step could not be solved.
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, NumericalLawError> {
+        self.advance_lagging(shift, SlipLag::NONE)
+    }
+
+    /// # Errors
+    /// As [`NumericalLaw::advance`].
+    fn advance_lagging(
+        &mut self,
+        shift: Shift,
+        lag: SlipLag,
+    ) -> Result<ContactLoad, NumericalLawError> {
         shift.check_finite()?;
-        let touching = if shift.zeta > 0.0 { self.stepped(shift)? } else { None };
+        let touching = if shift.zeta > 0.0 { self.stepped(shift, lag)? } else { None };
         self.load = touching.as_ref().map_or_else(ContactLoad::default, |it| it.state.load());
         (self.touching, self.shift) = (touching.map(Arc::new), shift);
         Ok(self.load)
@@ -256,18 +288,8 @@ impl ContactLaw for NumericalLaw {
         self.load
     }
 
-    fn used_friction(&self, rates: Shift) -> Option<f64> {
-        let limit = self.shared.friction.get() * self.load.f_z;
-        let state = &self.touching.as_ref()?.state;
-        let touching = state.cells.values().len() - state.count(CellState::Exterior);
-        let area = touching as f64 * state.pressure.grid().cell_area();
-        let rim = rates.omega.abs() * (area / std::f64::consts::PI).sqrt();
-        if rim > 0.0 && rim >= libm::hypot(rates.xi, rates.eta) {
-            return None;
-        }
-        let tractions = state.traction_x.values().iter().zip(state.traction_y.values());
-        let sum: f64 = tractions.map(|(x, y)| libm::hypot(*x, *y)).sum();
-        Some(sum * state.pressure.grid().cell_area() / limit)
+    fn keeps_slip(&self) -> bool {
+        true
     }
 }
 

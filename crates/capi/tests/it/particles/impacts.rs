@@ -289,7 +289,7 @@ fn kinds() -> Vec<(CaromLawOptions, usize)> {
     let (rolling, relaxation) = (ROLLING, 1e-5);
     let mut all = Vec::new();
     for law in LAWS {
-        let numbers = if law == CAROM_LAW_RINGS { 316 } else { 82 };
+        let numbers = if law == CAROM_LAW_RINGS { 319 } else { 82 };
         let usual = CaromLawOptions { relaxation, ..options(law) };
         all.push((usual, numbers));
         all.push((CaromLawOptions { rolling, ..usual }, numbers + 9));

@@ -69,8 +69,8 @@ fn a_stored_state_without_slip_is_checked() {
     for (at, value, field) in [
         (5, f64::NAN, "normal force"),
         (6, 9.0, "centre"),
-        (8, 1e249, "traction"),
-        (8 + 96, 9.0, "traction"),
+        (11, 1e249, "traction"),
+        (11 + 96, 9.0, "traction"),
     ] {
         let mut bad = numbers;
         bad[at] = value;
@@ -127,9 +127,12 @@ fn numbers_that_are_no_state_are_refused() {
     refuse(5, 1e9, "normal force");
     refuse(6, 30.0, "centre");
     refuse(7, f64::NAN, "centre");
-    refuse(8, 30.0, "traction");
-    refuse(8, f64::NAN, "slip or traction");
-    refuse(8 + 96, 40.0, "traction");
+    refuse(8, 1.5, "lag of slip");
+    refuse(9, -0.1, "radius beyond the contact");
+    refuse(10, f64::NAN, "lead of the twist");
+    refuse(11, 30.0, "traction");
+    refuse(11, f64::NAN, "slip or traction");
+    refuse(11 + 96, 40.0, "traction");
 }
 
 /// Slip and tractions may be kept in single precision: what is lost, over f F_z, is
