@@ -114,7 +114,7 @@ impl SlipLag {
     #[must_use]
     pub fn bent_at(&self, radius: f64) -> f64 {
         let b = self.within() / radius;
-        if !(b < 1.0) {
+        if b >= 1.0 || b.is_nan() {
             return 0.0;
         }
         let part = (0.5 - b * b) * libm::acos(b) + 0.5 * b * (1.0 - b * b).sqrt();

@@ -267,7 +267,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
 
     /// The part of the slip of the last step that is still to come, over the square of the radius. Places that have not
     /// touched yet follow the field of those that have: its mean, and in proportion to the radius what differs from it.
-    fn to_come<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Field<N, H> {
+    fn still_to_come<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Field<N, H> {
         let (y, layout) = (&self.tractions.y, &pair.layout);
         let last = layout.radius.iter().take_while(|r| **r <= self.lag.within()).count();
         let last = last.saturating_sub(1);
@@ -303,7 +303,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
     #[inline(never)]
     fn fall_back<S: Symmetry<H>>(&mut self, pair: &Pair<N, H, S>) {
         let square = self.radius * self.radius;
-        for (j, to_come) in self.to_come(pair).iter().enumerate() {
+        for (j, to_come) in self.still_to_come(pair).iter().enumerate() {
             for (d, to_come) in to_come.iter().enumerate() {
                 for (slip, to_come) in self.slip[j][d].iter_mut().zip(to_come) {
                     *slip -= square * to_come;
@@ -316,7 +316,7 @@ impl<const N: usize, const H: usize> Contact<N, H> {
     /// The heat of the slip that is still to come, as [`Contact::settle`].
     #[inline(never)]
     fn heat_to_come<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> f64 {
-        let to_come = self.to_come(pair);
+        let to_come = self.still_to_come(pair);
         let of_angle = |j: usize| -> f64 {
             let (z, to_come) = (&self.tractions.z[j], &to_come[j]);
             let of = |i: usize| z[0][i] * to_come[0][i] + z[1][i] * to_come[1][i];
