@@ -317,7 +317,7 @@ typedef struct carom_report {
  * The constants are those of the step in which contact began. To change them, set the touch to zero. */
 typedef struct carom_touch carom_touch;
 
-/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3240 of CAROM_LAW_RINGS; 744 more with torsion,
+/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3296 of CAROM_LAW_RINGS; 744 more with torsion,
  * 72 more with a resistance to rolling. 0 for null. */
 size_t carom_touch_size(const struct carom_law *law);
 
