@@ -86,7 +86,7 @@ def test_bad_input_is_named():
     with pytest.raises(carom.RangeError) as error:
         carom.Solver(gap, SIZE, PAIR, 0.3, tolerance=1.0)
     assert error.value.field == "tolerance"
-    with pytest.raises(carom.RangeError):
+    with pytest.raises(ValueError, match="rows and columns"):
         carom.Solver(np.zeros((0, 4)), SIZE, PAIR, 0.3)
 
 
