@@ -85,11 +85,6 @@ pub(super) const SPINNING: [Level; 4] = [
     level!(24, 16, 9, 5; 384, 1e-4, 0.3, [1.3e-3, 1.5e-3, 3e-3, 1e-4], 8e-4).fine(),
 ];
 
-/// The same where the material takes nearly all of the normal motion: steps short beside those of an elastic impact follow the
-/// springs, which are bent at once at the first touch and let go slowly.
-pub(super) const SPINNING_AND_LOSSY: [Level; 4] =
-    [SPINNING[0].in_steps(4), SPINNING[1].in_steps(4), SPINNING[2].in_steps(4), SPINNING[3]];
-
 /// The level for tables. With twice the steps the tangential velocity changes by 5e-4 f v_z in the mean.
 pub(super) const FILLING: Level = level!(16, 16, 9, 5; 128, 5e-4, 0.0, [0.0; 4], 0.0);
 
@@ -106,11 +101,6 @@ impl Level {
     /// For tolerances finer than the default only.
     const fn fine(self) -> Self {
         Self { is_usual: false, ..self }
-    }
-
-    /// With so many times the steps.
-    const fn in_steps(self, times: usize) -> Self {
-        Self { steps: times * self.steps, ..self }
     }
 
     /// With what finer levels would change of the tangential velocity, over the change from the coarser level.

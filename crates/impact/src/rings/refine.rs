@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::levels::{Floor, LEVELS, Level, SPINNING, SPINNING_AND_LOSSY, UNLIKE};
+use super::levels::{Floor, LEVELS, Level, SPINNING, UNLIKE};
 use super::motion::{Passage, Rates};
 use super::problem::{Exact, Problem};
 use super::sliding::Slide;
@@ -26,8 +26,6 @@ const LEFT_OUT: f64 = 0.15;
 /// Coefficient of kappa - 1 in the error of the solution for similar bodies, whose friction has the direction of the
 /// tangential velocity everywhere. On a grid of 80 cells it was .0017 f v_z off at kappa = 1.44.
 const BY_DIRECTION: f64 = 4e-3;
-/// Below this normal restitution a spinning impact takes more steps.
-const LOSSY: f64 = 0.2;
 /// Friction beyond which what sticks from the first touch on errs as with this one.
 const GREAT: f64 = 1.2;
 /// The energy that rounding may add, over that before.
@@ -69,9 +67,6 @@ impl Problem {
                 self.refined(&LEVELS, allowed, Compared::default())
             }
             (None, true) => self.refined(&UNLIKE, allowed, Compared::default()),
-            (None, false) if self.normal() < LOSSY => {
-                self.refined(&SPINNING_AND_LOSSY, allowed, Extrapolated::default())
-            }
             (None, false) => self.refined(&SPINNING, allowed, Extrapolated::default()),
         }
     }
