@@ -169,3 +169,19 @@ test('the limit of friction is kept just below sliding throughout, where the tab
   }
   assert.ok(near > 1900);
 });
+
+const lossy = (restitution, poisson, lambda, inertia) => rebound({
+  body1: { mass: 1, radius: 1, inertia, velocity: [0.2 * lambda, 0, -1] }, poisson, friction: 0.2, restitution,
+});
+
+test('R_x goes on below e = .1, as the library has it at .05', () => {
+  const rx = restitution => lossy(restitution, 0.5, 1.3, 2 / 3).rx;
+  assert.ok(Math.abs(rx(0.0999) - rx(0.1001)) < 1e-3);
+  assert.ok(Math.abs(rx(0.05) - 0.03462) < 3e-3, `${rx(0.05)}`);
+});
+
+test('the border of sliding is that of the loss, and a plane stays at rest', () => {
+  const { slides, spins, velocities } = lossy(0.12, 0, 4.5, 0.4);
+  assert.ok(slides);
+  assert.ok([...spins[1], ...velocities[1]].every(part => part === 0));
+});
