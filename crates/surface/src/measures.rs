@@ -44,8 +44,7 @@ pub struct Measures {
     pub border_step: [f64; 2],
     /// Hurst's exponent; none if the spectrum is no power of the wave number.
     pub hurst: Option<f64>,
-    /// Its standard deviation, by the scatter of the spectrum about the power. That of parts of surfaces is up to twice as
-    /// large.
+    /// Its standard deviation, by the number of waves in the spectrum and their scatter about the power.
     pub hurst_deviation: Option<f64>,
 }
 
@@ -84,6 +83,10 @@ impl Measures {
     /// The measures of a map; `spectrum` and `spikes` are those of the same map.
     #[must_use]
     pub fn of(map: &Topography, spectrum: Option<&Spectrum>, spikes: &[Spike]) -> Self {
+        // Over one of the heights, so that rounding leaves no roughness to a map of equal heights.
+        let base = map.heights().iter().copied().find(|height| !height.is_nan()).unwrap_or(0.0);
+        let over = map.heights().iter().map(|height| height - base).collect();
+        let map = &Topography::of_parts(map.columns(), over, map.spacing());
         let known = || map.heights().iter().copied().filter(|height| !height.is_nan());
         let mean = known().sum::<f64>() / known().count() as f64;
         let range = known().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
@@ -106,8 +109,8 @@ impl Measures {
             first_missing: map.first_missing(),
             spike: spikes.first().copied(),
             spikes: spikes.len(),
-            mean,
-            range,
+            mean: base + mean,
+            range: range.map(|height| base + height),
             rms_height: Squares::of(map.heights().iter().map(|height| height - mean)).root(),
             rms_height_level,
             skewness: moment(3),

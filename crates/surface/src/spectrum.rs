@@ -14,8 +14,7 @@ pub struct Spectrum {
     /// Hurst's exponent by C ~ q^(-2 (1 + H)) between the wave numbers that carry most of the slope; none if the
     /// density is no power of q there.
     pub hurst: Option<f64>,
-    /// Standard deviation of the exponent by the scatter about the line. That of parts of surfaces, which are faded out, is up to
-    /// twice as large.
+    /// Standard deviation of the exponent, by the number of waves in each ring and the scatter about the line.
     pub hurst_deviation: Option<f64>,
 }
 
@@ -26,8 +25,12 @@ const BINS: f64 = 12.0;
 /// Part of the slope's variance up to which the exponent is fitted.
 const SLOPE: f64 = 0.95;
 /// Least number of bins for the exponent, and the largest standard deviation of log C about the line.
-const LEAST_BINS: usize = 5;
+const LEAST_BINS: usize = 4;
 const STRAIGHT: f64 = 0.6;
+/// By how much log C may differ from a line in rings of any number of waves.
+const WAVINESS: f64 = 0.1;
+/// The number of waves over that of independent ones, if Hann's window spreads each over its neighbours: (35/18)^2.
+const SPREAD: f64 = 3.8;
 /// Exponents of a fit that are taken: a little beyond 0 to 1.
 const POSSIBLE: std::ops::RangeInclusive<f64> = -0.2..=1.3;
 
@@ -54,11 +57,10 @@ pub fn spectrum(map: &Topography, is_periodic: bool) -> Option<Spectrum> {
     let places = map.heights().iter().enumerate();
     let windowed = places.map(|(at, height)| height * window(at % nx, nx) * window(at / nx, ny));
     let power = transformed(windowed.collect(), [nx, ny]);
-    let density = averaged(&power, [nx, ny], spacing);
-    let [hurst, hurst_deviation] = match hurst(&density) {
-        Some(both) => both.map(Some),
-        None => [None; 2],
-    };
+    let rings = averaged(&power, [nx, ny], spacing);
+    let found = hurst(&rings, if is_periodic { 1.0 } else { SPREAD });
+    let [hurst, hurst_deviation] = found.map_or([None; 2], |both| both.map(Some));
+    let density = rings.into_iter().map(|ring| [ring.wave_number, ring.density]).collect();
     Some(Spectrum { density, hurst, hurst_deviation })
 }
 
@@ -91,8 +93,15 @@ fn transformed(values: Vec<f64>, [nx, ny]: [usize; 2]) -> Vec<f64> {
     all.into_iter().map(|value| value.norm_sqr()).collect()
 }
 
+/// The waves whose numbers differ little.
+struct Ring {
+    wave_number: f64,
+    density: f64,
+    waves: f64,
+}
+
 /// Means over rings of wave numbers, up to the largest that all directions have.
-fn averaged(power: &[f64], [nx, ny]: [usize; 2], [dx, dy]: [f64; 2]) -> Vec<[f64; 2]> {
+fn averaged(power: &[f64], [nx, ny]: [usize; 2], [dx, dy]: [f64; 2]) -> Vec<Ring> {
     let (length_x, length_y) = (nx as f64 * dx, ny as f64 * dy);
     let least = TAU / length_x.min(length_y);
     let most = PI / dx.max(dy);
@@ -113,41 +122,53 @@ fn averaged(power: &[f64], [nx, ny]: [usize; 2], [dx, dy]: [f64; 2]) -> Vec<[f64
             sum[2] += scale * value;
         }
     }
-    let mean = |[count, log_q, sum]: [f64; 3]| [libm::exp(log_q / count), sum / count];
-    sums.into_iter().filter(|sum| sum[0] > 0.0).map(mean).collect()
+    let ring = |[waves, log_q, sum]: [f64; 3]| Ring {
+        wave_number: libm::exp(log_q / waves),
+        density: sum / waves,
+        waves,
+    };
+    sums.into_iter().filter(|sum| sum[0] > 0.0).map(ring).collect()
 }
 
-/// The exponent from a straight line through log C over log q, from the greatest density to where the slope has 95 % of
+/// The exponent from a straight line through log C over log q, from the greatest density to before the slope has 95 % of
 /// its variance; and its standard deviation.
-fn hurst(density: &[[f64; 2]]) -> Option<[f64; 2]> {
-    let top = density.iter().map(|[_, c]| *c).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?.0;
+///
+/// The mean over a ring of n independent waves with Gaussian amplitudes scatters by 1/sqrt(n): rings count accordingly. A
+/// real amplitude and its mirror image are one wave. The last ring may have waves on its inner side only.
+fn hurst(rings: &[Ring], spread: f64) -> Option<[f64; 2]> {
+    let top = rings.iter().enumerate().max_by(|a, b| a.1.density.total_cmp(&b.1.density))?.0;
     // The variance of the slope in a ring of equal width in log q is q^4 C.
-    let shares: Vec<f64> = density.iter().map(|[q, c]| q * q * q * q * c).collect();
+    let shares: Vec<f64> =
+        rings.iter().map(|ring| libm::pow(ring.wave_number, 4.0) * ring.density).collect();
     let all: f64 = shares.iter().sum();
     let mut sum = 0.0;
     let end = shares.iter().position(|share| {
         sum += share;
         sum >= SLOPE * all
     })?;
-    let points = density.get(top..=end)?;
-    let points: Vec<[f64; 2]> = points
+    let points: Vec<[f64; 3]> = rings
+        .get(top..end)?
         .iter()
-        .filter(|[_, c]| *c > 0.0)
-        .map(|[q, c]| [libm::log(*q), libm::log(*c)])
+        .filter(|ring| ring.density > 0.0)
+        .map(|ring| {
+            let variance = WAVINESS * WAVINESS + 2.0 * spread / ring.waves;
+            [libm::log(ring.wave_number), libm::log(ring.density), 1.0 / variance]
+        })
         .collect();
     if points.len() < LEAST_BINS {
         return None;
     }
-    let count = points.len() as f64;
-    let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
-    let (x, y) = (mean(0), mean(1));
-    let product =
-        |f: fn(f64, f64) -> f64| points.iter().map(|[px, py]| f(px - x, py - y)).sum::<f64>();
-    let spread = product(|u, _| u * u);
-    let slope = product(|u, v| u * v) / spread;
-    let rest = points.iter().map(|[px, py]| libm::pow(py - y - slope * (px - x), 2.0)).sum::<f64>();
+    let total = |f: &dyn Fn(&[f64; 3]) -> f64| points.iter().map(f).sum::<f64>();
+    let weights = total(&|[.., w]| *w);
+    let [x, y] = [total(&|[x, _, w]| w * x), total(&|[_, y, w]| w * y)].map(|sum| sum / weights);
+    let steep = total(&|[px, _, w]| w * (px - x) * (px - x));
+    let slope = total(&|[px, py, w]| w * (px - x) * (py - y)) / steep;
+    let off = |[px, py, _]: &[f64; 3]| py - y - slope * (px - x);
+    let degrees = points.len() as f64 - 2.0;
+    let scatter = total(&|point| point[2] * off(point) * off(point)) / degrees;
     let exponent = -0.5 * slope - 1.0;
-    let deviation = 0.5 * libm::sqrt(rest / (count - 2.0) / spread);
-    let is_straight = libm::sqrt(rest / count) <= STRAIGHT;
+    let deviation = 0.5 * libm::sqrt(scatter.max(1.0) / steep);
+    let is_straight =
+        libm::sqrt(total(&|point| off(point) * off(point)) / points.len() as f64) <= STRAIGHT;
     (is_straight && POSSIBLE.contains(&exponent)).then_some([exponent, deviation])
 }
