@@ -15,8 +15,11 @@ const CAREFUL_DAMPING: f64 = 0.2;
 /// Changes of the set become cautious if the violation twice falls by less than this factor between
 /// two changes.
 const SLOW_DECREASE: f64 = 0.6;
-/// After this many such changes only pressures are dropped, without a step of the other cells.
+/// After this many such changes, or one that the violation outgrows, only pressures are dropped, without a step of the
+/// other cells.
 const CHANGES_BEFORE_DROPPING_ONLY: u32 = 8;
+/// After this many such changes each waits for the solution on the present set.
+const CHANGES_BEFORE_WAITING: u32 = 100;
 
 /// State of the iteration on one grid.
 #[derive(Default)]
@@ -70,12 +73,18 @@ impl IterationState {
     }
 
     const fn waits(&self) -> bool {
-        self.patient && self.careful()
+        self.patient && self.careful() || self.slow_changes >= CHANGES_BEFORE_WAITING
     }
 
     pub(super) fn changes(&mut self, violation: f64) {
-        if self.last_violation.is_some_and(|last| violation > SLOW_DECREASE * last) {
-            self.slow_changes += 1;
+        match self.last_violation {
+            // Damped steps overshoot: among a million spots far from each other a field of gaps that hardly varies asks
+            // for a tenth of what K gives, and each change would leave a greater violation than the one before.
+            Some(last) if violation > last && !self.patient => {
+                self.slow_changes = CHANGES_BEFORE_DROPPING_ONLY.max(self.slow_changes + 1);
+            }
+            Some(last) if violation > SLOW_DECREASE * last => self.slow_changes += 1,
+            _ => {}
         }
         self.last_violation = Some(violation);
         self.held = self.careful();
@@ -89,5 +98,36 @@ impl IterationState {
             (false, false) => EAGERNESS,
         };
         !self.held && violation > eagerness * self.step
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn after_a_change_that_the_violation_outgrows_the_other_cells_keep_still() {
+        let damping = |patient, violations: &[f64]| {
+            let mut state = IterationState { patient, ..IterationState::default() };
+            violations.iter().for_each(|violation| state.changes(*violation));
+            state.damping()
+        };
+        assert_eq!(damping(false, &[1.0, 0.5, 0.2]), DAMPING);
+        assert_eq!(damping(false, &[1.0, 0.7, 0.5]), CAREFUL_DAMPING);
+        assert_eq!(damping(false, &[1.0, 0.5, 0.6, 0.1]), 0.0);
+        // One cell of a plate moves all others: a violation that grows once is usual there.
+        assert_eq!(damping(true, &[1.0, 0.5, 0.6, 0.1]), DAMPING);
+    }
+
+    #[test]
+    fn many_slow_changes_wait_for_the_solution_on_the_present_set() {
+        let mut state = IterationState { step: 1.0, ..IterationState::default() };
+        let asks = |state: &IterationState, violation| {
+            IterationState { held: false, ..*state }.asks_for_change(violation)
+        };
+        (0..50).for_each(|_| state.changes(1.0));
+        assert!(asks(&state, 2.0));
+        (0..60).for_each(|_| state.changes(1.0));
+        assert!(!asks(&state, 2.0) && asks(&state, 200.0));
     }
 }
