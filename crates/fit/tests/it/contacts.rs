@@ -35,6 +35,26 @@ fn the_modulus_and_the_point_of_contact_come_back() {
 }
 
 #[test]
+fn readings_far_from_the_touch_hold_little_on_modulus_and_touch_alone() {
+    let all = pressed(2e6);
+    let [readings, forces] = [0, 1].map(|i| all.columns()[i].values[9..].to_vec());
+    // Normal equations of the derivatives F by ln E and -3/2 F/delta by the touch.
+    let mut sums = [0.0; 3];
+    for (reading, force) in readings.iter().zip(&forces) {
+        let by_touch = -1.5 * force / (reading - 2e-4);
+        sums = [sums[0] + force * force, sums[1] + force * by_touch, sums[2] + by_touch * by_touch];
+    }
+    let columns = vec![("approach".to_owned(), readings), ("force".to_owned(), forces)];
+    let errors = [(None, vec![1e-3])];
+    let options = Options { errors: &errors, ..Options::default() };
+    let found = fit(&CaseFile::from_text(CASE), &Data::new(columns).unwrap(), &options).unwrap();
+    let expected = -sums[1] / (sums[0] * sums[2]).sqrt();
+    close(found.correlations[0].value, expected, 1e-4);
+    let told = found.warnings.join(" ");
+    assert!(told.contains("correlation 0.99") && told.contains("little on each alone"), "{told}");
+}
+
+#[test]
 fn units_of_columns_are_converted() {
     let data = pressed(2e6);
     let milli = data.columns()[0].values.iter().map(|reading| 1e3 * reading).collect();
@@ -46,13 +66,17 @@ fn units_of_columns_are_converted() {
 }
 
 #[test]
-fn a_contact_needs_its_load() {
+fn a_contact_needs_its_load_and_finite_errors() {
     let data = Data::new(vec![("force".to_owned(), vec![1.0, 2.0, 3.0])]).unwrap();
     let error = fit(&CaseFile::from_text(CASE), &data, &Options::default()).unwrap_err();
     assert!(
         matches!(&error, FitError::Table(reason) if reason.contains("`load.approach`")),
         "{error}"
     );
+    let errors = [(None, vec![f64::INFINITY])];
+    let endless = Options { errors: &errors, ..Options::default() };
+    let error = fit(&CaseFile::from_text(CASE), &pressed(2e6), &endless).unwrap_err().to_string();
+    assert!(error.contains("inf must be a standard error, finite and > 0"), "{error}");
     // A touch is a reading of the approach: a force does not count from it.
     let forced = CaseFile::from_text(CASE.replace("approach = 1e-4", "force = 1"));
     let error = fit(&forced, &pressed(2e6), &Options::default()).unwrap_err().to_string();

@@ -56,6 +56,10 @@ fn x3p_of_whole_numbers_has_increment_offset_and_valid_points() {
     ];
     let file = archive(&entries.each_ref().map(|(name, bytes)| (*name, &bytes[..])));
     assert_map(&map(&file), Format::X3p, [NAN, -5e-9, 5e-9, 1.2e-8, NAN, 5.5e-8]);
+    // An empty link names no file: all points are valid.
+    let data = xml.data.replace("bindata/valid.bin", "");
+    let whole = Xml { data, ..xml }.file(&entries[1].1);
+    assert_map(&map(&whole), Format::X3p, [-2.5e-8, -5e-9, 5e-9, 1.2e-8, 2.5e-8, 5.5e-8]);
     let z = "<DataType>L</DataType><Increment>2e-9</Increment>";
     let block: Vec<u8> = WHOLE.iter().flat_map(|height| height.to_le_bytes()).collect();
     let file = Xml { z, ..Xml::default() }.file(&block);

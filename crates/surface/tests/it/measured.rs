@@ -187,6 +187,14 @@ fn a_lonely_point_and_many_points_are_no_spikes() {
     // 5 of 1024 points, and 21 of them.
     assert_eq!(found(&|place| place % 200 == 100, &[]), 5);
     assert_eq!(found(&|place| place % 50 == 0, &[]), 0);
+    // The farthest comes first, and not the highest.
+    let heights = map(32, |i, j| match 32 * j + i {
+        200 => 18.0,
+        700 => -5.0,
+        _ => 10.0 + 1e-3 * ((3 * i + 5 * j) % 7) as f64,
+    });
+    let rows: Vec<usize> = spikes(&heights).iter().map(|spike| spike.row).collect();
+    assert_eq!(rows, [22, 7]);
 }
 
 /// Steeper than half-spaces bear, but no fault of a unit.

@@ -53,6 +53,7 @@ fn heads_and_comments_are_no_heights() {
         "# a comment\n% another\n",
         "Instrument: none\nDate 2026-11-29\n\n",
         "height in um;\n",
+        "Sample\t3\tsteel\n",
         "3 2\n",
         "2 3\n",
         "\"a\",\"b\",\"c\"\n",
@@ -88,16 +89,35 @@ fn a_head_of_gwyddion_states_size_and_unit() {
     }
 }
 
+#[test]
+fn a_head_names_any_unit_of_length() {
+    for (units, metres) in [
+        (&["m", "metre", "meters"][..], 1.0),
+        (&["km"], 1e3),
+        (&["cm"], 1e-2),
+        (&["mm", "millimeter"], 1e-3),
+        (&["um", "\u{b5}m", "\u{3bc}m", "micron"], 1e-6),
+        (&["nm", "nanometre"], 1e-9),
+        (&["A", "\u{c5}", "angstrom"], 1e-10),
+        (&["pm"], 1e-12),
+    ] {
+        for unit in units {
+            let text = format!("# Value units: {unit}\n1.5\t-2.25\tnan\n4\t5.125\t6\n");
+            assert_heights(&map(&text), WANTED.map(|height| metres * height));
+        }
+    }
+}
+
 /// The first row of a grid of ESRI is the northernmost.
 #[test]
 fn a_grid_of_esri_begins_with_the_greatest_y() {
-    let text = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9999\n4 5.125 6\n1.5 -2.25 -9999\n";
+    let text = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0.5\nNODATA_value -9999\n4 5.125 6\n1.5 -2.25 -9999\n";
     let unit = Reading { unit: Some(1e-6), ..Reading::default() };
     let measured = read(text.as_bytes(), &unit).unwrap();
     assert_heights(&measured, WANTED.map(|height| 1e-6 * height));
-    assert_eq!(measured.topography.spacing(), Some([2e-6, 2e-6]));
+    assert_eq!(measured.topography.spacing(), Some([0.5e-6; 2]));
     let bare = map(text);
-    assert!(bare.topography.spacing().is_none() && bare.notes[0].contains("cellsize of 2"));
+    assert!(bare.topography.spacing().is_none() && bare.notes[0].contains("cellsize of 0.5"));
     for (name, other) in [("ncols 3", "ncols 4"), ("nrows 2", "nrows 5")] {
         let cut = text.replace(name, other);
         let told = read(cut.as_bytes(), &unit).unwrap_err().to_string();
