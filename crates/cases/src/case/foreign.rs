@@ -133,6 +133,55 @@ mod tests {
         }
     }
 
+    /// Appendix B of NIST Special Publication 811, to its seven digits; other words for a unit follow it.
+    const PUBLISHED: [(Dimension, &str, f64); 34] = [
+        (Dimension::Length, "in|inch|inches|\"", 2.54e-2),
+        (Dimension::Length, "ft|foot|feet", 3.048e-1),
+        (Dimension::Length, "mil|thou", 2.54e-5),
+        (Dimension::Length, "yd", 9.144e-1),
+        (Dimension::Mass, "lb|lbs|lbm", 4.535_924e-1),
+        (Dimension::Mass, "oz", 2.834_952e-2),
+        (Dimension::Mass, "slug", 14.593_90),
+        (Dimension::Density, "lb/in3", 2.767_990e4),
+        (Dimension::Density, "lb/ft3", 16.018_46),
+        (Dimension::Pressure, "psi", 6.894_757e3),
+        (Dimension::Pressure, "ksi", 6.894_757e6),
+        (Dimension::Pressure, "Msi", 6.894_757e9),
+        (Dimension::Pressure, "atm", 1.013_25e5),
+        (Dimension::Pressure, "kgf/mm2", 9.806_65e6),
+        (Dimension::Pressure, "kgf/cm2", 9.806_65e4),
+        (Dimension::Force, "lbf|lb|lbs", 4.448_222),
+        (Dimension::Force, "kip", 4.448_222e3),
+        (Dimension::Force, "kgf", 9.806_65),
+        (Dimension::Force, "dyn", 1e-5),
+        (Dimension::Torque, "lbf in|in lbf", 1.129_848e-1),
+        (Dimension::Torque, "lbf ft|ft lbf", 1.355_818),
+        (Dimension::Torque, "kgf m", 9.806_65),
+        (Dimension::Rigidity, "lbf in2", 2.869_815e-3),
+        (Dimension::Rigidity, "lbf ft2", 4.132_533e-1),
+        (Dimension::Speed, "in/s|ips", 2.54e-2),
+        (Dimension::Speed, "ft/s|fps", 3.048e-1),
+        (Dimension::Speed, "mph", 4.4704e-1),
+        (Dimension::Speed, "kn", 5.144_444e-1),
+        (Dimension::Acceleration, "in/s2", 2.54e-2),
+        (Dimension::Acceleration, "ft/s2", 3.048e-1),
+        (Dimension::Acceleration, "ft/s2", 3.048e-1),
+        (Dimension::Inertia, "lb in2", 2.926_397e-4),
+        (Dimension::Inertia, "lb ft2", 4.214_011e-2),
+        (Dimension::Time, "h", 3600.0),
+    ];
+
+    #[test]
+    fn each_unit_has_its_published_value() {
+        for (dimension, names, published) in PUBLISHED {
+            for name in names.split('|') {
+                let own = dimension.foreign().iter().find(|(own, _)| *own == name);
+                let value = own.map_or(f64::NAN, |(_, value)| *value);
+                assert!((value / published - 1.0).abs() < 3e-7, "{name}: {value}");
+            }
+        }
+    }
+
     #[test]
     fn no_unit_is_both_read_and_refused() {
         for dimension in [

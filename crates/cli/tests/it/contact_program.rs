@@ -399,6 +399,31 @@ fn other_words_for_a_contact_do_not_change_it() {
             assert!((a - b).abs() <= 1e-6 * a.abs(), "{name} is {a} and {b} of\n{text}");
         }
     }
+    // All terms, waves and a plan of two rectangles, beside the same cell by cell.
+    let quadratic =
+        |x: f64, y: f64| 0.01 * x * x + 0.002 * x * y + 0.02 * y * y + 0.003 * x - 0.004 * y + 0.01;
+    let waves = |x: f64, y: f64| {
+        0.003 * (5.0 * (x - 0.1)).sin() - 0.002 * (7.0 * (x + 0.05)).sin()
+            + x * x / 80.0
+            + y * y / 40.0
+    };
+    let parts = |x: f64, y: f64| {
+        let is_in = (x <= -0.08 && y >= -0.22) || (x >= 0.08 && y <= 0.22);
+        if is_in { 0.01 * x * x + 0.02 * y * y } else { 1e3 }
+    };
+    for (words, height) in [
+        ("1 1\n .01 .002 .02 .003 -.004 .01", quadratic as fn(f64, f64) -> f64),
+        ("3 1\n .003 5 .1 .002 7 -.05 80 40", waves),
+        ("1 3\n .01 0 .02 0 0 0\n -9 -.08 -.22 9\n .08 9 -9 .22", parts),
+    ] {
+        let [one, two] = [words.to_owned(), format!("9 1\n{}", cells(height))].map(|shape| {
+            solved("shape", &case("203100", drive, rolling, &format!("{places}\n {shape}")))
+        });
+        for name in ["FN", "FX", "FY", "MZ", "APPROACH", "PMAX", "NCON", "NADH"] {
+            let [a, b] = [&one, &two].map(|all| all["cases"][0][name].as_f64().unwrap());
+            assert!((a - b).abs() <= 1e-6 * a.abs(), "{name} is {a} and {b} of {words}");
+        }
+    }
     // Radii, and the semi-axes of a circle of which CONTACT prints them.
     let hertz = |way: &str| {
         let text =

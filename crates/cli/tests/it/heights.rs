@@ -1,6 +1,6 @@
 //! Invalid files of heights: their sizes are compared with the grid before anything is read.
 
-use crate::common::{carom, case, fresh, limited};
+use crate::common::{carom, case, fresh, limited, refusal};
 use std::io::Write as _;
 
 /// A case of 3 x 2 cells under the heights in this file.
@@ -110,4 +110,22 @@ fn heights_of_the_greatest_size_allowed_are_solved() {
     let output =
         carom(&["solve", &case("heights_largest.toml", &under("heights_largest.csv", ""))]);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn a_factor_of_friction_that_is_no_factor_is_told_with_its_place() {
+    std::fs::write(fresh("factors.csv"), "1,1,1\n1,1,-0.5\n").unwrap();
+    std::fs::write(fresh("flat.csv"), "0,0,0\n0,0,0\n").unwrap();
+    let map = "friction = 0.3\nfriction_map = \"factors.csv\"\n";
+    let case = case("factors.toml", &under("flat.csv", "").replace("friction = 0\n", map));
+    let said = refusal(&["solve", &case]);
+    assert!(said.contains("in row 2, column 3 is -0.5"), "{said}");
+}
+
+#[test]
+fn a_tilted_map_is_told_where_it_is_solved() {
+    std::fs::write(fresh("tilted.csv"), "0,1e-3,2e-3\n0,1.0001e-3,2e-3\n").unwrap();
+    let output = carom(&["solve", &case("tilted.toml", &under("tilted.csv", ""))]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && told.contains("the map is tilted"), "{told}");
 }

@@ -58,6 +58,13 @@ fn sliding_follows_the_closed_form() {
     assert!((r - (7.0 * f - 1.0)).abs() < 1e-12);
     let sd = |spread: &serde_json::Value| spread["sd"].as_f64().unwrap();
     assert!((sd(restitution) / sd(friction) - 7.0).abs() < 1e-10);
+    let [restitutions, frictions] =
+        [restitution, friction].map(|spread| spread["quantiles"].clone());
+    for (i, part) in [0.05, 0.25, 0.5, 0.75, 0.95].into_iter().enumerate() {
+        let value = |all: &serde_json::Value| all[i]["value"].as_f64().unwrap();
+        assert!((value(&restitutions) - (7.0 * value(&frictions) - 1.0)).abs() < 1e-12);
+        assert!((value(&frictions) - (0.05 + 0.1 * part)).abs() < 2e-3, "{frictions}");
+    }
     assert!((sd(friction) - 0.1 / 12f64.sqrt()).abs() < 4.0 * 0.45 * 0.0289 / 100.0);
     // The error of the mean of 10000.
     for spread in [restitution, friction] {

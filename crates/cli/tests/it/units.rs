@@ -4,7 +4,7 @@ use carom_cases::case::Dimension;
 use std::f64::consts::PI;
 
 /// The units of each dimension, the plain one first, and how much of the plain one each is.
-const UNITS: [(Dimension, &[(&str, f64)]); 15] = [
+const UNITS: [(Dimension, &[(&str, f64)]); 17] = [
     (Dimension::None, &[]),
     (
         Dimension::Length,
@@ -34,6 +34,8 @@ const UNITS: [(Dimension, &[(&str, f64)]); 15] = [
         &[("N", 1.0), ("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6), ("nN", 1e-9)],
     ),
     (Dimension::Torque, &[("N m", 1.0), ("kN m", 1e3), ("N mm", 1e-3), ("mN m", 1e-3)]),
+    (Dimension::Rigidity, &[("N m2", 1.0), ("kN m2", 1e3), ("MN m2", 1e6), ("N mm2", 1e-6)]),
+    (Dimension::PerSpeed, &[("s/m", 1.0), ("ms/m", 1e-3), ("s/mm", 1e3)]),
     (
         Dimension::Speed,
         &[
