@@ -158,6 +158,18 @@ mod tests {
     }
 
     #[test]
+    fn warnings_without_a_number_are_counted_by_kind() {
+        let (sampled, unknown) = (Warning::PointSampled, Warning::UnknownLoss { share: 0.02 });
+        let mut report = ValidityReport::default();
+        for warnings in [&[sampled][..], &[sampled, unknown], &[]] {
+            report.add_warned(String::new, warnings, Validity::default());
+        }
+        let (_, told) = report.told("angles");
+        assert!(told.len() == 2 && told[0].ends_with("(2 of 3 angles)"), "{told:?}");
+        assert!(told[1].ends_with("(1 of 3 angles)"), "{told:?}");
+    }
+
+    #[test]
     fn what_is_the_same_in_all_results_is_told_without_places() {
         let of = |coupling, semi_axis_over_radius| Validity {
             coupling,
