@@ -1,6 +1,6 @@
 //! Invalid files of heights: their sizes are compared with the grid before anything is read.
 
-use crate::common::{carom, case, fresh, limited, refusal};
+use crate::common::{carom, case, close, fresh, json, limited, refusal};
 use std::io::Write as _;
 
 /// A case of 3 x 2 cells under the heights in this file.
@@ -128,4 +128,14 @@ fn a_tilted_map_is_told_where_it_is_solved() {
     let output = carom(&["solve", &case("tilted.toml", &under("tilted.csv", ""))]);
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && told.contains("the map is tilted"), "{told}");
+}
+
+/// Under the six cells of a flat map, of 1 m² each, one is missing.
+#[test]
+fn a_missing_height_is_filled_or_has_no_contact() {
+    std::fs::write(fresh("hole.csv"), "0,0,0\n0,nan,0\n").unwrap();
+    for (word, area) in [("fill", 6.0), ("no contact", 5.0)] {
+        let text = under("hole.csv", &format!("missing = \"{word}\"\n"));
+        close(&json(&["solve", &case("hole.toml", &text)])[0]["contact_area"], area, 0.0);
+    }
 }
