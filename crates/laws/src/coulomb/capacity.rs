@@ -10,12 +10,13 @@ use super::storage::{SPARE_VERTICES, WithSpare};
 use super::{BUBBLE_PER_TOLERANCE, CoulombMemory, Node};
 use crate::memory::{Lateral, NodeStack, Nodes};
 
-/// No spare storage is needed from this capacity on.
-const CAPACITY_WITHOUT_SPARE: usize = 64;
+/// Above this capacity there is no spare storage.
+const LARGEST_CAPACITY_WITH_SPARE: usize = 64;
 /// The number of vertices that a step adds at most, with rare exceptions, before it joins pieces:
-/// at a tolerance of at least `COARSE_TOLERANCE`, and of at least `FINE_TOLERANCE`.
+/// at a tolerance of at least `COARSE_TOLERANCE`, of at least `FINE_TOLERANCE`, and below.
 const MAX_ADDED_AT_COARSE: usize = 4;
 const MAX_ADDED_AT_FINE: usize = 16;
+const MAX_ADDED: usize = 32;
 const COARSE_TOLERANCE: f64 = 5e-3;
 const FINE_TOLERANCE: f64 = 5e-4;
 
@@ -38,9 +39,9 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
         let needs = match self.tolerance {
             COARSE_TOLERANCE.. => MAX_ADDED_AT_COARSE,
             FINE_TOLERANCE.. => MAX_ADDED_AT_FINE,
-            _ => capacity,
+            _ => MAX_ADDED,
         };
-        if capacity < CAPACITY_WITHOUT_SPARE && self.stack.len() + needs > capacity {
+        if capacity <= LARGEST_CAPACITY_WITH_SPARE && self.stack.len() + needs > capacity {
             self.step_with_spare(zeta, shift, observer);
         } else {
             self.step_in_contact(zeta, shift, observer);
@@ -110,7 +111,7 @@ fn merge_until<V: Lateral, S: Nodes<Node<V>>>(
     tip: End<V>,
     observer: &mut impl StepObserver<V>,
 ) {
-    let mut effects = [f64::INFINITY; CAPACITY_WITHOUT_SPARE + SPARE_VERTICES + 1];
+    let mut effects = [f64::INFINITY; LARGEST_CAPACITY_WITH_SPARE + SPARE_VERTICES + 1];
     let mut len = stack.len().min(effects.len());
     for (i, at) in effects[..len].iter_mut().enumerate().skip(1) {
         *at = effect(stack, i, tip);

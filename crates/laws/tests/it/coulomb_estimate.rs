@@ -206,6 +206,26 @@ fn a_tighter_tolerance_is_no_worse_in_fixed_storage() {
     }
 }
 
+/// Storage of 64 vertices, that of arrays of contacts, on paths that turn at will.
+#[test]
+fn a_tolerance_beyond_what_storage_holds_is_no_worse() {
+    for seed in 0..20 {
+        let path = Kind::Noise.path(&mut Splitmix(seed));
+        let mut exact = CoulombMemory::<[f64; 2]>::new(Tolerance::new(1e-9).unwrap());
+        let tolerances = [1e-4, 1e-6, 1e-7, 1e-9].map(|own| Tolerance::new(own).unwrap());
+        let mut laws = tolerances.map(CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], 64>>::new);
+        for (zeta, x) in path {
+            let want = exact.advance(zeta, x).unwrap();
+            let limit = exact.normal_force();
+            for (law, tolerance) in laws.iter_mut().zip(tolerances) {
+                let got = law.advance(zeta, x).unwrap();
+                let off = (got[0] - want[0]).hypot(got[1] - want[1]) / limit;
+                assert!(off < 1e-4, "{seed}, {:e}: {off:e}", tolerance.get());
+            }
+        }
+    }
+}
+
 /// The error of the force over its limit by the rounding of the shift is none where the approach is small
 /// beside it.
 #[test]
