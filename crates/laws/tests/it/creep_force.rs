@@ -139,6 +139,37 @@ fn forces_scale() {
     assert!((great.error / (unit * small.error) - 1.0).abs() < 1e-12);
 }
 
+/// Slender contacts with small creepages that are mostly spin, a/b, Poisson's ratio and creepages times G ab/(f F_z),
+/// the spin times sqrt(ab) too, beside steady rolling on grids of 64 and 128 cells continued to none (to .003).
+#[test]
+fn the_error_of_a_slender_contact_that_spins_is_told() {
+    for (ratio, poisson, creepage, off) in [
+        (
+            9.031911262941518,
+            0.4927698756310647,
+            [0.0034468762, -0.0056601111, 0.0442450324],
+            0.0068,
+        ),
+        (
+            9.708624220872846,
+            0.4497694568615079,
+            [-0.0899053900, -0.2133539129, 0.2205022218],
+            0.0066,
+        ),
+        (
+            0.13769344467057157,
+            0.020908638303808125,
+            [-0.0941308258, 0.2068365137, 2.214360172],
+            0.0061,
+        ),
+    ] {
+        let [a, b] = [f64::sqrt(ratio), f64::sqrt(1.0 / ratio)];
+        let contact = CreepContact::new([a, b], 1.0, poisson).unwrap();
+        let found = contact.force(1.0, 1.0, creepage).unwrap();
+        assert!((off..3.0 * off).contains(&found.error), "{ratio}: {found:?}");
+    }
+}
+
 #[test]
 fn what_the_table_does_not_hold_is_refused() {
     for (semi_axes, modulus, poisson) in [
