@@ -129,7 +129,9 @@ fn is_alike(one: &Warning, other: &Warning) -> bool {
 fn severity(warning: &Warning) -> Option<f64> {
     match warning {
         Warning::Exceeds(excess) => Some(excess.value),
-        _ => None,
+        Warning::UnknownLoss { share } => Some(*share),
+        Warning::NotSettled { error_estimate, .. } => Some(*error_estimate),
+        Warning::PointSampled => None,
     }
 }
 
@@ -158,18 +160,23 @@ mod tests {
     }
 
     #[test]
-    fn warnings_without_a_number_are_counted_by_kind() {
-        let (sampled, unknown) = (Warning::PointSampled, Warning::UnknownLoss { share: 0.02 });
-        let mut report = ValidityReport::default();
-        for warnings in [&[sampled][..], &[sampled, unknown], &[]] {
-            report.add_warned(String::new, warnings, Validity::default());
+    fn each_kind_of_warning_is_counted_and_told_in_its_worst_form() {
+        let (sampled, mut report) = (Warning::PointSampled, ValidityReport::default());
+        let unknown = |share| Warning::UnknownLoss { share };
+        let unsettled = |error_estimate| Warning::NotSettled { error_estimate, tolerance: 1e-9 };
+        for (place, warnings) in [
+            ("at a", vec![sampled, unknown(0.02), unsettled(1e-3)]),
+            ("at b", vec![sampled, unknown(0.05), unsettled(1e-5)]),
+            ("at c", vec![unknown(0.03)]),
+        ] {
+            report.add_warned(|| place.to_owned(), &warnings, Validity::default());
         }
         let (_, told) = report.told("angles");
-        assert!(told.len() == 2 && told[0].ends_with("(2 of 3 angles)"), "{told:?}");
-        assert!(
-            told[1].starts_with("the rebound depends") && told[1].contains("(1 of"),
-            "{told:?}"
-        );
+        assert!(told.len() == 3 && told[0].ends_with("(2 of 3 angles)"), "{told:?}");
+        let ends = "(3 of 3 angles concerned, the worst at b)";
+        assert!(told[1].starts_with("the rebound depends") && told[1].ends_with(ends), "{told:?}");
+        assert!(told[1].contains("0.05") || told[1].contains("5 %"), "{told:?}");
+        assert!(told[2].contains("1.0e-3") && told[2].contains("(2 of 3 angles"), "{told:?}");
     }
 
     #[test]
