@@ -1,11 +1,11 @@
 """A rough surface pressed on a plane by carom and by a peer; both answers are judged by one product of its own.
 
-    rough.py make FOLDER CELLS            writes the heights, CELLS x CELLS numbers
+    rough.py make FOLDER CELLS [SHORTEST] writes the heights, CELLS x CELLS numbers
     rough.py ASPHER FOLDER CELLS          solves with ASPHER, prints a line of JSON
     rough.py judge FOLDER CELLS PROGRAM   judges the pressures that PROGRAM has written
 
-The surface is self-affine, H = 0.8, with waves of a quarter to a 64th of the side, and rms .002 of the side; the mean
-pressure is .001 E*. Pressures are judged by the greatest gap in the contact, or overlap outside, over the greatest
+The surface is self-affine, H = 0.8, with waves of a quarter to a 64th of the side, or to SHORTEST cells, and rms .002 of the
+side; the mean pressure is .001 E*. Pressures are judged by the greatest gap in the contact, or overlap outside, over the greatest
 displacement, with the convolution of numpy and the closed form of the influence; with another load there is none.
 """
 
@@ -21,13 +21,13 @@ MODULUS = SHEAR / 0.7
 MEAN_PRESSURE = 1e-3 * MODULUS
 
 
-def make(folder, cells):
+def make(folder, cells, shortest=None):
     import numpy as np
 
     random = np.random.default_rng(7)
     waves = np.fft.fftfreq(cells, 1 / cells)[:, None], np.fft.rfftfreq(cells, 1 / cells)[None, :]
     size = np.hypot(*waves)
-    within = (size >= 4) & (size <= 64)
+    within = (size >= 4) & (size <= (cells / shortest if shortest else 64))
     amplitude = np.where(within, np.maximum(size, 1) ** -1.8, 0.0)
     noise = np.fft.rfft2(random.standard_normal((cells, cells)))
     heights = np.fft.irfft2(amplitude * noise, s=(cells, cells))
@@ -96,7 +96,7 @@ if __name__ == "__main__":
     task, folder, cells, *more = sys.argv[1:]
     folder, cells = pathlib.Path(folder), int(cells)
     if task == "make":
-        make(folder, cells)
+        make(folder, cells, *map(float, more))
     elif task == "judge":
         print(json.dumps(judge(folder, cells, more[0])))
     else:
