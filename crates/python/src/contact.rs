@@ -41,7 +41,7 @@ const TOLERANCE: f64 = 1e-3;
 /// for law 'rings'.
 ///
 /// `law='coulomb'` applies the exact return mapping at each depth of the contact, to a `tolerance` of the
-/// friction limit, by default 1e-3. `law='fixed-direction'` has no tolerance and gives a slip annulus one direction of traction. On straight paths
+/// friction limit, by default 1e-3; the 64 pieces of its memory hold about 1e-5. `law='fixed-direction'` has no tolerance and gives a slip annulus one direction of traction. On straight paths
 /// both are exact. They remember at most 64 load reversals, neglect the coupling of normal and tangential
 /// displacements of dissimilar materials, which may change R_x of an impact by `coupling_bound`, and do not
 /// take a twist.

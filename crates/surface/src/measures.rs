@@ -83,15 +83,16 @@ impl Measures {
     /// The measures of a map; `spectrum` and `spikes` are those of the same map.
     #[must_use]
     pub fn of(map: &Topography, spectrum: Option<&Spectrum>, spikes: &[Spike]) -> Self {
-        // Over one of the heights, so that rounding leaves no roughness to a map of equal heights.
-        let base = map.heights().iter().copied().find(|height| !height.is_nan()).unwrap_or(0.0);
-        let over = map.heights().iter().map(|height| height - base).collect();
-        let map = &Topography::of_parts(map.columns(), over, map.spacing());
-        let known = || map.heights().iter().copied().filter(|height| !height.is_nan());
-        let mean = known().sum::<f64>() / known().count() as f64;
-        let range = known().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
+        let heights = || map.heights().iter().copied().filter(|height| !height.is_nan());
+        let range = heights().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
             [low.min(height), high.max(height)]
         });
+        // Over one of the heights, so that rounding leaves no roughness to a map of equal heights.
+        let base = heights().next().unwrap_or(0.0);
+        let over: Vec<f64> = map.heights().iter().map(|height| height - base).collect();
+        let known = over.iter().filter(|height| !height.is_nan());
+        let mean = known.clone().sum::<f64>() / known.count() as f64;
+        let map = &Topography::of_parts(map.columns(), over, map.spacing());
         let fit = Fit::of(map, Level::Plane);
         let [across, up] = fit.rise(map);
         let level = map.levelled(Level::Plane);
@@ -110,7 +111,7 @@ impl Measures {
             spike: spikes.first().copied(),
             spikes: spikes.len(),
             mean: base + mean,
-            range: range.map(|height| base + height),
+            range,
             rms_height: Squares::of(map.heights().iter().map(|height| height - mean)).root(),
             rms_height_level,
             skewness: moment(3),

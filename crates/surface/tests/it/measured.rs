@@ -121,6 +121,8 @@ fn a_map_of_equal_heights_is_flat() {
         assert!(found.skewness.is_nan() && found.tilt_over_rms().is_nan());
         assert_eq!(found.warnings(false), [""; 0]);
     }
+    let stepped = measures(&map(12, |i, _| if i < 6 { 0.1 } else { 0.3 }), false);
+    assert_eq!(stepped.range, [0.1, 0.3]);
 }
 
 #[test]
