@@ -79,7 +79,7 @@ impl IterationState {
     pub(super) fn changes(&mut self, violation: f64) {
         match self.last_violation {
             // Damped steps overshoot: among a million spots far from each other a field of gaps that hardly varies asks
-            // for a tenth of what K gives, and each change would leave a greater violation than the one before.
+            // for a small part of what K gives, and each change would leave a greater violation than the one before.
             Some(last) if violation > last && !self.patient => {
                 self.slow_changes = CHANGES_BEFORE_DROPPING_ONLY.max(self.slow_changes + 1);
             }

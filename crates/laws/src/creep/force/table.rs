@@ -149,7 +149,7 @@ fn summed(table: &impl Mixed, [theta, psi, size]: [f64; 3]) -> [f64; 3] {
 
 /// A scaled creepage from which all is rigid sliding.
 const LARGEST: f64 = 1e6;
-/// How far the interpolated forces may be off fresh solutions, but for less than one in a hundred: fitted on 870 drawn contacts
+/// How far the interpolated forces may be off fresh solutions, but for one or two in a hundred: fitted on 870 drawn contacts
 /// and judged by others. In slender contacts forces vary fast from node to node where most of the creepage is spin.
 fn bound(weight: f64, ratio: f64, spin: f64) -> f64 {
     let slender = 1.0 - 2.0 / (ratio + 1.0 / ratio);
