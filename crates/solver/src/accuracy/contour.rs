@@ -47,19 +47,24 @@ impl Contour {
 /// ```
 #[must_use]
 pub fn contours(field: &Field, level: f64, outside: f64) -> Vec<Contour> {
-    let squares = Squares { field, level, outside };
-    let mut next = squares.segments();
-    let mut lines = Vec::new();
-    while let Some((first, _)) = next.first_key_value() {
-        let (first, mut points) = (*first, Vec::new());
-        let mut side = first;
-        while let Some(onwards) = next.remove(&side) {
-            points.push(squares.crossing(side));
-            side = onwards;
+    Squares { field, level, outside }.contours()
+}
+
+impl<T: Copy + Into<f64>> Squares<'_, T> {
+    fn contours(&self) -> Vec<Contour> {
+        let mut next = self.segments();
+        let mut lines = Vec::new();
+        while let Some((first, _)) = next.first_key_value() {
+            let (first, mut points) = (*first, Vec::new());
+            let mut side = first;
+            while let Some(onwards) = next.remove(&side) {
+                points.push(self.crossing(side));
+                side = onwards;
+            }
+            lines.push(Contour { points });
         }
-        lines.push(Contour { points });
+        lines
     }
-    lines
 }
 
 impl ContactState {
@@ -86,33 +91,32 @@ impl ContactState {
         if !self.cells.values().iter().any(|cell| among(*cell)) {
             return Vec::new();
         }
-        let mask = self.cells.map(|cell| f64::from(u8::from(among(*cell))));
-        contours(&smoothed(&mask), 0.5, 0.0)
+        let field = sixteenths(&self.cells.map(|cell| u8::from(among(*cell))));
+        Squares { field: &field, level: 8.0, outside: 0.0 }.contours()
     }
 }
 
-/// The field averaged with the weights 1 2 1 along both axes; values beyond the grid are zero.
-fn smoothed(field: &Field) -> Field {
-    let grid = field.grid();
-    let mean = |before: f64, here: f64, after: f64| 0.25 * (before + 2.0 * here + after);
-    let mut along = field.clone();
-    for row in along.values_mut().chunks_exact_mut(grid.nx()) {
-        let mut before = 0.0;
+/// Sixteen times the field averaged with the weights 1 2 1 along both axes; values beyond the grid are zero.
+fn sixteenths(mask: &Field<u8>) -> Field<u8> {
+    let grid = mask.grid();
+    let mut all = mask.clone();
+    for row in all.values_mut().chunks_exact_mut(grid.nx()) {
+        let mut before = 0;
         for i in 0..row.len() {
-            let after = row.get(i + 1).copied().unwrap_or(0.0);
-            (before, row[i]) = (row[i], mean(before, row[i], after));
+            let after = row.get(i + 1).copied().unwrap_or(0);
+            (before, row[i]) = (row[i], before + 2 * row[i] + after);
         }
     }
-    let mut both = along.clone();
-    let row = |at: Option<usize>, i: usize| at.and_then(|j| along.get(i, j)).copied();
+    let mut before = vec![0; grid.nx()];
     for j in 0..grid.ny() {
-        for i in 0..grid.nx() {
-            let [before, here, after] =
-                [j.checked_sub(1), Some(j), Some(j + 1)].map(|at| row(at, i).unwrap_or(0.0));
-            both.values_mut()[grid.index(i, j)] = mean(before, here, after);
+        for (i, before) in before.iter_mut().enumerate() {
+            let (here, after) =
+                (all.values()[grid.index(i, j)], all.get(i, j + 1).copied().unwrap_or(0));
+            all.values_mut()[grid.index(i, j)] = *before + 2 * here + after;
+            *before = here;
         }
     }
-    both
+    all
 }
 
 /// An edge between two neighbouring cell centres. Centres of the grid are numbered from 1; 0 lies
@@ -125,20 +129,20 @@ enum Side {
     AlongY(usize, usize),
 }
 
-struct Squares<'a> {
-    field: &'a Field,
+struct Squares<'a, T> {
+    field: &'a Field<T>,
     level: f64,
     outside: f64,
 }
 
-impl Squares<'_> {
+impl<T: Copy + Into<f64>> Squares<'_, T> {
     const fn grid(&self) -> Grid {
         self.field.grid()
     }
 
     fn value(&self, i: usize, j: usize) -> f64 {
         let inside = i.checked_sub(1).zip(j.checked_sub(1));
-        inside.and_then(|(i, j)| self.field.get(i, j)).copied().unwrap_or(self.outside)
+        inside.and_then(|(i, j)| self.field.get(i, j)).map_or(self.outside, |value| (*value).into())
     }
 
     fn above(&self, i: usize, j: usize) -> bool {
