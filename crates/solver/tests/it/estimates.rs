@@ -3,12 +3,13 @@
 use std::f64::consts::PI;
 
 use crate::known_solutions::Known;
+use carom_drawn::{Congruential, Draw as _};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
-    ContactProblem, ContactState, Drive, Estimated, Frictional, Gap, GridWarning, NestedHistory,
-    Side,
+    ContactProblem, ContactState, Drive, Driven, Estimated, Frictional, Gap, GridWarning,
+    NestedHistory, Outline, Side,
 };
 
 /// Twenty positions of the contact relative to the cells, evenly distributed.
@@ -171,4 +172,95 @@ fn smooth_values_are_extrapolated() {
     let at = |width: f64| limit + 0.1 * width;
     let found = Estimated::of_first_order([at(1.0), at(2.0), at(4.0)]);
     assert!((found.error - 0.125).abs() < 1e-12, "{found:?}");
+}
+
+/// Errors over their estimates, in order.
+fn check(mut ratios: Vec<f64>, worst: f64) {
+    ratios.sort_by(f64::total_cmp);
+    let count = ratios.len();
+    let beyond = ratios.iter().filter(|ratio| **ratio > 1.0).count();
+    assert!(
+        20 * beyond <= count && ratios[count - 1] <= worst,
+        "{beyond} of {count}: {:?}",
+        &ratios[count - 12..]
+    );
+    // And no estimate is a bound that says nothing.
+    assert!(ratios[count / 2] > 0.1, "{ratios:?}");
+}
+
+/// On grids that meet its outline anyhow: F_z = pi E* a zeta/K, and with all cells sticking, of an incompressible body,
+/// F_x = 16/3 G a xi and M_z = 16/3 G a^3 omega of a circle of radius a.
+#[test]
+fn errors_of_punches_are_covered() {
+    let mut random = Congruential(0x0f1a_7b3d).after(8);
+    let soft = MaterialPair::new(Material::from_shear(1.0, 0.5).unwrap(), Material::RIGID).unwrap();
+    let mut ratios = Vec::new();
+    let mut add = |got: Estimated, want: f64| ratios.push((got.value - want).abs() / got.error);
+    for i in 0..60 {
+        let cells = random.between(16.0, 64.0) as usize;
+        let width = random.between(2.2, 4.0) / cells as f64;
+        let half_y = if i % 2 == 0 { 1.0 } else { random.between(0.3, 1.0) };
+        let outline = Outline::Ellipse { half_x: 1.0, half_y };
+        let friction = if i % 2 == 0 { Friction::INFINITE } else { Friction::NONE };
+        let make = |grid: Grid| {
+            ContactProblem::of_half_spaces(Gap::punch(grid, &outline).unwrap(), soft, friction)
+        };
+        let grid = Grid::new(cells, cells, width, width).unwrap();
+        let mut history = NestedHistory::new(Frictional::default(), grid, make).unwrap();
+        let shift = Shift { zeta: 0.1, xi: 0.01, omega: 0.01, ..Shift::default() };
+        history.step(&Drive::by_shift(shift), &mut ()).unwrap();
+        let Some(got) = history.estimates() else { continue };
+        let k = complete_k(half_y);
+        add(got.f_z, PI * 4.0 * 0.1 / k);
+        if i % 2 == 0 {
+            add(got.f_x, 16.0 / 3.0 * 0.01);
+            add(got.m_z, 16.0 / 3.0 * 0.01);
+        }
+    }
+    check(ratios, 1.5);
+}
+
+/// K of the axis ratio b/a: pi over twice the arithmetic-geometric mean of 1 and b/a.
+fn complete_k(ratio: f64) -> f64 {
+    let (mut one, mut other) = (1.0_f64, ratio);
+    for _ in 0..8 {
+        (one, other) = (0.5 * (one + other), (one * other).sqrt());
+    }
+    PI / (2.0 * one)
+}
+
+/// Waves in one direction, whose borders run along rows of cells: Westergaard's pressure p* sin^2 psi at the approach
+/// D sin^2 psi (1 - ln sin^2 psi), with p* = pi E* D/wave.
+#[test]
+fn errors_of_contacts_with_straight_borders_are_covered() {
+    let mut random = Congruential(0x2c6e_11f5).after(8);
+    let soft = MaterialPair::new(Material::from_shear(1.0, 0.5).unwrap(), Material::RIGID).unwrap();
+    let mut ratios = Vec::new();
+    for i in 0..120 {
+        let cells = [24, 32, 40, 48, 64, 96][random.below(6)];
+        let (phase, share) = (random.part(), random.between(0.03, 0.9));
+        let depth = 5e-3;
+        let [along, across] = if i % 2 == 0 { [cells, 8] } else { [8, cells] };
+        let make = |grid: Grid| {
+            let wave = |at: f64| depth * (1.0 - libm::cos(2.0 * PI * (at - phase)));
+            let gap =
+                Gap::from_function(grid, |x, y| wave(if i % 2 == 0 { x } else { y })).unwrap();
+            ContactProblem::of_periods_by_need(gap, soft, Friction::NONE)
+        };
+        let grid = Grid::new(along, across, 1.0 / cells as f64, 1.0 / cells as f64).unwrap();
+        let mut history = NestedHistory::new(Frictional::default(), grid, make).unwrap();
+        let (zeta, force) = (
+            depth * share * (1.0 - libm::log(share)),
+            share * PI * 4.0 * depth * 8.0 / cells as f64,
+        );
+        let drive = match i % 4 < 2 {
+            true => Drive::by_shift(Shift { zeta, ..Shift::default() }),
+            false => Drive { normal: Driven::Load(force), ..Drive::default() },
+        };
+        history.step(&drive, &mut ()).unwrap();
+        let got = history.estimates().unwrap();
+        let (got, want) = if i % 4 < 2 { (got.f_z, force) } else { (got.zeta, zeta) };
+        ratios.push((got.value - want).abs() / got.error);
+    }
+    check(ratios, 3.0);
 }
