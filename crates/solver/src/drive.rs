@@ -8,6 +8,9 @@ use crate::state::ContactState;
 /// A change of approach or force by at most this fraction is small.
 const SMALL_STEP: f64 = 0.1;
 
+/// The largest shift or load: squares and products of such values are finite.
+const LARGEST: f64 = 1e100;
+
 /// The prescribed value of one relative motion of the bodies, at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Driven {
@@ -88,7 +91,7 @@ impl Drive {
             && from.pressure.values().iter().any(|pressure| *pressure > 0.0)
     }
 
-    /// Checks that all four values are finite and that a normal force is not negative.
+    /// Checks that all four values are finite, so that their squares are, and that a normal force is not negative.
     ///
     /// # Errors
     /// [`RangeError`] that names the first value out of range.
@@ -98,7 +101,8 @@ impl Drive {
             [self.normal, self.x, self.y, self.twist].into_iter().zip(names)
         {
             let name = if matches!(driven, Driven::Shift(_)) { shift } else { load };
-            RangeError::finite(name, driven.value())?;
+            let within = driven.value().abs() <= LARGEST;
+            RangeError::check(name, driven.value(), within, "finite, within +-1e100")?;
         }
         if let Driven::Load(force) = self.normal {
             RangeError::non_negative("F_z", force)?;
@@ -126,6 +130,7 @@ mod tests {
         assert_eq!(field(Drive { normal: Driven::Load(-1.0), ..ok }), "F_z");
         assert_eq!(field(Drive { normal: Driven::Shift(f64::NAN), ..ok }), "zeta");
         assert_eq!(field(Drive { y: Driven::Load(f64::INFINITY), ..ok }), "F_y");
+        assert_eq!(field(Drive { x: Driven::Shift(-1e150), ..ok }), "xi");
         assert_eq!(field(Drive { twist: Driven::Load(f64::NAN), ..ok }), "M_z");
     }
 }
