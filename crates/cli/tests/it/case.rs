@@ -61,6 +61,12 @@ fn friction_by_the_slip_speed_is_read_and_its_errors_are_named() {
         ("{ a = 0.05, b = 0.1, c = 1, d = 2 }", "unknown field `contact.friction.d`"),
         ("{ a = 0.05, b = 0.1, c = \"1 m/s\" }", "plain in s/m"),
         ("{ k = 1 }", "unknown field `contact.friction.k`"),
+        // No slip is one value of friction; nothing lies equally spaced between it and another one.
+        (
+            "{ start = 0, stop = inf, count = 3 }",
+            "friction.stop` = inf is out of range: must be finite",
+        ),
+        ("{ start = inf, stop = 1, count = 3 }", "`contact.friction.start` = inf is out of range"),
     ] {
         let error = error(&with(table));
         assert!(error.contains(said), "{table}: {error}");

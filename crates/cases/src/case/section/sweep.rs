@@ -55,10 +55,19 @@ impl Section<'_> {
     /// The values of a sweep.
     ///
     /// # Errors
-    /// If one of its fields is missing or out of range.
+    /// If one of its fields is missing, out of range or infinite.
     pub(in crate::case) fn spaced(&self, measure: Measure) -> Result<Vec<f64>, CaseError> {
         let start = self.number(&START.measured(measure))?;
         let stop = self.number(&STOP.measured(measure))?;
+        // Infinity may be a value of the field; between it and another one nothing is equally spaced.
+        for (end, value) in [(&START, start), (&STOP, stop)] {
+            if !value.is_finite() {
+                return Err(self.out_of_range(end, value, "finite"));
+            }
+        }
+        if !(stop - start).is_finite() {
+            return Err(self.out_of_range(&STOP, stop, "less than 1.7e308 from `start`"));
+        }
         Ok(carom_special::linspace(start, stop, self.count(&COUNT)?))
     }
 }
