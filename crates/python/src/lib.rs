@@ -16,6 +16,8 @@ mod hertz;
 mod influence;
 mod line;
 mod materials;
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+mod memory;
 mod meshes;
 mod mistakes;
 mod plate;
@@ -33,6 +35,10 @@ mod threads;
 mod told;
 mod twist;
 mod walked;
+
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+#[global_allocator]
+static MEMORY: memory::LargeMapped = memory::LargeMapped;
 
 /// The native part of carom.
 #[pyo3::pymodule]
