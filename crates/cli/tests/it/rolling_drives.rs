@@ -47,6 +47,28 @@ fn the_cylinders_agree_with_contact() {
     }
 }
 
+/// Carter's force of a line near the creepage at which all slides: cells that slide on all grids do not prove it.
+#[test]
+fn an_area_too_small_to_stick_on_the_grid_is_part_of_the_error() {
+    let (friction, radius, force) = (0.3, 0.02, 1e6);
+    // a^2 = 4 F R/(pi E*) per length, E* = G/(1 - nu) of like bodies.
+    let a = (4.0 * force * radius / std::f64::consts::PI / (80e9 / 0.7)).sqrt();
+    for (elements, part) in [(12, 0.847), (16, 0.9), (20, 0.933), (32, 0.942), (80, 0.979)] {
+        let text = CASE
+            .replace("30 GPa\", poisson = 0.2", "80 GPa\", poisson = 0.3")
+            .replace(
+                "radii = [\"20 mm\", \"40 mm\"]\nF_z = \"1 kN\"",
+                "radius = 0.02\nlength = 0.01\nF_z = 1e4",
+            )
+            .replace("DRIVE", &format!("creepage = {}", part * friction * a / radius))
+            .replace("elements = 24", &format!("elements = {elements}"));
+        let row = first(&format!("carter_{elements}.toml"), &text);
+        let carter = friction * 1e4 * (1.0 - (1.0 - part).powi(2));
+        let (off, error) = (number(&row, "F_x") - carter, number(&row, "F_x_error"));
+        assert!(off.abs() < error && error < 0.04 * carter, "{elements}: {off} {error}");
+    }
+}
+
 #[test]
 fn by_force_is_as_by_creepage() {
     let given = "creepage = 0.0008\ncreepage_across = -0.0005\nspin = \"2 rad/m\"";
