@@ -183,7 +183,10 @@ mod tests {
         let field = |result: Result<Attitude, RangeError>| result.unwrap_err().field;
         assert_eq!(field(Attitude::from_quaternion([0.0; 4])), "quaternion norm");
         assert_eq!(field(Attitude::from_quaternion([f64::NAN; 4])), "quaternion norm");
-        assert_eq!(field(Attitude::from_angles(0.0, f64::INFINITY, 0.0)), "beta");
+        for (i, name) in ["alpha", "beta", "gamma"].into_iter().enumerate() {
+            let [alpha, beta, gamma] = [0, 1, 2].map(|k| if k == i { f64::INFINITY } else { 0.0 });
+            assert_eq!(field(Attitude::from_angles(alpha, beta, gamma)), name);
+        }
         assert_eq!(field(Attitude::about([0.0; 3], 1.0)), "rotation axis");
         let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0));
         assert_eq!(field(Attitude::from_matrix(mirror)), "rotation determinant");

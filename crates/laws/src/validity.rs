@@ -401,6 +401,8 @@ mod tests {
         let most = (1..200).map(|i| at(0.01 * f64::from(i))).fold(0.0, f64::max);
         assert!((Validity::YIELDS_AT * most - 1.0).abs() < 0.01, "{most}");
         let limits = PressureLimits::of_body(&body.yielding_at(1e9).unwrap());
+        let on_rigid = PressureLimits::of(&MaterialPair::new(body, Material::RIGID).unwrap());
+        assert!((on_rigid.modulus / limits.modulus - 1.0).abs() < 1e-15);
         let yields = |pressure| limits.validity(pressure).excess(Limit::Yields).is_some();
         assert!(yields(1.01e9 / most) && !yields(0.98e9 / most));
         let other = PressureLimits::of_body(&body).without_half_spaces();

@@ -11,10 +11,7 @@ impl Surface {
         let rim = || libm::hypot(point.x, point.y);
         match self.kind() {
             Kind::Sphere { radius } => point.norm() - radius,
-            Kind::Ellipsoid { semi_axes } => {
-                let scaled = point.component_div(semi_axes).norm();
-                semi_axes.min() * (scaled - 1.0)
-            }
+            Kind::Ellipsoid { semi_axes } => point.component_div(semi_axes).norm() - 1.0,
             Kind::Plane => point.z,
             Kind::Cylinder { radius, half_length } => {
                 (rim() - radius).max(point.z.abs() - half_length)

@@ -197,3 +197,23 @@ fn a_line_meets_a_sphere_at_its_distance_less_its_radius() {
     }
     assert!(ball.entry(&from(9.0 * radius), &direction).is_none());
 }
+
+/// A ball comes along a line to a ball anywhere in space: they touch on the line of their centres, as far from each as its
+/// radius.
+#[test]
+fn what_approaches_touches_where_both_bodies_are() {
+    let ball = |radius, centre: [f64; 3]| {
+        Placed::new(Surface::sphere(radius).unwrap()).at(centre).unwrap()
+    };
+    let (one, two) = (ball(1.0, [3.0, -5.0, 7.8]), ball(2.0, [3.0, -5.0, 2.0]));
+    let (moved, touch) =
+        ContactPoint::approaching(&one, &two, &Vector3::new(0.0, 0.0, -0.3)).unwrap();
+    for (found, wanted) in [
+        (moved.centre(), Vector3::new(3.0, -5.0, 5.0)),
+        (touch.point(), Vector3::new(3.0, -5.0, 4.0)),
+        (touch.arms()[0], Vector3::new(0.0, 0.0, -1.0)),
+        (touch.arms()[1], Vector3::new(0.0, 0.0, 2.0)),
+    ] {
+        assert!((found - wanted).norm() < 1e-9, "{found} {wanted}");
+    }
+}

@@ -71,6 +71,7 @@ fn bad_depths_and_fields_are_named() {
         assert!(matches!(error, OperatorError::Range(range) if range.field == "depth"));
     }
     assert!(interior.at_depth(1.0, TractionField::normal(&p[..3])).is_err());
+    assert!(interior.at_depths(&[1.0], TractionField::normal(&p[..3])).is_err());
     assert!(InteriorStress::new(Material::RIGID, grid, Threads::One).is_err());
     let huge = Grid::new(1 << 28, 1 << 28, 1.0, 1.0).unwrap();
     let error = InteriorStress::new(body, huge, Threads::One).unwrap_err();

@@ -112,8 +112,7 @@ impl Wall {
             RangeError::positive("half length", value)?;
         }
         // The difference cancels where both directions are nearly parallel: what is left of the normal is taken out again.
-        let first = inside / length;
-        let first = (first - first.dot(&self.normal) * self.normal).normalize();
+        let first = (inside - inside.dot(&self.normal) * self.normal).normalize();
         let axes = [first, self.normal.cross(&first)];
         Ok(Self { extent: Extent::Rectangle { axes, half_lengths }, ..self })
     }

@@ -56,6 +56,14 @@ fn series_about_maximal_compression() {
 }
 
 #[test]
+fn a_mobility_ratio_that_is_none_is_refused() {
+    for chi in [0.0, -1.0, f64::NAN] {
+        let error = AdhesiveCompression::new(chi).unwrap_err().to_string();
+        assert!(error.contains("chi"), "{error}");
+    }
+}
+
+#[test]
 fn the_exact_impact_starts_with_it() {
     let (chi, w) = (3.5, [0.9, 0.6, 0.4]);
     let trace = ObliqueImpact::trace(Groups::new(chi, 0.3).unwrap(), &w).unwrap();

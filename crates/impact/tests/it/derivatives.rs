@@ -237,6 +237,11 @@ fn what_has_no_closed_theory_has_no_derivatives() {
     let none = |collision: Collision| collision.derivatives().unwrap().is_none();
     let collision = drawn.collision();
     assert!(!none(collision.clone()));
+    let mut heavy = drawn;
+    for i in 0..2 {
+        heavy.inputs[Input::Mass(i).column()] *= 1e3;
+    }
+    assert!(!none(heavy.collision()));
     assert!(none(collision.clone().with_normal_restitution(NormalRestitution::new(0.9).unwrap())));
     assert!(none(collision.clone().with_torsion()));
     let [f, k] = [0.3, 0.2].map(|f| Friction::new(f).unwrap());

@@ -373,3 +373,15 @@ fn a_scene_leaves_the_spin_about_the_normal_if_it_is_told_to() {
         assert_eq!((path.bounces().len(), is_left), (1, mode == TorsionMode::LeftOut));
     }
 }
+
+/// On a floor without friction a ball slides to a wall and back: each time it begins to slide anew.
+#[test]
+fn a_bounce_begins_the_motion_on_the_floor_anew() {
+    let wall = |place, normal| Wall::new(place, normal, Material::RIGID, Friction::NONE).unwrap();
+    let (floor, end) = (wall([0.0; 3], [0.0, 0.0, 1.0]), wall([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]));
+    let scene = Scene::new([0.0, 0.0, -G]).unwrap().with(floor).with(end);
+    let ball = ball([0.0, 0.0, R], [1.0, 0.0, 0.0], [0.0; 3]);
+    let path = scene.run(&ball, Limits::new(1.5, 9).unwrap()).unwrap();
+    let names: Vec<&str> = path.events().iter().map(|event| event.kind.name()).collect();
+    assert_eq!(names, ["slides", "bounce", "slides", "end"]);
+}

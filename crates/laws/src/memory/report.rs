@@ -257,7 +257,6 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
         if V::DIMENSION == 1 {
             tangent.by_shift[1] = [0.0; 2];
-            tangent.by_approach[1] = 0.0;
         }
         tangent
     }

@@ -107,3 +107,32 @@ impl Friction<'_> {
         if traction.abs() > self.limits[i] { traction.signum() } else { 0.0 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::mesh::{Mesh, WIDEST_LEVEL};
+    use super::*;
+
+    /// Turned to and fro, the rings slip by the same whichever method finds it.
+    #[test]
+    fn sweeps_find_what_guesses_find() {
+        let mesh = Mesh::new(1.0, 0.5, WIDEST_LEVEL);
+        let (rings, n) = (Rings::new(&mesh), mesh.len());
+        let mut densities = vec![0.0; n];
+        for turned in [0.05, -0.12, 0.11, -0.4] {
+            let before = rings.tractions(&densities);
+            let friction =
+                Friction { rings: &rings, limits: rings.limits(), before: &before, turned };
+            let guessed = friction.by_guesses(&vec![0.0; n]).unwrap();
+            let swept = friction.by_sweeps().unwrap();
+            assert_eq!(swept.slips, guessed.slips, "{turned}");
+            assert!(guessed.slips.iter().any(|slip| *slip != 0.0), "{turned}");
+            let [one, two] = [&guessed, &swept].map(|found| rings.tractions(&found.changes));
+            for ((one, two), limit) in one.iter().zip(two).zip(rings.limits()) {
+                assert!((one - two).abs() < 1e-5 * limit, "{turned}: {one} {two}");
+            }
+            assert!((guessed.core - swept.core).abs() < 1e-5, "{turned}");
+            densities.iter_mut().zip(&guessed.changes).for_each(|(own, by)| *own += by);
+        }
+    }
+}

@@ -291,6 +291,14 @@ fn shear_displaces_the_surface_outside_too() {
         let got = ellipsoidal_shear(&circle, 1.0, &materials, x, y).unwrap();
         same("circle", got, circular_shear(1.0, 1.0, &materials, x, y), 1e-14);
     }
+    // In a harder body less, inside and outside, in proportion.
+    let body = Material::from_shear(5.0, materials.poisson()).unwrap();
+    let hard = MaterialPair::new(body, body).unwrap();
+    let by = materials.shear_modulus() / hard.shear_modulus();
+    for (x, y) in [(0.3, 0.5), (1.4, 0.2)] {
+        let soft = circular_shear(1.0, 1.0, &materials, x, y).map(|u| by * u);
+        same("hard", circular_shear(1.0, 1.0, &hard, x, y), soft, 1e-14);
+    }
 }
 
 #[test]

@@ -3,7 +3,10 @@
 use carom_laws::damping::HertzDamping;
 use carom_laws::friction::Friction;
 use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall};
+use carom_laws::law::{ContactLaw as _, Shift};
 use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
+use carom_laws::stiffness::ContactStiffness;
+use carom_laws::viscous::{Viscosity, ViscousLaw};
 
 use crate::grain_damping::{
     DURATION, FRICTION, RADIUS, WALL, exact, impact_within, rebound_of, thrown,
@@ -117,4 +120,28 @@ fn shift_and_twist_lead_by_the_relaxation_time() {
     for (k, most) in [(0, 1e-3), (1, 1e-3), (2, 1e-12)] {
         assert!((damped[k] / ahead[k] - 1.0).abs() < most, "{loads:?}");
     }
+}
+
+/// All slips in a fast spin while the contact is pressed: the torque is friction times the mean distance of the pressure, a
+/// part of which is that of Hertz at the true approach, the rest that of a flat punch.
+#[test]
+fn a_spin_under_viscous_pressure_has_the_arm_of_the_pressure() {
+    let stiffness = ContactStiffness::new(1.25, 1.25, 1.5).unwrap();
+    let viscosity = Viscosity::new(2.0).unwrap();
+    let mut law = ViscousLaw::new(law(0.0, FRICTION), viscosity, FRICTION, stiffness);
+    let rates = Shift { zeta: 1.0, omega: 100.0, ..Shift::default() };
+    let mut load = law.load();
+    for n in 1..=100 {
+        let zeta = 0.01 * f64::from(n);
+        let to = Shift { zeta, omega: 100.0 * zeta, ..Shift::default() };
+        load = law.advance_at(to, rates, 0.01).unwrap();
+    }
+    // It parts where zeta + A zeta' vanishes.
+    let receding = Shift { zeta: -0.25, ..rates };
+    assert_eq!([rates, receding].map(|rates| law.depth(law.shift(), rates)), [1.0, 0.5]);
+    // K = 1 and a = zeta = 1: the force is Hertz's and three times as much of the material.
+    assert!((load.f_z - 4.0).abs() < 1e-12, "{load:?}");
+    let hertz = 1.0 / load.f_z;
+    let arm = std::f64::consts::PI * (hertz * 3.0 / 16.0 + (1.0 - hertz) / 4.0);
+    assert!((load.m_z.abs() / (FRICTION * load.f_z * arm) - 1.0).abs() < 0.02, "{load:?} {arm}");
 }

@@ -107,6 +107,10 @@ fn walk(steps: usize, mut each: impl FnMut(&[Grain; 2], f64)) {
 fn an_exchange_of_the_grains_gives_the_same_bits() {
     let pairs = [false, true].map(materials);
     let shares = pairs.each_ref().map(compliance_shares);
+    // Body 1 gives way as it does on a rigid one.
+    let alone = MaterialPair::new(pairs[0].body_1(), Material::RIGID).unwrap();
+    let own = pairs[0].contact_modulus() / alone.contact_modulus();
+    assert!((shares[0][0] - own).abs() < 1e-15 && shares[0][0] + shares[0][1] == 1.0);
     let [mut contact, mut other] = pairs.map(|pair| GrainContact::new(rings(pair), 0.3).unwrap());
     let mut largest = 0.0_f64;
     walk(120, |grains, dt| {
@@ -136,7 +140,7 @@ fn is_same(one: &GrainContact<RingLaw>, two: &GrainContact<RingLaw>) -> bool {
 #[test]
 fn what_was_packed_goes_on_to_the_same_bits() {
     let fresh = GrainContact::new(rings(materials(false)), 0.1).unwrap();
-    let mut contact = fresh.clone();
+    let (mut contact, mut kept) = (fresh.clone(), fresh.clone());
     let mut heats = Heats::default();
     walk(60, |[one, two], dt| {
         let meeting = Meeting::of_spheres(one, two, [0.5; 2]).unwrap();
@@ -147,6 +151,9 @@ fn what_was_packed_goes_on_to_the_same_bits() {
         let mut again = fresh.clone();
         again.unpack(&numbers).unwrap();
         assert_eq!(again.load(&meeting), load);
+        // One that was never packed.
+        assert_eq!(kept.advance(&meeting, dt).unwrap(), load);
+        assert_eq!(kept.frame(), again.frame());
         contact = again;
     });
     assert!(heats.friction > 0.0);

@@ -105,6 +105,42 @@ fn a_roll_that_slips_while_the_pair_turns_heats_by_its_limit() {
     assert!(((after - before) / expected - 1.0).abs() < 1e-3, "{after} {before} {expected}");
 }
 
+/// As its normal turns by .3 in a step, what it has rolled stays in the plane of contact, to the last digits.
+#[test]
+fn a_roll_lies_in_the_plane_of_contact() {
+    let mut roll = GrainRoll::default();
+    for k in 0..4 {
+        let (sin, cos) = (0.3 * f64::from(k)).sin_cos();
+        let met = meeting([sin, 0.0, cos], 1e-6, [[3.0, 20.0, 0.0], [0.0; 3]]);
+        let resistance = &resistance(DAMPING);
+        let mut rolling = Rolling { resistance, relative_radius: RELATIVE, roll: &mut roll };
+        rolling.advance(&met, DT, PRESSED, None).unwrap();
+        let [shift, normal, force] = [0, 3, 6].map(|i| <V>::try_from(&roll.packed()[i..i + 3]));
+        let normal = normal.unwrap();
+        for vector in [shift, force].map(Result::unwrap) {
+            let size = dot(vector, vector).sqrt();
+            assert!(
+                size > 0.0 && dot(vector, normal).abs() < 1e-14 * size,
+                "{vector:?} {normal:?}"
+            );
+        }
+    }
+}
+
+/// A contact that pulls has no friction to roll with; one that is apart rolls no more, though no time has passed.
+#[test]
+fn what_is_not_pressed_does_not_roll() {
+    let mut roll = GrainRoll::default();
+    step(&mut roll, DAMPING, [[1.0, 0.0, 0.0], [0.0; 3]], &mut Heats::default());
+    let resistance = &resistance(DAMPING);
+    for (zeta, dt, force) in [(1e-6, DT, -PRESSED), (-1e-6, 0.0, PRESSED)] {
+        let met = meeting([0.0, 0.0, 1.0], zeta, [[1.0, 0.0, 0.0], [0.0; 3]]);
+        let mut rolling = Rolling { resistance, relative_radius: RELATIVE, roll: &mut roll };
+        assert_eq!(rolling.advance(&met, dt, force, None).unwrap().map(f64::abs), [0.0; 3]);
+    }
+    assert_eq!(roll, GrainRoll::default());
+}
+
 /// A pair that rotates as a whole does not roll, and keeps its torque in its own axes.
 #[test]
 fn a_pair_that_rotates_as_a_whole_does_not_roll() {

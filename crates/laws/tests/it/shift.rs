@@ -1,5 +1,6 @@
 //! Cattaneo and Mindlin's law and its inverse compared with 25-digit reference values.
 
+use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::shift::CattaneoMindlin;
 use carom_laws::stiffness::ContactStiffness;
@@ -61,4 +62,25 @@ fn the_whole_friction_is_the_end_of_the_shift() {
     // f c_z zeta/c_y
     close("eta", state.shift[1], 0.25 * 1.2 * 0.7 / 0.8, 1e-15);
     assert!(state.is_sliding());
+}
+
+/// Sticking, slipping and sliding, the tractions over the ellipse add up to the force.
+#[test]
+fn tractions_carry_the_force() {
+    let ellipse = ContactEllipse::new(0.3, 0.5).unwrap();
+    let law = CattaneoMindlin::new(
+        ContactStiffness::new(1.0, 0.8, 1.2).unwrap(),
+        Friction::new(0.25).unwrap(),
+    );
+    for (xi, eta) in [(0.001, 0.0), (0.1, -0.15), (2.0, 1.0)] {
+        let state = law.at_shift(0.7, xi, eta).unwrap();
+        let rings = 20_000;
+        let at = |k| {
+            state.traction(&ellipse, 0.3 * ((f64::from(k) + 0.5) / f64::from(rings)).sqrt(), 0.0)
+        };
+        for (i, force) in state.force.into_iter().enumerate() {
+            let sum = (0..rings).map(|k| at(k)[i]).sum::<f64>() * ellipse.area() / f64::from(rings);
+            assert!((sum - force).abs() <= 1e-5 * force.abs(), "{xi}: {sum} {force}");
+        }
+    }
 }

@@ -210,6 +210,25 @@ fn whether_a_contact_slides_on_does_not_hang_on_round_off() {
     assert!(seen[0] >= 3 && seen[1] > 500, "{seen:?}");
 }
 
+/// While it is pressed deeper, a contact slides on if the shift grows by more than kappa f_k times the approach: so it tells,
+/// and so it does in a short step.
+#[test]
+fn it_tells_whether_it_would_slide_on() {
+    for turning in [Coulomb, FixedDirection] {
+        let mut law = law(turning, (F_S, F_K), 0.8);
+        assert_eq!(law.slides_on(at(1.0, 1.0, 0.0)), None);
+        law.advance(at(0.5, 0.0, 0.0)).unwrap();
+        law.advance(at(0.5, 3.0, 0.0)).unwrap();
+        for part in [0.5, 0.9, 1.1, 1.6, 2.0] {
+            let rates = at(1.0, part * F_K * C_Z / C_X, 0.0);
+            assert_eq!(law.slides_on(rates), Some(part > 1.0), "{part}");
+            let mut next = law.clone();
+            next.advance(at(0.5 + 1e-3, 3.0 + 1e-3 * rates.xi, 0.0)).unwrap();
+            assert_eq!(next.regime() == MemoryRegime::Sliding, part > 1.0, "{part}");
+        }
+    }
+}
+
 /// The limit falls a little faster than the traction: the contact slides on, in one step as in a thousand, in each of which
 /// the difference is below the tolerance of the curve.
 #[test]

@@ -84,6 +84,10 @@ fn lubkin() {
         let tolerance = 1e-14 * (1.0 + 1.0 / state.stiffness());
         close("inverse", back.twist(), state.twist(), tolerance.min(0.5));
     }
+    for wrong in [-1e-9, 160.0, f64::NAN] {
+        assert_eq!(Lubkin::at_twist(wrong).unwrap_err().field, "twist");
+        assert_eq!(Lubkin::at_torque(wrong).unwrap_err().field, "torque");
+    }
     for row in tables("torsion")["lubkin"].as_array().unwrap() {
         let state = Lubkin::at_stick_radius(num(&row["kp"])).unwrap();
         close("twist", state.twist(), num(&row["Ga2beta_over_fF"]), 1e-14);

@@ -9,8 +9,8 @@ use carom_rolling::{Creepage, RollingDrive, SteadyContact, Way};
 use carom_solver::{ContactProblem, Driven, Gap};
 use image::Image;
 
-/// F_x, F_y, F_z and M_z of a contact that rolls along the image of x.
-fn forces(image: Image) -> [f64; 4] {
+/// F_x, F_y, F_z, M_z and the heat of a contact that rolls along the image of x.
+fn forces(image: Image) -> [f64; 5] {
     let [one, two] =
         image.bodies([(1.0, 0.2), (2.0, 0.4)].map(|(g, nu)| Material::from_shear(g, nu).unwrap()));
     let ([nx, ny], [dx, dy]) = (image.axes([26, 20]), image.axes([0.03, 0.05]));
@@ -31,17 +31,18 @@ fn forces(image: Image) -> [f64; 4] {
     let drive = RollingDrive::by_creepage(Driven::Shift(0.06), creepage);
     let rolling = contact.roll(&drive, &mut ()).unwrap();
     let load = rolling.state.load();
-    [load.f_x, load.f_y, load.f_z, load.m_z]
+    [load.f_x, load.f_y, load.f_z, load.m_z, rolling.heat]
 }
 
 #[test]
 fn rolling_has_no_favourite_body_or_axis_where_steps_are_no_cells() {
-    let [f_x, f_y, f_z, m_z] = forces(Image::ALL[0]);
+    let [f_x, f_y, f_z, m_z, heat] = forces(Image::ALL[0]);
     for image in Image::ALL {
         let [x, y] = image.across([f_x, f_y]);
         let found = forces(image);
         for (expected, found) in [x, y, f_z, m_z].into_iter().zip(found) {
             assert!((expected - found).abs() < 1e-6 * f_z, "{image:?}: {expected} {found}");
         }
+        assert!((found[4] / heat - 1.0).abs() < 1e-6, "{image:?}: {heat} {}", found[4]);
     }
 }

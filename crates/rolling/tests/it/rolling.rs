@@ -72,7 +72,7 @@ fn rolling_on_tends_to_steady_rolling() {
 }
 
 #[test]
-fn a_step_as_a_method_is_solved_to_its_tolerance() {
+fn a_step_as_a_method_is_solved_to_its_tolerance_and_creeps_as_given() {
     let problem = sphere(12, [0.0, 0.5]);
     let method = SteadyMethod::default().in_steps_of(problem.grid().dx()).unwrap();
     let method = TransientMethod::new(method.within(1e-12).unwrap());
@@ -84,6 +84,10 @@ fn a_step_as_a_method_is_solved_to_its_tolerance() {
         let before = state.clone();
         let went = method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ());
         assert!(went.unwrap().residuals.worst() <= 1e-12);
+        let found = [state.shift.xi, state.shift.eta, state.shift.omega];
+        for (found, given) in found.into_iter().zip([0.06, 0.02, 0.1]) {
+            assert!((found - given).abs() < 1e-14, "{found} {given}");
+        }
     }
 }
 

@@ -5,8 +5,8 @@ use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
-    ContactProblem, ContactState, Drive, Estimated, Estimates, Frictional, Gap, Method as _,
-    Products, Residuals, StepSummary,
+    CellState, ContactProblem, ContactState, Drive, Estimated, Estimates, Frictional, Gap,
+    Method as _, Products, Residuals, StepSummary,
 };
 use carom_table::Value;
 
@@ -113,7 +113,7 @@ fn columns_and_kept_numbers_show_each_field_in_its_place() {
         assert_eq!((value, numbers[i]), (expected, expected), "{head:?}");
     }
     assert_eq!(StepSummary::from_numbers(&numbers), step);
-    let bare = StepSummary { estimates: None, ..step };
+    let bare = StepSummary { estimates: None, energy_gap_by_approach: None, ..step };
     assert_eq!(StepSummary::from_numbers(&bare.numbers()), bare);
     assert_eq!(columns[25].value(&bare), Value::Undefined);
 }
@@ -156,10 +156,22 @@ fn work_since_the_start_is_stored_or_heat() {
         let step = last.next(&problem, [&before, &state], &went).unwrap();
         if number == 0 {
             pressed = step.stored_energy;
+            // Hertz: F is as zeta^(3/2).
+            assert!((pressed / (0.4 * step.load.f_z) - 1.0).abs() < 0.02, "{step:?}");
         } else {
             work += 0.5 * (last.load.f_x + step.load.f_x) * (xi - last.shift.xi);
         }
         assert!(step.dissipated >= last.dissipated && step.step == number as usize + 1);
+        let [stick, slip] = [CellState::Stick, CellState::Slip]
+            .map(|cell| state.count(cell) as f64 / grid.cells() as f64);
+        let window = grid.cells() as f64 * grid.cell_area();
+        for (found, share) in [
+            (step.stick_area / window, stick),
+            (step.contact_area / window, stick + slip),
+            (step.contact_share, stick + slip),
+        ] {
+            assert!((found - share).abs() < 1e-14, "{step:?}");
+        }
         last = step;
     }
     let stored = last.stored_energy - pressed;

@@ -215,12 +215,19 @@ mod tests {
     /// The limit of each axis is that of its stiffness: f c_z zeta over c_x along x, over c_y along y.
     #[test]
     fn each_axis_slips_at_its_own_limit() -> Result<(), RangeError> {
-        let stiffness = ContactStiffness::new(1.0, 0.5, 1.0)?;
-        for (xi, eta, slips) in [(1.1, 0.0, true), (0.0, 1.9, false), (0.0, 2.1, true)] {
-            let mut turn = SlipTurn::new(stiffness, Friction::new(1.0)?, 1.0)?;
-            turn.advance(Shift { zeta: 1.0, ..Shift::default() })?;
-            turn.advance(Shift { zeta: 1.0, xi, eta, ..Shift::default() })?;
-            assert_eq!(turn.annuli[0].slips, slips, "{xi} {eta}");
+        let stiffness = ContactStiffness::new(0.8, 0.5, 1.0)?;
+        let shifts = [(1.2, 0.0, false), (1.3, 0.0, true), (0.0, 1.9, false), (0.0, 2.1, true)];
+        for (xi, eta, slips) in shifts {
+            for unit in [1.0, 1e-6] {
+                let mut turn = SlipTurn::new(stiffness, Friction::new(1.0)?, unit)?;
+                turn.advance(Shift { zeta: unit, ..Shift::default() })?;
+                let (xi, eta) = (unit * xi, unit * eta);
+                turn.advance(Shift { zeta: unit, xi, eta, ..Shift::default() })?;
+                assert_eq!(turn.annuli[0].slips, slips, "{xi} {eta}");
+            }
+        }
+        for deepest in [0.0, -1.0, f64::NAN] {
+            assert!(SlipTurn::new(stiffness, Friction::new(1.0)?, deepest).is_err());
         }
         Ok(())
     }

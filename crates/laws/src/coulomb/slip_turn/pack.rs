@@ -67,7 +67,10 @@ mod tests {
         }
         assert!(own.angle() > 0.1);
         let mut wrong = own.numbers();
-        assert!(fresh().in_state(&wrong[1..]).is_err());
+        for count in [SlipTurn::NUMBERS - EACH, SlipTurn::NUMBERS + EACH] {
+            let numbers = [&wrong[..], &[0.0; EACH]].concat();
+            assert_eq!(fresh().in_state(&numbers[..count]).unwrap_err().field, "numbers");
+        }
         wrong[7] = f64::NAN;
         assert!(fresh().in_state(&wrong).is_err());
         Ok(())
