@@ -16,7 +16,8 @@
 //! drawn impacts, unlike bodies and spins among them, the velocity is off by .006 f v_z in the mean and .025 at most.
 //!
 //! Another law slides as a whole: while all of it slides, the effective shift is kept ahead of the effective approach, so that
-//! friction does not stick. Against the exact impact (`carom_impact::viscoelastic`) R_x is off by at most .03.
+//! friction does not stick. Against the exact impact (`carom_impact::viscoelastic`) R_x is off by at most .03; where the slip
+//! turns the velocity is off by up to .23 f v_z, and impacts take springs instead (`carom_impact::coupled`).
 
 use carom_special::RangeError;
 

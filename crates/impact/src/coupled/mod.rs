@@ -47,6 +47,7 @@ mod run;
 mod scaled;
 mod schedule;
 mod solve;
+mod springs;
 mod stage;
 mod trajectory;
 mod viscous;

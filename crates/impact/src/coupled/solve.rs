@@ -37,7 +37,10 @@ impl CoupledImpact {
                 self.uncoupled_with(loss, &direction)
             }
             (_, None) => Ok(self.outcome(&self.settled(law)?)),
-            (_, Some(loss)) => self.corrected(&self.settled(law)?, loss),
+            (_, Some(loss)) => match self.turning_by_springs(law, loss) {
+                Some(outcome) => Ok(outcome),
+                None => self.corrected(&self.settled(law)?, loss),
+            },
         }
     }
 
@@ -121,7 +124,10 @@ impl CoupledImpact {
                 self.replayed(&settled, law, |sample| log.see(&sample, &self.velocity))?;
                 let outcome = match &self.loss {
                     None => self.outcome(&settled),
-                    Some(loss) => self.corrected(&settled, loss)?,
+                    Some(loss) => match self.turning_by_springs(law, loss) {
+                        Some(outcome) => outcome,
+                        None => self.corrected(&settled, loss)?,
+                    },
                 };
                 Ok((outcome, log.entries))
             }

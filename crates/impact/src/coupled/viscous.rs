@@ -235,21 +235,67 @@ impl CoupledImpact {
         settled: &Settled,
         loss: &ViscousLoss,
     ) -> Result<CoupledOutcome, CoupledError> {
-        let mut outcome = self.outcome(settled);
+        let outcome = self.outcome(settled);
         let error = self.viscous_step_error()?;
-        outcome.velocity -= error.velocity;
-        let impulse = self.mobility.impulse(&self.velocity, &outcome.velocity);
-        let normal = (outcome.method == ImpactMethod::Spatial { coupled: false })
+        let (velocity, impulse) = self.within_limits(&(outcome.velocity - error.velocity), loss);
+        let material_heat = self.material_heat(&error, &impulse, &velocity);
+        let error_estimate = outcome.error_estimate + error.of_law() / self.velocity.norm();
+        Ok(CoupledOutcome { velocity, impulse, material_heat, error_estimate, ..outcome })
+    }
+
+    /// Velocity and impulse after an impact with a loss, within the limit of friction; the normal motion is known unless it is
+    /// coupled.
+    fn within_limits(
+        &self,
+        velocity: &Vector3<f64>,
+        loss: &ViscousLoss,
+    ) -> (Vector3<f64>, Vector3<f64>) {
+        let impulse = self.mobility.impulse(&self.velocity, velocity);
+        let normal = (self.method() == ImpactMethod::Spatial { coupled: false })
             .then(|| self.normal_impulse(loss));
         let limits = Limits::new(self.mobility.matrix(), self.friction, &self.velocity, normal);
-        outcome.impulse = limits.restrict(&impulse);
-        outcome.velocity = self.after(&outcome.impulse);
+        let impulse = limits.restrict(&impulse);
+        let mut velocity = self.after(&impulse);
         if normal.is_some() {
-            outcome.velocity.z = -loss.restitution() * self.velocity.z;
+            velocity.z = -loss.restitution() * self.velocity.z;
         }
-        outcome.material_heat = self.material_heat(&error, &outcome.impulse, &outcome.velocity);
-        outcome.error_estimate += error.of_law() / self.velocity.norm();
-        Ok(outcome)
+        (velocity, impulse)
+    }
+
+    /// An impact with a loss whose slip turns by Coulomb's law with one coefficient of friction, by a row of springs.
+    pub(super) fn turning_by_springs(
+        &self,
+        law: TurningLaw,
+        loss: &ViscousLoss,
+    ) -> Option<CoupledOutcome> {
+        let (ImpactMethod::Spatial { coupled }, TurningLaw::Coulomb) = (self.method(), law) else {
+            return None;
+        };
+        let units = self.viscous_units();
+        let (depth, speed) = (self.normal.maximal_approach(), self.velocity.z);
+        let relaxation = loss.viscosity(units.time).ok()?.relaxation() * speed / depth;
+        let found = self.static_friction.is_none().then(|| self.by_springs(relaxation))??;
+        // The springs of the least restitution stand for less.
+        let slower = Vector3::z() * (loss.restitution() - loss.of_springs());
+        let (velocity, impulse) = self.within_limits(&(speed * (found.velocity - slower)), loss);
+        let energy = speed * speed / self.mobility.matrix().m33;
+        let lost = 0.5 * impulse.dot(&(self.velocity + velocity));
+        let of_springs = self.mobility.impulse(&self.velocity, &(speed * found.velocity));
+        let friction = energy * found.friction_heat * (impulse.z / of_springs.z);
+        let material_heat = (lost - friction).max(0.0);
+        let outcome = self.lossy((velocity, impulse), &loss.normal_rebound(), material_heat);
+        let error_estimate = found.error * speed / self.velocity.norm();
+        Some(match coupled {
+            false => CoupledOutcome { error_estimate, ..outcome },
+            true => CoupledOutcome {
+                duration: found.duration * depth / speed,
+                maximal_approach: found.maximal_approach * depth,
+                maximal_force: found.maximal_force * energy / depth,
+                compressions: found.compressions,
+                error_estimate,
+                ..outcome
+            },
+        })
     }
 
     /// The energy that a viscous material takes: all that the normal motion loses, and of the tangential motion what it

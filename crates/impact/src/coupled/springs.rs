@@ -1,0 +1,241 @@
+//! A lossy impact whose slip turns, as a row of springs of Kelvin and Voigt, each with friction of its own.
+//!
+//! Hertz's contact is a row of independent springs (the method of dimensionality reduction): they touch at the depths
+//! zeta_max u^2, with u equally spaced from 0 to 1, and have the stiffness c_z zeta_max^(1/2) du along the normal, c_x/c_z and
+//! c_y/c_z times that along the surface. Together they carry (2/3) c_z zeta^(3/2). In a material of relaxation time A each
+//! carries A times its rate as well, but never pulls; its traction is at most f times its pressure, and it slips along its
+//! traction. For slip along a line this is the exact impact of [`crate::viscoelastic`].
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::CoupledImpact;
+use crate::normal::DURATION;
+
+/// Springs and steps up to the time of an elastic impact, of the coarse run and of the fine one.
+const RUNS: [(usize, usize); 2] = [(100, 600), (150, 1500)];
+/// How much deeper than an elastic impact without friction the row begins, and by what it grows if that does not do.
+const DEEPER: f64 = 1.1;
+const DEEPEST: i32 = 12;
+/// An impact lasts at most this many times longer than an elastic one.
+const LONGEST: usize = 60;
+/// Of an elastic impact without friction, in the units of its greatest approach, its velocity and its mass: c_z, of which
+/// (4/15) c_z = 1/2.
+const STIFFNESS: f64 = 15.0 / 8.0;
+
+/// An impact by a row of springs, in the units of the elastic impact without friction.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct SpringImpact {
+    /// After the impact.
+    pub(super) velocity: Vector3<f64>,
+    /// The error of the velocity: the difference of two runs.
+    pub(super) error: f64,
+    pub(super) duration: f64,
+    pub(super) maximal_approach: f64,
+    pub(super) maximal_force: f64,
+    pub(super) compressions: u32,
+    /// The work of the tractions on the slip.
+    pub(super) friction_heat: f64,
+}
+
+impl CoupledImpact {
+    /// The impact of a material with this relaxation time, in the units of [`SpringImpact`]; none if it does not end, or gets
+    /// too deep.
+    pub(super) fn by_springs(&self, relaxation: f64) -> Option<SpringImpact> {
+        let [coarse, fine] = RUNS.map(|(springs, steps)| {
+            let row = |i: i32| Row::new(self, relaxation, springs, DEEPER.powi(i));
+            (1..=DEEPEST).find_map(|i| row(i).impact(self, steps))
+        });
+        let (coarse, fine) = (coarse?, fine?);
+        Some(SpringImpact { error: (fine.velocity - coarse.velocity).norm(), ..fine })
+    }
+}
+
+struct Row {
+    /// Depths at which the springs touch, and their elastic shifts.
+    depths: Vec<f64>,
+    shifts: Vec<[f64; 2]>,
+    stiffness: f64,
+    /// c_x/c_z and c_y/c_z.
+    ratios: [f64; 2],
+    friction: f64,
+    relaxation: f64,
+    deepest: f64,
+}
+
+impl Row {
+    fn new(impact: &CoupledImpact, relaxation: f64, count: usize, deepest: f64) -> Self {
+        let depth = |i: usize| {
+            let u = (i as f64 + 0.5) / count as f64;
+            deepest * u * u
+        };
+        let of = impact.stiffness;
+        Self {
+            depths: (0..count).map(depth).collect(),
+            shifts: vec![[0.0; 2]; count],
+            stiffness: STIFFNESS * deepest.sqrt() / count as f64,
+            ratios: [of.c_x / of.c_z, of.c_y / of.c_z],
+            friction: impact.friction.get(),
+            relaxation,
+            deepest,
+        }
+    }
+
+    fn impact(mut self, impact: &CoupledImpact, steps: usize) -> Option<SpringImpact> {
+        let matrix = impact.mobility.matrix();
+        let mobility: Matrix3<f64> = matrix / matrix.m33;
+        let dt = DURATION / steps as f64;
+        let mut now =
+            SpringImpact { velocity: impact.velocity / impact.velocity.z, ..Default::default() };
+        let (mut approach, mut parting) = (0.0, true);
+        for _ in 0..LONGEST * steps {
+            let middle = approach + 0.5 * dt * now.velocity.z;
+            if middle > self.deepest {
+                return None;
+            }
+            let (force, heat) = self.force(middle, &now.velocity, dt);
+            if force.z == 0.0 {
+                return Some(now);
+            }
+            let change = mobility * force;
+            approach += dt * (now.velocity.z - 0.5 * dt * change.z);
+            now.velocity -= dt * change;
+            now.duration += dt;
+            now.friction_heat += heat;
+            now.maximal_approach = now.maximal_approach.max(approach);
+            now.maximal_force = now.maximal_force.max(force.z);
+            now.compressions += u32::from(parting && now.velocity.z > 0.0);
+            parting = now.velocity.z < 0.0;
+        }
+        None
+    }
+
+    /// The force of a step at this approach, whose springs end it as it leaves them, and the heat of their friction.
+    fn force(&mut self, approach: f64, velocity: &Vector3<f64>, dt: f64) -> (Vector3<f64>, f64) {
+        let (mut force, mut heat) = (Vector3::zeros(), 0.0);
+        let (lead, late) = (self.relaxation * velocity.z, dt + self.relaxation);
+        let along = self.ratios.map(|ratio| ratio * self.stiffness);
+        for (depth, shift) in self.depths.iter().zip(&mut self.shifts) {
+            let pressure = self.stiffness * (approach - depth + lead);
+            if approach <= *depth || pressure <= 0.0 {
+                *shift = [0.0; 2];
+                continue;
+            }
+            let trial = [0, 1].map(|k| along[k] * (shift[k] + late * velocity[k]));
+            let pull = limited(trial, self.friction * pressure, self.ratios);
+            for k in 0..2 {
+                let growth = dt * (pull[k] / along[k] - shift[k]) / late;
+                shift[k] += growth;
+                force[k] += pull[k];
+                heat += pull[k] * (dt * velocity[k] - growth);
+            }
+            force.z += pressure;
+        }
+        (force, heat)
+    }
+}
+
+/// The traction of a spring that slips along it until it is within the limit: q/(1 + l r) along each axis, of the length of
+/// the limit.
+fn limited(trial: [f64; 2], limit: f64, ratios: [f64; 2]) -> [f64; 2] {
+    let size = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
+    if size <= limit {
+        return trial;
+    }
+    if ratios[0] == ratios[1] {
+        return trial.map(|one| one * (limit / size));
+    }
+    let at = |slip: f64| [0, 1].map(|k| trial[k] / (1.0 + slip * ratios[k]));
+    let mut slip = (size / limit - 1.0) / ratios[0].max(ratios[1]);
+    // The reciprocal length is concave and grows with the slip: Newton's iteration rises to the limit.
+    for _ in 0..30 {
+        let pull = at(slip);
+        let length = (pull[0] * pull[0] + pull[1] * pull[1]).sqrt();
+        if length - limit <= 1e-13 * limit {
+            break;
+        }
+        let fall: f64 =
+            (0..2).map(|k| pull[k] * pull[k] * ratios[k] / (1.0 + slip * ratios[k])).sum();
+        slip += length * length * (length / limit - 1.0) / fall;
+    }
+    at(slip)
+}
+
+#[cfg(test)]
+mod tests {
+    use carom_laws::friction::Friction;
+    use carom_laws::stiffness::ContactStiffness;
+
+    use super::*;
+    use crate::mobility::Mobility;
+    use crate::viscoelastic::ViscousLoss;
+
+    const STIFF: ContactStiffness = ContactStiffness { c_x: 0.8, c_y: 0.8, c_z: 1.0 };
+
+    fn impact(mobility: [f64; 3], stiffness: ContactStiffness, slip: [f64; 2]) -> CoupledImpact {
+        let mobility = Mobility::from_matrix(Matrix3::from_diagonal(&mobility.into())).unwrap();
+        let velocity = Vector3::new(slip[0], slip[1], 1.0);
+        CoupledImpact::new(mobility, stiffness, Friction::new(0.3).unwrap(), velocity).unwrap()
+    }
+
+    /// In any direction: velocity, duration, approach and the heat of friction are those of the known impact.
+    #[test]
+    fn slip_along_a_line_is_the_exact_viscous_impact() {
+        for (e, slip) in [(0.9, [0.3, 0.4]), (0.6, [-0.5, 0.8]), (0.3, [1.4, -0.2])] {
+            let loss = ViscousLoss::of_restitution(e).unwrap();
+            let exact = impact([3.5, 3.5, 1.0], STIFF, slip).with_loss(loss);
+            let relaxation = exact.material_viscosity().unwrap().unwrap().relaxation();
+            let unit = exact.normal.time_unit();
+            let found = exact.by_springs(relaxation / unit).unwrap();
+            let known = exact.solve(crate::coupled::TurningLaw::Coulomb).unwrap();
+            let off = (found.velocity - known.velocity).norm();
+            assert!(off < found.error && found.error < 2e-3, "{e}: {off} {}", found.error);
+            assert!((found.duration * unit / known.duration - 1.0).abs() < 5e-3, "{e}");
+            assert!((found.maximal_approach * unit / known.maximal_approach - 1.0).abs() < 2e-3);
+            assert!((found.maximal_force / unit / known.maximal_force - 1.0).abs() < 5e-3, "{e}");
+            let lost = 0.5 * known.impulse.dot(&(exact.velocity + known.velocity));
+            let heat = lost - known.material_heat;
+            assert!((found.friction_heat - heat).abs() < 3e-3 * lost, "{e}: {heat} {lost}");
+            assert_eq!(found.compressions, 1);
+        }
+    }
+
+    /// Mobility, whether c_x and c_y differ, relaxation time, slip before, velocity after.
+    type Case = ([f64; 3], bool, f64, [f64; 2], [f64; 3]);
+    const CASES: [Case; 3] = [
+        ([3.5, 1.4, 1.0], false, 0.3, [0.3, 0.5], [-0.05937, -0.14624, -0.61574]),
+        ([2.0, 3.5, 1.0], true, 0.1, [-0.6, 0.4], [0.35337, -0.17741, -0.83640]),
+        ([1.2, 3.0, 1.0], true, 0.8, [0.9, 0.7], [0.47428, 0.12988, -0.34515]),
+    ];
+
+    /// By another program: springs of the same kind, 400 of them and 5000 steps.
+    #[test]
+    fn slip_that_turns_is_that_of_another_program() {
+        let unlike = ContactStiffness { c_y: 0.6, ..STIFF };
+        for (mobility, stiffness, relaxation, slip, after) in CASES {
+            let stiffness = if stiffness { unlike } else { STIFF };
+            let found = impact(mobility, stiffness, slip).by_springs(relaxation).unwrap();
+            let off = (found.velocity - Vector3::from(after)).norm();
+            assert!(
+                off < 1e-3 && off < 2.0 * found.error,
+                "{off} {}: {:?}",
+                found.error,
+                found.velocity
+            );
+        }
+    }
+
+    /// It is of the length of the limit, and what it slips is along itself.
+    #[test]
+    fn a_traction_slips_along_itself() {
+        for ratios in [[1.0, 1.0], [0.7, 0.9], [0.9, 0.2]] {
+            let (trial, limit) = ([3.0, -4.0], 0.5);
+            let pull = limited(trial, limit, ratios);
+            assert!((pull[0].hypot(pull[1]) - limit).abs() < 1e-12);
+            let slip = [0, 1].map(|k| (trial[k] - pull[k]) / ratios[k]);
+            assert!(
+                (slip[0] * pull[1] - slip[1] * pull[0]).abs() < 1e-11 && slip[0] * pull[0] > 0.0
+            );
+            assert_eq!(limited(trial, 5.0, ratios), trial);
+        }
+    }
+}
