@@ -22,8 +22,8 @@ impl Surface {
         self.inertia(mass, solid_second_moments(self.kind()))
     }
 
-    /// The inertia of a thin shell of this shape with uniform mass per area. For an ellipsoid it is
-    /// the homoeoid, the shell between two similar ellipsoids, with `m (B^2 + C^2)/3`.
+    /// The inertia of a thin shell of this shape: of uniform mass per area, but for an ellipsoid the
+    /// homoeoid, whose thickness varies as that between two similar ellipsoids, with `m (B^2 + C^2)/3`.
     ///
     /// # Errors
     /// As [`Surface::solid`].
