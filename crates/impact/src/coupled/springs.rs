@@ -15,7 +15,10 @@ use crate::normal::DURATION;
 const RUNS: [(usize, usize); 2] = [(100, 600), (150, 1500)];
 /// How much deeper than an elastic impact without friction the row begins, and by what it grows if that does not do.
 const DEEPER: f64 = 1.1;
+/// How often it grows at most.
 const DEEPEST: i32 = 12;
+/// The greatest change of a velocity in a step of the coarse run, over that velocity: beyond 2 steps are not stable.
+const STEEPEST: f64 = 1.5;
 /// An impact lasts at most this many times longer than an elastic one.
 const LONGEST: usize = 60;
 /// Of an elastic impact without friction, in the units of its greatest approach, its velocity and its mass: c_z, of which
@@ -38,9 +41,18 @@ pub(super) struct SpringImpact {
 }
 
 impl CoupledImpact {
-    /// The impact of a material with this relaxation time, in the units of [`SpringImpact`]; none if it does not end, or gets
-    /// too deep.
+    /// The impact of a material with this relaxation time, in the units of [`SpringImpact`]; none if it does not end, gets too
+    /// deep, or moves so lightly along the surface that the steps are too long for it.
     pub(super) fn by_springs(&self, relaxation: f64) -> Option<SpringImpact> {
+        let (mobility, stiff) = (self.mobility.matrix(), self.stiffness);
+        let along = mobility.m11 * stiff.c_x + mobility.m22 * stiff.c_y;
+        let dt = DURATION / RUNS[0].1 as f64;
+        let lightness = 1.0 + along / (mobility.m33 * stiff.c_z);
+        // A body that is damped strongly comes to rest at (2/3) STIFFNESS A zeta^(3/2) = 1: fewer springs touch.
+        let touching = libm::cbrt(1.5 / (STIFFNESS * relaxation)).min(1.0);
+        if dt * (dt + relaxation) * STIFFNESS * touching * lightness > STEEPEST {
+            return None;
+        }
         let [coarse, fine] = RUNS.map(|(springs, steps)| {
             let row = |i: i32| Row::new(self, relaxation, springs, DEEPER.powi(i));
             (1..=DEEPEST).find_map(|i| row(i).impact(self, steps))
@@ -222,6 +234,13 @@ mod tests {
                 found.velocity
             );
         }
+    }
+
+    /// A body that turns a thousand times more easily: its steps would grow without limit.
+    #[test]
+    fn a_body_that_is_too_light_along_the_surface_is_refused() {
+        let light = impact([3e3, 3.5, 1.0], STIFF, [0.3, 0.5]);
+        assert_eq!((light.by_springs(0.3), light.by_springs(1e-3).is_some()), (None, true));
     }
 
     /// It is of the length of the limit, and what it slips is along itself.
