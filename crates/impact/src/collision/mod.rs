@@ -465,7 +465,8 @@ impl Collision {
         if self.torsion == TorsionMode::Included {
             self.refuse_static_friction("equal to kinetic friction with torsion")?;
         }
-        let (outcome, log) = impact.solve_with_log(self.law)?;
+        let (mut outcome, log) = impact.solve_with_log(self.law)?;
+        outcome.error_estimate += impact.turning_error(self.law, &outcome);
         Ok(Outcome::Rebound(Box::new(self.rebound_of(outcome, log)?)))
     }
 

@@ -50,6 +50,7 @@ mod solve;
 mod springs;
 mod stage;
 mod trajectory;
+mod turning;
 mod viscous;
 
 pub use carom_laws::law::ImpactLaw;

@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use super::any_law::AnyLaw;
-use super::exact::log;
+use super::exact::log as log_of;
 use super::impact::Unsettled;
 use super::limits::Limits;
 use super::log::Log;
@@ -16,6 +16,7 @@ use super::{
 use crate::normal;
 use crate::oblique::{Event, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
+use crate::viscoelastic::ViscousLoss;
 
 impl CoupledImpact {
     /// Solves the impact up to separation. `law` matters for [`ImpactMethod::Spatial`] only.
@@ -37,9 +38,9 @@ impl CoupledImpact {
                 self.uncoupled_with(loss, &direction)
             }
             (_, None) => Ok(self.outcome(&self.settled(law)?)),
-            (_, Some(loss)) => match self.turning_by_springs(law, loss) {
-                Some(outcome) => Ok(outcome),
-                None => self.corrected(&self.settled(law)?, loss),
+            (_, Some(loss)) => match self.by_viscous_springs(law, loss) {
+                Some((outcome, _)) => Ok(outcome),
+                None => self.corrected(&self.settled(law)?, law, loss),
             },
         }
     }
@@ -101,11 +102,11 @@ impl CoupledImpact {
         &self,
         law: TurningLaw,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError> {
-        if let (Some(_), Some(direction)) = (&self.loss, self.exact_direction()) {
-            let mut log = Log::default();
-            let samples = self.exact_samples_with(&direction)?;
+        let mut log = Log::default();
+        if let Some(loss) = &self.loss {
+            let (outcome, samples) = self.lossy_with_samples(law, loss)?;
             samples.iter().for_each(|sample| log.see(sample, &self.velocity));
-            return Ok((self.solve(law)?, log.entries));
+            return Ok((outcome, log.entries));
         }
         match self.method() {
             ImpactMethod::Frictionless => {
@@ -115,23 +116,36 @@ impl CoupledImpact {
             }
             ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
-                let log = log(&self.normal, &oblique);
-                Ok((self.uncoupled(&oblique, &direction), log))
+                Ok((self.uncoupled(&oblique, &direction), log_of(&self.normal, &oblique)))
             }
             _ => {
                 let settled = self.settled(law)?;
-                let mut log = Log::default();
                 self.replayed(&settled, law, |sample| log.see(&sample, &self.velocity))?;
-                let outcome = match &self.loss {
-                    None => self.outcome(&settled),
-                    Some(loss) => match self.turning_by_springs(law, loss) {
-                        Some(outcome) => outcome,
-                        None => self.corrected(&settled, loss)?,
-                    },
-                };
-                Ok((outcome, log.entries))
+                Ok((self.outcome(&settled), log.entries))
             }
         }
+    }
+
+    /// The outcome of an impact with a loss, and its instants.
+    fn lossy_with_samples(
+        &self,
+        law: TurningLaw,
+        loss: &ViscousLoss,
+    ) -> Result<(CoupledOutcome, Vec<Sample>), CoupledError> {
+        if let Some(direction) = self.exact_direction() {
+            return Ok((self.solve(law)?, self.exact_samples_with(&direction)?));
+        }
+        if let Some(both) = self.by_viscous_springs(law, loss) {
+            return Ok(both);
+        }
+        let settled = self.settled(law)?;
+        let mut samples = Vec::new();
+        self.replayed(&settled, law, |sample| samples.push(sample))?;
+        let outcome = match self.method() {
+            ImpactMethod::Frictionless => self.frictionless_with(loss),
+            _ => self.corrected(&settled, law, loss)?,
+        };
+        Ok((outcome, with_ends_like_their_neighbours(samples)))
     }
 
     /// All instants of the finest run in order, including first contact and separation. Between two
@@ -141,8 +155,8 @@ impl CoupledImpact {
     /// As [`CoupledImpact::solve`].
     pub fn history(&self, law: TurningLaw) -> Result<Vec<Sample>, CoupledError> {
         const COUNT: usize = 200;
-        if let (Some(_), Some(direction)) = (&self.loss, self.exact_direction()) {
-            return self.exact_samples_with(&direction);
+        if let Some(loss) = &self.loss {
+            return Ok(self.lossy_with_samples(law, loss)?.1);
         }
         if let Some(direction) = self.exact_direction() {
             let step = normal::DURATION / COUNT as f64;

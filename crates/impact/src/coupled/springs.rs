@@ -1,24 +1,29 @@
-//! A lossy impact whose slip turns, as a row of springs of Kelvin and Voigt, each with friction of its own.
+//! A lossy impact whose motions couple or whose slip turns, as a row of springs of Kelvin and Voigt, each with friction of its own.
 //!
 //! Hertz's contact is a row of independent springs (the method of dimensionality reduction): they touch at the depths
 //! zeta_max u^2, with u equally spaced from 0 to 1, and have the stiffness c_z zeta_max^(1/2) du along the normal, c_x/c_z and
 //! c_y/c_z times that along the surface. Together they carry (2/3) c_z zeta^(3/2). In a material of relaxation time A each
 //! carries A times its rate as well, but never pulls; its traction is at most f times its pressure, and it slips along its
-//! traction. For slip along a line this is the exact impact of [`crate::viscoelastic`].
+//! traction. With static friction f is f_s until all springs slide, then f_k until one of them sticks. For slip along a line
+//! this is the exact impact of [`crate::viscoelastic`].
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::CoupledImpact;
+use super::{CoupledImpact, Stage};
 use crate::normal::DURATION;
 
 /// Springs and steps up to the time of an elastic impact, of the coarse run and of the fine one.
 const RUNS: [(usize, usize); 2] = [(100, 600), (150, 1500)];
+/// The least error of the velocity, over the coefficient of friction: two runs may agree by chance.
+const LEAST: f64 = 1e-4;
 /// How much deeper than an elastic impact without friction the row begins, and by what it grows if that does not do.
 const DEEPER: f64 = 1.1;
-/// How often it grows at most.
-const DEEPEST: i32 = 12;
+/// How often it grows at most: to a hundred times that depth.
+const DEEPEST: i32 = 48;
 /// The greatest change of a velocity in a step of the coarse run, over that velocity: beyond 2 steps are not stable.
 const STEEPEST: f64 = 1.5;
+/// How many times as many steps light bodies and deep rows may take.
+const FINEST: f64 = 12.0;
 /// An impact lasts at most this many times longer than an elastic one.
 const LONGEST: usize = 60;
 /// Of an elastic impact without friction, in the units of its greatest approach, its velocity and its mass: c_z, of which
@@ -26,11 +31,11 @@ const LONGEST: usize = 60;
 const STIFFNESS: f64 = 15.0 / 8.0;
 
 /// An impact by a row of springs, in the units of the elastic impact without friction.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct SpringImpact {
     /// After the impact.
     pub(super) velocity: Vector3<f64>,
-    /// The error of the velocity: the difference of two runs.
+    /// The error of the velocity: twice the difference of two runs, and [`LEAST`].
     pub(super) error: f64,
     pub(super) duration: f64,
     pub(super) maximal_approach: f64,
@@ -38,27 +43,59 @@ pub(super) struct SpringImpact {
     pub(super) compressions: u32,
     /// The work of the tractions on the slip.
     pub(super) friction_heat: f64,
+    /// The ends of the steps.
+    pub(super) instants: Vec<Instant>,
+}
+
+/// The end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Instant {
+    pub(super) time: f64,
+    pub(super) shift: Vector3<f64>,
+    pub(super) velocity: Vector3<f64>,
+    /// In the middle of the step.
+    pub(super) force: Vector3<f64>,
+    pub(super) stage: Stage,
 }
 
 impl CoupledImpact {
     /// The impact of a material with this relaxation time, in the units of [`SpringImpact`]; none if it does not end, gets too
-    /// deep, or moves so lightly along the surface that the steps are too long for it.
+    /// deep, or moves so lightly along the surface that its steps are too short.
     pub(super) fn by_springs(&self, relaxation: f64) -> Option<SpringImpact> {
+        let [coarse, fine] = RUNS;
+        let (depth, coarse) = self.by_deep_springs(relaxation, coarse, 1)?;
+        let (_, fine) = self.by_deep_springs(relaxation, fine, depth)?;
+        let change = (fine.velocity - coarse.velocity).norm();
+        Some(SpringImpact { error: 2.0 * change + LEAST * self.friction.get().min(1.0), ..fine })
+    }
+
+    /// The impact by the first row, from this one on, that is deep enough, and which one that is.
+    fn by_deep_springs(
+        &self,
+        relaxation: f64,
+        (springs, steps): (usize, usize),
+        first: i32,
+    ) -> Option<(i32, SpringImpact)> {
+        (first..=DEEPEST).find_map(|i| {
+            let deepest = DEEPER.powi(i);
+            let finer = self.steepness(relaxation, deepest).ceil().max(1.0);
+            let row = (finer <= FINEST).then(|| Row::new(self, relaxation, springs, deepest))?;
+            Some((i, row.impact(self, steps * finer as usize)?))
+        })
+    }
+
+    /// The greatest change of a velocity in a step of the coarse run, over that velocity and what is stable.
+    fn steepness(&self, relaxation: f64, deepest: f64) -> f64 {
         let (mobility, stiff) = (self.mobility.matrix(), self.stiffness);
         let along = mobility.m11 * stiff.c_x + mobility.m22 * stiff.c_y;
         let dt = DURATION / RUNS[0].1 as f64;
         let lightness = 1.0 + along / (mobility.m33 * stiff.c_z);
         // A body that is damped strongly comes to rest at (2/3) STIFFNESS A zeta^(3/2) = 1: fewer springs touch.
-        let touching = libm::cbrt(1.5 / (STIFFNESS * relaxation)).min(1.0);
-        if dt * (dt + relaxation) * STIFFNESS * touching * lightness > STEEPEST {
-            return None;
-        }
-        let [coarse, fine] = RUNS.map(|(springs, steps)| {
-            let row = |i: i32| Row::new(self, relaxation, springs, DEEPER.powi(i));
-            (1..=DEEPEST).find_map(|i| row(i).impact(self, steps))
-        });
-        let (coarse, fine) = (coarse?, fine?);
-        Some(SpringImpact { error: (fine.velocity - coarse.velocity).norm(), ..fine })
+        let touching = match deepest > DEEPER {
+            true => deepest.sqrt(),
+            false => libm::cbrt(1.5 / (STIFFNESS * relaxation)).min(1.0),
+        };
+        dt * (dt + relaxation) * STIFFNESS * touching * lightness / STEEPEST
     }
 }
 
@@ -69,7 +106,9 @@ struct Row {
     stiffness: f64,
     /// c_x/c_z and c_y/c_z.
     ratios: [f64; 2],
-    friction: f64,
+    /// Of springs that stick or slip in part, and of a row all of which slides.
+    friction: [f64; 2],
+    stage: Stage,
     relaxation: f64,
     deepest: f64,
 }
@@ -81,12 +120,14 @@ impl Row {
             deepest * u * u
         };
         let of = impact.stiffness;
+        let sliding = impact.static_friction.map_or(impact.friction, |both| both.kinetic());
         Self {
             depths: (0..count).map(depth).collect(),
             shifts: vec![[0.0; 2]; count],
             stiffness: STIFFNESS * deepest.sqrt() / count as f64,
             ratios: [of.c_x / of.c_z, of.c_y / of.c_z],
-            friction: impact.friction.get(),
+            friction: [impact.friction.get(), sliding.get()],
+            stage: Stage::Slip,
             relaxation,
             deepest,
         }
@@ -98,9 +139,9 @@ impl Row {
         let dt = DURATION / steps as f64;
         let mut now =
             SpringImpact { velocity: impact.velocity / impact.velocity.z, ..Default::default() };
-        let (mut approach, mut parting) = (0.0, true);
+        let (mut shift, mut parting) = (Vector3::zeros(), true);
         for _ in 0..LONGEST * steps {
-            let middle = approach + 0.5 * dt * now.velocity.z;
+            let middle = shift.z + 0.5 * dt * now.velocity.z;
             if middle > self.deepest {
                 return None;
             }
@@ -109,41 +150,102 @@ impl Row {
                 return Some(now);
             }
             let change = mobility * force;
-            approach += dt * (now.velocity.z - 0.5 * dt * change.z);
+            shift += dt * (now.velocity - 0.5 * dt * change);
             now.velocity -= dt * change;
             now.duration += dt;
             now.friction_heat += heat;
-            now.maximal_approach = now.maximal_approach.max(approach);
+            now.maximal_approach = now.maximal_approach.max(shift.z);
             now.maximal_force = now.maximal_force.max(force.z);
             now.compressions += u32::from(parting && now.velocity.z > 0.0);
             parting = now.velocity.z < 0.0;
+            let (time, velocity, stage) = (now.duration, now.velocity, self.stage);
+            now.instants.push(Instant { time, shift, velocity, force, stage });
         }
         None
     }
 
-    /// The force of a step at this approach, whose springs end it as it leaves them, and the heat of their friction.
+    /// The force of a step with this approach in its middle, whose springs end it as it leaves them, and the heat of their
+    /// friction.
     fn force(&mut self, approach: f64, velocity: &Vector3<f64>, dt: f64) -> (Vector3<f64>, f64) {
+        let [threshold, kinetic] = self.friction;
+        let step = Step { approach, velocity: *velocity, dt };
+        let slides = threshold > kinetic && (self.stage == Stage::Slide || self.all_slip(&step));
+        let friction = if slides { kinetic } else { threshold };
         let (mut force, mut heat) = (Vector3::zeros(), 0.0);
-        let (lead, late) = (self.relaxation * velocity.z, dt + self.relaxation);
-        let along = self.ratios.map(|ratio| ratio * self.stiffness);
-        for (depth, shift) in self.depths.iter().zip(&mut self.shifts) {
-            let pressure = self.stiffness * (approach - depth + lead);
-            if approach <= *depth || pressure <= 0.0 {
-                *shift = [0.0; 2];
+        let (mut sticks, mut slips) = (false, false);
+        for spring in 0..self.depths.len() {
+            let Some(Pressed { pressure, limit, since, trial }) = self.pressed(spring, &step)
+            else {
+                self.shifts[spring] = [0.0; 2];
                 continue;
-            }
-            let trial = [0, 1].map(|k| along[k] * (shift[k] + late * velocity[k]));
-            let pull = limited(trial, self.friction * pressure, self.ratios);
+            };
+            let pull = limited(trial, friction * limit, self.ratios);
+            let moves = pull != trial;
+            (sticks, slips) = (sticks | !moves, slips | moves);
+            let shift = &mut self.shifts[spring];
             for k in 0..2 {
-                let growth = dt * (pull[k] / along[k] - shift[k]) / late;
+                let elastic = pull[k] / (self.ratios[k] * self.stiffness);
+                let growth = since * (elastic - shift[k]) / (since + self.relaxation);
                 shift[k] += growth;
                 force[k] += pull[k];
-                heat += pull[k] * (dt * velocity[k] - growth);
+                heat += pull[k] * (since * velocity[k] - growth);
             }
             force.z += pressure;
         }
+        self.stage = match (sticks, slips) {
+            (true, true) => Stage::Slip,
+            (false, true) => Stage::Slide,
+            _ => Stage::Adhesion,
+        };
         (force, heat)
     }
+
+    fn all_slip(&self, step: &Step) -> bool {
+        (0..self.depths.len()).filter_map(|spring| self.pressed(spring, step)).all(|pressed| {
+            let [x, y] = pressed.trial;
+            libm::hypot(x, y) > self.friction[0] * pressed.limit
+        })
+    }
+
+    /// What a spring bears in a step; none if it does not touch or would pull.
+    #[inline(always)]
+    fn pressed(&self, spring: usize, step: &Step) -> Option<Pressed> {
+        let (depth, shift, velocity) = (self.depths[spring], self.shifts[spring], step.velocity);
+        let pressure = self.stiffness * (step.approach - depth + self.relaxation * velocity.z);
+        if step.approach <= depth || pressure <= 0.0 {
+            return None;
+        }
+        let ahead = 0.5 * step.dt * velocity.z;
+        // A spring that touches in this step has moved for a part of it.
+        let since = match step.approach - ahead < depth {
+            true => (ahead + step.approach - depth) / velocity.z,
+            false => step.dt,
+        };
+        let late = since + self.relaxation;
+        let trial =
+            [0, 1].map(|k| self.ratios[k] * self.stiffness * (shift[k] + late * velocity[k]));
+        let limit = (pressure + self.stiffness * ahead).max(0.0);
+        Some(Pressed { pressure, limit, since, trial })
+    }
+}
+
+/// A step: the approach in its middle, and the velocity.
+struct Step {
+    approach: f64,
+    velocity: Vector3<f64>,
+    dt: f64,
+}
+
+/// What a spring bears.
+struct Pressed {
+    /// In the middle of the step.
+    pressure: f64,
+    /// At its end, as the trial.
+    limit: f64,
+    /// How long it has touched in this step.
+    since: f64,
+    /// The traction, if it does not slip.
+    trial: [f64; 2],
 }
 
 /// The traction of a spring that slips along it until it is within the limit: q/(1 + l r) along each axis, of the length of
@@ -180,6 +282,7 @@ mod tests {
     use super::*;
     use crate::mobility::Mobility;
     use crate::viscoelastic::ViscousLoss;
+    use carom_laws::static_friction::StaticFriction;
 
     const STIFF: ContactStiffness = ContactStiffness { c_x: 0.8, c_y: 0.8, c_z: 1.0 };
 
@@ -236,11 +339,51 @@ mod tests {
         }
     }
 
+    /// Springs that relax at once are the elastic law, whose steps end where the force drops.
+    #[test]
+    fn static_friction_is_that_of_the_elastic_law() {
+        for (mobility, slip) in [
+            ([3.5, 1.4, 1.0], [0.3, 0.5]),
+            ([1.2, 3.0, 1.0], [0.9, -0.7]),
+            ([2.0, 3.5, 1.0], [0.1, 0.4]),
+        ] {
+            let [f_s, f_k] = [0.4, 0.2].map(|f| Friction::new(f).unwrap());
+            let both = StaticFriction::new(f_s, f_k).unwrap();
+            let own = impact(mobility, STIFF, slip).with_static_friction(both);
+            let known = own.solve(crate::coupled::TurningLaw::Coulomb).unwrap();
+            let found = own.by_springs(1e-6).unwrap();
+            let off = (found.velocity - known.velocity).norm();
+            assert!(off < 2e-3, "{mobility:?} {off} {}", found.error);
+        }
+    }
+
     /// A body that turns a thousand times more easily: its steps would grow without limit.
     #[test]
     fn a_body_that_is_too_light_along_the_surface_is_refused() {
-        let light = impact([3e3, 3.5, 1.0], STIFF, [0.3, 0.5]);
-        assert_eq!((light.by_springs(0.3), light.by_springs(1e-3).is_some()), (None, true));
+        let light = |by: f64| impact([by, 3.5, 1.0], STIFF, [0.3, 0.5]).by_springs(0.3);
+        assert!(light(1e3).is_some() && light(1e5).is_none());
+    }
+
+    /// The normal motion coupled to slip in a plane, by that program.
+    #[test]
+    fn coupled_slip_in_a_plane_is_that_of_another_program() {
+        for (pull, relaxation, slip, x, z) in [
+            (0.8, 0.3, 0.5, -0.37552, -0.52050),
+            (-0.6, 0.1, 0.9, 0.22416, -0.84730),
+            (0.5, 0.6, -0.4, 0.15473, -0.44564),
+        ] {
+            let rows = Matrix3::new(3.0, 0.0, pull, 0.0, 2.0, 0.0, pull, 0.0, 1.0);
+            let own = impact([1.0; 3], STIFF, [slip, 0.0]);
+            let own = CoupledImpact { mobility: Mobility::from_matrix(rows).unwrap(), ..own };
+            let found = own.by_springs(relaxation).unwrap();
+            let off = (found.velocity - Vector3::new(x, 0.0, z)).norm();
+            assert!(
+                off < 1e-3 && off < 2.0 * found.error,
+                "{off} {}: {:?}",
+                found.error,
+                found.velocity
+            );
+        }
     }
 
     /// It is of the length of the limit, and what it slips is along itself.

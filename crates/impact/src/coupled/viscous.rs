@@ -12,7 +12,10 @@ use super::direction::length_and_direction;
 use super::impact::Unsettled;
 use super::limits::Limits;
 use super::refine::Settled;
-use super::{CoupledError, CoupledImpact, CoupledOutcome, ImpactMethod, Sample, Stage, TurningLaw};
+use super::{
+    CoupledError, CoupledImpact, CoupledOutcome, ImpactMethod, Sample, Stage, TurningLaw,
+    is_coupled, springs,
+};
 use crate::mobility::Mobility;
 use crate::viscoelastic::{Instant, NormalRebound, ViscoelasticImpact, ViscousLoss};
 
@@ -40,6 +43,10 @@ const TURNED: f64 = 2.0;
 const LOST_BY_SPIN: f64 = 0.03;
 /// The same of like bodies, against the exact impact.
 const LEFT_ALIKE: f64 = 6e-3;
+
+/// That of the law of viscous materials which slides as a whole where the slip turns, where at most half of the normal
+/// velocity is left: enough for 87 of 90 drawn impacts of spheres and ellipsoids with a plane.
+const LEFT_TURNING: f64 = 0.1;
 
 /// The error of the law of viscous materials that keeps the slip of each place, in the tangential velocity over f v_z.
 /// `turned` is |gamma|/f, `spun` the velocity of the rim by the spin over f v_z.
@@ -155,6 +162,11 @@ impl CoupledImpact {
         ratio * over * over / self.mobility.matrix().m33 * heat
     }
 
+    /// Whether nothing couples the normal motion, so that it is that without friction.
+    fn is_normal_known(&self) -> bool {
+        self.is_symmetric || !is_coupled(self.mobility.matrix())
+    }
+
     fn normal_impulse(&self, loss: &ViscousLoss) -> f64 {
         0.5 * (1.0 + loss.restitution()) * self.normal.impulse()
     }
@@ -199,20 +211,7 @@ impl CoupledImpact {
             force: along(pull * at.force, units.force * at.normal_force),
             stage: stage(at.sticks),
         };
-        let mut samples: Vec<Sample> = instants.iter().map(sample).collect();
-        let (Some(first), Some(last)) = (samples.first().copied(), samples.last().copied()) else {
-            return Ok(samples);
-        };
-        let none = Vector3::zeros();
-        samples.insert(
-            0,
-            Sample { time: 0.0, shift: none, velocity: self.velocity, force: none, ..first },
-        );
-        let rest = outcome.duration - last.time;
-        let shift = last.shift + 0.5 * rest * (last.velocity + outcome.velocity);
-        let (time, velocity) = (outcome.duration, outcome.velocity);
-        samples.push(Sample { time, shift, velocity, force: none, ..last });
-        Ok(samples)
+        Ok(self.with_ends(instants.iter().map(sample).collect(), &outcome))
     }
 }
 
@@ -229,17 +228,26 @@ impl CoupledImpact {
     }
 
     /// The outcome of a stepped impact with a loss, less the error of the step law ([`ViscousLaw`]) in the same impact
-    /// without couplings, whose solution is known. As much again is the estimate of what remains.
+    /// without couplings, whose solution is known. As much again is the estimate of what remains, and more where slip turns by
+    /// Coulomb's law: springs, which are right there, were refused.
     pub(super) fn corrected(
         &self,
         settled: &Settled,
+        law: TurningLaw,
         loss: &ViscousLoss,
     ) -> Result<CoupledOutcome, CoupledError> {
         let outcome = self.outcome(settled);
         let error = self.viscous_step_error()?;
         let (velocity, impulse) = self.within_limits(&(outcome.velocity - error.velocity), loss);
         let material_heat = self.material_heat(&error, &impulse, &velocity);
-        let error_estimate = outcome.error_estimate + error.of_law() / self.velocity.norm();
+        let turns = match (outcome.method, law) {
+            (ImpactMethod::Spatial { .. }, TurningLaw::Coulomb) => {
+                LEFT_TURNING * self.friction.get().min(1.0) * self.velocity.z
+            }
+            _ => 0.0,
+        };
+        let left = error.of_law() + turns * (2.0 * (1.0 - loss.restitution())).min(1.0);
+        let error_estimate = outcome.error_estimate + left / self.velocity.norm();
         Ok(CoupledOutcome { velocity, impulse, material_heat, error_estimate, ..outcome })
     }
 
@@ -251,8 +259,7 @@ impl CoupledImpact {
         loss: &ViscousLoss,
     ) -> (Vector3<f64>, Vector3<f64>) {
         let impulse = self.mobility.impulse(&self.velocity, velocity);
-        let normal = (self.method() == ImpactMethod::Spatial { coupled: false })
-            .then(|| self.normal_impulse(loss));
+        let normal = self.is_normal_known().then(|| self.normal_impulse(loss));
         let limits = Limits::new(self.mobility.matrix(), self.friction, &self.velocity, normal);
         let impulse = limits.restrict(&impulse);
         let mut velocity = self.after(&impulse);
@@ -262,19 +269,22 @@ impl CoupledImpact {
         (velocity, impulse)
     }
 
-    /// An impact with a loss whose slip turns by Coulomb's law with one coefficient of friction, by a row of springs.
-    pub(super) fn turning_by_springs(
+    /// An impact with a loss whose motions couple or whose slip turns, by a row of springs, and its instants; none if that
+    /// cannot be, or if the law keeps directions where the slip turns.
+    pub(super) fn by_viscous_springs(
         &self,
         law: TurningLaw,
         loss: &ViscousLoss,
-    ) -> Option<CoupledOutcome> {
-        let (ImpactMethod::Spatial { coupled }, TurningLaw::Coulomb) = (self.method(), law) else {
-            return None;
-        };
+    ) -> Option<(CoupledOutcome, Vec<Sample>)> {
+        match (self.method(), law) {
+            (ImpactMethod::Spatial { .. }, TurningLaw::Coulomb)
+            | (ImpactMethod::Planar { .. }, _) => {}
+            _ => return None,
+        }
         let units = self.viscous_units();
         let (depth, speed) = (self.normal.maximal_approach(), self.velocity.z);
         let relaxation = loss.viscosity(units.time).ok()?.relaxation() * speed / depth;
-        let found = self.static_friction.is_none().then(|| self.by_springs(relaxation))??;
+        let found = self.by_springs(relaxation)?;
         // The springs of the least restitution stand for less.
         let slower = Vector3::z() * (loss.restitution() - loss.of_springs());
         let (velocity, impulse) = self.within_limits(&(speed * (found.velocity - slower)), loss);
@@ -283,24 +293,46 @@ impl CoupledImpact {
         let of_springs = self.mobility.impulse(&self.velocity, &(speed * found.velocity));
         let friction = energy * found.friction_heat * (impulse.z / of_springs.z);
         let material_heat = (lost - friction).max(0.0);
-        let outcome = self.lossy((velocity, impulse), &loss.normal_rebound(), material_heat);
-        let error_estimate = found.error * speed / self.velocity.norm();
-        Some(match coupled {
-            false => CoupledOutcome { error_estimate, ..outcome },
-            true => CoupledOutcome {
-                duration: found.duration * depth / speed,
-                maximal_approach: found.maximal_approach * depth,
-                maximal_force: found.maximal_force * energy / depth,
-                compressions: found.compressions,
-                error_estimate,
-                ..outcome
-            },
-        })
+        let mut outcome = self.lossy((velocity, impulse), &loss.normal_rebound(), material_heat);
+        outcome.error_estimate = found.error * speed / self.velocity.norm();
+        if !self.is_normal_known() {
+            outcome.duration = found.duration * depth / speed;
+            outcome.maximal_approach = found.maximal_approach * depth;
+            outcome.maximal_force = found.maximal_force * energy / depth;
+            outcome.compressions = found.compressions;
+        }
+        let sample = |at: &springs::Instant| Sample {
+            time: at.time * depth / speed,
+            shift: at.shift * depth,
+            velocity: at.velocity * speed,
+            force: at.force * (energy / depth),
+            stage: at.stage,
+        };
+        let within = found.instants.iter().map(sample).filter(|at| at.time < outcome.duration);
+        let samples = self.with_ends(within.collect(), &outcome);
+        Some((outcome, samples))
     }
 
-    /// The energy that a viscous material takes: all that the normal motion loses, and of the tangential motion what it
-    /// takes if nothing couples or turns. What friction does on the path of a viscous law is no measure, as that path begins
-    /// with a jump.
+    /// The instants of an impact, with its first contact and its separation.
+    fn with_ends(&self, mut samples: Vec<Sample>, outcome: &CoupledOutcome) -> Vec<Sample> {
+        let (Some(first), Some(last)) = (samples.first().copied(), samples.last().copied()) else {
+            return samples;
+        };
+        let none = Vector3::zeros();
+        samples.insert(
+            0,
+            Sample { time: 0.0, shift: none, velocity: self.velocity, force: none, ..first },
+        );
+        let rest = outcome.duration - last.time;
+        let shift = last.shift + 0.5 * rest * (last.velocity + outcome.velocity);
+        let (time, velocity) = (outcome.duration, outcome.velocity);
+        samples.push(Sample { time, shift, velocity, force: none, ..last });
+        samples
+    }
+
+    /// The energy that a viscous material takes: the part of all that is lost which it takes of a row of springs. Where nothing
+    /// couples or turns along one line it is all that the normal motion loses, and what it takes of the tangential motion
+    /// alone. What friction does on the path of a viscous law is no measure, as that path begins with a jump.
     #[must_use]
     pub fn material_heat(
         &self,
@@ -308,11 +340,16 @@ impl CoupledImpact {
         impulse: &Vector3<f64>,
         after: &Vector3<f64>,
     ) -> f64 {
-        if self.loss.is_none() {
-            return 0.0;
-        }
-        let parts = 0.5 * impulse.component_mul(&(self.velocity + after));
+        let Some(loss) = &self.loss else { return 0.0 };
+        let lost_by = |impulse: &Vector3<f64>, after: &Vector3<f64>| {
+            0.5 * impulse.component_mul(&(self.velocity + after))
+        };
+        let parts = lost_by(impulse, after);
         let lost = parts.sum().max(0.0);
+        if let Some((springs, _)) = self.by_viscous_springs(TurningLaw::Coulomb, loss) {
+            let whole = lost_by(&springs.impulse, &springs.velocity).sum();
+            return lost * (springs.material_heat / whole).min(1.0);
+        }
         lost - (parts.x + parts.y - without_couplings.material_heat).clamp(0.0, lost)
     }
 

@@ -19,6 +19,7 @@ mod kelvin_voigt;
 mod known_ends;
 mod known_values;
 mod levers;
+mod lossy_bodies;
 mod normal_restitution;
 mod normal_spin;
 mod oblique;

@@ -1,10 +1,12 @@
 //! Impacts on a grid and the estimates of their errors: against the exact impact, against rings, against finer grids.
 
-use carom_geometry::Surface;
+use carom_geometry::{Inertia, Surface};
 use carom_halfspace::Material;
-use carom_impact::coupled::Trajectory;
+use carom_impact::coupled::{Trajectory, TurningLaw};
 use carom_impact::normal::NormalImpact;
-use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound, RingImpact};
+use carom_impact::{
+    Body, Collision, Motion, NormalRestitution, Outcome, Rebound, RingImpact, TorsionMode,
+};
 use carom_laws::friction::Friction;
 use carom_numerical::NumericalImpact;
 use carom_solver::NumericalLaw;
@@ -226,5 +228,33 @@ fn the_estimate_of_lossy_bodies_holds_the_error_of_the_step_law() {
         let solved = rebound(grid.solve().unwrap());
         let (off, told) = (off(&solved, &known), solved.error_estimate);
         assert!(off <= told && told < 6e-3, "{lambda} {e}: {off} {told}");
+    }
+}
+
+/// Both laws of turning slip are within their estimate of the grid, which the change by finer steps alone does not tell.
+#[test]
+fn the_laws_of_turning_slip_hold_their_distance_from_the_grid() {
+    for (friction, moments, slip, poisson, e) in [
+        (0.23, [7.3, 3.2, 6.4], [0.68, 0.82], 0.0, 1.0),
+        (0.24, [5.5, 9.0, 7.9], [0.55, 0.60], 0.15, 1.0),
+        (0.25, [11.4, 5.6, 9.3], [0.79, 0.30], 0.3, 1.0),
+        (0.20, [7.3, 4.8, 11.1], [0.40, 0.73], 0.0, 0.8),
+    ] {
+        let bodies = material([28e9, poisson]);
+        let inertia = Inertia::new(0.01, moments.map(|moment| 1e-7 * moment)).unwrap();
+        let ball = Body::new(Surface::sphere(0.01).unwrap(), bodies, inertia);
+        let ball = ball.moving(Motion::new([slip[0], slip[1], -1.0], [0.0; 3]).unwrap());
+        let collision = Collision::new(ball, Body::plane(bodies), Friction::new(friction).unwrap());
+        let collision = collision.unwrap().with_torsion_mode(TorsionMode::LeftOut);
+        let collision = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let grid = NumericalImpact::new(&collision).with(20, 96).unwrap();
+        let grid = rebound(grid.solve().unwrap());
+        for law in TurningLaw::ALL {
+            let found = rebound(collision.clone().with_law(law).solve().unwrap());
+            let (off, told) = (off(&found, &grid), found.error_estimate);
+            assert!(off < told + grid.error_estimate, "{law} {friction} {e}: {off} {told}");
+            assert!(e < 1.0 || off > 1e-3, "{law} {friction}: {off}");
+            assert!(told < 10.0 * off.max(1e-3), "{law} {friction} {e}: {off} {told}");
+        }
     }
 }

@@ -81,8 +81,8 @@ def losses_of(
     coefficients = numbers("normal_restitution", normal_restitution)
     times = numbers("relaxation", relaxation, "s")
     is_given, relaxes = bool(np.any(coefficients != 1.0)), bool(np.any(times != 0.0))
-    if loss is not None and not is_given:
-        raise ValueError("loss: is the cause of a normal_restitution below 1, which is missing")
+    if loss is not None and not is_given and coefficients.ndim == 0:
+        raise ValueError("loss: is the cause of a normal_restitution, which must be a number below 1 then")
     given = [("normal_restitution", is_given), ("wave_loss=True", flag("wave_loss", wave_loss)), ("relaxation", relaxes)]
     causes = [name for name, is_there in given if is_there]
     if len(causes) > 1:

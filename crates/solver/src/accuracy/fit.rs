@@ -107,7 +107,7 @@ pub enum FitError<E> {
         tried: usize,
     },
     /// The contact reaches the border of every window: it is unbounded.
-    #[error("the contact reaches the {side:?} border of every window")]
+    #[error("the contact reaches the {side} border of every window")]
     Endless {
         /// The border that it reaches.
         side: Side,

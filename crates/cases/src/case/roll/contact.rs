@@ -317,6 +317,10 @@ pub(super) fn read_grid(
             if grid.has(&ELEMENTS) {
                 return Err(grid.conflict(&ACCURACY, &ELEMENTS, "an accuracy chooses the grid"));
             }
+            if let Touching::Line(_) = touching {
+                let reason = "an accuracy is for ellipses and gaps; a line takes `elements`";
+                return Err(grid.excluded(&ACCURACY, CONTACT.name.to_owned(), reason));
+            }
             return GridCase::read(&grid);
         }
         elements = grid.maybe(&ELEMENTS)?.map_or(elements, |count| count as usize);

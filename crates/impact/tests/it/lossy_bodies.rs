@@ -1,0 +1,99 @@
+//! Bodies that lose energy and are no spheres: limits in which another solution is known, and what a history ends in.
+
+use carom_geometry::nalgebra::Vector3;
+use carom_geometry::{Attitude, Surface};
+use carom_halfspace::Material;
+use carom_impact::coupled::TurningLaw;
+use carom_impact::{Body, Collision, ImpactFriction, Motion, NormalRestitution, Rebound};
+use carom_laws::friction::Friction;
+use carom_laws::static_friction::StaticFriction;
+
+fn friction(f: f64) -> Friction {
+    Friction::new(f).unwrap()
+}
+
+/// An ellipsoid on a plane, turned about this axis.
+fn egg(axis: [f64; 2], slip: [f64; 2], friction: impl Into<ImpactFriction>) -> Collision {
+    let shape = Surface::ellipsoid([0.01, 0.02, 0.015]).unwrap();
+    let steel = Material::from_young(1e9, 0.3).unwrap();
+    let inertia = shape.solid(0.01).unwrap();
+    let attitude = Attitude::about([axis[0], axis[1], 0.0], 1.2).unwrap();
+    let motion = Motion::new([slip[0], slip[1], -1.0], [0.0; 3]).unwrap();
+    let body = Body::new(shape, steel, inertia).turned(attitude).moving(motion);
+    Collision::new(body, Body::plane(steel), friction).unwrap()
+}
+
+fn losing(e: f64, collision: Collision) -> Collision {
+    collision.with_normal_restitution(NormalRestitution::new(e).unwrap())
+}
+
+fn rebound(collision: &Collision) -> Rebound {
+    collision.solve().unwrap().rebound().unwrap().clone()
+}
+
+/// Without friction the contact point leaves with e times its speed, wherever the centre is.
+#[test]
+fn bodies_hit_off_centre_without_friction_lose_what_they_are_told() {
+    for e in [0.5, 0.9] {
+        let smooth = rebound(&losing(e, egg([0.7, 0.3], [0.3, 0.1], friction(0.0))));
+        let before = smooth.contact_velocity_before.z;
+        assert!((smooth.contact_velocity_after.z + e * before).abs() < 1e-12);
+        let energy = smooth.energy;
+        let left = energy.before - energy.after - energy.lost;
+        assert!(energy.lost > 0.0 && left.abs() < 1e-12 * energy.before, "{energy:?}");
+        let nearly = rebound(&losing(e, egg([0.7, 0.3], [0.3, 0.1], friction(1e-9))));
+        let off = (nearly.contact_velocity_after - smooth.contact_velocity_after).norm();
+        assert!(off < nearly.error_estimate + 1e-6, "{e}: {off}");
+    }
+}
+
+/// The last velocity of a history is that of the rebound, and its forces give the impulse.
+#[test]
+fn histories_of_lossy_bodies_end_in_their_rebound() {
+    for axis in [[0.7, 0.0], [0.7, 0.3]] {
+        for slip in [[0.0, 0.3], [0.6, -0.4]] {
+            let collision = losing(0.5, egg(axis, slip, friction(0.3)));
+            let (rebound, history) = (rebound(&collision), collision.history(2001).unwrap());
+            let last = history.last().unwrap();
+            assert!((last.time - rebound.duration).abs() < 1e-9 * rebound.duration);
+            let after = collision.frame().to_space(&last.velocity);
+            let speed = rebound.contact_velocity_before.norm();
+            assert!((after - rebound.contact_velocity_after).norm() < 1e-12 * speed);
+            let pushed: Vector3<f64> = history
+                .windows(2)
+                .map(|at| 0.5 * (at[1].time - at[0].time) * (at[0].force + at[1].force))
+                .sum();
+            let off = collision.frame().to_space(&pushed) - rebound.impulse;
+            assert!(off.norm() < 2e-3 * rebound.impulse.norm(), "{axis:?} {slip:?}: {off}");
+        }
+    }
+}
+
+/// Static friction that hardly exceeds kinetic friction changes little.
+#[test]
+fn static_friction_of_lossy_bodies_begins_at_kinetic_friction() {
+    for (axis, slip, e) in [([0.7, 0.3], [0.3, 0.1], 0.1), ([0.7, 0.0], [0.0, 0.4], 0.6)] {
+        let both = StaticFriction::new(friction(0.3 * (1.0 + 1e-9)), friction(0.3)).unwrap();
+        let of_both = rebound(&losing(e, egg(axis, slip, both)));
+        let of_one = rebound(&losing(e, egg(axis, slip, friction(0.3))));
+        let off = (of_both.contact_velocity_after - of_one.contact_velocity_after).norm();
+        assert!(off < 1e-6, "{e}: {off}");
+    }
+}
+
+/// The heat of friction of a body that hardly loses energy is that of an elastic one.
+#[test]
+fn heats_of_lossy_bodies_begin_at_those_of_elastic_ones() {
+    for (axis, slip) in
+        [([0.7, 0.0], [0.0, 0.3]), ([0.7, 0.0], [0.0, -0.4]), ([0.7, 0.3], [0.5, 0.2])]
+    {
+        for (law, most) in [(TurningLaw::Coulomb, 1e-3), (TurningLaw::FixedDirection, 1e-2)] {
+            let elastic = egg(axis, slip, friction(0.5)).with_law(law);
+            let lossy = rebound(&losing(0.9999, elastic.clone())).energy;
+            let elastic = rebound(&elastic).energy;
+            let off = (lossy.dissipated - elastic.dissipated).abs().max(lossy.lost);
+            assert!(elastic.dissipated > 1e-3 * elastic.before);
+            assert!(off < most * elastic.before, "{axis:?} {slip:?} {law}: {lossy:?} {elastic:?}");
+        }
+    }
+}
