@@ -134,7 +134,8 @@ impl<'a> NumericalImpact<'a> {
         let by_law = problem.impact.error_of_places().map_err(CollisionError::from)?;
         let turned = self.collision.hertz().materials().gamma() / self.collision.friction().get();
         let off = problem.impact.left_by_loss(turned.abs());
-        let velocity = found.velocity - by_law.velocity;
+        let mut velocity = found.velocity - by_law.velocity;
+        velocity.z = velocity.z.min(0.0);
         let corrected = by_law.velocity != Vector3::zeros();
         let impulse = if corrected { problem.restricted(&velocity) } else { found.impulse };
         let velocity = if corrected { before - problem.mobility() * impulse } else { velocity };

@@ -77,6 +77,17 @@ pub enum Stop {
     Observer,
 }
 
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::Stalled => "it no longer decreases",
+            Self::Exhausted => "no more are allowed",
+            Self::Observer => "interrupted",
+        })
+    }
+}
+
 /// How the solution of a step ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {

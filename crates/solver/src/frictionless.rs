@@ -78,7 +78,7 @@ pub enum NormalError {
     Friction,
     /// The iterations ended before the tolerance was reached.
     #[error(
-        "the pressure did not converge to {:.1e}: {:.1e} after {} iterations ({:?})",
+        "the pressure did not converge to {:.1e}: {:.1e} after {} iterations ({})",
         .tolerance, .reached.residuals.normal, .reached.iterations, .reached.stop
     )]
     NotConverged {

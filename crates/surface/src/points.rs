@@ -5,6 +5,8 @@ use crate::topography::Topography;
 
 /// Part of a step by which a point may lie off its place in the grid.
 const OFF: f64 = 0.05;
+/// A step is so many times greater than the gaps between points of one place.
+const JUMP: f64 = 5.0;
 /// Points of the grid for each point of the list, at most: more are scattered points.
 const SPARSE: usize = 8;
 /// One in so many points may have the place of another in a list that is refused for it.
@@ -26,10 +28,27 @@ impl Steps {
         if last == first {
             return Some(Self { first, step: 1.0, count: 1 });
         }
+        let gaps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
         // Values closer than a millionth of the range are one place, written with few digits.
         let near = 1e-6 * (last - first);
-        let gaps = sorted.windows(2).map(|pair| pair[1] - pair[0]);
-        let smallest = gaps.filter(|gap| *gap > near).fold(f64::INFINITY, f64::min);
+        Self::of_places(&sorted, &gaps, near)
+            .or_else(|| Self::of_places(&sorted, &gaps, scatter(&gaps, near)?))
+    }
+
+    /// Steps of sorted values, if those whose gaps are at most `near` are one place.
+    fn of_places(sorted: &[f64], gaps: &[f64], near: f64) -> Option<Self> {
+        let mut places = vec![(0.0, 0_usize)];
+        for (at, value) in sorted.iter().enumerate() {
+            if at > 0 && gaps[at - 1] > near {
+                places.push((0.0, 0));
+            }
+            let (sum, count) = places.last_mut()?;
+            (*sum, *count) = (*sum + value, *count + 1);
+        }
+        let places: Vec<f64> = places.iter().map(|(sum, count)| sum / *count as f64).collect();
+        let (first, last) = (*places.first()?, *places.last()?);
+        let smallest =
+            places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
         // The smallest gap carries the round-off of two places, the whole length far less.
         let count = libm::round((last - first) / smallest) + 1.0;
         let step = (last - first) / (count - 1.0);
@@ -47,6 +66,17 @@ impl Steps {
     fn place(&self, value: f64) -> usize {
         libm::round((value - self.first) / self.step) as usize
     }
+}
+
+/// The scatter of places that were measured: below it are at least half of the gaps, above it none that is not [`JUMP`] times
+/// greater.
+fn scatter(gaps: &[f64], near: f64) -> Option<f64> {
+    let mut sorted: Vec<f64> = gaps.iter().map(|gap| gap.max(near)).collect();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let pairs = sorted.windows(2).skip((sorted.len() / 2).saturating_sub(1));
+    let (below, above) =
+        pairs.map(|pair| (pair[0], pair[1])).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)))?;
+    (above > JUMP * below).then(|| (below * above).sqrt())
 }
 
 /// The map of points `[x, y, z]`, if x and y lie on a grid; `most` is the largest number of its points.

@@ -95,9 +95,15 @@ impl Dialect {
                 || ["inf", "infinity"].iter().any(|word| bare.eq_ignore_ascii_case(word))
         };
         let is_measured = |value| self.number(value).is_some_and(|number| !number.is_nan());
-        self.values(line).count() == self.values(first).count()
-            && self.values(line).any(is_measured)
-            && self.values(line).all(|one| self.number(one).is_some() || resembles_number(one))
+        let is_grouped = |value: &str| value.contains(|sign: char| ['.', ','].contains(&sign));
+        let is_of_digits =
+            |value: &str| value.chars().all(|sign| sign.is_ascii_digit() || "+-.,".contains(sign));
+        let is_row = self.values(line).any(is_measured)
+            && self.values(line).all(|one| self.number(one).is_some() || resembles_number(one));
+        // All with separators of thousands.
+        let is_of_thousands = self.values(line).any(is_grouped)
+            && self.values(line).all(|one| resembles_number(one) && is_of_digits(one));
+        self.values(line).count() == self.values(first).count() && (is_row || is_of_thousands)
     }
 
     /// What a value that is no number may be.
@@ -129,6 +135,8 @@ struct Head {
     /// The step of a grid of ESRI, of which the first row has the greatest y.
     cell: Option<f64>,
     is_grid: bool,
+    /// Whether its three columns are named x, y and z.
+    names_points: bool,
     /// The numbers of its columns and rows.
     counts: [Option<usize>; 2],
     /// A line of two whole numbers before the heights, and the numbers.
@@ -170,6 +178,14 @@ impl Head {
             let (_, rest) = head.split_once(['[', '(', '/'])?;
             metres(rest.trim_end_matches([']', ')']))
         };
+        let names = |head: &[&str]| {
+            head.len() == 3
+                && (0..3).all(|k| {
+                    head[k].trim_matches('"').to_ascii_lowercase().starts_with(["x", "y", "z"][k])
+                })
+        };
+        let words: Vec<&str> = line.split_whitespace().collect();
+        self.names_points |= names(&heads) || names(&words);
         if let [x, y, z] = heads[..]
             && x.to_ascii_lowercase().starts_with('x')
         {
@@ -216,6 +232,10 @@ pub(crate) fn read(text: &str, reading: &Reading) -> Result<Measured, SurfaceErr
         });
     }
     let (columns, count) = (rows.columns, rows.lines.len());
+    if head.names_points && columns == 3 {
+        let reason = "the places x, y of this list lie on no regular grid".to_owned();
+        return Err(SurfaceError::Points { line: rows.lines[0], reason });
+    }
     reading.check(columns, count)?;
     let mut values = rows.values;
     if head.is_grid {

@@ -59,7 +59,7 @@ pub enum DirectError {
     /// The iterations ended before the tolerance was reached.
     #[error(
         "pressures and tractions did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} \
-         (tangential) after {} iterations ({:?})",
+         (tangential) after {} iterations ({})",
         .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
     )]
     NotConverged {

@@ -238,7 +238,9 @@ impl CoupledImpact {
     ) -> Result<CoupledOutcome, CoupledError> {
         let outcome = self.outcome(settled);
         let error = self.viscous_step_error()?;
-        let (velocity, impulse) = self.within_limits(&(outcome.velocity - error.velocity), loss);
+        let mut velocity = outcome.velocity - error.velocity;
+        velocity.z = velocity.z.min(0.0);
+        let (velocity, impulse) = self.within_limits(&velocity, loss);
         let material_heat = self.material_heat(&error, &impulse, &velocity);
         let turns = match (outcome.method, law) {
             (ImpactMethod::Spatial { .. }, TurningLaw::Coulomb) => {
@@ -285,16 +287,23 @@ impl CoupledImpact {
         let (depth, speed) = (self.normal.maximal_approach(), self.velocity.z);
         let relaxation = loss.viscosity(units.time).ok()?.relaxation() * speed / depth;
         let found = self.by_springs(relaxation)?;
-        // The springs of the least restitution stand for less.
-        let slower = Vector3::z() * (loss.restitution() - loss.of_springs());
-        let (velocity, impulse) = self.within_limits(&(speed * (found.velocity - slower)), loss);
+        // The springs of the least restitution stand for less: a coupled impulse is the smaller part of theirs.
+        let ended = speed * found.velocity;
+        let rest = (loss.restitution() / loss.of_springs()) * ended.z;
+        let part = match self.is_normal_known() {
+            true => 1.0,
+            false => (speed - rest) / (speed - ended.z),
+        };
+        let ended = self.velocity - part * (self.velocity - ended);
+        let (velocity, impulse) = self.within_limits(&ended, loss);
         let energy = speed * speed / self.mobility.matrix().m33;
         let lost = 0.5 * impulse.dot(&(self.velocity + velocity));
         let of_springs = self.mobility.impulse(&self.velocity, &(speed * found.velocity));
         let friction = energy * found.friction_heat * (impulse.z / of_springs.z);
         let material_heat = (lost - friction).max(0.0);
         let mut outcome = self.lossy((velocity, impulse), &loss.normal_rebound(), material_heat);
-        outcome.error_estimate = found.error * speed / self.velocity.norm();
+        let left_out = (1.0 - part) * self.friction.get().min(1.0);
+        outcome.error_estimate = (found.error + left_out) * speed / self.velocity.norm();
         if !self.is_normal_known() {
             outcome.duration = found.duration * depth / speed;
             outcome.maximal_approach = found.maximal_approach * depth;

@@ -81,6 +81,24 @@ fn static_friction_of_lossy_bodies_begins_at_kinetic_friction() {
     }
 }
 
+/// Bodies that lose all of the normal motion part without it, however they are hit.
+#[test]
+fn bodies_that_lose_all_do_not_approach_after_the_impact() {
+    for (axis, slip) in
+        [([0.7, 0.0], [0.0, 0.0]), ([0.7, 0.0], [0.0, -0.4]), ([0.7, 0.3], [0.3, 0.2])]
+    {
+        for (f, e) in [(1e-6, 0.0), (0.4, 0.0), (1.2, 1e-3)] {
+            let rebound = rebound(&losing(e, egg(axis, slip, friction(f))));
+            let [before, after] = [rebound.contact_velocity_before, rebound.contact_velocity_after];
+            assert!(after.z * before.z < 1e-12, "{axis:?} {slip:?} {f} {e}: {after}");
+            assert!(
+                e > 0.0 || after.z.abs() < 1e-3 * before.norm(),
+                "{axis:?} {slip:?} {f}: {after}"
+            );
+        }
+    }
+}
+
 /// The heat of friction of a body that hardly loses energy is that of an elastic one.
 #[test]
 fn heats_of_lossy_bodies_begin_at_those_of_elastic_ones() {

@@ -47,7 +47,7 @@ pub enum FrictionalError {
     /// The iterations ended before the tolerance was reached.
     #[error(
         "the {what} did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
-         {} iterations ({:?})",
+         {} iterations ({})",
         .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
     )]
     NotConverged {

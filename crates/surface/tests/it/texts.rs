@@ -165,6 +165,28 @@ fn places_a_millionth_of_the_range_apart_are_one() {
     assert_heights(&measured, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
 }
 
+/// Measured places scatter by up to a twentieth of a step; beyond that the list lies on no grid, and its heading says that it
+/// is a list.
+#[test]
+fn places_that_scatter_are_a_map_while_they_lie_on_a_grid() {
+    let list = |scatter: f64| {
+        let point = |at: usize| {
+            let off = [0.618, 0.755].map(|by| scatter * (2.0 * (by * at as f64).fract() - 1.0));
+            let [x, y] = [2.0 * (at % 7) as f64 + off[0], 3.0 * (at / 7) as f64 + off[1]];
+            format!("{x} {y} {at}\n")
+        };
+        format!("x y z\n{}", (0..35).map(point).collect::<String>())
+    };
+    for scatter in [0.0, 1e-4, 0.05] {
+        let found = map(&list(scatter)).topography;
+        let [x, y] = found.spacing().unwrap();
+        assert!((x - 2.0).abs() < scatter + 1e-12 && (y - 3.0).abs() < scatter + 1e-12);
+        assert!(found.heights().iter().enumerate().all(|(at, height)| *height == at as f64));
+    }
+    let error = read(list(0.6).as_bytes(), &Reading::default()).unwrap_err().to_string();
+    assert!(error.starts_with("line 2: ") && error.contains("no regular grid"), "{error}");
+}
+
 /// A list on a diagonal would be a map of which 19 of 20 points are missing.
 #[test]
 fn scattered_points_are_no_map() {
@@ -206,6 +228,8 @@ fn a_value_that_is_no_number_is_named_with_line_and_column() {
         ("a b\nc d\n", 1, 1, "a", ""),
         ("inf 2 3\n4 5 6\n7 8 9\n", 1, 1, "inf", "missing point"),
         ("1,234.5;2\n3;4\n", 1, 1, "1,234.5", "thousands"),
+        ("1,234.5;2,000.1\n3;4\n", 1, 1, "1,234.5", "thousands"),
+        ("1.234,5;2.000,1\n3,3;4,4\n5,1;6,2\n", 1, 1, "1.234,5", "thousands"),
         ("# c\n2 1D-6\n3 4\n", 2, 2, "1D-6", ""),
     ] {
         let error = read(text.as_bytes(), &Reading::default()).unwrap_err();
