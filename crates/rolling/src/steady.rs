@@ -320,7 +320,6 @@ pub fn roll_steadily(
     distance: f64,
     creepage: Creepage,
 ) -> Result<SteadyRolling, RollingError> {
-    creepage.check()?;
     let mut contact = SteadyContact::new(problem, Way::new(distance)?)?;
     contact.roll(&RollingDrive::by_creepage(normal, creepage), &mut ())
 }

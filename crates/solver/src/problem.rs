@@ -248,8 +248,34 @@ impl std::fmt::Debug for ContactProblem {
 mod tests {
     use super::*;
     use crate::CellFriction;
+    use carom_halfspace::operator::{DisplacementField, TractionField};
     use carom_halfspace::{Field, Material};
     use carom_laws::curvature::RelativeCurvature;
+
+    /// Tractions displace where there is friction, pressures along the surface where bodies couple.
+    #[test]
+    fn what_is_needed_depends_on_friction_and_coupling() {
+        let grid = Grid::new(4, 4, 0.5, 0.25).unwrap();
+        let gap = Gap::from_function(grid, |x, y| x * x + y * y).unwrap();
+        let body = |nu: f64| Material::from_shear(1.0, nu).unwrap();
+        for (nu, friction, is_all) in [(0.3, 0.0, false), (0.3, 0.2, true), (0.1, 0.0, true)] {
+            let pair = MaterialPair::new(body(0.3), body(nu)).unwrap();
+            let friction = Friction::new(friction).unwrap();
+            for problem in [
+                ContactProblem::of_half_spaces_by_need(gap.clone(), pair, friction),
+                ContactProblem::of_periods_by_need(gap.clone(), pair, friction),
+            ] {
+                let (problem, values) = (problem.unwrap(), [1.0; 16]);
+                let (mut u, mut v) = ([0.0; 16], [0.0; 16]);
+                let done = problem.operator().apply(
+                    TractionField::full(&values, &values, &values),
+                    DisplacementField::tangential(&mut u, &mut v),
+                    &mut problem.operator().workspace(),
+                );
+                assert_eq!(done.is_ok(), is_all, "{nu} {friction:?}");
+            }
+        }
+    }
 
     #[test]
     fn parts_of_another_grid_are_refused() {

@@ -145,7 +145,20 @@ mod tests {
         assert_eq!(load.f_z, 2.0 * 12.0 * 0.125);
         assert!(load.m_z > 0.0 && load.f_x.abs() < 1e-15 && load.f_y.abs() < 1e-15);
         let other = Grid::new(3, 4, 0.5, 0.25).unwrap();
-        assert_eq!(state.check_grid(other).unwrap_err().field, "pressure");
         assert!(state.check_grid(grid).is_ok());
+        let fields: [(&str, fn(&mut ContactState) -> &mut Field); 5] = [
+            ("pressure", |state| &mut state.pressure),
+            ("traction x", |state| &mut state.traction_x),
+            ("traction y", |state| &mut state.traction_y),
+            ("displacement u", |state| &mut state.displacement_x),
+            ("displacement v", |state| &mut state.displacement_y),
+        ];
+        for (name, field) in fields {
+            let mut state = state.clone();
+            *field(&mut state) = Field::uniform(other, 0.0);
+            assert_eq!(state.check_grid(grid).unwrap_err().field, name);
+        }
+        state.cells = Field::uniform(other, CellState::Exterior);
+        assert_eq!(state.check_grid(grid).unwrap_err().field, "cells");
     }
 }

@@ -21,7 +21,7 @@ pub fn linspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
 pub fn logspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
     let mut values: Vec<f64> =
         linspace(libm::log(start), libm::log(stop), count).into_iter().map(libm::exp).collect();
-    if let (Some(first), true) = (values.first_mut(), count > 0) {
+    if let Some(first) = values.first_mut() {
         *first = start;
     }
     if let (Some(last), true) = (values.last_mut(), count > 1) {

@@ -76,8 +76,6 @@ impl SphereHistory {
                 sign: self.sign,
             });
             next.sign = -self.sign;
-        } else if self.sign == 0.0 && dx != 0.0 {
-            next.sign = 1.0_f64.copysign(dx);
         }
         let (star, force) = next.settle(zeta, shift)?;
         (next.zeta, next.shift, next.star, next.force) = (zeta, shift, star, force);

@@ -104,6 +104,9 @@ fn parameters_have_ranges() {
     for tolerance in [0.0, 1e-14, 0.1, f64::NAN] {
         assert_eq!(GaussSeidel::default().within(tolerance).unwrap_err().field, "tolerance");
         assert_eq!(Kombi::default().within(tolerance).unwrap_err().field, "tolerance");
+        assert_eq!(DiscGaussSeidel::default().within(tolerance).unwrap_err().field, "tolerance");
+        assert_eq!(Johnson::default().within(tolerance).unwrap_err().field, "tolerance");
+        assert_eq!(Panagiotopoulos::default().within(tolerance).unwrap_err().field, "tolerance");
     }
 }
 

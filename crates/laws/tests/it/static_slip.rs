@@ -11,6 +11,7 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::static_friction::StaticFriction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::turning_law::TurningLaw::{self, Coulomb, FixedDirection};
+use carom_laws::viscous::{Viscosity, ViscousLaw};
 
 type Law = ShiftLaw<[f64; 2]>;
 
@@ -394,6 +395,22 @@ fn a_turn_back_stops_the_slip_and_a_turn_aside_does_not() {
             let (sin, cos) = degrees.to_radians().sin_cos();
             law.advance(at(1.0, 3.0 + 0.1 * cos, 0.1 * sin)).unwrap();
             assert_eq!(law.regime() == MemoryRegime::Sliding, slides, "{turning} {degrees}");
+        }
+    }
+}
+
+/// In a viscous material a contact that holds by more than kinetic friction follows its effective path: it does not slide.
+#[test]
+fn a_viscous_contact_holds_up_to_static_friction() {
+    for turning in TurningLaw::ALL {
+        let mut elastic = law(turning, (F_S, F_K), 1.0);
+        let viscosity = Viscosity::new(0.1).unwrap();
+        let mut viscous = ViscousLaw::new(elastic.clone(), viscosity, F_K, stiffness(1.0));
+        for (xi, rate) in [(0.0, 0.0), (0.25, 0.5), (0.32, 0.3)] {
+            let effective = elastic.advance(at(1.0, xi + 0.1 * rate, 0.0)).unwrap();
+            let load = viscous.advance_at(at(1.0, xi, 0.0), at(0.0, rate, 0.0), 1.0).unwrap();
+            assert!(off(load, effective) < 1e-12, "{turning:?} {xi}: {load:?} {effective:?}");
+            assert!(xi == 0.0 || load.f_x > 1.05 * F_K * load.f_z, "{load:?}");
         }
     }
 }

@@ -93,4 +93,5 @@ fn a_step_is_as_long_as_a_cell_in_the_direction_of_rolling() {
     assert_eq!((way.length(), way.spin_at()), (0.05, 0.5));
     assert_eq!(given.in_steps_of(0.0).unwrap_err().field, "rolling distance");
     assert_eq!(given.within(1.0).unwrap_err().field, "tolerance");
+    assert_eq!(given.towards(f64::INFINITY).unwrap_err().field, "rolling direction");
 }

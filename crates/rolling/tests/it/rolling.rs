@@ -308,6 +308,25 @@ fn rolling_that_makes_no_sense_is_named() {
     let broken = Creepage { spin: f64::NAN, ..creepage };
     let error = roll_steadily(&problem, Driven::Shift(1.0), 0.1, broken).unwrap_err();
     assert!(matches!(error, RollingError::Range(e) if e.field == "spin"));
+    // With M_z given, the creepage across the way is known at the middle alone; that along it everywhere.
+    let drive = |along, across| RollingDrive {
+        normal: Driven::Shift(1.0),
+        along,
+        across,
+        spin: Driven::Load(0.0),
+    };
+    let (free, held) = (Driven::Load(0.0), Driven::Shift(0.0));
+    for (direction, known, unknown) in [
+        (0.0, drive(held, free), drive(free, held)),
+        (0.5 * PI, drive(free, held), drive(held, free)),
+    ] {
+        let way = Way::new(problem.grid().dx()).unwrap().towards(direction).unwrap();
+        let way = way.with_spin_at(0.5).unwrap();
+        let mut contact = SteadyContact::new(&problem, way).unwrap();
+        assert!(contact.roll(&known, &mut ()).is_ok(), "{direction}");
+        let error = contact.roll(&unknown, &mut ()).unwrap_err();
+        assert!(matches!(error, RollingError::Range(e) if e.field == "spin offset"), "{error}");
+    }
     // The displacements beyond the grid are known for a half-space, not for a table.
     let far = 4.0 * problem.grid().dx();
     assert!(roll_steadily(&problem, Driven::Shift(1.0), far, creepage).is_ok());
@@ -316,6 +335,16 @@ fn rolling_that_makes_no_sense_is_named() {
     let force = Driven::Load(PI / (4.0 * (1.0 - 0.3)));
     let error = roll_steadily(&table, force, far, creepage).unwrap_err();
     assert!(matches!(error, RollingError::NoRoomAhead { needed: 4, .. }), "{error}");
+    // As many cells as are free, but for rounding, are enough.
+    let wide = cylinders(24);
+    let dx = wide.grid().dx();
+    let last = roll_steadily(&wide, force, dx, creepage).unwrap().state.extent().unwrap()[0][1];
+    let room = wide.grid().nx() - 1 - last;
+    let step = |cells: f64| roll_steadily(&wide, force, cells * dx, creepage);
+    assert!(step(room as f64 * (1.0 + 1e-12)).is_ok(), "{room}");
+    let error = step(room as f64 + 0.01).unwrap_err();
+    let told = RollingError::NoRoomAhead { free: room, needed: room + 1 };
+    assert_eq!(error, told);
     for (field, error) in [
         ("a/b", creep_coefficients(0.01, 0.3).unwrap_err()),
         ("a/b", creep_coefficients(f64::NAN, 0.3).unwrap_err()),

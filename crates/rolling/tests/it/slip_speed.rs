@@ -212,4 +212,6 @@ fn all_iterations_of_all_passes_are_told() {
     let mut seen = Counted(0);
     let rolled = contact(&cylinders(20), 3.0).roll(&drive(0.2), &mut seen).unwrap();
     assert_eq!(rolled.convergence.iterations, seen.0);
+    // Each of them takes a product at least.
+    assert!(rolled.convergence.products.tangential >= seen.0 as f64, "{rolled:?}");
 }

@@ -55,6 +55,41 @@ fn on_many_cells_springs_are_fastsim() {
     }
 }
 
+/// One element is half its length from the leading edge: its traction is a/L times the creepage, up to the limit in the middle.
+#[test]
+fn fastsim_takes_from_one_element_to_a_thousand() {
+    let (shear_modulus, coefficients) = (1.0, coefficients());
+    let with = |mesh| Fastsim {
+        semi_axes: SEMI_AXES,
+        shear_modulus,
+        coefficients,
+        force: 1.0,
+        friction: FRICTION,
+        mesh,
+    };
+    let [a, b] = SEMI_AXES;
+    let area = 4.0 * a * b;
+    let [along, across, _] =
+        Springs::of_ellipse(SEMI_AXES, shear_modulus, &coefficients).unwrap().flexibilities();
+    let small = Creepage { along: 1e-3, across: -2e-3, spin: 0.0 };
+    let load = with([1, 1]).forces(small).unwrap();
+    assert!((load.f_x / (area * a * 1e-3 / along) - 1.0).abs() < 1e-12, "{load:?}");
+    assert!((load.f_y / (-area * a * 2e-3 / across) - 1.0).abs() < 1e-12, "{load:?}");
+    let load = with([1, 1]).forces(Creepage { across: 9.0, ..Creepage::default() }).unwrap();
+    assert!((load.f_y / (area * 2.0 * FRICTION / (PI * a * b)) - 1.0).abs() < 1e-12, "{load:?}");
+    for mesh in [[0, 1], [1, 0], [1001, 1], [1, 1001]] {
+        assert_eq!(with(mesh).forces(small).unwrap_err().field, "mesh");
+    }
+    for (field, wrong) in [
+        ("force", Fastsim { force: 0.0, ..with([1, 1]) }),
+        ("friction", Fastsim { friction: f64::INFINITY, ..with([1, 1]) }),
+        ("b", Fastsim { semi_axes: [1.0, 0.0], ..with([1, 1]) }),
+        ("shear_modulus", Fastsim { shear_modulus: -1.0, ..with([1, 1]) }),
+    ] {
+        assert_eq!(wrong.forces(small).unwrap_err().field, field);
+    }
+}
+
 /// Backwards, with the creepage along and the spin reversed, everything is the mirror image; heat is positive, and tractions keep
 /// to the friction limit.
 #[test]

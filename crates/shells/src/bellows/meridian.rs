@@ -115,9 +115,7 @@ impl Meridian {
     pub fn pitch(&self) -> f64 {
         match self.shape {
             Shape::Sine { pitch, .. } => pitch,
-            Shape::Folded { arc, straight, turn } => {
-                2.0 * (2.0 * arc * libm::sin(turn) + straight * rise(turn))
-            }
+            Shape::Folded { .. } => 2.0 * self.on_half(PI).height,
             Shape::Torus { .. } => 0.0,
         }
     }

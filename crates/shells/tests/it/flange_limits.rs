@@ -68,6 +68,14 @@ fn theories_agree_for_pinching_and_not_for_prying() {
         let pinched = solve(&main, RingForce::pinch(1.0).unwrap()).shallowness().unwrap();
         println!("t = {thickness}: pinch {pinched:?}, pry {pried:?}");
         assert!(pried.mean > 2.0 * pinched.mean);
+        // An oval above all, then the other even harmonics, whose energy falls fast.
+        assert_eq!((pinched.harmonic, pinched.of_greatest), (2, 4.0 * thickness));
+        let mean = pinched.mean / thickness;
+        assert!(mean > 4.0 && mean < 5.0, "{mean}");
+        let wide = Tube::half_momentless(1.1, wall(thickness)).unwrap();
+        let wide = Flange::on_tube(ring.clone(), wide, TubeEdge::at_centroid()).unwrap();
+        let wide = solve(&wide, RingForce::pinch(1.0).unwrap()).shallowness().unwrap();
+        assert_eq!(wide.of_greatest, 4.0 * (thickness / 1.1), "the radius is that of the tube");
     }
 }
 

@@ -121,8 +121,17 @@ fn bad_series_are_refused() {
     assert!(Sector::new(0.0, 1.0, 0.0).is_err());
     let wide = Sector::new(0.0, 1.0, 2.0).unwrap();
     let near = Sector::new(TAU - 1.5, 0.6, 2.0).unwrap();
-    let error = PiecewiseConstant::new(1.0, &[wide, near]).unwrap_err();
-    assert_eq!(error.field, "middle");
+    let apart = Sector::new(TAU - 2.0, 0.9, 2.0).unwrap();
+    for (sectors, fits) in [([wide, near], false), ([wide, apart], true)] {
+        let [one, other] = sectors;
+        for sectors in [[one, other], [other, one]] {
+            let made = PiecewiseConstant::new(1.0, &sectors).map(drop);
+            assert_eq!(
+                made.map_err(|error| error.field),
+                if fits { Ok(()) } else { Err("middle") }
+            );
+        }
+    }
     assert!(PiecewiseConstant::uniform(-1.0).is_err());
     assert!(EvenSeries::new(&[f64::INFINITY]).is_err());
     assert!(OddSeries::new(&[f64::NAN]).is_err());

@@ -177,7 +177,7 @@ impl NumericalLaw {
     /// present shift if the bodies are in contact.
     fn touch(&self, to: &Shift) -> Shift {
         let from = self.shift;
-        if self.touching.is_some() || from.zeta >= 0.0 {
+        if from.zeta >= 0.0 {
             return from;
         }
         let part = from.zeta / (from.zeta - to.zeta);

@@ -65,6 +65,14 @@ impl Drawn {
         }
     }
 
+    /// The same in a unit of length this many times as small.
+    fn larger(&self, by: f64) -> Self {
+        let (dx, dy) = (by * self.grid.dx(), by * self.grid.dy());
+        let grid = Grid::new(self.grid.nx(), self.grid.ny(), dx, dy).unwrap();
+        let gap = self.gap.iter().map(|gap| by * gap).collect();
+        Self { grid, gap, ..*self }
+    }
+
     /// The displacements by this pressure.
     fn displacements(&self, pressure: &[f64]) -> Vec<f64> {
         if self.is_periodic { self.by_waves(pressure) } else { self.by_rectangles(pressure) }
@@ -176,7 +184,7 @@ fn no_drawn_contact_is_a_wrong_success() {
 }
 
 /// What a rough solution by approach has above the energy of a fine one, by the other product, is below its bound, which is
-/// of the first order in what is left of the conditions.
+/// of the first order in what is left of the conditions, and an energy in any unit of length.
 #[test]
 fn the_energy_by_approach_is_bounded() {
     let mut random = Xorshift(20_261_130);
@@ -188,9 +196,9 @@ fn the_energy_by_approach_is_bounded() {
             continue;
         }
         count += 1;
-        let problem = drawn.problem();
-        let drive = Drive { normal: Driven::Shift(zeta), ..Drive::default() };
-        let solved = |tolerance: f64| {
+        let solved = |drawn: &Drawn, zeta: f64, tolerance: f64| {
+            let problem = drawn.problem();
+            let drive = Drive { normal: Driven::Shift(zeta), ..Drive::default() };
             let method = Frictional::default().within(tolerance).unwrap();
             let apart = ContactState::apart(drawn.grid);
             let (mut state, mut scratch) = (apart.clone(), method.scratch(&problem).unwrap());
@@ -203,9 +211,12 @@ fn the_energy_by_approach_is_bounded() {
             let sum: f64 = works.map(|((p, w), gap)| p * (0.5 * w + gap - zeta)).sum();
             (drawn.grid.cell_area() * sum, step.energy_gap_by_approach.unwrap())
         };
-        let (least, fine) = solved(1e-12);
+        let (least, fine) = solved(&drawn, zeta, 1e-12);
+        let [one, other] =
+            [1.0, 1024.0].map(|by| solved(&drawn.larger(by), by * zeta, 1e-3).1 / by.powi(3));
+        assert!((other - one).abs() <= 1e-6 * one, "an energy: {one:e} {other:e}");
         for tolerance in [1e-2, 1e-3, 1e-5] {
-            let (energy, bound) = solved(tolerance);
+            let (energy, bound) = solved(&drawn, zeta, tolerance);
             let above = energy - least;
             assert!(above <= bound + 1e-12 * least.abs(), "{tolerance}: {above:e} {bound:e}");
             assert!(bound <= 20.0 * tolerance * least.abs() && fine <= 1e-10 * least.abs());

@@ -159,6 +159,12 @@ fn what_cannot_be_is_refused() {
     assert_eq!(refused(f64::NAN, 20, 0.1), "approach");
     assert_eq!(refused(1.0, 3, 0.1), "cells");
     assert_eq!(refused(1.0, 20, f64::INFINITY), "friction");
+    let method = Frictional::default();
+    for tolerance in [0.0, 1e-14, 0.1, f64::NAN] {
+        assert_eq!(method.within(tolerance).unwrap_err().field, "tolerance");
+    }
+    assert_eq!(method.at_most(0, 1).unwrap_err().field, "iterations");
+    assert_eq!(method.at_most(1, 0).unwrap_err().field, "passes");
     let mut law = law([0.0, 0.5], 1.0, 0.3, 12);
     law.advance(shift(1.0, 0.1, 0.0)).unwrap();
     let (load, before) = (law.load(), law.state().unwrap().clone());

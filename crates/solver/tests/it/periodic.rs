@@ -8,7 +8,7 @@ use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
-    Frictionless, Gap, Method as _, NormalError, PeriodError, violations,
+    Frictionless, Gap, Method as _, NormalError, PeriodError, StepSummary, violations,
 };
 
 const AMPLITUDE: f64 = 0.02;
@@ -248,4 +248,29 @@ fn a_wavy_surface_is_pulled_by_a_force() {
             assert_eq!(shifted.count(CellState::Stick), pulled.count(CellState::Stick));
         }
     }
+}
+
+/// A summit at the corner of the window is one patch of a period, and four without.
+#[test]
+fn a_patch_goes_on_across_the_border_of_a_period() {
+    let grid = Grid::new(12, 10, 0.1, 0.1).unwrap();
+    let body = Material::from_shear(1.0, 0.3).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let gap = Gap::from_function(grid, |x, y| {
+        let wave = |at: f64, side: f64| 1.0 + (2.0 * PI * at / side).cos();
+        0.1 * (wave(x, 1.2) + wave(y, 1.0))
+    })
+    .unwrap();
+    let patches = |problem: ContactProblem| {
+        let method = Frictional::default();
+        let (apart, mut scratch) = (ContactState::apart(grid), method.scratch(&problem).unwrap());
+        let drive = Drive { normal: Driven::Shift(0.03), ..Drive::default() };
+        let mut state = apart.clone();
+        let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ());
+        let step = StepSummary::default().next(&problem, [&apart, &state], &went.unwrap());
+        step.unwrap().patches
+    };
+    let by_need = ContactProblem::of_periods_by_need(gap.clone(), pair, Friction::NONE).unwrap();
+    let apart = ContactProblem::of_half_spaces_by_need(gap, pair, Friction::NONE).unwrap();
+    assert_eq!([patches(by_need), patches(apart)], [1, 4]);
 }

@@ -145,6 +145,7 @@ fn stresses_below_are_those_of_an_independent_program() {
             let at = Point { x: number(point, "x"), y: number(point, "y"), z: number(point, "z") };
             let stress = body.stress(at).unwrap();
             let moved = body.displacement(at).unwrap();
+            assert_eq!(body.along_normal(at.x, at.y, [at.z.abs()]).unwrap(), [stress]);
             // Six digits are given, of stresses up to 700 and of displacements in common axes.
             let pairs = [
                 (stress.xx, "sxx"),

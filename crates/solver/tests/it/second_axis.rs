@@ -73,7 +73,7 @@ fn the_peak_between_cells_is_found_along_both_axes() {
     }
 }
 
-/// States on three grids, the same with x and y exchanged if asked: a cap, and a block whose pressure is greatest at the
+/// States on three grids of oblong cells, the same with x and y exchanged if asked: a cap, and a block whose pressure is greatest at the
 /// two edges across y.
 fn on_three_grids(is_cap: bool, is_exchanged: bool) -> Estimates {
     let states = [(24, 0.0), (12, 0.003), (6, 0.012)].map(|(cells, more)| {
@@ -82,9 +82,9 @@ fn on_three_grids(is_cap: bool, is_exchanged: bool) -> Estimates {
             false if x.abs() < 0.8 && y.abs() < 0.8 => 1.0 + more + 0.1 * y * y - 0.2 * x * x,
             false => 0.0,
         };
-        let mut state = ContactState::apart(
-            Grid::new(cells, cells, 2.4 / cells as f64, 2.4 / cells as f64).unwrap(),
-        );
+        let counts = if is_exchanged { [cells * 3 / 2, cells] } else { [cells, cells * 3 / 2] };
+        let [dx, dy] = counts.map(|count| 2.4 / count as f64);
+        let mut state = ContactState::apart(Grid::new(counts[0], counts[1], dx, dy).unwrap());
         state.pressure = Field::from_function(state.pressure.grid(), |x, y| {
             if is_exchanged { pressure(y, x) } else { pressure(x, y) }
         });

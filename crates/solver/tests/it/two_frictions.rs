@@ -37,6 +37,15 @@ fn follow(problem: &ContactProblem, shifts: &[f64]) -> Vec<ContactState> {
 }
 
 #[test]
+fn without_kinetic_friction_static_friction_still_holds() {
+    let rest = Friction::new(0.45).unwrap();
+    let friction = CellFriction::new(rest, Friction::NONE).unwrap();
+    let problem = problem(20, 0.45, false).with_friction(friction).unwrap();
+    let state = &follow(&problem, &[0.0, 0.01])[1];
+    assert!(state.count(CellState::Stick) > 0 && state.load().f_x > 0.0, "{:?}", state.load());
+}
+
+#[test]
 fn cells_stick_up_to_static_and_slip_at_kinetic_friction() {
     for rigid in [false, true] {
         let problem = problem(40, 0.45, rigid);

@@ -317,9 +317,14 @@ mod tests {
             let dense = stepper.dense();
             assert_eq!(dense.at(dense.start()), *stepper.before().1);
             for i in 1..8 {
-                let y = dense.at(dense.start() + 0.125 * i as f64 * (dense.end() - dense.start()));
+                let x = dense.start() + 0.125 * i as f64 * (dense.end() - dense.start());
+                let y = dense.at(x);
                 let energy = 0.5 * (y[2] * y[2] + y[3] * y[3]) - 1.0 / y[0].hypot(y[1]);
                 worst = worst.max((energy + 0.5).abs());
+                // Kepler's equation: the time at this place.
+                let anomaly = (y[1] / 0.8).atan2(y[0] + 0.6);
+                let off = anomaly - 0.6 * anomaly.sin() - x;
+                worst = worst.max((off / period - (off / period).round()).abs());
             }
         }
         for (end, begin) in stepper.y().iter().zip(start) {
