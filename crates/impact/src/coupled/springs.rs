@@ -224,7 +224,8 @@ impl Row {
         let late = since + self.relaxation;
         let trial =
             [0, 1].map(|k| self.ratios[k] * self.stiffness * (shift[k] + late * velocity[k]));
-        let limit = (pressure + self.stiffness * ahead).max(0.0);
+        // Not 0: friction may be infinite.
+        let limit = (pressure + self.stiffness * ahead).max(f64::MIN_POSITIVE);
         Some(Pressed { pressure, limit, since, trial })
     }
 }

@@ -99,6 +99,17 @@ fn bodies_that_lose_all_do_not_approach_after_the_impact() {
     }
 }
 
+/// Friction without a limit is the limit of great friction, and gives off no heat.
+#[test]
+fn endless_friction_of_lossy_bodies_is_great_friction() {
+    for (axis, slip) in [([0.7, 0.0], [0.0, 0.4]), ([0.7, 0.3], [0.3, 0.2])] {
+        let [great, endless] =
+            [1e9, f64::INFINITY].map(|f| rebound(&losing(0.4, egg(axis, slip, friction(f)))));
+        let off = (great.contact_velocity_after - endless.contact_velocity_after).norm();
+        assert!(off < 1e-3 && endless.energy.dissipated < 1e-3 * endless.energy.before, "{off}");
+    }
+}
+
 /// The heat of friction of a body that hardly loses energy is that of an elastic one.
 #[test]
 fn heats_of_lossy_bodies_begin_at_those_of_elastic_ones() {
