@@ -166,7 +166,8 @@ def test_the_law_and_the_tolerance_of_an_impact_are_those_asked_for():
     assert np.abs(ends["coulomb"][1] - ends["fixed-direction"][1]).max() > 1e-4
     still = carom.Body("ellipsoid", (0.03, 0.02, 0.015), GLASS, 0.1, attitude=ATTITUDE, velocity=(1.0, 0.7, -2.0))
     coarse, fine = (carom.collide(still, two, 0.3, tolerance=t) for t in (1e-2, 1e-6))
-    assert fine.error_estimate < 1e-5 and not np.array_equal(coarse.body_1_velocity, fine.body_1_velocity)
+    # What the law errs where the slip turns is left at any tolerance.
+    assert 1e-5 < fine.error_estimate < 1e-2 and not np.array_equal(coarse.body_1_velocity, fine.body_1_velocity)
     assert np.abs(coarse.body_1_velocity - fine.body_1_velocity).max() < 0.03
     # That no law counts the spin of an ellipsoid about the normal is an error of any tolerance.
     assert carom.collide(one, two, 0.3, tolerance=1e-6).error_estimate > 1e-3

@@ -55,7 +55,7 @@ fn on_many_cells_springs_are_fastsim() {
     }
 }
 
-/// One element is half its length from the leading edge: its traction is a/L times the creepage, up to the limit in the middle.
+/// One element is half its length from the leading edge: its traction is a/L times the creepage, up to that of friction.
 #[test]
 fn fastsim_takes_from_one_element_to_a_thousand() {
     let (shear_modulus, coefficients) = (1.0, coefficients());
@@ -76,7 +76,8 @@ fn fastsim_takes_from_one_element_to_a_thousand() {
     assert!((load.f_x / (area * a * 1e-3 / along) - 1.0).abs() < 1e-12, "{load:?}");
     assert!((load.f_y / (-area * a * 2e-3 / across) - 1.0).abs() < 1e-12, "{load:?}");
     let load = with([1, 1]).forces(Creepage { across: 9.0, ..Creepage::default() }).unwrap();
-    assert!((load.f_y / (area * 2.0 * FRICTION / (PI * a * b)) - 1.0).abs() < 1e-12, "{load:?}");
+    // The limit in the middle over all of it is more than friction holds.
+    assert!((load.f_y / FRICTION - 1.0).abs() < 1e-12, "{load:?}");
     for mesh in [[0, 1], [1, 0], [1001, 1], [1, 1001]] {
         assert_eq!(with(mesh).forces(small).unwrap_err().field, "mesh");
     }
