@@ -146,7 +146,8 @@ mod tests {
         assert!(load.m_z > 0.0 && load.f_x.abs() < 1e-15 && load.f_y.abs() < 1e-15);
         let other = Grid::new(3, 4, 0.5, 0.25).unwrap();
         assert!(state.check_grid(grid).is_ok());
-        let fields: [(&str, fn(&mut ContactState) -> &mut Field); 5] = [
+        type Place = fn(&mut ContactState) -> &mut Field;
+        let fields: [(&str, Place); 5] = [
             ("pressure", |state| &mut state.pressure),
             ("traction x", |state| &mut state.traction_x),
             ("traction y", |state| &mut state.traction_y),
