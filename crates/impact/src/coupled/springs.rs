@@ -1,4 +1,5 @@
-//! A lossy impact whose motions couple or whose slip turns, as a row of springs of Kelvin and Voigt, each with friction of its own.
+//! A lossy impact whose motions couple or whose slip turns, as a row of springs of Kelvin and Voigt, each with friction of
+//! its own.
 //!
 //! Hertz's contact is a row of independent springs (the method of dimensionality reduction): they touch at the depths
 //! zeta_max u^2, with u equally spaced from 0 to 1, and have the stiffness c_z zeta_max^(1/2) du along the normal, c_x/c_z and
@@ -80,7 +81,7 @@ impl CoupledImpact {
             let deepest = DEEPER.powi(i);
             let finer = self.steepness(relaxation, deepest).ceil().max(1.0);
             let row = (finer <= FINEST).then(|| Row::new(self, relaxation, springs, deepest))?;
-            Some((i, row.impact(self, steps * finer as usize)?))
+            Some((i, row.impact(self, steps, finer as usize)?))
         })
     }
 
@@ -133,14 +134,20 @@ impl Row {
         }
     }
 
-    fn impact(mut self, impact: &CoupledImpact, steps: usize) -> Option<SpringImpact> {
+    /// In these steps up to the time of an elastic impact, each in so many parts.
+    fn impact(
+        mut self,
+        impact: &CoupledImpact,
+        steps: usize,
+        parts: usize,
+    ) -> Option<SpringImpact> {
         let matrix = impact.mobility.matrix();
         let mobility: Matrix3<f64> = matrix / matrix.m33;
-        let dt = DURATION / steps as f64;
+        let dt = DURATION / (parts * steps) as f64;
         let mut now =
             SpringImpact { velocity: impact.velocity / impact.velocity.z, ..Default::default() };
         let (mut shift, mut parting) = (Vector3::zeros(), true);
-        for _ in 0..LONGEST * steps {
+        for part in 0..LONGEST * steps * parts {
             let middle = shift.z + 0.5 * dt * now.velocity.z;
             if middle > self.deepest {
                 return None;
@@ -159,7 +166,9 @@ impl Row {
             now.compressions += u32::from(parting && now.velocity.z > 0.0);
             parting = now.velocity.z < 0.0;
             let (time, velocity, stage) = (now.duration, now.velocity, self.stage);
-            now.instants.push(Instant { time, shift, velocity, force, stage });
+            if part % parts == 0 {
+                now.instants.push(Instant { time, shift, velocity, force, stage });
+            }
         }
         None
     }
