@@ -38,6 +38,19 @@ fn the_estimate_is_a_part_of_the_velocity_and_covers_the_change_to_finer_runs() 
     assert_eq!([fine.compressions, coarse.compressions], [1, 1]);
 }
 
+/// The tolerance of a collision is a part of the velocity of approach, that of the grid one of f times it.
+#[test]
+fn the_tolerance_of_a_collision_is_refined_to_over_its_friction() {
+    let asked = collision().within(3e-3).unwrap();
+    let [asked, given, finer] = [
+        NumericalImpact::new(&asked),
+        NumericalImpact::new(&collision()).within(3e-2).unwrap(),
+        NumericalImpact::new(&collision()).within(3e-3).unwrap(),
+    ]
+    .map(|impact| impact.solve().unwrap().rebound().unwrap().error_estimate);
+    assert!(asked == given && finer < 0.5 * given, "{asked} {given} {finer}");
+}
+
 /// A ball that slides throughout has the same changes of velocity at any slip: the estimate, a part of the
 /// velocity before, falls as that grows.
 #[test]
