@@ -135,6 +135,8 @@ struct Head {
     /// The step of a grid of ESRI, of which the first row has the greatest y.
     cell: Option<f64>,
     is_grid: bool,
+    /// What it says of lengths that is none.
+    notes: Vec<String>,
     /// Whether its three columns are named x, y and z.
     names_points: bool,
     /// The numbers of its columns and rows.
@@ -152,6 +154,17 @@ impl Head {
             None => line.split_once(char::is_whitespace).unwrap_or((line, "")),
         };
         let (name, value) = (name.trim().to_ascii_lowercase(), value.trim());
+        // "Height of a sample" is a title.
+        let is_title = !line.contains([':', '=']);
+        let is_understood = match name.as_str() {
+            "width" | "height" => is_title || length(value).is_some(),
+            "value units" | "z unit" | "unit" | "units" => is_title || metres(value).is_some(),
+            "cellsize" => value.parse().is_ok_and(|cell: f64| cell > 0.0 && cell.is_finite()),
+            _ => true,
+        };
+        if !is_understood {
+            self.notes.push(format!("its `{line}` is no length and counts for nothing"));
+        }
         match name.as_str() {
             "width" => self.size[0] = length(value),
             "height" => self.size[1] = length(value),
@@ -217,7 +230,7 @@ pub(crate) fn read(text: &str, reading: &Reading) -> Result<Measured, SurfaceErr
     let rows = rows(text, reading)?;
     let head = &rows.head;
     let unit = reading.unit.or(head.unit);
-    let mut notes = Vec::new();
+    let mut notes = head.notes.clone();
     if let Some(listed) = listed(&rows, reading.most_points) {
         let map = listed?;
         reading.check(map.columns(), map.rows())?;

@@ -143,6 +143,22 @@ fn a_list_of_points_in_any_order_is_a_map() {
     assert!(error.starts_with("line 5: ") && error.contains("line 2"), "{error}");
 }
 
+/// What a head says that is no length is told, not passed over.
+#[test]
+fn heads_that_name_no_length_are_told() {
+    for (head, said) in [
+        ("# Width: -3 um", "Width: -3 um"),
+        ("# Height: 0 um", "Height: 0 um"),
+        ("# Value units: V", "Value units: V"),
+        ("cellsize 0", "cellsize 0"),
+        ("cellsize nan", "cellsize nan"),
+    ] {
+        let found = map(&format!("{head}\n1.5 -2.25 3\n4 5.125 6\n"));
+        assert!(found.notes.len() == 1 && found.notes[0].contains(said), "{:?}", found.notes);
+    }
+    assert!(map("# Height map of a gear\n1.5 -2.25 3\n4 5.125 6\n").notes.is_empty());
+}
+
 /// The unit of a head holds for its column alone; a unit that is given holds for all three.
 #[test]
 fn each_column_of_a_list_has_its_unit() {
