@@ -332,6 +332,11 @@ mod tests {
         ([1.2, 3.0, 1.0], true, 0.8, [0.9, 0.7], [0.47428, 0.12988, -0.34515]),
     ];
 
+    fn check(found: &SpringImpact, after: [f64; 3]) {
+        let (off, error) = ((found.velocity - Vector3::from(after)).norm(), found.error);
+        assert!(off < 1e-3 && off < 2.0 * error, "{off} {error}: {:?}", found.velocity);
+    }
+
     /// By another program: springs of the same kind, 400 of them and 5000 steps.
     #[test]
     fn slip_that_turns_is_that_of_another_program() {
@@ -339,13 +344,7 @@ mod tests {
         for (mobility, stiffness, relaxation, slip, after) in CASES {
             let stiffness = if stiffness { unlike } else { STIFF };
             let found = impact(mobility, stiffness, slip).by_springs(relaxation).unwrap();
-            let off = (found.velocity - Vector3::from(after)).norm();
-            assert!(
-                off < 1e-3 && off < 2.0 * found.error,
-                "{off} {}: {:?}",
-                found.error,
-                found.velocity
-            );
+            check(&found, after);
         }
     }
 
@@ -386,13 +385,7 @@ mod tests {
             let own = impact([1.0; 3], STIFF, [slip, 0.0]);
             let own = CoupledImpact { mobility: Mobility::from_matrix(rows).unwrap(), ..own };
             let found = own.by_springs(relaxation).unwrap();
-            let off = (found.velocity - Vector3::new(x, 0.0, z)).norm();
-            assert!(
-                off < 1e-3 && off < 2.0 * found.error,
-                "{off} {}: {:?}",
-                found.error,
-                found.velocity
-            );
+            check(&found, [x, 0.0, z]);
         }
     }
 
