@@ -366,6 +366,23 @@ mod tests {
         }
     }
 
+    /// Sliding drives the bodies together: the row is several times deeper than without friction.
+    #[test]
+    fn deep_springs_that_relax_at_once_are_the_elastic_law() {
+        let rows = Matrix3::new(3.0, 0.0, -1.6, 0.0, 2.0, 0.0, -1.6, 0.0, 1.0);
+        let friction = Friction::new(1.5).unwrap();
+        let mobility = Mobility::from_matrix(rows).unwrap();
+        for slip in [3.0, 6.0] {
+            let own = CoupledImpact { friction, mobility, ..impact([1.0; 3], STIFF, [slip, 0.0]) };
+            let known = own.solve(crate::coupled::TurningLaw::Coulomb).unwrap();
+            let found = own.by_springs(1e-6).unwrap();
+            let deep = known.maximal_approach / own.normal.maximal_approach();
+            let off = (found.velocity - known.velocity).norm() / own.velocity.norm();
+            assert!(deep > 3.2 && (found.maximal_approach / deep - 1.0).abs() < 5e-3, "{deep}");
+            assert!(off < 5e-3, "{slip}: {off} {} {:?}", found.error, known.velocity);
+        }
+    }
+
     /// A body that turns a thousand times more easily: its steps would grow without limit.
     #[test]
     fn a_body_that_is_too_light_along_the_surface_is_refused() {
