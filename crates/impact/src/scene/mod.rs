@@ -7,6 +7,7 @@
 //! until it rests, comes to the edge or meets another wall.
 
 mod ball;
+mod chatter;
 mod error;
 mod flight;
 mod glide;

@@ -286,7 +286,8 @@ pub enum Ending {
         /// The wall.
         wall: usize,
     },
-    /// Gravity presses the ball into the corner of two walls; what it does there is not followed.
+    /// Gravity presses the ball into the corner of two walls, or it bounces between them faster than a contact lasts; what it
+    /// does there is not followed.
     Wedged {
         /// One wall.
         wall: usize,

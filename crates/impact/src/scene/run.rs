@@ -4,6 +4,7 @@ use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::ball::Ball;
+use super::chatter::Chatter;
 use super::error::SceneError;
 use super::flight::{Flight, along};
 use super::path::{Bounce, Ending, Leg, Limits, Manner, Path, PathPoint, TimedFlight};
@@ -16,7 +17,8 @@ use crate::outcome::{Outcome, TorsionMode};
 /// The walls and the gravity of a scene.
 ///
 /// Each impact is computed with [`AnalyticOrRings`], which accounts for the coupling of dissimilar materials.
-/// A bounce of similar bodies takes some microseconds, by rings or with a viscous loss a millisecond or more.
+/// A bounce of similar bodies in a plane takes some microseconds; by rings, with a viscous loss or with slip that turns some
+/// milliseconds or more.
 ///
 /// If the ball touches two walls at the same instant, as in a corner, it bounces off the one added first,
 /// then off the other.
@@ -212,6 +214,7 @@ pub struct Legs<'a, S = AnalyticOrRings> {
     pub(super) limits: Limits,
     pub(super) now: PathPoint,
     bounces: usize,
+    chatter: Chatter,
     /// The moving wall from which the ball does not rise any more.
     carried: Option<usize>,
     /// Legs without time, one after the other.
@@ -261,6 +264,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
             limits,
             now: PathPoint { time: 0.0, position: ball.position(), motion },
             bounces: 0,
+            chatter: Chatter::default(),
             carried: None,
             idle: 0,
             on: None,
@@ -282,7 +286,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
     fn step(&mut self) -> Result<Leg, SceneError<S::Error>> {
         let flight = self.flight();
         let walls = || self.scene.walls.iter().enumerate();
-        if let Some((wall, other)) = self.wedged() {
+        if let Some((wall, other)) = self.wedged().or_else(|| self.chatter.walls()) {
             return Ok(Leg::ending_with(Ending::Wedged { wall, other }));
         }
         let mut pressed = walls()
@@ -402,6 +406,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         };
         let [after, _] = rebound.motions;
         let loses = rebound.energy.lost > 0.0;
+        self.chatter.add(wall, self.now.time, rebound.duration);
         let bounce = Bounce {
             time: self.now.time,
             wall,

@@ -121,3 +121,25 @@ fn corners_end_or_are_followed() {
         assert!(matches!(path.ending(), Ending::Wedged { .. } | Ending::Bounces));
     }
 }
+
+/// A wall leans over the ball and turns its spin into a push along the floor: it bounces off both in turn, a hundred times
+/// within a thousandth of what one contact lasts.
+#[test]
+fn bounces_faster_than_contacts_last_hold_a_ball_between_two_walls() {
+    let soft = Material::from_young(1e8, 0.3).unwrap();
+    let wall = |point: [f64; 3], normal: [f64; 3], f: f64, e: f64| {
+        let wall = Wall::new(point, normal, soft, friction(f)).unwrap();
+        wall.with_normal_restitution(NormalRestitution::by_yield(e).unwrap())
+    };
+    let leans = wall([-0.391045, 0.084166, 0.0], [0.978, -0.21, -0.348], 0.44, 0.17);
+    let walls = [wall([0.0; 3], [-0.057, 0.129, 0.99], 0.25, 0.73), leans];
+    let motion = Motion {
+        velocity: Vector3::new(-0.0415079, -0.217721, 0.0285574),
+        spin: Vector3::new(8.21031, -3.37436, -15.1948),
+    };
+    let body = Body::spherical_shell(0.03, soft, 0.1).unwrap().moving(motion);
+    let ball = Ball::new(body.at([-0.311013, 0.362537, -0.0348207]).unwrap()).unwrap();
+    let path = between(&walls, [0.0, 0.0, -G], &ball, [4.0, 1000.0]);
+    assert_eq!(path.ending(), Ending::Wedged { wall: 0, other: 1 });
+    assert!(path.bounces().len() < 100, "{}", path.bounces().len());
+}
