@@ -2,6 +2,7 @@
 //! of the stiffness.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use carom_drawn::{Draw as _, Splitmix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -104,4 +105,34 @@ fn torque_without_slip_is_the_integral_of_the_stiffness() {
     assert_relative_eq!(growing, 0.25 * stiffness(0.02) * 0.03, max_relative = 1e-12);
     let further = go(0.02, 0.05);
     assert_relative_eq!(further - growing, stiffness(0.02) * 0.02, max_relative = 1e-12);
+}
+
+/// Coarse paths on which two annuli slip, so that rings are solved, with lengths in another unit.
+#[test]
+fn a_twist_does_not_depend_on_the_unit_of_length() {
+    let body = Material::from_shear(2.0, 0.3).unwrap();
+    let law = |unit: f64| {
+        let gap = RelativeCurvature::from_coefficients(0.5 / unit, 0.5 / unit).unwrap();
+        let hertz = Hertz::new(gap, MaterialPair::new(body, body).unwrap()).unwrap();
+        TorsionLaw::new(&hertz, Friction::new(0.3).unwrap()).unwrap()
+    };
+    let mut drawn = Splitmix(86);
+    for _ in 0..40 {
+        let units = [1.0, 1e3, 3.7e-4];
+        let mut laws = units.map(law);
+        let (mut zeta, mut omega, mut greatest) = (1e-6_f64, 0.0, 0.0_f64);
+        for _ in 0..12 {
+            zeta = (zeta + 1e-6 * drawn.between(-1.0, 1.5)).abs() + 1e-7;
+            omega += drawn.between(-4e-4, 4e-4);
+            let mut torques = [0.0; 3];
+            for ((law, unit), torque) in laws.iter_mut().zip(units).zip(&mut torques) {
+                let to = Shift { zeta: zeta * unit, omega, ..Shift::default() };
+                *torque = law.advance(to).unwrap().m_z / unit.powi(3);
+            }
+            greatest = torques.iter().fold(greatest, |greatest, torque| greatest.max(torque.abs()));
+            for torque in torques {
+                assert_abs_diff_eq!(torque, torques[0], epsilon = 1e-9 * greatest);
+            }
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::{HEAD, State, TorsionLaw};
+use super::{HEAD, State, TorsionLaw, Units};
 use crate::law::{ContactLaw as _, Shift};
 use crate::stored::Writer;
 use crate::torsion::history::StoredHistory;
@@ -13,8 +13,7 @@ use crate::torsion::history::StoredHistory;
 #[repr(C)]
 pub struct StoredTwist {
     c_z: f64,
-    per_twist: f64,
-    per_torque: f64,
+    units: Units,
     zeta: f64,
     omega: f64,
     history: StoredHistory,
@@ -29,23 +28,23 @@ impl StoredTwist {
     /// # Errors
     /// [`RangeError`] for infinite friction, whose history has no fixed size.
     pub fn new(law: &TorsionLaw) -> Result<Self, RangeError> {
-        let &TorsionLaw { c_z, per_twist, per_torque, .. } = law;
+        let &TorsionLaw { c_z, units, .. } = law;
         let is_finite = !matches!(law.state, State::Adhesion(_));
         RangeError::check("friction", f64::INFINITY, is_finite, "finite")?;
         let history = StoredHistory::NEW;
-        Ok(Self { c_z, per_twist, per_torque, zeta: 0.0, omega: 0.0, history })
+        Ok(Self { c_z, units, zeta: 0.0, omega: 0.0, history })
     }
 
     /// The law in this state.
     #[must_use]
     pub fn law(&self) -> TorsionLaw {
-        let &Self { c_z, per_twist, per_torque, zeta, omega, .. } = self;
-        let state = match per_torque {
+        let &Self { c_z, units, zeta, omega, .. } = self;
+        let state = match units.torque {
             0.0 => State::Frictionless,
             _ => State::Lubkin(self.history.history()),
         };
         let shift = Shift { zeta, omega, ..Shift::default() };
-        TorsionLaw { c_z, per_twist, per_torque, state, shift }
+        TorsionLaw { c_z, units, state, shift }
     }
 
     /// Checks a state whose bytes may have been changed elsewhere.
