@@ -231,6 +231,13 @@ pub(crate) fn read(text: &str, reading: &Reading) -> Result<Measured, SurfaceErr
     let head = &rows.head;
     let unit = reading.unit.or(head.unit);
     let mut notes = head.notes.clone();
+    if let (Some(given), Some(own)) = (reading.unit, head.unit)
+        && (given / own - 1.0).abs() > 1e-9
+    {
+        notes.push(format!(
+            "its head states heights in units of {own:?} m: those given, {given:?} m, count"
+        ));
+    }
     if let Some(listed) = listed(&rows, reading.most_points) {
         let map = listed?;
         reading.check(map.columns(), map.rows())?;
@@ -330,6 +337,9 @@ fn rows(text: &str, reading: &Reading) -> Result<Rows, SurfaceError> {
     }
     if rows.has_tails && rows.columns > 1 {
         rows.cut_tails();
+    }
+    if rows.has_labels() {
+        rows.cut_labels();
     }
     rows.check_size()?;
     if let Some(missing) = rows.head.missing {
@@ -448,5 +458,29 @@ impl Rows {
             place % columns != 0
         });
         self.columns -= 1;
+    }
+
+    /// Whether the first row and column number the others from 0 and their corner is empty, as tables are written.
+    fn has_labels(&self) -> bool {
+        let (columns, values) = (self.columns, &self.values);
+        let counts = |step: usize, end: usize| {
+            let labels = values[..end].iter().step_by(step).skip(1);
+            labels.zip(0..).all(|(label, i)| *label == f64::from(i))
+        };
+        columns > 2
+            && self.lines.len() > 2
+            && values[0].is_nan()
+            && counts(1, columns)
+            && counts(columns, values.len())
+    }
+
+    /// Leaves them out.
+    fn cut_labels(&mut self) {
+        let rows = self.values.chunks_exact(self.columns).skip(1);
+        self.values = rows.flat_map(|row| &row[1..]).copied().collect();
+        self.lines.remove(0);
+        self.columns -= 1;
+        let note = "its first row and column number the others: they are left out";
+        self.head.notes.push(note.to_owned());
     }
 }

@@ -159,6 +159,30 @@ fn heads_that_name_no_length_are_told() {
     assert!(map("# Height map of a gear\n1.5 -2.25 3\n4 5.125 6\n").notes.is_empty());
 }
 
+#[test]
+fn another_unit_than_that_of_the_head_counts_and_is_told() {
+    let text = b"# Value units: um\n1.5 -2.25 3\n4 5.125 6\n";
+    let nanometre = Reading { unit: Some(1e-9), ..Reading::default() };
+    let found = read(text, &nanometre).unwrap();
+    assert_heights(&found, [1.5e-9, -2.25e-9, 3e-9, 4e-9, 5.125e-9, 6e-9]);
+    assert!(found.notes.len() == 1 && found.notes[0].contains("1e-6"), "{:?}", found.notes);
+    let same = Reading { unit: Some(1e-6), ..Reading::default() };
+    assert!(read(text, &same).unwrap().notes.is_empty());
+}
+
+/// The labels that programs for tables write are no heights; numbers that only look like them are.
+#[test]
+fn numbers_of_rows_and_columns_are_no_heights() {
+    let found = map(",0,1,2\n0,1.5,-2.25,\n1,4,5.125,6\n");
+    assert_heights(&found, WANTED);
+    assert!(found.notes[0].contains("number the others"));
+    let heights = [NAN, 0.0, 1.0, 2.0, 0.0, 1.5, -2.25, 3.0, 2.0, 4.0, 5.125, 6.0];
+    let found = map(",0,1,2\n0,1.5,-2.25,3\n2,4,5.125,6\n");
+    assert!(found.notes.is_empty() && found.topography.columns() == 4);
+    let same = |(h, w): (&f64, f64)| *h == w || h.is_nan() && w.is_nan();
+    assert!(found.topography.heights().iter().zip(heights).all(same));
+}
+
 /// The unit of a head holds for its column alone; a unit that is given holds for all three.
 #[test]
 fn each_column_of_a_list_has_its_unit() {
