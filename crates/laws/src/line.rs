@@ -5,6 +5,8 @@ use carom_special::RangeError;
 use carom_table::Column;
 use std::f64::consts::PI;
 
+use crate::bounds::constant;
+
 /// Two cylinders with parallel axes, or a cylinder and a plane, that touch along a length.
 ///
 /// Per length the contact is plane: with the force per length q = F_z/L and the relative radius R, 1/R = 1/R_1 + 1/R_2,
@@ -69,10 +71,11 @@ impl LineContact {
     /// The contact of a relative radius and a length.
     ///
     /// # Errors
-    /// [`RangeError`] unless both are finite and positive.
+    /// [`RangeError`] unless both are positive, from 1e-60 to 1e60.
     pub fn new(radius: f64, length: f64, materials: MaterialPair) -> Result<Self, RangeError> {
-        let radius = RangeError::positive("radius", radius)?;
-        Ok(Self { radius, length: RangeError::positive("length", length)?, materials })
+        let checked = |field, value| constant(field, RangeError::positive(field, value)?);
+        let (radius, length) = (checked("radius", radius)?, checked("length", length)?);
+        Ok(Self { radius, length, materials })
     }
 
     /// The relative radius R.

@@ -37,7 +37,7 @@ pub enum ProblemError {
 pub enum PeriodError {
     /// The approach is above the mean of the gap.
     #[error(
-        "the approach {approach} is above the mean of the gap, {mean}: the whole period is then in contact, \
+        "the approach {approach:?} is above the mean of the gap, {mean:?}: the whole period is then in contact, \
          and no load moves the mean planes closer"
     )]
     AllTouches {
@@ -48,7 +48,7 @@ pub enum PeriodError {
     },
     /// A tangential shift is prescribed where all cells are in contact and friction is infinite.
     #[error(
-        "a shift by {shift} along {axis}: the whole period sticks, and no load moves the mean planes \
+        "a shift by {shift:?} along {axis}: the whole period sticks, and no load moves the mean planes \
          relative to each other"
     )]
     AllSticks {

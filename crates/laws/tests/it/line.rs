@@ -185,7 +185,9 @@ fn carters_force_is_that_of_his_tractions() {
 #[test]
 fn what_is_no_line_is_refused() {
     let pair = roller().materials();
-    for (radius, length) in [(0.0, 1.0), (1.0, -1.0), (f64::INFINITY, 1.0), (1.0, f64::NAN)] {
+    for (radius, length) in
+        [(0.0, 1.0), (1.0, -1.0), (f64::INFINITY, 1.0), (1.0, f64::NAN), (1.0, 1e308)]
+    {
         assert!(LineContact::new(radius, length, pair).is_err());
     }
     let line = roller();

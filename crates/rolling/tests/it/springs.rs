@@ -89,6 +89,13 @@ fn fastsim_takes_from_one_element_to_a_thousand() {
     ] {
         assert_eq!(wrong.forces(small).unwrap_err().field, field);
     }
+    for (field, wrong) in [
+        ("creepage", Creepage { along: 1e300, ..small }),
+        ("creepage_across", Creepage { across: f64::NAN, ..small }),
+        ("spin", Creepage { spin: -1e200, ..small }),
+    ] {
+        assert_eq!(with([2, 2]).forces(wrong).unwrap_err().field, field);
+    }
 }
 
 /// Backwards, with the creepage along and the spin reversed, everything is the mirror image; heat is positive, and tractions keep
