@@ -29,7 +29,7 @@ use view::{Parameter, Record};
 /// under examples/. z points into body 1. Any number may be a sweep, that is a list or { start, stop, count
 /// }, or a distribution, as in glass_scatter.toml. `contact.law` and `contact.torsion` choose the effects
 /// that are computed: by default the coupling of dissimilar materials and the spin about the normal, where
-/// they matter; each impact by rings then takes about a millisecond. The picture shows the history of the
+/// they matter; each impact by rings then takes some milliseconds. The picture shows the history of the
 /// impact, the sweep, or the distribution.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each impact, motions afterwards", &view::cells(None)) + "\n"

@@ -5,14 +5,15 @@ use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::command::thinned::{MOST_DRAWN, Thinned};
 use crate::output::Picture;
 use carom_cases::case::Input;
+use carom_impact::Rebound;
 use carom_impact::coupled::ImpactMethod;
 use carom_plot::Panel;
 use carom_special::linspace;
 
-/// Number of values of a drawn sweep: of impacts in microseconds, of those by rings (milliseconds), and
+/// Number of values of a drawn sweep: of impacts in microseconds, of those in milliseconds (by rings, by springs), and
 /// of those on a grid (tenths of a second).
 const VALUES: usize = 361;
-const VALUES_BY_RINGS: usize = 121;
+const VALUES_IN_STEPS: usize = 121;
 const VALUES_ON_A_GRID: usize = 46;
 /// Number of quantities that are shown if nothing else is asked for.
 const MAIN: usize = 3;
@@ -111,7 +112,7 @@ impl Sweep {
     pub(super) fn add(&mut self, records: &[Record]) {
         for rebound in records.iter().filter_map(Record::rebound) {
             self.is_any = true;
-            self.count = self.count.min(values_of(rebound.method));
+            self.count = self.count.min(values_of(rebound));
         }
         for point in records.iter().filter_map(point) {
             if self.given.len() <= MOST_MARKS {
@@ -188,10 +189,11 @@ fn varies(points: &[Point], (axis, of): Quantity) -> bool {
     high - low > CONSTANT * high.abs().max(low.abs()) && !is_limit
 }
 
-const fn values_of(method: ImpactMethod) -> usize {
-    match method {
+fn values_of(rebound: &Rebound) -> usize {
+    match rebound.method {
         ImpactMethod::Numerical => VALUES_ON_A_GRID,
-        ImpactMethod::Rings => VALUES_BY_RINGS,
+        ImpactMethod::Rings | ImpactMethod::Spatial { .. } => VALUES_IN_STEPS,
+        _ if rebound.energy.lost > 0.0 => VALUES_IN_STEPS,
         _ => VALUES,
     }
 }
