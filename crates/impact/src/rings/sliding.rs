@@ -146,7 +146,7 @@ mod tests {
     #[test]
     fn where_it_begins_it_differs_from_rings_within_its_estimate() {
         let mut largest: f64 = 0.0;
-        for (lambda, gamma) in [(30.0, 0.3), (100.0, 0.3), (300.0, 0.3), (600.0, 0.4)] {
+        for (lambda, gamma) in [(100.0, 0.3), (600.0, 0.4)] {
             let friction = Friction::new(gamma / (1.001 * LEAST)).unwrap();
             let problem = Problem::of_groups([1.2, gamma], friction, lambda, 3.5);
             let slide = problem.slide().unwrap().unwrap();
