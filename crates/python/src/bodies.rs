@@ -46,10 +46,9 @@ const ALONG_SPACE: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 ///
 /// Body(shape, sizes, material, mass): the shape is 'sphere' (radius), 'plane' (no size, fixed), 'ellipsoid'
 /// (three semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' (radius of the centre circle, of the
-/// tube) or 'box' (three edge lengths); sizes in m, mass in kg, or the density of a solid body in kg/m3. Without them the
-/// body is fixed. By default
-/// it is solid, at the origin, at rest, its axes along those of space; see hollow, moments, centre, attitude,
-/// velocity and spin.
+/// tube) or 'box' (three edge lengths); sizes in m, a list or one number, mass in kg, or the density of a solid body in
+/// kg/m3. Without them the body is fixed. By default it is solid, at the origin, at rest, its axes along those of space;
+/// see hollow, moments, centre, attitude, velocity and spin.
 #[pyclass(frozen, eq, from_py_object, module = "carom", subclass)]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Body {

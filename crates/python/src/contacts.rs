@@ -20,7 +20,7 @@ use crate::quantities::{Friction, In, StaticFriction, Tolerance};
 use crate::room;
 use crate::threads::{beside, without_python};
 use crate::told::Watch;
-use crate::walked::{Constants, Member, check};
+use crate::walked::{Constants, Member};
 
 /// Capacity of the history of each contact, in load reversals.
 const VERTICES: usize = 16;
@@ -250,7 +250,12 @@ impl Path<'_> {
     /// Checks that no shift is out of range.
     fn check<L: Member>(&self, laws: &[L]) -> Result<(), Fault> {
         let Some(law) = laws.first() else { return Ok(()) };
-        (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))
+        (0..self.zeta.len()).try_for_each(|i| {
+            law.check(self.at(i)).map_err(|error| match self.steps {
+                1 => Fault::from(error).at(i),
+                steps => Fault::from(error).at_step(i / steps, i % steps),
+            })
+        })
     }
 
     /// Advances all contacts along their paths, which are checked; an interrupt ends that where it may.

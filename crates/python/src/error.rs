@@ -11,8 +11,8 @@ mod classes {
         carom,
         RangeError,
         PyValueError,
-        "A value is out of range: `field` names it, `value` is it, `index` is its place in an array \
-         (or None)."
+        "A value is out of range: `field` names it, `value` is it, `index` is its place in an array: an entry, or \
+         (contact, step) on paths, or None."
     );
     pyo3::create_exception!(
         carom,
@@ -24,11 +24,18 @@ mod classes {
 
 pub(crate) use classes::{CaromError, RangeError};
 
-/// An error, with the index of the array entry if there is one.
+/// An error, with its place in an array if there is one.
 #[derive(Debug)]
 pub(crate) struct Fault {
-    index: Option<usize>,
+    place: Option<Place>,
     kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Place {
+    Entry(usize),
+    /// A contact, and a step of its path.
+    Step(usize, usize),
 }
 
 #[derive(Debug)]
@@ -40,7 +47,7 @@ enum Kind {
 impl Fault {
     /// A computation that failed for another reason than a value out of range.
     pub(crate) fn other(error: impl std::fmt::Display) -> Self {
-        Self { index: None, kind: Kind::Other(error.to_string()) }
+        Self { place: None, kind: Kind::Other(error.to_string()) }
     }
 
     /// A computation that was ended, which is told by the exception of the signal.
@@ -50,19 +57,28 @@ impl Fault {
 
     /// The same error at an entry of an array.
     pub(crate) fn at(self, index: usize) -> Self {
-        Self { index: Some(index), ..self }
+        Self { place: Some(Place::Entry(index)), ..self }
+    }
+
+    /// The same error at a step of the path of a contact.
+    pub(crate) fn at_step(self, contact: usize, step: usize) -> Self {
+        Self { place: Some(Place::Step(contact, step)), ..self }
     }
 }
 
 impl From<carom::prelude::RangeError> for Fault {
     fn from(error: carom::prelude::RangeError) -> Self {
-        Self { index: None, kind: Kind::Range(error) }
+        Self { place: None, kind: Kind::Range(error) }
     }
 }
 
 impl From<Fault> for PyErr {
-    fn from(Fault { index, kind }: Fault) -> Self {
-        let at = index.map(|index| format!(" (entry {index})")).unwrap_or_default();
+    fn from(Fault { place, kind }: Fault) -> Self {
+        let at = match place {
+            None => String::new(),
+            Some(Place::Entry(index)) => format!(" (entry {index})"),
+            Some(Place::Step(contact, step)) => format!(" (contact {contact}, step {step})"),
+        };
         let range = match kind {
             Kind::Other(text) => return CaromError::new_err(format!("{text}{at}")),
             Kind::Range(range) => range,
@@ -73,7 +89,11 @@ impl From<Fault> for PyErr {
             // If the attributes cannot be set, the text of the exception still says everything.
             let _ = value.setattr("field", PyString::new(py, range.field));
             let _ = value.setattr("value", range.value);
-            let _ = value.setattr("index", index);
+            let _ = match place {
+                None => value.setattr("index", py.None()),
+                Some(Place::Entry(index)) => value.setattr("index", index),
+                Some(Place::Step(contact, step)) => value.setattr("index", (contact, step)),
+            };
             error
         })
     }

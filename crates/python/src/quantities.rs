@@ -73,7 +73,7 @@ impl<'py, A: Argument> FromPyObject<'_, 'py> for In<A> {
     }
 }
 
-/// The numbers of an argument, in its unit.
+/// The numbers of an argument, one or a list, in its unit.
 #[derive(Debug, Clone)]
 pub(crate) struct Several<A>(pub(crate) Vec<f64>, PhantomData<A>);
 
@@ -83,7 +83,10 @@ impl<'py, A: Argument> FromPyObject<'_, 'py> for Several<A> {
     fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         let numbers = match is_plain_row(&given) {
             true => given.extract()?,
-            false => line(A::NAME, &given, A::UNIT)?,
+            false => read("row", A::NAME, &given, A::UNIT)?
+                .extract::<Numbers<'_>>()?
+                .as_slice()?
+                .to_vec(),
         };
         Ok(Self(numbers, PhantomData))
     }

@@ -363,8 +363,3 @@ fn restored<L: Member>(mut law: L, state: Option<&[f64]>) -> PyResult<L> {
     }
     Ok(law)
 }
-
-/// Checks a shift; an error names its index.
-pub(crate) fn check<L: Member>(law: &L, shift: Shift, index: usize) -> Result<(), Fault> {
-    law.check(shift).map_err(|error| Fault::from(error).at(index))
-}

@@ -147,7 +147,7 @@ CALLS = {
         Call(carom.Body, {"shape": "ellipsoid", "sizes": In([0.1, 0.2, 0.3], "m"), "material": STEEL, "mass": In(2.0, "kg"),
                           "hollow": False, "moments": In((0.02, 0.02, 0.02), "kg*m**2"), "centre": In((1.0, 0.0, 2.0), "m"),
                           "attitude": none((1.0, 0.0, 0.0, 0.0)), "velocity": In((1.0, 0.0, -2.0), "m/s"), "spin": In((1.0, 2.0, 3.0), "rad/s")}),
-        Call(carom.Body, {"shape": "sphere", "sizes": In([0.1], "m"), "material": STEEL, "density": In(7850.0, "kg/m**3")}),
+        Call(carom.Body, {"shape": "sphere", "sizes": In(0.1, "m"), "material": STEEL, "density": In(7850.0, "kg/m**3")}),
     ],
     "Body.moving": [Call(BALL.moving, {"velocity": In([1.0, 2.0, 3.0], "m/s"), "spin": In([3.0, 2.0, 1.0], "rad/s")})],
     "Contact": [

@@ -140,7 +140,8 @@ impl Step<'_> {
 /// `heats`, which may be null; computing it costs several times the force, but nothing with CAROM_LAW_RINGS.
 ///
 /// Where the bodies separate, the history is lost; if heat is computed, it contains the energy released then. Bodies
-/// that are separated and stay so need no call.
+/// that are separated and stay so need no call. Without damping, friction of the last four steps before is the mean over
+/// each of them, as the motion needs it, and may exceed the friction limit of the force at their end.
 ///
 /// # Safety
 /// Pointers and memories are as [the crate](crate#pointers) asks.

@@ -73,6 +73,12 @@ def path(name: str, x: ArrayLike, unit: str) -> Array:
     return line(given)
 
 
+def row(name: str, x: ArrayLike, unit: str) -> Array:
+    """The numbers of an argument in this unit: a list, or one alone."""
+    given = numbers(name, x, unit)
+    return line(given) if given.ndim == 0 else path(name, x, unit)
+
+
 def spread(name: str, x: ArrayLike, shape: tuple[int, ...], unit: str = "") -> Array:
     """The numbers of an argument, broadcast to a shape."""
     given = numbers(name, x, unit)

@@ -22,7 +22,7 @@ __VERSION: str
 class RangeError(ValueError):
     field: str
     value: float
-    index: int | None
+    index: int | tuple[int, int] | None
 
 class CaromError(Exception): ...
 
@@ -262,7 +262,7 @@ class Body:
     def __new__(
         cls,
         shape: Literal["sphere", "plane", "ellipsoid", "cylinder", "capsule", "torus", "box"],
-        sizes: _Vector,
+        sizes: ArrayLike,
         material: Material,
         mass: float | None = None,
         *,

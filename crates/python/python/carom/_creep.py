@@ -142,9 +142,10 @@ def fastsim(
     """Creep forces by FASTSIM, Kalker's simplified theory: a tenth of a millisecond for what `roll` solves in seconds.
 
     Each particle has springs of its own, as stiff as Kalker's creep coefficients ask, and the friction limit is a parabola.
-    So forces are right for small creepage and in full sliding. In between they differ from the exact theory, which `roll`
-    computes. Measured for nu = 0.25 and a/b from 0.29 to 3.5, over f F_z: up to 0.05 without spin; with spin F_y is off by up
-    to 0.11, and in contacts with a < b by up to 0.17 where spin and lateral creepage have the same sign.
+    So forces are right for small creepage. In full sliding their sum is f F_z, yet its direction is that of
+    (creepage C11, creepage_across C22), up to 7 degrees from the slip. Measured against the exact theory, which `roll` computes,
+    for nu = 0.25, a/b from 0.29 to 3.5 and creepage in any direction, over f F_z: up to 0.09 without spin (0.05 along x or y);
+    with spin F_y is off by up to 0.18, and in contacts with a < b by up to 0.2.
 
     The Hertz contact rolls along x, under the normal force `F_z`. Make it by its gap, `Hertz(materials, A, B)` with A along x:
     `Hertz.of_radii` takes the direction of the greatest curvature for x. `creepage`, `creepage_across` and `spin` (rad/m) are those

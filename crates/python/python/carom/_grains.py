@@ -111,7 +111,9 @@ class GrainContacts:
         and spins (rad/s) are those that led there. Arrays (n, 3), or one vector for all.
 
         Of a wall `place_2` is the point nearest to body 1, and `velocity_2` its velocity. If one contact is out of range,
-        none is advanced. `heat` adds to `heats`, which costs several times as much.
+        none is advanced. `heat` adds to `heats`, which costs several times as much. Without damping, friction of the last
+        four steps before the bodies part is the mean over each of them, and may exceed the friction limit of the force at
+        their end.
         """
         places, velocities, spins = (place_1, place_2), (velocity_1, velocity_2), (spin_1, spin_2)
         return self._step(dt, {"place": places, "velocity": velocities, "spin": spins}, heat)

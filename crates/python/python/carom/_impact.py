@@ -95,7 +95,7 @@ def collide(
 
     `law` is 'auto', 'coulomb', 'fixed-direction', 'rings' or 'numerical'. With 'auto' the coupling of
     dissimilar materials counts where it matters, by rings for spheres and planes and on a grid for other
-    shapes; 'coulomb' and 'fixed-direction' neglect it. An impact by rings takes about a millisecond, one of
+    shapes; 'coulomb' and 'fixed-direction' neglect it. An impact by rings takes some milliseconds, one of
     like materials some microseconds.
 
     `friction` is a coefficient, or a `SlipSpeedFriction` that depends on the slip speed at the first touch; the result

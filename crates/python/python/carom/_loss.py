@@ -25,12 +25,12 @@ class RestitutionBySpeed:
 
     >>> import carom
     >>> measured = carom.RestitutionBySpeed([0.5, 1.0, 3.0], [0.9, 0.8, 0.7])
-    >>> measured.at([0.1, 0.75, 9.0]).tolist()
+    >>> measured.at([0.1, 0.75, 9.0]).round(12).tolist()
     [0.9, 0.85, 0.7]
     >>> rubber = carom.Material(2e7, 0.5)
     >>> ball = carom.sphere(0.02, rubber, 0.03, velocity=(0, 0, -2))
     >>> rebound = carom.collide(ball, carom.plane(carom.RIGID), 0.3, normal_restitution=measured)
-    >>> round(rebound.body_1_velocity[2], 12)  # 0.75 times 2 m/s
+    >>> float(round(rebound.body_1_velocity[2], 12))  # 0.75 times 2 m/s
     1.5
     """
 
