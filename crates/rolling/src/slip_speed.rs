@@ -43,6 +43,8 @@ impl RollingFriction {
             law: self.law,
             speed,
             field: Field::uniform(grid, rest),
+            part: if self.law.coefficients()[1] < 0.0 { 0.5 } else { 1.0 },
+            change: f64::INFINITY,
             passes: 0,
             went: None,
         })
@@ -55,6 +57,10 @@ pub(crate) struct Settling {
     /// Slip speed over slip of a step.
     speed: f64,
     field: Field<CellFriction>,
+    /// The share of a change that is taken over. Friction that grows with speed would go up and down: it takes half, and half
+    /// of that where the changes do not fall.
+    part: f64,
+    change: f64,
     passes: usize,
     went: Option<Convergence>,
 }
@@ -82,6 +88,10 @@ impl Settling {
         if change <= CHANGE {
             return Ok(Some(all));
         }
+        if self.part < 1.0 && change >= self.change {
+            self.part *= 0.5;
+        }
+        self.change = change;
         match self.passes < PASSES {
             true => Ok(None),
             false => Err(RollingError::SlipSpeed { passes: self.passes, change }),
@@ -91,8 +101,6 @@ impl Settling {
     /// Sets the friction of each cell; the greatest change, in parts of the greatest friction limit.
     fn change(&mut self, state: &ContactState, before: &ContactState) -> Result<f64, RangeError> {
         let slip = state.slip_since(before);
-        // Friction that grows with speed would go up and down.
-        let part = if self.law.coefficients()[1] < 0.0 { 0.5 } else { 1.0 };
         let (mut change, mut limit) = (0.0_f64, f64::MIN_POSITIVE);
         for (cell, friction) in self.field.values_mut().iter_mut().enumerate() {
             let slips = state.cells.values()[cell] == CellState::Slip;
@@ -102,7 +110,7 @@ impl Settling {
             let pressure = state.pressure.values()[cell];
             change = change.max((new - old).abs() * pressure);
             limit = limit.max(new * pressure);
-            let next = old + part * (new - old);
+            let next = old + self.part * (new - old);
             *friction = Friction::new(next)?.into();
         }
         Ok(change / limit)
