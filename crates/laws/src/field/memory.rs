@@ -185,9 +185,9 @@ mod tests {
         plane.advance(1.0, [0.0, 0.0]).unwrap();
         plane.advance(1.0, [0.0, 0.7]).unwrap();
         plane.advance(1.0, [0.0, 0.2]).unwrap();
-        let line = memory_displacement(&memory, 1.0, 1.0, &pair(0.3), [0.4, 1.2]);
+        let line = memory_displacement(&memory, 1.0, 0.3, &pair(0.3), [0.4, 1.2]);
         let circle = ContactEllipse::circle(1.0).unwrap();
-        let turned = elliptic_memory_displacement(&plane, &circle, 1.0, &pair(0.3), [-1.2, 0.4]);
+        let turned = elliptic_memory_displacement(&plane, &circle, 0.3, &pair(0.3), [-1.2, 0.4]);
         let turned = turned.unwrap();
         assert_relative_eq!(turned[1], line[0], max_relative = 1e-13);
         assert_relative_eq!(turned[0], -line[1], max_relative = 1e-13);

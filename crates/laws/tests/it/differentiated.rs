@@ -101,6 +101,11 @@ fn on_the_limit_of_adhesion_one_side_is_told() {
     let changes = steps.map(|to| law.advance(to).map(|_| law.sensitivity().is_at_change));
     // What forgets the annuli of the limit forgets the flag.
     assert_eq!(changes, [Ok(false), Ok(true), Ok(false)]);
+    // It is the step that counts, not where it begins.
+    let mut moved = Differentiated::new(stiffness, friction).unwrap();
+    moved.advance(Shift { zeta: 1.0, xi: 0.1, ..Shift::default() }).unwrap();
+    moved.advance(Shift { zeta: 2.0, xi: 0.35, ..Shift::default() }).unwrap();
+    assert!(moved.sensitivity().is_at_change);
 }
 
 /// What stands in for derivatives where shifts turn, and under static friction: one factor of all shifts tells those by all

@@ -397,3 +397,16 @@ fn fixed_capacity_stays_near_the_exact_memory() {
     capacity::<16>(2e-2, 5e-4);
     capacity::<32>(5e-3, 5e-5);
 }
+
+/// A pull almost against the traction turns it late: tan(phi/2) falls by exp(-path/zeta), here from 2e160 to 2.
+#[test]
+fn a_traction_that_is_pulled_back_turns_in_the_end() {
+    for ahead in [[1.0, 0.0], [0.0, -1.0]] {
+        let across = [-ahead[1], ahead[0]];
+        let before = across.times(1e-160).minus(ahead);
+        let path = ahead.times(160.0 * std::f64::consts::LN_10);
+        let turned = <[f64; 2]>::dragged(before, path, 1.0, 1.0);
+        let off = turned.minus(ahead.times(-0.6).plus(across.times(0.8)));
+        assert!(off.length() < 1e-12, "{turned:?}");
+    }
+}

@@ -25,7 +25,7 @@ fn files_of_other_programs_are_named() {
         (b"%PDF-1.4", "PDF"),
         (b"{\"a\": 1}", "JSON"),
         (b"<?xml version", "XML"),
-        (b"\0\x01\x02 something", "binary"),
+        (b"\0\x01\x02 something", "binary file is not read"),
     ] {
         refused(begin, name);
         refused(begin, "SurfaceTopography");
