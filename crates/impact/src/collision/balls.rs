@@ -40,7 +40,6 @@ pub(super) type Numbers = [f64; 3];
 #[derive(Clone, Copy)]
 pub(super) struct Followed {
     pub(super) motions: [Motion; 2],
-    pub(super) impulse: Vector3<f64>,
     pub(super) numbers: Numbers,
 }
 
@@ -53,11 +52,7 @@ impl Followed {
             spin: sum(&self.motions[i].spin, &other.motions[i].spin),
         };
         let number = |i: usize| self.numbers[i] + part * (other.numbers[i] - self.numbers[i]);
-        Self {
-            motions: [motion(0), motion(1)],
-            impulse: sum(&self.impulse, &other.impulse),
-            numbers: std::array::from_fn(number),
-        }
+        Self { motions: [motion(0), motion(1)], numbers: std::array::from_fn(number) }
     }
 
     pub(super) fn less(&self, other: &Self) -> Self {
@@ -67,7 +62,6 @@ impl Followed {
         };
         Self {
             motions: [motion(0), motion(1)],
-            impulse: self.impulse - other.impulse,
             numbers: std::array::from_fn(|i| self.numbers[i] - other.numbers[i]),
         }
     }
@@ -164,7 +158,7 @@ impl Balls<'_> {
         let tensors: [Matrix3<f64>; 2] =
             [0, 1].map(|i| collision.levers[i].inverse_tensor() / (scale * scale));
         let mut contact = self.contact()?;
-        let mut impulse = Vector3::zeros();
+        let mut has_touched = false;
         let (mut loads, mut greatest, mut deepest, mut steps) = ([0.0; 2], 0.0, 0.0, 0.0);
         for _ in 0..(self.pace * (PATIENCE * STEPS[1]) as f64) as usize {
             for grain in &mut grains {
@@ -175,7 +169,7 @@ impl Balls<'_> {
             let meeting = Meeting::of_spheres(&grains[0], &grains[1], [0.5; 2])?;
             let load = contact.advance(&meeting, dt)?;
             let force = Vector3::from(load.force);
-            if force == Vector3::zeros() && impulse != force {
+            if force == Vector3::zeros() && has_touched {
                 let part = left(loads);
                 observe(part, &meeting, force);
                 steps += part;
@@ -183,7 +177,7 @@ impl Balls<'_> {
             }
             observe(1.0, &meeting, force);
             steps += 1.0;
-            impulse += dt * force;
+            has_touched |= force != Vector3::zeros();
             loads = [loads[1], force.dot(&Vector3::from(meeting.normal))];
             greatest = loads[1].max(greatest);
             deepest = meeting.zeta.max(deepest);
@@ -198,7 +192,7 @@ impl Balls<'_> {
             velocity: grain.velocity.into(),
             spin: Vector3::from(grain.spin) * scale,
         });
-        Ok(Followed { motions, impulse, numbers: [steps * dt, deepest, greatest] })
+        Ok(Followed { motions, numbers: [steps * dt, deepest, greatest] })
     }
 
     /// The moments of the same contact.

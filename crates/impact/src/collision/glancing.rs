@@ -222,12 +222,13 @@ impl Collision {
             spin: part * (by.spin - z * by.spin.dot(&z)),
         });
         let allowed = self.share_without_gain(&next, &by);
+        let kept = next.motions;
         for (motion, by) in next.motions.iter_mut().zip(&by) {
             motion.velocity += allowed * by.velocity;
             motion.spin += allowed * by.spin;
         }
-        next.impulse += allowed * part * change.impulse;
         self.book(&mut next);
+        next.impulse += self.momentum(&kept, &next.motions);
         let after = self.contact_velocity(&next.motions);
         let before = self.velocity();
         next.contact_velocity_after = self.frame().to_space(&after);
@@ -237,6 +238,27 @@ impl Collision {
         let size = self.contact_velocity(&change.motions).norm();
         next.error_estimate += (spread + (LEFT + 1.0 - allowed) * size) / before.norm();
         Ok(next)
+    }
+
+    /// The momentum that body 1 gains from these motions to those.
+    fn momentum(&self, from: &[Motion; 2], to: &[Motion; 2]) -> Vector3<f64> {
+        let [one, two] = self.inverse_masses();
+        match one > 0.0 {
+            true => (to[0].velocity - from[0].velocity) / one,
+            false => (from[1].velocity - to[1].velocity) / two,
+        }
+    }
+
+    fn inverse_masses(&self) -> [f64; 2] {
+        self.bodies.each_ref().map(|body| body.inertia().inverse_mass())
+    }
+
+    /// Whether no body that is held moves, which would do work on the other one.
+    fn keeps_energies(&self) -> bool {
+        self.bodies.iter().all(|body| {
+            let Motion { velocity, spin } = body.motion();
+            body.inertia().mass().is_finite() || velocity.amax().max(spin.amax()) == 0.0
+        })
     }
 
     fn kinetic(&self, motions: &[Motion; 2]) -> f64 {
@@ -251,8 +273,9 @@ impl Collision {
             spin: rebound.motions[i].spin + by[i].spin,
         });
         let [kept, whole, own] = [&rebound.motions, &sum, by].map(|motions| self.kinetic(motions));
-        let free = self.bodies.iter().all(|body| body.inertia().mass().is_finite());
-        if !free || whole - rebound.energy.before <= 0.75 * self.energy_of_centres(&sum) {
+        if !self.keeps_energies()
+            || whole - rebound.energy.before <= 0.75 * self.energy_of_centres(&sum)
+        {
             return 1.0;
         }
         // kept + p slope + p^2 own is the energy with the share p.
@@ -263,24 +286,23 @@ impl Collision {
 
     /// The kinetic energy of the motion of the centres against each other.
     fn energy_of_centres(&self, motions: &[Motion; 2]) -> f64 {
-        let masses = self.bodies.each_ref().map(|body| body.inertia().mass());
-        let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);
-        0.5 * reduced * (motions[1].velocity - motions[0].velocity).norm_squared()
+        let [one, two] = self.inverse_masses();
+        0.5 * (motions[1].velocity - motions[0].velocity).norm_squared() / (one + two)
     }
 
     /// Energies after a change of the motions; without any loss the relative speed is that which keeps the energy. Friction
     /// has the same part of the loss as without the turn.
     fn book(&self, rebound: &mut Rebound) {
-        let free = self.bodies.iter().all(|body| body.inertia().mass().is_finite());
+        let kept = self.keeps_energies();
         let is_elastic = rebound.energy.lost == 0.0;
         let mut lost = rebound.energy.before - self.kinetic(&rebound.motions);
         let keeps = is_elastic && self.friction.get() == 0.0;
-        if free && (keeps || lost < 0.0) {
+        if kept && (keeps || lost < 0.0) {
             self.scale_to(&mut rebound.motions, lost);
             lost = 0.0;
         }
         rebound.energy.after = self.kinetic(&rebound.motions);
-        if !free {
+        if !kept {
             return;
         }
         let EnergyBudget { dissipated, lost: in_material, .. } = rebound.energy;
@@ -291,9 +313,8 @@ impl Collision {
 
     // Adds an energy to the motion of the centres against each other.
     fn scale_to(&self, motions: &mut [Motion; 2], missing: f64) {
-        let masses = self.bodies.each_ref().map(|body| body.inertia().mass());
-        let whole = masses[0] + masses[1];
-        let middle = (masses[0] * motions[0].velocity + masses[1] * motions[1].velocity) / whole;
+        let [one, two] = self.inverse_masses();
+        let middle = (two * motions[0].velocity + one * motions[1].velocity) / (one + two);
         let part = (1.0 + missing / self.energy_of_centres(motions)).max(0.0).sqrt();
         for motion in motions {
             motion.velocity = middle + part * (motion.velocity - middle);

@@ -1,6 +1,7 @@
 //! Glancing impacts of two balls, whose line of centres turns during the contact.
 
 use carom_drawn::{Draw as _, Xorshift};
+use carom_geometry::Inertia;
 use carom_halfspace::Material;
 use carom_impact::{
     AnalyticOrRings, Body, Collision, CollisionSolver, HistoryPoint, Motion, NormalRestitution,
@@ -108,6 +109,22 @@ fn nothing_jumps_where_the_turn_begins_to_count() {
         }
         last = Some((change, estimate));
     }
+}
+
+/// Nor do spins.
+#[test]
+fn spins_begin_to_count_at_the_same_angle() {
+    let steel = Pair::of_density(4.5e-3, 2500.0, 2e11, 0.3);
+    let at = |across: f64| {
+        let (speed, degrees) = (across.hypot(0.3), across.atan2(0.3).to_degrees());
+        let collision = steel.collision(speed, degrees, 0.2, [0.0; 2]);
+        let [turning, kept] = [collision.clone(), collision.keeping_axes()].map(|c| rebound(&c));
+        let spin = turning.motions[0].spin.y - kept.motions[0].spin.y;
+        (kept.duration * across / (2.0 * steel.radius), spin)
+    };
+    let (angle, _) = at(1.0);
+    let (begins, whole) = (at(7.007e-3 / angle), at(1.3e-2 / angle));
+    assert!(begins.1.abs() < 0.01 * whole.1.abs(), "{begins:?} {whole:?}");
 }
 
 /// The restitution of the normal motion of Kelvin-Voigt springs with this relaxation time, in units of m = K = v = 1.
@@ -409,6 +426,36 @@ fn lossy_balls_lose_energy_and_turn() {
     }
 }
 
+/// A ball that is held is one of endless mass.
+#[test]
+fn balls_glance_off_a_held_ball_as_off_a_heavy_one() {
+    let material = Material::from_young(5.84e9, 0.34).unwrap();
+    let ball = |mass: f64| Body::sphere(28.575e-3, material, mass).unwrap();
+    let comes = ball(0.17).moving(Motion::new([2.9, 0.0, -0.5], [0.0, 30.0, 0.0]).unwrap());
+    for (friction, e) in [(0.0, 1.0), (0.2, 1.0), (0.1, 0.7)] {
+        let [held, heavy] = [ball(1.0).with_inertia(Inertia::FIXED), ball(1e9)].map(|other| {
+            let friction = Friction::new(friction).unwrap();
+            let collision = Collision::new(comes.clone(), other, friction).unwrap();
+            let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+            rebound(&lossy)
+        });
+        let off = (held.motions[0].velocity - heavy.motions[0].velocity).norm()
+            + 0.03 * (held.motions[0].spin - heavy.motions[0].spin).norm()
+            + (held.impulse - heavy.impulse).norm() / 0.17;
+        let energy = held.energy;
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        assert!(balance.abs() < 1e-12 * energy.before, "{friction} {e}: {energy:?}");
+        let contact = held.maximal_contact;
+        let pressure = 1.5 * held.maximal_force / (PI * contact.semi_axis_a().powi(2));
+        let elastic = (held.peak_pressure / pressure - 1.0).abs();
+        assert!(e < 1.0 || elastic < 1e-9, "{elastic}");
+        let wide = contact.semi_axis_a().powi(2) / (0.5 * 28.575e-3 * held.maximal_approach);
+        assert!((wide - 1.0).abs() < 1e-9, "{wide}");
+        let off = off + (energy.dissipated - heavy.energy.dissipated).abs() / energy.before;
+        assert!(off < 1e-6, "{friction} {e}: {held:?} {heavy:?}");
+    }
+}
+
 /// Friction of strongly viscous balls that glance heats as an integration of springs says.
 #[test]
 fn much_friction_heats_as_known() {
@@ -453,7 +500,7 @@ fn viscous_balls_with_much_friction_gain_nothing() {
     }
 }
 
-/// Whatever the balls, friction and loss, the turn gives them no energy.
+/// Whatever the balls, friction and loss, the turn gives them no energy, and the impulse is what they gain of momentum.
 #[test]
 fn drawn_balls_gain_nothing() {
     let mut draw = Xorshift(0x0061_a9c3);
@@ -475,7 +522,11 @@ fn drawn_balls_gain_nothing() {
         let collision = Collision::new(one, two, Friction::new(friction).unwrap()).unwrap();
         let collision = collision.with_torsion_mode(TorsionMode::LeftOut);
         let lossy = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
-        let energy = rebound(&lossy).energy;
+        let rebound = rebound(&lossy);
+        let gained = rebound.motions[0].velocity - lossy.bodies()[0].motion().velocity;
+        let off = (masses[0] * gained - rebound.impulse).norm() / rebound.impulse.norm();
+        assert!(off < 1e-9, "{k}: {off}");
+        let energy = rebound.energy;
         assert!(energy.after <= energy.before * (1.0 + 1e-12), "{e} {friction}: {energy:?}");
         let balance = energy.before - energy.after - energy.dissipated - energy.lost;
         assert!(balance.abs() < 1e-9 * energy.before, "{e} {friction}: {energy:?}");
