@@ -386,8 +386,37 @@ mod tests {
     /// A body that turns a thousand times more easily: its steps would grow without limit.
     #[test]
     fn a_body_that_is_too_light_along_the_surface_is_refused() {
-        let light = |by: f64| impact([by, 3.5, 1.0], STIFF, [0.3, 0.5]).by_springs(0.3);
-        assert!(light(1e3).is_some() && light(1e5).is_none());
+        for axis in [0, 1] {
+            let light = |by: f64, relaxation: f64| {
+                let mut mobility = [3.5, 3.5, 1.0];
+                mobility[axis] = by;
+                impact(mobility, STIFF, [0.3, 0.5]).by_springs(relaxation)
+            };
+            assert!(light(1e3, 0.3).is_some() && light(1e5, 0.3).is_none());
+            // A body that hardly indents has few springs to carry along.
+            let damped = light(150.0, 30.0).unwrap();
+            assert!(damped.velocity.norm() < 5e-3, "{:?}", damped.velocity);
+        }
+    }
+
+    /// What has parted forgets its shift.
+    #[test]
+    fn bodies_pressed_together_again_are_those_of_the_elastic_law() {
+        for (slope, times) in [(2.35, 3), (2.45, 2)] {
+            let slanted = 0.3 + slope * slope;
+            let rows = Matrix3::new(slanted, 0.0, slope, 0.0, 1.0, 0.0, slope, 0.0, 1.1);
+            let mobility = Mobility::from_matrix(rows).unwrap();
+            let friction = Friction::new(2.0).unwrap();
+            let own = CoupledImpact { friction, mobility, ..impact([1.0; 3], STIFF, [1.0, 0.0]) };
+            let known = own.solve(crate::coupled::TurningLaw::Coulomb).unwrap();
+            let found = own.by_springs(1e-6).unwrap();
+            let off = (found.velocity - known.velocity).norm();
+            assert!(off < 1e-3, "{slope}: {off} {}", found.error);
+            let loss = ViscousLoss::of_restitution(0.9999).unwrap();
+            let lossy = own.with_loss(loss).solve(crate::coupled::TurningLaw::Coulomb).unwrap();
+            let all = [found.compressions, known.compressions, lossy.compressions];
+            assert_eq!(all, [times; 3]);
+        }
     }
 
     /// The normal motion coupled to slip in a plane, by that program.

@@ -4,7 +4,9 @@ use carom_geometry::nalgebra::Vector3;
 use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
 use carom_impact::coupled::TurningLaw;
-use carom_impact::{Body, Collision, ImpactFriction, Motion, NormalRestitution, Rebound};
+use carom_impact::{
+    Body, Collision, HistoryPoint, ImpactFriction, Motion, NormalRestitution, Rebound,
+};
 use carom_laws::friction::Friction;
 use carom_laws::static_friction::StaticFriction;
 
@@ -18,7 +20,7 @@ fn egg(axis: [f64; 2], slip: [f64; 2], friction: impl Into<ImpactFriction>) -> C
     let steel = Material::from_young(1e9, 0.3).unwrap();
     let inertia = shape.solid(0.01).unwrap();
     let attitude = Attitude::about([axis[0], axis[1], 0.0], 1.2).unwrap();
-    let motion = Motion::new([slip[0], slip[1], -1.0], [0.0; 3]).unwrap();
+    let motion = Motion::new([slip[0], slip[1], -0.8], [0.0; 3]).unwrap();
     let body = Body::new(shape, steel, inertia).turned(attitude).moving(motion);
     Collision::new(body, Body::plane(steel), friction).unwrap()
 }
@@ -65,7 +67,104 @@ fn histories_of_lossy_bodies_end_in_their_rebound() {
                 .sum();
             let off = collision.frame().to_space(&pushed) - rebound.impulse;
             assert!(off.norm() < 2e-3 * rebound.impulse.norm(), "{axis:?} {slip:?}: {off}");
+            let moved: Vector3<f64> = history
+                .windows(2)
+                .map(|at| 0.5 * (at[1].time - at[0].time) * (at[0].velocity + at[1].velocity))
+                .sum();
+            let off = (moved - last.shift).norm() / rebound.maximal_approach;
+            let most = |of: fn(&HistoryPoint) -> f64| history.iter().map(of).fold(0.0, f64::max);
+            let deep = most(|at| at.shift.z) / rebound.maximal_approach - 1.0;
+            let strong = most(|at| at.force.z) / rebound.maximal_force - 1.0;
+            assert!(off.max(deep.abs()) < 1e-5 && strong.abs() < 1e-3, "{off} {deep} {strong}");
         }
+    }
+}
+
+/// So do those of the law that keeps directions, as far as it is known.
+#[test]
+fn histories_by_fixed_directions_end_near_their_rebound() {
+    let turning = egg([0.7, 0.3], [0.6, -0.4], friction(0.3)).with_law(TurningLaw::FixedDirection);
+    let collision = losing(0.5, turning);
+    let (rebound, history) = (rebound(&collision), collision.history(201).unwrap());
+    let after = collision.frame().to_space(&history.last().unwrap().velocity);
+    let off = (after - rebound.contact_velocity_after).norm();
+    assert!(off < rebound.error_estimate * rebound.contact_velocity_before.norm(), "{off}");
+    assert!((history.last().unwrap().time / rebound.duration - 1.0).abs() < 1e-3);
+}
+
+/// A contact that never slides as a whole knows static friction only; one that always slides, kinetic friction.
+#[test]
+fn static_friction_of_lossy_bodies_is_either_friction() {
+    let both = StaticFriction::new(friction(0.8), friction(0.1)).unwrap();
+    for law in [TurningLaw::Coulomb, TurningLaw::FixedDirection] {
+        for (slip, f) in [([0.02, 0.01], 0.8), ([-3.0, 2.0], 0.1)] {
+            let [of_both, of_one] =
+                [egg([0.7, 0.3], slip, both), egg([0.7, 0.3], slip, friction(f))]
+                    .map(|egg| rebound(&losing(0.5, egg.with_law(law))));
+            let off = (of_both.contact_velocity_after - of_one.contact_velocity_after).norm();
+            assert!(off < 3e-4, "{law} {slip:?}: {off}");
+        }
+    }
+}
+
+/// Bodies that yield leave with e times the normal speed of elastic ones, and their energies are booked.
+#[test]
+fn bodies_that_yield_lose_what_they_are_told() {
+    for (axis, slip) in [([0.7, 0.3], [0.3, 0.1]), ([0.7, 0.0], [0.0, -0.4])] {
+        let yields = NormalRestitution::by_yield(0.6).unwrap();
+        let elastic = egg(axis, slip, friction(0.3));
+        let yielding = rebound(&elastic.clone().with_normal_restitution(yields));
+        let [slow, fast] = [&yielding, &rebound(&elastic)].map(|one| one.contact_velocity_after.z);
+        assert!((slow / fast - 0.6).abs() < 1e-9, "{slow} {fast}");
+        let energy = yielding.energy;
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        assert!(balance.abs() < 1e-12 * energy.before && energy.lost > 0.0, "{energy:?}");
+    }
+}
+
+/// A relaxation time that is given is that of the impact.
+#[test]
+fn a_relaxation_time_is_that_of_the_impact() {
+    let viscous = NormalRestitution::viscoelastic(3e-6).unwrap();
+    let smooth = egg([0.7, 0.3], [0.3, 0.1], friction(0.3)).with_normal_restitution(viscous);
+    let viscosity = smooth.impact().unwrap().unwrap().material_viscosity().unwrap().unwrap();
+    assert!((viscosity.relaxation() / 3e-6 - 1.0).abs() < 1e-9, "{viscosity:?}");
+}
+
+/// An elastic contact bears F at (3/2 F/c_z)^(2/3).
+#[test]
+fn the_deepest_approach_is_that_of_the_greatest_force() {
+    for e in [1.0, 0.6, 0.2] {
+        let collision = losing(e, egg([0.7, 0.3], [0.0; 2], friction(0.0)));
+        let (force, c_z) = (rebound(&collision).maximal_force, collision.hertz().stiffness().c_z);
+        let deepest = collision.impact().unwrap().unwrap().deepest();
+        let known = (1.5 * force / c_z).powf(2.0 / 3.0);
+        assert!((deepest / known - 1.0).abs() < 1e-6, "{e}: {deepest} {known}");
+    }
+}
+
+/// A ball that spins about the normal: what a rebound with a loss tells is what the ball has.
+#[test]
+fn lossy_balls_tell_of_the_spin_and_the_slip_that_they_have() {
+    let rubber = Material::from_young(1e7, 0.4).unwrap();
+    let (radius, mass, before) = (0.02, 0.03, 80.0);
+    let motion = Motion::new([0.3, 0.4, -0.8], [0.0, 0.0, before]).unwrap();
+    let ball = Body::sphere(radius, rubber, mass).unwrap().moving(motion);
+    let floor = Body::plane(Material::RIGID);
+    let collision = Collision::new(ball, floor, friction(0.3)).unwrap().with_torsion();
+    for loss in [NormalRestitution::new(0.5).unwrap(), NormalRestitution::by_yield(0.5).unwrap()] {
+        let rebound = rebound(&collision.clone().with_normal_restitution(loss));
+        let (after, told) = (rebound.motions[0].spin.z, rebound.torsion.unwrap());
+        assert!(after > 0.0 && after < 0.99 * before, "{after}");
+        assert!((told.spin_ratio * before / after - 1.0).abs() < 1e-9, "{told:?}");
+        let momentum = 0.4 * mass * radius * radius * (after - before);
+        assert!((told.torque_impulse.abs() + momentum).abs() < 1e-9 * momentum.abs(), "{told:?}");
+        let energy = rebound.energy;
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        assert!(balance.abs() < 1e-12 * energy.before, "{energy:?}");
+        let [one, two] = [rebound.contact_velocity_before, rebound.contact_velocity_after];
+        let r_x = -one.xy().dot(&two.xy()) / one.xy().norm_squared();
+        assert!((rebound.r_x.unwrap() - r_x).abs() < 1e-9, "{:?} {r_x}", rebound.r_x);
     }
 }
 

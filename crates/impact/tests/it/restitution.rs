@@ -1,8 +1,11 @@
 //! The restitution table and map against the exact impact.
 
 use carom_drawn::{Congruential, Draw as _, Xorshift};
+use carom_halfspace::Material;
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::restitution::{RestitutionTable, restitution_map, with_normal_restitution};
+use carom_impact::{Body, Collision, Motion, NormalRestitution};
+use carom_laws::friction::Friction;
 
 fn worst(points: usize, range: [f64; 2]) -> (f64, f64) {
     let table = RestitutionTable::shared();
@@ -137,5 +140,41 @@ fn the_table_with_a_loss_goes_over_into_the_elastic_one() {
         // Below .1 the impact is integrated; at 0 it is a closed form.
         assert!((at(0.1 - 1e-9) - at(0.1)).abs() < 1e-3);
         assert!((at(0.0) - (3.5 / lambda - 1.0).min(0.0)).abs() < 1e-12);
+    }
+}
+
+/// Two balls by the table of R_x leave as by the impact itself; what slides throughout uses all friction.
+#[test]
+fn tabled_rebounds_are_those_that_are_solved() {
+    let mut draw = Xorshift(0x7ab1);
+    for k in 0..40 {
+        let material = Material::from_young(1e12, 0.3).unwrap();
+        let ball = |radius: f64, density: f64, velocity: [f64; 3], spin: [f64; 3]| {
+            let ball = Body::sphere(radius, material, density * radius.powi(3)).unwrap();
+            ball.moving(Motion::new(velocity, spin).unwrap())
+        };
+        let mut part = || draw.part();
+        let f = 0.05 + part();
+        let slip = [3.0 * part() - 1.5, 3.0 * part() - 1.5];
+        let one = ball(0.01, 8000.0, [slip[0], slip[1], -1.0 - part()], [9.0 * part(), 0.0, 0.0]);
+        let two = ball(0.01 + 0.02 * part(), 3000.0, [0.0; 3], [0.0, 7.0 * part(), 0.0]);
+        let e = if k % 2 == 0 { 1.0 } else { 0.4 + 0.6 * part() };
+        let collision = Collision::new(one, two, Friction::new(f).unwrap()).unwrap();
+        let own = collision.with_normal_restitution(NormalRestitution::new(e).unwrap());
+        let tabled = own.tabled().unwrap();
+        let kappa = tabled.stiffness_ratio();
+        let found = tabled.rebound(f, kappa, tabled.normal_restitution()).unwrap();
+        let outcome = own.solve().unwrap();
+        let solved = outcome.rebound().unwrap();
+        let after = own.frame().to_space(&found.contact_velocity);
+        let off = (after - solved.contact_velocity_after).norm();
+        assert!(off < 2e-3 && (found.r_x - solved.r_x.unwrap()).abs() < 5e-3, "{k}: {off}");
+        for (one, other) in found.motions.iter().zip(&solved.motions) {
+            let off = (one.velocity - other.velocity).norm();
+            assert!(off + 0.01 * (one.spin - other.spin).norm() < 5e-3, "{k}: {one:?} {other:?}");
+        }
+        let impulse = own.frame().to_contact(&solved.impulse);
+        let uses_all = impulse.xy().norm() > (1.0 - 1e-6) * f * impulse.z.abs();
+        assert!(e < 1.0 || tabled.slides(f, kappa) == uses_all, "{k}");
     }
 }

@@ -188,7 +188,7 @@ fn spin_about_the_normal_is_taken_down_and_pushes_sideways() {
 #[test]
 fn other_shapes_and_bad_tolerances_are_refused() {
     let pair = collision([ALUMINA, GLASS], 0.1, 8.0, 0.0);
-    assert!(RingImpact::new(&pair).within(0.0).is_err());
+    assert!(RingImpact::new(&pair).within(0.0).is_err() && pair.clone().within(0.0).is_err());
     let egg = carom_geometry::Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
     let inertia = egg.solid(0.3).unwrap();
     let egg = Body::new(egg, material(STEEL), inertia)
