@@ -113,7 +113,7 @@ pub(crate) fn test(left_out: &[&str]) -> anyhow::Result<Outcome> {
 /// Runs pytest in `folder`. Tests that skip themselves count as a skipped part.
 pub(crate) fn pytest(pytest: &mut Command, folder: &Path) -> anyhow::Result<Outcome> {
     let report = folder.join("pytest.xml");
-    pytest.current_dir(folder).arg("-rs").arg("--junit-xml").arg(&report);
+    pytest.current_dir(folder).args(["-rs", "--durations=10", "--junit-xml"]).arg(&report);
     call(pytest)?;
     let text = std::fs::read_to_string(&report).with_context(|| report.display().to_string())?;
     let skipped = skipped_in(&text).context("pytest's report has no count of skipped tests")?;

@@ -101,7 +101,7 @@ impl<K: Kind> Place<K> {
     }
 }
 
-/// The number of bytes of a touch of this law: 1272 of a law of shifts, 3296 of CAROM_LAW_RINGS; 744 more with torsion,
+/// The number of bytes of a touch of this law: 1272 of a law of shifts, 3296 of CAROM_LAW_RINGS; 752 more with torsion,
 /// 72 more with a resistance to rolling. 0 for null.
 ///
 /// # Safety

@@ -129,8 +129,8 @@ impl TorsionLaw {
     /// A law in its initial state, from the constants of a contact.
     ///
     /// # Errors
-    /// [`RangeError`] for a constant that is not from 1e-60 to 1e60, or a sliding torque or the twist at which the
-    /// contact slides that are far out of range.
+    /// [`RangeError`] for a constant that is not from 1e-60 to 1e60, or a sliding torque, or the twist at which the
+    /// contact slides, that are far out of range where the approach is the square of the arm.
     #[inline]
     pub fn from_constants(
         constants: TorsionConstants,
