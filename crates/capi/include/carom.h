@@ -318,7 +318,7 @@ typedef struct carom_report {
  * The constants are those of the step in which contact began. To change them, set the touch to zero. */
 typedef struct carom_touch carom_touch;
 
-/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3296 of CAROM_LAW_RINGS; 744 more with torsion,
+/* The number of bytes of a touch of this law: 1272 of a law of shifts, 3296 of CAROM_LAW_RINGS; 752 more with torsion,
  * 72 more with a resistance to rolling. 0 for null. */
 size_t carom_touch_size(const struct carom_law *law);
 
@@ -338,7 +338,8 @@ typedef struct carom_grain_load {
  * `heats`, which may be null; computing it costs several times the force, but nothing with CAROM_LAW_RINGS.
  *
  * Where the bodies separate, the history is lost; if heat is computed, it contains the energy released then. Bodies
- * that are separated and stay so need no call. */
+ * that are separated and stay so need no call. Without damping, friction of the last four steps before is the mean over
+ * each of them, as the motion needs it, and may exceed the friction limit of the force at their end. */
 carom_status carom_touch_step(const struct carom_law *law,
                               struct carom_touch *touch,
                               const struct carom_grain *one,
