@@ -92,7 +92,7 @@ const char *carom_status_text(int32_t status);
 #define CAROM_ABI_VERSION 13
 
 /* The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read. */
-#define CAROM_STATE_VERSION 4
+#define CAROM_STATE_VERSION 3
 
 /* The version of the library, as "0.1.0"; not to be freed. */
 const char *carom_version(void);

@@ -7,7 +7,7 @@ use std::ffi::c_char;
 pub const CAROM_ABI_VERSION: u32 = 13;
 
 /// The version of the numbers of a `carom_state` and of a packed touch; files of another version cannot be read.
-pub const CAROM_STATE_VERSION: u32 = 4;
+pub const CAROM_STATE_VERSION: u32 = 3;
 
 /// The version of the library, as "0.1.0"; not to be freed.
 #[unsafe(no_mangle)]

@@ -296,7 +296,7 @@ def test_many_contacts_all_or_none():
     with pytest.raises(carom.RangeError) as caught:
         contacts.advance([1e-6, math.nan, 1e-6])
     assert caught.value.index == 1
-    with pytest.raises(carom.RangeError, match=r"xi = nan.*\(contact 2, step 1\)") as caught:
+    with pytest.raises(carom.RangeError, match=r"xi = NaN.*\(contact 2, step 1\)") as caught:
         contacts.follow(np.full((3, 2), 1e-6), [[0.0, 0.0], [0.0, 0.0], [0.0, math.nan]])
     assert caught.value.index == (2, 1)
     np.testing.assert_array_equal(contacts.loads, before)

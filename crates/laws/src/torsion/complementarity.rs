@@ -116,7 +116,7 @@ mod tests {
     /// Turned to and fro, the rings slip by the same whichever method finds it.
     #[test]
     fn sweeps_find_what_guesses_find() {
-        let mesh = Mesh::new(1.0, 0.5, WIDEST_LEVEL);
+        let mesh = Mesh::new(1.0, 0.5, 1.0, WIDEST_LEVEL);
         let (rings, n) = (Rings::new(&mesh), mesh.len());
         let mut densities = vec![0.0; n];
         for turned in [0.05, -0.12, 0.11, -0.4] {

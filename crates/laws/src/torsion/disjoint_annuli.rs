@@ -50,7 +50,8 @@ impl TwistHistory {
         let inside = radius.min(self.stick);
         let mut lowest = RING_MARGIN * self.kept(inside).calm_inside(radius.min(self.radius));
         loop {
-            let mesh = Mesh::new(radius, lowest.max(INNERMOST_RING * radius), self.level);
+            let inner = lowest.max(INNERMOST_RING * radius);
+            let mesh = Mesh::new(radius, inner, self.unit, self.level);
             let before = Cells::averaged(mesh.edges(), self);
             let (single, path) = self.single_annulus(radius, twist);
             if single.obeys(&mesh, &before) {

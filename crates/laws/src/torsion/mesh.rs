@@ -81,11 +81,11 @@ pub(super) struct Mesh {
 }
 
 impl Mesh {
-    /// Rings for a contact of given radius down to `inner`, as far as they extend, with the given
-    /// level of width near the edge.
-    pub(super) fn new(radius: f64, inner: f64, level: usize) -> Self {
-        let places = Places::new(radius, inner, level.min(WIDEST_LEVEL));
-        let edges = places.edges(radius);
+    /// Rings for a contact of given radius down to `inner`, as far as they extend, with edges counted
+    /// from a radius `unit` and the given level of width near the edge.
+    pub(super) fn new(radius: f64, inner: f64, unit: f64, level: usize) -> Self {
+        let places = Places::new(radius / unit, inner / unit, level.min(WIDEST_LEVEL));
+        let edges = places.edges(radius, unit);
         let middles: Vec<f64> = edges.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
         let twists: Vec<f64> = edges.iter().map(|&s| sliding_twist(s, radius)).collect();
         let slope = |(s, t): (&[f64], &[f64])| (t[1] - t[0]) / (s[0] - s[1]);
@@ -177,8 +177,8 @@ impl Places {
         Self { units, levels }
     }
 
-    fn edges(&self, radius: f64) -> Vec<f64> {
-        let rest = self.units[1..].iter().map(|&unit| libm::exp(-FINEST * f64::from(unit)));
+    fn edges(&self, radius: f64, whole: f64) -> Vec<f64> {
+        let rest = self.units[1..].iter().map(|&unit| whole * libm::exp(-FINEST * f64::from(unit)));
         std::iter::once(radius).chain(rest).collect()
     }
 

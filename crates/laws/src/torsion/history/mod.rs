@@ -84,6 +84,8 @@ pub struct TwistHistory {
     pub(in crate::torsion) ring_steps: u32,
     /// The level of the ring width at the edge.
     pub(in crate::torsion) level: usize,
+    /// The radius from which the edges of rings are counted.
+    pub(in crate::torsion) unit: f64,
 }
 
 impl Default for TwistHistory {
@@ -125,7 +127,13 @@ impl TwistHistory {
             segments: Pieces::default(),
             ring_steps: 0,
             level,
+            unit: 1.0,
         }
+    }
+
+    /// The same with edges of rings counted from this radius, so that they do not depend on the unit of length.
+    pub(in crate::torsion) fn counted_from(self, unit: f64) -> Self {
+        Self { unit, ..self }
     }
 
     /// The contact radius al.
@@ -198,7 +206,8 @@ impl TwistHistory {
 
     /// Clears the history of the contact.
     pub(in crate::torsion) fn separate(&mut self, twist: f64) {
-        *self = Self { twist, ring_steps: self.ring_steps, ..Self::at_level(self.level) };
+        let &mut Self { ring_steps, level, unit, .. } = self;
+        *self = Self { twist, ring_steps, unit, ..Self::at_level(level) };
     }
 
     /// A substep whose pattern of slip is known.

@@ -73,7 +73,7 @@ impl TwistHistory {
     }
 
     fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        let Self { radius, twist, torque, stick, segments, ring_steps, level } = self;
+        let Self { radius, twist, torque, stick, segments, ring_steps, level, .. } = self;
         let mut writer = Writer::new(numbers, packed_numbers(segments.len()), ROOM)?;
         writer.write(&[1e4 * VERSION + *level as f64, segments.len() as f64]);
         writer.write(&[*radius, *twist, *torque, *stick, f64::from(*ring_steps)]);
@@ -132,7 +132,7 @@ impl TwistHistory {
         });
         let (segments, level) = (segments.collect::<Result<_, RangeError>>()?, level as usize);
         let ring_steps = ring_steps as u32;
-        let read = Self { radius, twist, torque, stick, segments, ring_steps, level };
+        let read = Self { radius, twist, torque, stick, segments, ring_steps, level, unit: 1.0 };
         read.check_meaning()?;
         Ok(read)
     }

@@ -67,7 +67,7 @@ impl StoredHistory {
         let &Self { radius, twist, torque, stick, ring_steps, level, .. } = self;
         let kept = self.pieces.get(..self.count as usize).unwrap_or(&self.pieces);
         let (segments, level) = (Pieces::kept(kept), level as usize);
-        TwistHistory { radius, twist, torque, stick, segments, ring_steps, level }
+        TwistHistory { radius, twist, torque, stick, segments, ring_steps, level, unit: 1.0 }
     }
 
     /// Keeps this history, which was taken up from here, after a step; of too many pieces those that matter least are
@@ -77,8 +77,9 @@ impl StoredHistory {
         if history.pieces() > PIECES {
             self.thin(history);
         }
-        let &mut TwistHistory { radius, twist, torque, stick, ref segments, ring_steps, level } =
-            history;
+        let &mut TwistHistory {
+            radius, twist, torque, stick, ref segments, ring_steps, level, ..
+        } = history;
         (self.radius, self.twist, self.torque, self.stick) = (radius, twist, torque, stick);
         (self.ring_steps, self.level) = (ring_steps, level as u32);
         let (same, count) = (segments.same(), segments.len());

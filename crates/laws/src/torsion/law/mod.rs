@@ -92,22 +92,11 @@ impl TorsionConstants {
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorsionLaw {
     c_z: f64,
-    units: Units,
+    /// bh = Omega times `per_twist`, M_z = mu times `per_torque`.
+    per_twist: f64,
+    per_torque: f64,
     state: State,
     shift: Shift,
-}
-
-/// From the units of a contact to those of its history, where radii are of order one: its rings then do not depend on the
-/// unit of length.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C)]
-struct Units {
-    /// al over the square root of the approach.
-    radius: f64,
-    /// bh over Omega.
-    twist: f64,
-    /// M_z over mu.
-    torque: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -129,8 +118,8 @@ impl TorsionLaw {
     /// A law in its initial state, from the constants of a contact.
     ///
     /// # Errors
-    /// [`RangeError`] for a constant that is not from 1e-60 to 1e60, or a sliding torque, or the twist at which the
-    /// contact slides, that are far out of range where the approach is the square of the arm.
+    /// [`RangeError`] for a constant that is not from 1e-60 to 1e60, or a sliding torque or the twist at which the
+    /// contact slides that are far out of range.
     #[inline]
     pub fn from_constants(
         constants: TorsionConstants,
@@ -140,29 +129,26 @@ impl TorsionLaw {
         constant("c_z", c_z)?;
         constant("torsional stiffness", stiffness)?;
         constant("torsional arm", arm)?;
-        let (state, units) = match friction.coefficient() {
-            Some(0.0) => (State::Frictionless, Units { radius: 1.0, twist: 0.0, torque: 0.0 }),
+        let (state, per_twist, per_torque) = match friction.coefficient() {
+            Some(0.0) => (State::Frictionless, 0.0, 0.0),
             Some(f) => {
-                // Sliding in a contact of radius 1, whose approach is the square of the arm.
-                let sliding = f * 2.0 / 3.0 * c_z * arm.powi(5);
-                let torque = sliding * 32.0 / (3.0 * PI);
-                let holds = (1e-90..=1e90).contains(&torque);
-                RangeError::check("sliding torque", torque, holds, "from 1e-90 to 1e90")?;
-                let twist = constant("twist of sliding", stiffness * arm.powi(3) / torque)?;
-                (State::Lubkin(TwistHistory::new()), Units { radius: 1.0 / arm, twist, torque })
+                let sliding = f * 2.0 / 3.0 * c_z * arm;
+                let per_torque = sliding * 32.0 / (3.0 * PI);
+                let holds = (1e-90..=1e90).contains(&per_torque);
+                RangeError::check("sliding torque", per_torque, holds, "from 1e-90 to 1e90")?;
+                let per_twist = constant("twist of sliding", stiffness / per_torque)?;
+                let history = TwistHistory::new().counted_from(arm);
+                (State::Lubkin(history), per_twist, per_torque)
             }
             None => {
                 // Discs of radius a carry a^3: a force a^4, whose derivative has the factor 4.
                 let profile = PowerLaw::of_shape(1.0 / 3.0)?;
                 let memory = Box::new(AdhesionMemory::with_profile(profile));
-                (
-                    State::Adhesion(memory),
-                    Units { radius: 1.0, twist: 1.0, torque: stiffness / 4.0 },
-                )
+                (State::Adhesion(memory), 1.0, stiffness / 4.0)
             }
         };
         let shift = Shift::default();
-        Ok(Self { c_z, units, state, shift })
+        Ok(Self { c_z, per_twist, per_torque, state, shift })
     }
 
     /// The history of the twist, if friction is neither zero nor infinite.
@@ -190,7 +176,7 @@ impl TorsionLaw {
                 rest.fill(0.0);
                 0.0
             }
-            State::Lubkin(history) => history.pack(rest)? * self.units.torque,
+            State::Lubkin(history) => history.pack(rest)? * self.per_torque,
             State::Adhesion(memory) => {
                 memory.pack(rest)?;
                 0.0
@@ -215,8 +201,8 @@ impl TorsionLaw {
             State::Frictionless => {}
             State::Lubkin(history) => {
                 let read = TwistHistory::read(rest)?;
-                check_approach(shift.zeta, read.radius() / self.units.radius)?;
-                *history = read;
+                check_approach(shift.zeta, read.radius())?;
+                *history = read.counted_from(history.unit);
             }
             State::Adhesion(memory) => {
                 let mut read = memory.clone();
@@ -245,10 +231,8 @@ impl TorsionLaw {
     pub fn twist_energy(&self) -> f64 {
         match &self.state {
             State::Frictionless => 0.0,
-            State::Lubkin(history) => {
-                history.stored_energy() * self.units.torque / self.units.twist
-            }
-            State::Adhesion(memory) => memory.stored_energy() * self.units.torque,
+            State::Lubkin(history) => history.stored_energy() * self.per_torque / self.per_twist,
+            State::Adhesion(memory) => memory.stored_energy() * self.per_torque,
         }
     }
 
@@ -257,13 +241,13 @@ impl TorsionLaw {
         let from = self.shift;
         let crossing = || {
             let part = from.zeta / (from.zeta - to.zeta);
-            (from.omega + part * (to.omega - from.omega)) * self.units.twist
+            (from.omega + part * (to.omega - from.omega)) * self.per_twist
         };
         let parts = from.zeta > 0.0 && to.zeta < 0.0;
         SlipPath {
             touch: (from.zeta < 0.0 && to.zeta > 0.0).then(crossing),
-            radius: to.zeta.max(0.0).sqrt() * self.units.radius,
-            twist: if parts { crossing() } else { to.omega * self.units.twist },
+            radius: to.zeta.max(0.0).sqrt(),
+            twist: if parts { crossing() } else { to.omega * self.per_twist },
         }
     }
 
@@ -285,7 +269,7 @@ impl TorsionLaw {
         advance: impl Fn(&mut TwistHistory, f64, f64) -> Result<f64, RangeError>,
     ) -> Result<f64, RangeError> {
         to.check_finite()?;
-        in_contact("omega", to.omega * self.units.twist)?;
+        in_contact("omega", to.omega * self.per_twist)?;
         let SlipPath { touch, radius, twist } = self.way(to);
         let heat = match &mut self.state {
             State::Frictionless => 0.0,
@@ -293,13 +277,13 @@ impl TorsionLaw {
                 if let Some(touch) = touch {
                     history.separate(touch);
                 }
-                advance(history, radius, twist)? * self.units.torque / self.units.twist
+                advance(history, radius, twist)? * self.per_torque / self.per_twist
             }
             State::Adhesion(memory) => {
                 if let Some(touch) = touch {
                     memory.advance(0.0, touch)?;
                 }
-                let heat = memory.dissipation(radius, twist) * self.units.torque;
+                let heat = memory.dissipation(radius, twist) * self.per_torque;
                 memory.advance(radius, twist)?;
                 heat
             }
@@ -313,7 +297,7 @@ impl TorsionLaw {
 
     /// The twist continues while the bodies are separated.
     fn separate(&mut self, omega: f64) -> Result<(), RangeError> {
-        let twist = omega * self.units.twist;
+        let twist = omega * self.per_twist;
         match &mut self.state {
             State::Frictionless => {}
             State::Lubkin(history) => history.separate(twist),
@@ -326,7 +310,7 @@ impl TorsionLaw {
 
     /// The torque of the twist.
     pub(crate) fn twist_torque(&self) -> f64 {
-        self.units.torque
+        self.per_torque
             * match &self.state {
                 State::Frictionless => 0.0,
                 State::Lubkin(history) => history.torque(),

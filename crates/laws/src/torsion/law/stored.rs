@@ -2,7 +2,8 @@
 
 use carom_special::RangeError;
 
-use super::{HEAD, State, TorsionLaw, Units};
+use super::{HEAD, State, TorsionLaw};
+use crate::bounds::constant;
 use crate::law::{ContactLaw as _, Shift};
 use crate::stored::Writer;
 use crate::torsion::history::StoredHistory;
@@ -13,7 +14,10 @@ use crate::torsion::history::StoredHistory;
 #[repr(C)]
 pub struct StoredTwist {
     c_z: f64,
-    units: Units,
+    per_twist: f64,
+    per_torque: f64,
+    /// The radius from which the edges of rings are counted.
+    unit: f64,
     zeta: f64,
     omega: f64,
     history: StoredHistory,
@@ -28,23 +32,24 @@ impl StoredTwist {
     /// # Errors
     /// [`RangeError`] for infinite friction, whose history has no fixed size.
     pub fn new(law: &TorsionLaw) -> Result<Self, RangeError> {
-        let &TorsionLaw { c_z, units, .. } = law;
+        let &TorsionLaw { c_z, per_twist, per_torque, .. } = law;
         let is_finite = !matches!(law.state, State::Adhesion(_));
         RangeError::check("friction", f64::INFINITY, is_finite, "finite")?;
         let history = StoredHistory::NEW;
-        Ok(Self { c_z, units, zeta: 0.0, omega: 0.0, history })
+        let unit = law.history().map_or(1.0, |history| history.unit);
+        Ok(Self { c_z, per_twist, per_torque, unit, zeta: 0.0, omega: 0.0, history })
     }
 
     /// The law in this state.
     #[must_use]
     pub fn law(&self) -> TorsionLaw {
-        let &Self { c_z, units, zeta, omega, .. } = self;
-        let state = match units.torque {
+        let &Self { c_z, per_twist, per_torque, unit, zeta, omega, .. } = self;
+        let state = match per_torque {
             0.0 => State::Frictionless,
-            _ => State::Lubkin(self.history.history()),
+            _ => State::Lubkin(self.history.history().counted_from(unit)),
         };
         let shift = Shift { zeta, omega, ..Shift::default() };
-        TorsionLaw { c_z, units, state, shift }
+        TorsionLaw { c_z, per_twist, per_torque, state, shift }
     }
 
     /// Checks a state whose bytes may have been changed elsewhere.
@@ -55,6 +60,7 @@ impl StoredTwist {
         for number in [self.zeta, self.omega] {
             RangeError::finite("twist", number)?;
         }
+        constant("unit of the rings", self.unit)?;
         self.history.check()
     }
 
