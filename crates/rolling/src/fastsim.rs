@@ -73,7 +73,7 @@ impl Fastsim {
     ///
     /// # Errors
     /// [`RangeError`] unless lengths, modulus, force and friction are positive, there are 1 to 1000
-    /// strips and elements, and the creepage is finite.
+    /// strips and elements, and the creepage is finite and stretches springs to at most 1e150.
     pub fn forces(&self, creepage: Creepage) -> Result<FastsimForces, RangeError> {
         let [a, b] = self.semi_axes;
         let springs = Springs::of_ellipse([a, b], self.shear_modulus, &self.coefficients)?;
